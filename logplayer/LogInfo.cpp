@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/base/Losses.h"
+#include "logplayer/base/DamageReport.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "logplayer/file/ContainerFile.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -72,7 +72,7 @@ Result<void> describeStreams(LogFile& log, const LogFile::Progress& progress, Lo
   info.robots = log.robots();
   info.complete = log.complete();
   info.damage = log.damage();
-  const auto damaged = lossesOf(info.file, info.complete, info.damage);
+  const auto damaged = describeDamage(info.file, info.complete, info.damage);
   info.losses.insert(info.losses.end(), damaged.begin(), damaged.end());
   return {};
 }

@@ -82,17 +82,17 @@ Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
 /// Where the loading of a scene asks whether to go on.
 class Progress {
  public:
-  Progress(const LoadProgress& told, Errors& errors) : told_(told), errors_(errors) {}
+  Progress(const LoadProgress& report, Errors& errors) : report_(report), errors_(errors) {}
 
   /// Whether to go on: nothing is wrong yet, and nobody has given up.
   bool reached(double share) const {
-    if (errors_.empty() && told_ && !told_(share))
+    if (errors_.empty() && report_ && !report_(share))
       errors_.push_back({"scene.given-up", "the opening was given up", {}, {}});
     return errors_.empty();
   }
 
  private:
-  const LoadProgress& told_;
+  const LoadProgress& report_;
   Errors& errors_;
 };
 
@@ -164,9 +164,9 @@ Scene::~Scene() = default;
 
 tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
                                                                const RobotsToAdd& robots,
-                                                               const LoadProgress& told) {
+                                                               const LoadProgress& report) {
   Errors errors;
-  const Progress progress(told, errors);
+  const Progress progress(report, errors);
   if (!progress.reached(0)) return tl::unexpected(std::move(errors));
   // It takes longer to make than a small map takes to read.
   std::optional<SdfSpec> spec;

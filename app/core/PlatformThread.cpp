@@ -33,9 +33,9 @@ LoadedPlatform PlatformThread::describe() const {
 }
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
-  if (feed_ && !feed_->wishes().empty()) {
+  if (feed_ && !feed_->overrides().empty()) {
     const LoadedPlatform before = feed_->describe();
-    ended_ = {before.adapter, before.sources, feed_->wishes()};
+    ended_ = {before.adapter, before.sources, feed_->overrides()};
   }
   feed_.reset();  // What it still tells must not get into the next one's history.
   recorder_.setLive(!feed || !feed->describe().isLogged());
@@ -55,7 +55,7 @@ void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
     if (sameKind && !feed_->makeWay()) start(nullptr);
     PlatformContext context{session_, recorder_};
     if (ended_.adapter == opening.adapter && ended_.sources == opening.sources)
-      context.wishes = ended_.wishes;
+      context.overrides = ended_.overrides;
     auto feed = opening.make(context);
     if (!feed) {
       robotlink::Errors errors = feed.error();

@@ -51,7 +51,7 @@ class PlatformThread {
   struct Ended {
     std::string adapter;
     std::vector<std::string> sources;
-    std::map<std::string, ProgramWishes> wishes;  // by the robots' names
+    std::map<std::string, ProgramOverrides> overrides;  // by the robots' names
   };
   void start(std::unique_ptr<PlatformFeed> feed);
   LoadedPlatform describe() const;

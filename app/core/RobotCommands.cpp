@@ -177,9 +177,9 @@ void addForDrive(CommandTable& commands, Workbench& workbench) {
          }});
   };
   addSwitch("robot.motors", "Switches the motors of the selected robot on wheels",
-            [](auto& wish, bool on) { wish.set_motors(on); });
+            [](auto& details, bool on) { details.set_motors(on); });
   addSwitch("robot.sonars", "Switches the sonars of the selected robot on wheels",
-            [](auto& wish, bool on) { wish.set_sonar(on); });
+            [](auto& details, bool on) { details.set_sonar(on); });
 }
 
 }  // namespace

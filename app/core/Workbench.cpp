@@ -125,7 +125,7 @@ PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
   ++loading_;
   // What was on stays on in the next platform.
   if (change == Change::kPlatform) {
-    if (const auto kept = keepKeys(); !kept) tell({kept.error()});
+    if (const auto kept = keepKeys(); !kept) report({kept.error()});
   }
   return [this, change](const auto& loaded) { outcomes_.push({change, loaded}); };
 }
@@ -197,7 +197,7 @@ void Workbench::setLayout(const std::filesystem::path& file) {
 
 void Workbench::ask(robotcontrol::Request request) {
   session_.request(std::move(request), [this](const robotcontrol::RequestResult& result) {
-    if (!result.accepted()) tell({{"request.refused", result.reason(), {}, {}}});
+    if (!result.accepted()) report({{"request.refused", result.reason(), {}, {}}});
   });
 }
 
@@ -214,11 +214,11 @@ void Workbench::take(const robotcontrol::Request& request) {
 
 void Workbench::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
-  if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) tell(warnings);
+  if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
   session_.tick();
 }
 
-void Workbench::tell(const robotlink::Errors& errors) {
+void Workbench::report(const robotlink::Errors& errors) {
   if (onErrors_) onErrors_(errors);
 }
 
@@ -228,7 +228,7 @@ void Workbench::apply(Outcome outcome) {
     const robotlink::Errors& errors = outcome.loaded.error();
     const bool wanted =
         errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
-    if (!wanted) tell(errors);
+    if (!wanted) report(errors);
     return;
   }
   loaded_ = std::move(*outcome.loaded);
@@ -241,7 +241,7 @@ void Workbench::apply(Outcome outcome) {
   if (onLoaded_) onLoaded_(*loaded_);
   robotlink::Errors lost;
   for (const std::string& text : loaded_->lostChoices) lost.push_back({"choices.lost", text, {}, {}});
-  if (!lost.empty()) tell(lost);
+  if (!lost.empty()) report(lost);
 }
 
 void Workbench::switchKeysOn(const std::string& robot) {

@@ -109,7 +109,7 @@ class Workbench {
   /// With which the last simulation runs or ran.
   RunOptions lastSimulation() const;
   void take(const robotcontrol::Request& request);
-  void tell(const robotlink::Errors& errors);
+  void report(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
   robotlink::Result<void> control(int action, double speed = -1);
 

@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-constexpr int kToldShownMs = 15'000;
+constexpr int kMessageShownMs = 15'000;
 
 }  // namespace
 
@@ -26,8 +26,8 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
   connect(&files.bench(), &widgets::ColorBench::failed, this, [this](const QString& reason) {
     showErrors({{"color.failed", reason.toStdString(), {}, {}}});
   });
-  connect(&files, &widgets::ColorFiles::told, this, [this](const QString& text) {
-    statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kToldShownMs);
+  connect(&files, &widgets::ColorFiles::reported, this, [this](const QString& text) {
+    statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
   });
   files.startRecovery(userFolder / "colors");
 }

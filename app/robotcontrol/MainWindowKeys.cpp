@@ -95,18 +95,18 @@ void MainWindow::addColorKeys() {
 }
 
 void MainWindow::addEditingKeys() {
-  const auto tell = [this](QUndoStack* stack, const QString& done, const QString& nothing) {
+  const auto report = [this](QUndoStack* stack, const QString& done, const QString& nothing) {
     const QString what = stack == nullptr ? QString() : stack->objectName();
     statusBar()->showMessage(stack == nullptr ? nothing
                              : what.isEmpty() ? done
                                               : QStringLiteral("%1 %2").arg(done, what),
                              kDoneShownMs);
   };
-  const auto undo = [this, tell] {
-    tell(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back"));
+  const auto undo = [this, report] {
+    report(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back"));
   };
-  const auto redo = [this, tell] {
-    tell(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again"));
+  const auto redo = [this, report] {
+    report(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again"));
   };
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo"), {}, undo, false, true});
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo"), {}, redo, false, true});

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "logplayer/json/JsonType.h"
-#include "logplayer/json/Silence.h"
+#include "logplayer/json/SilentErrors.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace logplayer {
@@ -33,7 +33,7 @@ struct MessageType::Dynamic {
   bool build(const std::string& file);
 
   std::map<std::string, FileDescriptorProto> files;  // not built yet
-  Silence silence;
+  SilentErrors silence;
   DescriptorPool pool;
   google::protobuf::DynamicMessageFactory factory{&pool};
 };

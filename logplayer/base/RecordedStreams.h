@@ -5,7 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/base/Error.h"
 
@@ -40,7 +40,7 @@ class RecordedStreams {
   bool decide(std::string_view path) const;
 
   robotcontrol::StreamSelection selection_;
-  StreamChoice choice_;
+  StreamFilter choice_;
   /// The cache of contains().
   mutable std::unordered_map<std::string, bool> known_;
 };

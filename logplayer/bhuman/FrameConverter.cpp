@@ -134,31 +134,31 @@ Result<void> FrameConverter::close() {
     return {};
   }
   if (!lastTime_) lastTime_ = stated.value_or(Instant{});
-  if (auto told = tellUntimed(); !told) return told;
+  if (auto converted = convertUntimed(); !converted) return converted;
   // A frame without a time cannot contradict the one before it.
   const auto next = stated || !doubtful_ ? stated : doubtful_->time();
-  if (auto told = tellDoubtful(next); !told) return told;
+  if (auto converted = convertDoubtful(next); !converted) return converted;
   if (stated && !near(*stated, *lastTime_)) {
     doubtful_ = std::move(contents);
     return {};
   }
-  return tell(contents, stated);
+  return convert(contents, stated);
 }
 
 Result<void> FrameConverter::finish() {
   if (auto closed = close(); !closed) return closed;
-  if (auto told = tellDoubtful(std::nullopt); !told) return told;
+  if (auto converted = convertDoubtful(std::nullopt); !converted) return converted;
   if (!lastTime_) lastTime_ = Instant{};
-  return tellUntimed();
+  return convertUntimed();
 }
 
-Result<void> FrameConverter::tellUntimed() {
+Result<void> FrameConverter::convertUntimed() {
   for (const Contents& earlier : std::exchange(untimed_, {}))
-    if (auto told = tell(earlier, std::nullopt); !told) return told;
+    if (auto converted = convert(earlier, std::nullopt); !converted) return converted;
   return {};
 }
 
-Result<void> FrameConverter::tellDoubtful(std::optional<Instant> next) {
+Result<void> FrameConverter::convertDoubtful(std::optional<Instant> next) {
   if (!doubtful_) return {};
   const Contents contents = *std::exchange(doubtful_, std::nullopt);
   const auto stated = contents.time();
@@ -166,10 +166,10 @@ Result<void> FrameConverter::tellDoubtful(std::optional<Instant> next) {
   if (!confirmed)
     trouble_(contents.offset, "the time of a frame, " + std::to_string(robotlink::seconds(*stated)) +
                                   " s, lies far from those around it; that of the one before was taken");
-  return tell(contents, confirmed ? stated : std::nullopt);
+  return convert(contents, confirmed ? stated : std::nullopt);
 }
 
-Result<void> FrameConverter::tell(const Contents& contents, std::optional<Instant> stated) {
+Result<void> FrameConverter::convert(const Contents& contents, std::optional<Instant> stated) {
   const auto before = timeOfProcess_.find(contents.process);
   const Instant usual = before != timeOfProcess_.end() ? before->second : *lastTime_;
   const Instant time = stated.value_or(usual);
@@ -182,9 +182,9 @@ Result<void> FrameConverter::tell(const Contents& contents, std::optional<Instan
 
 FrameConverter::Frame FrameConverter::messagesOf(const Contents& contents, Instant time) {
   Frame frame;
-  tellCamera(contents, time, frame);
-  tellBody(contents, time, frame);
-  tellTexts(contents, time, frame);
+  convertCamera(contents, time, frame);
+  convertBody(contents, time, frame);
+  convertTexts(contents, time, frame);
   if (!contents.process.empty()) {
     const std::uint64_t number = ++frames_[contents.process];
     frame.push_back(frameInfo(contents.process, number, time));
@@ -198,7 +198,7 @@ FrameConverter::Frame FrameConverter::messagesOf(const Contents& contents, Insta
   return frame;
 }
 
-void FrameConverter::tellCamera(const Contents& contents, Instant time, Frame& frame) {
+void FrameConverter::convertCamera(const Contents& contents, Instant time, Frame& frame) {
   if (contents.image) frame.push_back(cameraImage(contents.image->image, robot_ + "/camera", time));
   if (contents.optics) optics_ = *contents.optics;
   if (!contents.place) return;
@@ -211,7 +211,7 @@ void FrameConverter::tellCamera(const Contents& contents, Instant time, Frame& f
                        time));
 }
 
-void FrameConverter::tellBody(const Contents& contents, Instant time, Frame& frame) {
+void FrameConverter::convertBody(const Contents& contents, Instant time, Frame& frame) {
   if (contents.joints) frame.push_back(jointStates(*contents.joints, time));
   if (contents.sensors) frame.push_back(bodySensors(*contents.sensors, time));
   if (contents.sensors || contents.keys) {
@@ -223,7 +223,7 @@ void FrameConverter::tellBody(const Contents& contents, Instant time, Frame& fra
   if (contents.odometry) frame.push_back(motionStatus(*contents.odometry, time));
 }
 
-void FrameConverter::tellTexts(const Contents& contents, Instant time, Frame& frame) {
+void FrameConverter::convertTexts(const Contents& contents, Instant time, Frame& frame) {
   const std::string name = contents.process.empty() ? "log" : contents.process;
   for (const std::string& each : contents.texts) frame.push_back(text(each, Level::kInfo, name, time));
 }

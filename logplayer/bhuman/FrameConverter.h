@@ -75,19 +75,19 @@ class FrameConverter {
   /// Ends the current frame.
   robotlink::Result<void> close();
   /// Delivers the frames before the first known time.
-  robotlink::Result<void> tellUntimed();
+  robotlink::Result<void> convertUntimed();
   /// Delivers the frame with the doubtful time. `next`: the time of the frame after it, if known, which can
   /// confirm it.
-  robotlink::Result<void> tellDoubtful(std::optional<robotlink::Instant> next);
+  robotlink::Result<void> convertDoubtful(std::optional<robotlink::Instant> next);
   /// Delivers a frame; `stated`: its own time, if that can be trusted.
-  robotlink::Result<void> tell(const Contents& contents, std::optional<robotlink::Instant> stated);
+  robotlink::Result<void> convert(const Contents& contents, std::optional<robotlink::Instant> stated);
 
   /// Converts the data of a frame to messages.
   Frame messagesOf(const Contents& contents, robotlink::Instant time);
-  /// tellCamera(), tellBody() and tellTexts() append the messages of one kind of data.
-  void tellCamera(const Contents& contents, robotlink::Instant time, Frame& frame);
-  void tellBody(const Contents& contents, robotlink::Instant time, Frame& frame);
-  void tellTexts(const Contents& contents, robotlink::Instant time, Frame& frame);
+  /// convertCamera(), convertBody() and convertTexts() append the messages of one kind of data.
+  void convertCamera(const Contents& contents, robotlink::Instant time, Frame& frame);
+  void convertBody(const Contents& contents, robotlink::Instant time, Frame& frame);
+  void convertTexts(const Contents& contents, robotlink::Instant time, Frame& frame);
 
   std::string robot_;
   FrameSink sink_;

@@ -96,11 +96,11 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
 }
 
 Result<void> Rewriting::write(const std::filesystem::path& to) {
-  mcap::Writer::Options wishes;
-  wishes.compression = options_.compression;
-  wishes.chunkBytes = options_.chunkBytes;
-  wishes.library = "robotcontrol";
-  auto writer = mcap::Writer::create(to, wishes);
+  mcap::Writer::Options options;
+  options.compression = options_.compression;
+  options.chunkBytes = options_.chunkBytes;
+  options.library = "robotcontrol";
+  auto writer = mcap::Writer::create(to, options);
   if (!writer) return tl::unexpected(writer.error());
   writer_ = std::move(*writer);
   for (const auto& input : inputs_) {
@@ -189,7 +189,7 @@ void Rewriting::nameRobots(Input& input) {
 // Streams without a robot are copied from one input only; otherwise a robot would be at two places at the
 // same time.
 void Rewriting::choose(Input& input) {
-  StreamChoice streams = options_.streams;
+  StreamFilter streams = options_.streams;
   std::set<std::string> own;
   std::string left;
   for (const auto& [id, channel] : input.source.reader().channels()) {
@@ -323,7 +323,7 @@ Result<void> Rewriting::writeAttachments(Input& input) {
 }
 
 Result<void> Rewriting::writeAllBookmarks() {
-  const StreamChoice notExcluded{{}, options_.streams.exclude};
+  const StreamFilter notExcluded{{}, options_.streams.exclude};
   if (!notExcluded.has(robotlink::streams::kBookmarks)) return {};
   BookmarkChanges bookmarks;
   for (const auto& input : inputs_) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 #include "logplayer/file/LogFile.h"
 #include "logplayer/mcap/Records.h"
 #include "robotlink/base/Error.h"
@@ -37,7 +37,7 @@ struct RewriteOptions {
   std::vector<RewriteInput> inputs = {};
   /// The range [from, to] to keep, in times of the new log; unset: from the start, to the end.
   std::optional<robotlink::Instant> from = {}, to = {};
-  StreamChoice streams = {};
+  StreamFilter streams = {};
   Joining joining = Joining::kAutomatic;
   mcap::Compression compression = mcap::Compression::kZstd;
   /// Chunks are closed at this size; frames stay whole.

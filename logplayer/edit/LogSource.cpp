@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "logplayer/base/Losses.h"
+#include "logplayer/base/DamageReport.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -96,11 +96,11 @@ void LogSource::listProcesses() {
   }
 }
 
-void LogSource::choose(std::optional<Instant> from, std::optional<Instant> to, const StreamChoice& streams) {
+void LogSource::choose(std::optional<Instant> from, std::optional<Instant> to, const StreamFilter& streams) {
   from_ = from;
   to_ = to;
   listProcesses();
-  const StreamChoice notExcluded{{}, streams.exclude};
+  const StreamFilter notExcluded{{}, streams.exclude};
   channels_.clear();
   for (const auto& [id, channel] : reader_->channels()) {
     if (channel.topic == robotlink::streams::kBookmarks || !streams.has(channel.topic)) continue;
@@ -220,7 +220,7 @@ void LogSource::forgetOpenFrames(Process& process, std::size_t maxOpen) {
 std::vector<std::string> LogSource::losses() const {
   const std::string name = file_.string() + ": ";
   std::vector<std::string> result = otherLosses_;
-  const auto damaged = lossesOf(file_, reader_->complete(), reader_->damage());
+  const auto damaged = describeDamage(file_, reader_->complete(), reader_->damage());
   result.insert(result.end(), damaged.begin(), damaged.end());
   if (unread_ > 0) result.push_back(name + counted(unread_, "message") + " could not be read");
   if (incompleteFrames_ > 0) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/file/LogFile.h"
@@ -44,7 +44,7 @@ class LogSource {
   /// Selects the range [from, to] of some streams and starts from the beginning. The FrameInfos of a process
   /// are selected together with any of its streams, unless they are excluded.
   void choose(std::optional<robotlink::Instant> from, std::optional<robotlink::Instant> to,
-              const StreamChoice& streams);
+              const StreamFilter& streams);
   /// The latched messages just before `from`, one per channel.
   std::vector<mcap::Reader::MessageData> held();
   /// Returns the next unit; empty at the end.

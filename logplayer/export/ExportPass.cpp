@@ -6,7 +6,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "logplayer/base/Losses.h"
+#include "logplayer/base/DamageReport.h"
 #include "logplayer/base/OutputFile.h"
 #include "logplayer/base/Plural.h"
 #include "logplayer/base/RecordedStreams.h"
@@ -47,7 +47,7 @@ Result<Unread> forEachMessage(const std::shared_ptr<LogFile>& log, const std::ve
   return cursor.unread();
 }
 
-std::vector<std::string> chosenStreams(const LogFile& log, const StreamChoice& streams,
+std::vector<std::string> chosenStreams(const LogFile& log, const StreamFilter& streams,
                                        const std::function<bool(const LogFile::Stream&)>& fitting) {
   std::vector<std::string> paths;
   for (const auto& stream : log.streams()) {
@@ -60,7 +60,7 @@ Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::str
                                               ExportReport& report) {
   const auto exactly = [&](const LogFile::Stream& stream) { return stream.path == text; };
   const auto& all = log.streams();
-  StreamChoice choice{{text}, {}};
+  StreamFilter choice{{text}, {}};
   const bool one = std::any_of(all.begin(), all.end(), exactly);
   if (!one) {
     const auto selection = readSelection(text);
@@ -103,7 +103,7 @@ bool isUndecoded(const LogFile& log, const StreamMessage& message) {
 }
 
 void noteDamage(const LogFile& log, ExportReport& report) {
-  const auto losses = lossesOf(log.path(), log.complete(), log.damage());
+  const auto losses = describeDamage(log.path(), log.complete(), log.damage());
   report.losses.insert(report.losses.end(), losses.begin(), losses.end());
 }
 

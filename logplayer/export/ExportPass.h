@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
 #include "robotlink/session/StreamMessage.h"
@@ -33,7 +33,7 @@ robotlink::Result<Unread> forEachMessage(
     const std::function<robotlink::Result<void>(const robotlink::StreamMessage&)>& visit);
 
 /// The paths of those selected streams of a log for which `fitting` returns true.
-std::vector<std::string> chosenStreams(const LogFile& log, const StreamChoice& streams,
+std::vector<std::string> chosenStreams(const LogFile& log, const StreamFilter& streams,
                                        const std::function<bool(const LogFile::Stream&)>& fitting);
 
 /// Returns the streams that a text selects: one by its path, or several by patterns as in readSelection()

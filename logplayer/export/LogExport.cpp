@@ -59,7 +59,7 @@ std::string textLine(const StreamMessage& message, const foxglove::Log& text) {
 
 }  // namespace
 
-Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                 std::ostream& out, const ExportOptions& options) {
   const auto paths = chosenStreams(*log, streams, [](const LogFile::Stream& stream) {
     return stream.holds(foxglove::Log::descriptor()->full_name());
@@ -87,7 +87,7 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
   return report;
 }
 
-Result<ExportReport> exportTexts(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+Result<ExportReport> exportTexts(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                  const fs::path& file, const ExportOptions& options) {
   return exportTo(file, options.overwrite,
                   [&](std::ostream& out) { return writeTexts(log, streams, out, options); });

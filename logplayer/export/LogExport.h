@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
 #include "robotlink/base/Error.h"
@@ -22,7 +22,7 @@ namespace logplayer {
 /// Exports the images of the selected streams as PNG files: "<robot>-<stream>-<time in s>-<frame>.png"
 /// ("red1-camera-image-000012.340000-00309.png"; without a frame the index of the image). Creates the folder
 /// if necessary. Fails if the streams contain no images.
-robotlink::Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+robotlink::Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                              const std::filesystem::path& folder,
                                              const ExportOptions& options);
 
@@ -49,10 +49,10 @@ robotlink::Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& l
 
 /// Exports the texts (foxglove.Log) of the selected streams, one per line with time, level and source;
 /// further lines of a text are indented.
-robotlink::Result<ExportReport> exportTexts(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+robotlink::Result<ExportReport> exportTexts(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                             const std::filesystem::path& file, const ExportOptions& options);
 /// The same to a stream.
-robotlink::Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+robotlink::Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                            std::ostream& out, const ExportOptions& options);
 
 }  // namespace logplayer

@@ -74,7 +74,7 @@ Result<void> writeImage(const fs::path& file, const std::vector<std::uint8_t>& p
 
 }  // namespace
 
-Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const StreamChoice& streams,
+Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const StreamFilter& streams,
                                   const fs::path& folder, const ExportOptions& options) {
   const auto paths = chosenStreams(*log, streams, isImage);
   if (paths.empty()) {

@@ -63,10 +63,10 @@ class ImportWriter {
     writer.opening_.push_back({options.robot + "/" + robotlink::streams::kProgram, {}, std::move(*setup)});
     if (options.colorTable)
       writer.opening_.push_back({options.robot + "/" + robotlink::kColorTable.name, {}, options.colorTable});
-    mcap::Writer::Options wishes;
-    wishes.compression = mcap::Compression::kZstd;
-    wishes.library = "RobotControl";
-    auto log = LogWriter::create(file, wishes);
+    mcap::Writer::Options options;
+    options.compression = mcap::Compression::kZstd;
+    options.library = "RobotControl";
+    auto log = LogWriter::create(file, options);
     if (!log) return tl::unexpected(std::move(log.error()));
     writer.log_ = std::move(*log);
     return writer;

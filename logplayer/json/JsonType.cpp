@@ -14,7 +14,7 @@
 #include "logplayer/json/JsonSchema.h"
 #include "logplayer/json/JsonText.h"
 #include "logplayer/json/JsonValues.h"
-#include "logplayer/json/Silence.h"
+#include "logplayer/json/SilentErrors.h"
 
 namespace logplayer {
 
@@ -62,7 +62,7 @@ struct JsonType::Implementation {
   bool build(JsonSchema& schema, const std::string& wanted, bool apart);
 
   std::string name;
-  Silence silence;
+  SilentErrors silence;
   DescriptorPool pool;
   google::protobuf::DynamicMessageFactory factory{&pool};
   const Message* prototype = nullptr;

@@ -99,10 +99,11 @@ bool Decompressor::canYield(Compression compression, Bytes records, std::uint64_
     case Compression::kLz4:
       return bytes / kMaxLz4Ratio <= records.size();
     case Compression::kZstd: {
-      const unsigned long long told = ZSTD_getFrameContentSize(records.data(), records.size());
-      if (told == ZSTD_CONTENTSIZE_ERROR) return false;
+      const unsigned long long stated = ZSTD_getFrameContentSize(records.data(), records.size());
+      if (stated == ZSTD_CONTENTSIZE_ERROR) return false;
       // The frame may be followed by others.
-      return (told == ZSTD_CONTENTSIZE_UNKNOWN || told <= bytes) && bytes / kMaxZstdRatio <= records.size();
+      return (stated == ZSTD_CONTENTSIZE_UNKNOWN || stated <= bytes) &&
+             bytes / kMaxZstdRatio <= records.size();
     }
     case Compression::kNone:
       break;

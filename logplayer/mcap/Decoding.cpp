@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 namespace logplayer::mcap {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/mcap/Codec.h"
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 namespace logplayer::mcap {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <bitset>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 namespace logplayer::mcap {
 

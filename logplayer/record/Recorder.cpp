@@ -272,7 +272,7 @@ void Recorder::Implementation::set(const ControlRecording& control) {
   demandChanged();
 }
 
-Result<std::shared_ptr<RecordingFile>> Recorder::Implementation::newFile(const std::string& wished) {
+Result<std::shared_ptr<RecordingFile>> Recorder::Implementation::newFile(const std::string& requested) {
   RecordingFile::Options chosen;
   std::filesystem::path in;
   {
@@ -280,7 +280,7 @@ Result<std::shared_ptr<RecordingFile>> Recorder::Implementation::newFile(const s
     chosen = how();
     in = folder;
   }
-  const auto path = newRecordingPath(wished, in);
+  const auto path = newRecordingPath(requested, in);
   if (!path) return tl::unexpected(path.error());
   auto made = RecordingFile::create(*path, chosen);
   if (!made) return tl::unexpected(made.error());

@@ -121,11 +121,11 @@ Result<void> RecordingFile::close(const DroppedMessages& dropped) {
   return writer_->container().close();
 }
 
-Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wished,
+Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& requested,
                                                const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::path in = wished;
-  if (wished.empty()) {
+  std::filesystem::path in = requested;
+  if (requested.empty()) {
     in = folder;
     std::filesystem::create_directories(in, error);
     if (error) {
@@ -134,8 +134,8 @@ Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wish
           "the folder for recordings cannot be made (" + error.message() + "); choose another one",
           {in.string(), 0, 0}, {in.string()});
     }
-  } else if (!std::filesystem::is_directory(wished, error)) {
-    return wished;
+  } else if (!std::filesystem::is_directory(requested, error)) {
+    return requested;
   }
   return numbered(in / realTime("robotcontrol-%Y%m%d-%H%M%S.mcap", false), 1);
 }

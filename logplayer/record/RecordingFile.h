@@ -65,7 +65,7 @@ class RecordingFile {
 /// Chooses the path of a new recording: `wished`, if it is a file name; if it is a folder,
 /// "robotcontrol-YYYYMMDD-HHMMSS.mcap" in it; if it is empty, the same in `folder`, which is created.
 /// Generated names do not exist yet.
-robotlink::Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wished,
+robotlink::Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& requested,
                                                           const std::filesystem::path& folder);
 /// The path at which a recording continues: "game.mcap" yields "game-2.mcap", with the first number that is
 /// free.

@@ -56,7 +56,7 @@ void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
     droppedBefore_ = queue_.dropped();
   }
   pushJob([this, file = std::move(file), before = std::move(before)]() mutable {
-    wished_ = file->path();
+    requested_ = file->path();
     begin(std::move(file), std::move(before));
   });
 }
@@ -66,7 +66,7 @@ void RecordingThread::openNext(const RecordingFile::Options& how, Held before) {
     if (!file_) return;  // the file has failed
     if (file_->messages() == 0) return file_->beginWith(std::move(before));
     end();
-    auto made = RecordingFile::create(nextRecordingPath(wished_), how);
+    auto made = RecordingFile::create(nextRecordingPath(requested_), how);
     if (!made) return fail(made.error());
     {
       const std::lock_guard lock(mutex_);

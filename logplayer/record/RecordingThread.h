@@ -106,7 +106,7 @@ class RecordingThread {
   /// Path of the newest file.
   std::filesystem::path path_;
   /// Path of the file that was opened; continuations are named after it.
-  std::filesystem::path wished_;
+  std::filesystem::path requested_;
   Clock::time_point tickedAt_, warnedAt_;
   /// The total of dropped messages at the last warning.
   std::uint64_t warnedOf_ = 0;

@@ -30,7 +30,7 @@ const DebugKey kSpeedKey{"obstacle-avoidance/speed",
                          "The speeds and rotations that are wished, requested and driven (plots)"};
 
 /// After this time a request has expired, s.
-constexpr double kWishOutdated = 1.0;
+constexpr double kRequestOutdated = 1.0;
 
 /// Has the behavior's request and the robot's limits, and sends requests that the robot can follow.
 class Avoidance : public robotlink::Solution {
@@ -39,19 +39,20 @@ class Avoidance : public robotlink::Solution {
       : debug_(context.debug()),
         clock_(context.clock()),
         limits_(limitsOf(context.robot().description)),
-        wish_(context.input(robotlink::kDriveWish)),
+        desired_(context.input(robotlink::kDriveRequest)),
         request_(context.output(robotlink::kDriveRequest)) {}
 
  protected:
   /// The current request of the behavior; zero if it has expired.
-  DriveVelocity wish() const {
-    if (!wish_) return {};
-    const double age = robotlink::seconds(clock_.now() - robotlink::instant(wish_->timestamp()));
-    const DriveVelocity wish{wish_->velocity().x(), wish_->velocity().rotation()};
-    if (std::abs(age) > kWishOutdated || !std::isfinite(wish.forward) || !std::isfinite(wish.rotation))
+  DriveVelocity desired() const {
+    if (!desired_) return {};
+    const double age = robotlink::seconds(clock_.now() - robotlink::instant(desired_->timestamp()));
+    const DriveVelocity desired{desired_->velocity().x(), desired_->velocity().rotation()};
+    if (std::abs(age) > kRequestOutdated || !std::isfinite(desired.forward) ||
+        !std::isfinite(desired.rotation))
       return {};
-    return {std::clamp(wish.forward, -limits_.speed, limits_.speed),
-            std::clamp(wish.rotation, -limits_.rotation, limits_.rotation)};
+    return {std::clamp(desired.forward, -limits_.speed, limits_.speed),
+            std::clamp(desired.rotation, -limits_.rotation, limits_.rotation)};
   }
 
   void send(const DriveVelocity& wanted) {
@@ -67,10 +68,10 @@ class Avoidance : public robotlink::Solution {
 
   void plot(const DriveVelocity& driven) {
     if (!debug_.on(kSpeedKey)) return;
-    debug_.plot(kSpeedKey, "wished", wish().forward, "m/s");
+    debug_.plot(kSpeedKey, "wished", desired().forward, "m/s");
     debug_.plot(kSpeedKey, "requested", limiter_.last().forward, "m/s");
     debug_.plot(kSpeedKey, "driven", driven.forward, "m/s");
-    debug_.plot(kSpeedKey, "rotation wished", wish().rotation, "rad/s");
+    debug_.plot(kSpeedKey, "rotation wished", desired().rotation, "rad/s");
     debug_.plot(kSpeedKey, "rotation requested", limiter_.last().rotation, "rad/s");
     debug_.plot(kSpeedKey, "rotation driven", driven.rotation, "rad/s");
   }
@@ -82,7 +83,7 @@ class Avoidance : public robotlink::Solution {
   const DriveLimits limits_;
 
  private:
-  robotlink::Input<robotcontrol::DriveRequest> wish_;
+  robotlink::Input<robotcontrol::DriveRequest> desired_;
   robotlink::Output<robotcontrol::DriveRequest> request_;
   SpeedLimiter limiter_;
   double sentAt_ = -1;
@@ -97,14 +98,14 @@ class SeeingAvoidance : public Avoidance {
   void execute() override {
     sensing_.update(lastRequest().forward);
     if (!sensing_.awake()) {
-      if (!warned_ && wish() != DriveVelocity{}) {
+      if (!warned_ && desired() != DriveVelocity{}) {
         debug_.text(robotlink::Level::kWarning, "obstacle-avoidance", "stands: " + sensing_.whyNot());
         warned_ = true;
       }
       return send({});
     }
     warned_ = false;
-    const AvoidanceSituation situation{sensing_.emergencyStop() ? DriveVelocity{} : wish(),
+    const AvoidanceSituation situation{sensing_.emergencyStop() ? DriveVelocity{} : desired(),
                                        sensing_.velocity(), sensing_.points(), limits_, sensing_.time()};
     send(avoid(situation));
     plot(sensing_.velocity());
@@ -152,8 +153,8 @@ class VectorFieldAvoidance final : public SeeingAvoidance {
     replace(options.reach, parameters_.reach());
     replace(options.need, parameters_.need());
     replace(options.needAgain, parameters_.need_again());
-    replace(options.wishTime, parameters_.wish_time());
-    replace(options.wishCost, parameters_.wish_cost());
+    replace(options.desiredTime, parameters_.wish_time());
+    replace(options.desiredCost, parameters_.wish_cost());
     replace(options.straightCost, parameters_.straight_cost());
     replace(options.lastCost, parameters_.last_cost());
     replace(options.steering, parameters_.steering());
@@ -183,7 +184,7 @@ const robotlink::SolutionRegistration kVectorField =
     robotlink::SolutionBuilder<VectorFieldAvoidance>(
         "obstacle-avoidance", "vector-field",
         "Takes the open direction nearest to the wish, from a polar histogram of what was seen lately.")
-        .needs(robotlink::kDriveWish)
+        .needs(robotlink::kDriveRequest)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -252,7 +253,7 @@ const robotlink::SolutionRegistration kDynamicWindow =
         "obstacle-avoidance", "dynamic-window",
         "Takes the velocity nearest to the wish that its motors can reach and from which it can brake in "
         "time.")
-        .needs(robotlink::kDriveWish)
+        .needs(robotlink::kDriveRequest)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -264,7 +265,7 @@ class NoAvoidance final : public Avoidance {
  public:
   explicit NoAvoidance(robotlink::SolutionContext& context) : Avoidance(context) {}
   void execute() override {
-    send(wish());
+    send(desired());
     plot({});
   }
 };
@@ -273,7 +274,7 @@ const robotlink::SolutionRegistration kNone =
     robotlink::SolutionBuilder<NoAvoidance>("obstacle-avoidance", "none",
                                             "Passes wishes on whatever is in the way, within what the motors "
                                             "can do: for those who know what they do.")
-        .needs(robotlink::kDriveWish)
+        .needs(robotlink::kDriveRequest)
         .yields(robotlink::kDriveRequest)
         .keys({&kSpeedKey});
 

@@ -25,29 +25,29 @@ double betterSide(const PolarView& view) {
 
 }  // namespace
 
-bool CornerEscape::freed(const DriveVelocity& wish, const Clearance& clearance, const PolarView& view,
+bool CornerEscape::freed(const DriveVelocity& desired, const Clearance& clearance, const PolarView& view,
                          const DriveLimits& limits) const {
-  if (wish.forward <= kWantsSpeed)
-    return clearance.safe({0, std::copysign(options_.rotation, wish.rotation)}, limits, options_.latency);
+  if (desired.forward <= kWantsSpeed)
+    return clearance.safe({0, std::copysign(options_.rotation, desired.rotation)}, limits, options_.latency);
   return view.freeAbout(0, robotlink::radians(10)) > options_.roomAhead &&
          clearance.safe({0.2, 0}, limits, options_.latency);
 }
 
-DriveVelocity CornerEscape::decide(const DriveVelocity& wish, const DriveVelocity& possible,
+DriveVelocity CornerEscape::decide(const DriveVelocity& desired, const DriveVelocity& possible,
                                    const Clearance& clearance, const PolarView& view,
                                    const DriveLimits& limits, double time) {
-  const bool wantsAhead = wish.forward > kWantsSpeed;
-  const bool wantsTurn = std::abs(wish.forward) <= kWantsSpeed && std::abs(wish.rotation) > kWantsTurn;
-  if (side_ != 0 && (wantsAhead || wantsTurn) && !freed(wish, clearance, view, limits))
+  const bool wantsAhead = desired.forward > kWantsSpeed;
+  const bool wantsTurn = std::abs(desired.forward) <= kWantsSpeed && std::abs(desired.rotation) > kWantsTurn;
+  if (side_ != 0 && (wantsAhead || wantsTurn) && !freed(desired, clearance, view, limits))
     return escape(clearance, limits, time);
   const bool was = side_ != 0;
   side_ = 0;
-  const double least = 0.3 * std::min(std::abs(wish.rotation), options_.rotation);
+  const double least = 0.3 * std::min(std::abs(desired.rotation), options_.rotation);
   const bool stuck =
       wantsAhead ? possible.forward < kDrivesSpeed : wantsTurn && std::abs(possible.rotation) < least;
   if (was || !stuck || stuckSince_ < 0 || stuckSince_ > time) stuckSince_ = stuck ? time : -1;
   if (!stuck || time - stuckSince_ < options_.patience) return possible;
-  side_ = wantsTurn ? std::copysign(1, wish.rotation) : betterSide(view);
+  side_ = wantsTurn ? std::copysign(1, desired.rotation) : betterSide(view);
   since_ = time;
   return escape(clearance, limits, time);
 }

@@ -31,14 +31,15 @@ class CornerEscape {
 
   /// `wish` is the request, `possible` the safe part of it, `time` in s of any clock. Returns the velocity to
   /// drive at.
-  DriveVelocity decide(const DriveVelocity& wish, const DriveVelocity& possible, const Clearance& clearance,
-                       const PolarView& view, const DriveLimits& limits, double time);
+  DriveVelocity decide(const DriveVelocity& desired, const DriveVelocity& possible,
+                       const Clearance& clearance, const PolarView& view, const DriveLimits& limits,
+                       double time);
   /// Whether an escape is in progress.
   bool active() const { return side_ != 0; }
 
  private:
   /// Whether the requested motion is possible again.
-  bool freed(const DriveVelocity& wish, const Clearance& clearance, const PolarView& view,
+  bool freed(const DriveVelocity& desired, const Clearance& clearance, const PolarView& view,
              const DriveLimits& limits) const;
   /// The velocity of the escape.
   DriveVelocity escape(const Clearance& clearance, const DriveLimits& limits, double time);

@@ -21,16 +21,18 @@ inline const robotlink::DebugKey kDrivingSpeedKey{
 class DrivingSolution : public robotlink::Solution {
  public:
   explicit DrivingSolution(robotlink::SolutionContext& context)
-      : debug_(context.debug()), clock_(context.clock()), wish_(context.output(robotlink::kDriveWish)) {}
+      : debug_(context.debug()),
+        clock_(context.clock()),
+        desired_(context.output(robotlink::kDriveRequest)) {}
 
  protected:
   /// Sends a request; call it in every frame, because requests expire.
   void want(const DriveVelocity& velocity) {
-    auto wish = std::make_shared<robotcontrol::DriveRequest>();
-    robotlink::assign(*wish->mutable_timestamp(), clock_.now());
-    wish->mutable_velocity()->set_x(velocity.forward);
-    wish->mutable_velocity()->set_rotation(velocity.rotation);
-    wish_.send(std::move(wish));
+    auto desired = std::make_shared<robotcontrol::DriveRequest>();
+    robotlink::assign(*desired->mutable_timestamp(), clock_.now());
+    desired->mutable_velocity()->set_x(velocity.forward);
+    desired->mutable_velocity()->set_rotation(velocity.rotation);
+    desired_.send(std::move(desired));
     if (!debug_.on(kDrivingSpeedKey)) return;
     debug_.plot(kDrivingSpeedKey, "speed", velocity.forward, "m/s");
     debug_.plot(kDrivingSpeedKey, "rotation", velocity.rotation, "rad/s");
@@ -41,7 +43,7 @@ class DrivingSolution : public robotlink::Solution {
   const robotlink::Clock& clock_;
 
  private:
-  robotlink::Output<robotcontrol::DriveRequest> wish_;
+  robotlink::Output<robotcontrol::DriveRequest> desired_;
 };
 
 }  // namespace modules

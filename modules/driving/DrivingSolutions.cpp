@@ -53,7 +53,7 @@ class Roaming {
   DriveVelocity wander(const Wanderer::Options& options) {
     if (!sensing_.awake()) return {};
     wanderer_.setOptions(options);
-    const DriveVelocity wish =
+    const DriveVelocity desired =
         wanderer_.decide(sensing_.points(), sensing_.robotInOdometry(), sensing_.time());
     if (debug_.on(kDirectionKey)) {
       const double direction = wanderer_.direction();
@@ -61,7 +61,7 @@ class Roaming {
           .arrow(Vector2(0, 0), Vector2(std::cos(direction), std::sin(direction)), robotlink::colors::kGreen,
                  2);
     }
-    return wish;
+    return desired;
   }
   const DriveSensing& sensing() const { return sensing_; }
 
@@ -96,7 +96,7 @@ const robotlink::SolutionRegistration kWander =
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
-        .yields(robotlink::kDriveWish)
+        .yields(robotlink::kDriveRequest)
         .keys({&kDrivingSpeedKey, &kDirectionKey})
         .parameters<robotcontrol::WanderParameters>();
 
@@ -151,7 +151,7 @@ class FollowPath final : public DrivingSolution {
     for (const auto& point : path_->points_in_field()) points.push_back(robotlink::vector2(point));
     const robotcontrol::DriveGoal& goal = path_->goal();
     const auto heading = goal.any_heading() ? std::optional<double>() : goal.pose_in_field().heading();
-    const DriveVelocity wish = follower_.decide(robotNow(), points, heading);
+    const DriveVelocity desired = follower_.decide(robotNow(), points, heading);
     using State = PathFollower::State;
     const std::string to = goal.name().empty() ? "the goal" : "“" + goal.name() + "”";
     if (follower_.state() == State::kDriving) say("drives to " + to);
@@ -162,7 +162,7 @@ class FollowPath final : public DrivingSolution {
       drawing.dot(follower_.target(), robotlink::colors::kRed, 0.1);
       drawing.text(robotNow().translation(), said_, robotlink::colors::kBlack);
     }
-    return wish;
+    return desired;
   }
 
   DriveVelocity stand(const std::string& why) {
@@ -208,7 +208,7 @@ const robotlink::SolutionRegistration kFollowPath =
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
-        .yields(robotlink::kDriveWish)
+        .yields(robotlink::kDriveRequest)
         .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
         .parameters<robotcontrol::FollowPathParameters>();
 
@@ -218,12 +218,12 @@ class ObeyOnWheels final : public DrivingSolution {
       : DrivingSolution(context), remote_(context.input(robotlink::kRemoteMotion)) {}
 
   void execute() override {
-    DriveVelocity wish;
+    DriveVelocity desired;
     if (remote_ && remote_.isNew()) heard_ = clock_.now();
     const bool fresh = remote_ && clock_.now() - heard_ <= kPatience;
     if (fresh && remote_->motion().kind() == robotcontrol::MotionRequest::WALK)
-      wish = {remote_->motion().walk().x(), remote_->motion().walk().rotation()};
-    want(wish);
+      desired = {remote_->motion().walk().x(), remote_->motion().walk().rotation()};
+    want(desired);
   }
 
  private:
@@ -240,7 +240,7 @@ const robotlink::SolutionRegistration kObey =
         "driving", "obey",
         "Drives as a person asks for; stands until somebody does, and when he falls silent.")
         .uses(robotlink::kRemoteMotion)
-        .yields(robotlink::kDriveWish)
+        .yields(robotlink::kDriveRequest)
         .keys({&kDrivingSpeedKey});
 
 class Halt final : public DrivingSolution {
@@ -250,7 +250,7 @@ class Halt final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kHalt = robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands.")
-                                                  .yields(robotlink::kDriveWish)
+                                                  .yields(robotlink::kDriveRequest)
                                                   .keys({&kDrivingSpeedKey});
 
 }  // namespace

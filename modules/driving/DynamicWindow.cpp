@@ -31,13 +31,13 @@ DynamicWindow::Candidate DynamicWindow::judged(const DriveVelocity& velocity,
   const double braking = std::max(0.5 * std::abs(velocity.forward) / limits.acceleration,
                                   0.5 * std::abs(velocity.rotation) / limits.rotationAcceleration);
   candidate.admissible = candidate.freeTime >= std::min(options_.horizon, options_.latency + braking);
-  const double speed = std::abs(velocity.forward - situation.wish.forward) / limits.speed;
-  const double rotation = std::abs(velocity.rotation - situation.wish.rotation) / limits.rotation;
+  const double speed = std::abs(velocity.forward - situation.desired.forward) / limits.speed;
+  const double rotation = std::abs(velocity.rotation - situation.desired.rotation) / limits.rotation;
   // The room in the direction that the robot will have after a while.
   const double room = view.freeAt(0.7 * velocity.rotation) / view.reach();
   // How far the robot gets, relative to the requested distance without obstacles.
-  const double wished = std::max(1e-3, std::abs(situation.wish.forward)) * options_.horizon;
-  const double way = std::abs(velocity.forward) * candidate.freeTime / wished;
+  const double desired = std::max(1e-3, std::abs(situation.desired.forward)) * options_.horizon;
+  const double way = std::abs(velocity.forward) * candidate.freeTime / desired;
   candidate.value = -options_.speedWeight * speed - options_.rotationWeight * rotation +
                     options_.wayWeight * way + options_.roomWeight * room;
   return candidate;
@@ -48,9 +48,9 @@ DriveVelocity DynamicWindow::best(const AvoidanceSituation& situation, const Cle
   const DriveLimits& limits = situation.limits;
   const double faster = limits.acceleration * options_.window;
   const double sharper = limits.rotationAcceleration * options_.window;
-  const double wish = situation.wish.forward;
+  const double desired = situation.desired.forward;
   // Never faster than requested, and backwards only if requested.
-  const double most = std::max(0.0, wish), least = std::min(0.0, wish);
+  const double most = std::max(0.0, desired), least = std::min(0.0, desired);
   const double low = std::clamp(situation.now.forward - 2 * faster, least, most);
   const double high = std::clamp(situation.now.forward + faster, least, most);
   const double right =
@@ -58,7 +58,7 @@ DriveVelocity DynamicWindow::best(const AvoidanceSituation& situation, const Cle
   const double left = std::min(limits.rotation, std::max(situation.now.rotation, -limits.rotation) + sharper);
   candidates_.clear();
   candidates_.push_back(
-      judged({std::clamp(wish, low, high), std::clamp(situation.wish.rotation, right, left)}, situation,
+      judged({std::clamp(desired, low, high), std::clamp(situation.desired.rotation, right, left)}, situation,
              clearance, view));
   for (int i = 0; i < options_.speeds; ++i)
     for (int j = 0; j < options_.rotations; ++j)
@@ -74,14 +74,14 @@ DriveVelocity DynamicWindow::best(const AvoidanceSituation& situation, const Cle
 DriveVelocity DynamicWindow::decide(const AvoidanceSituation& situation) {
   const Clearance clearance(options_.outline, {options_.margin, options_.horizon}, situation.points);
   const PolarView view(situation.points, options_.outline.halfWidth + options_.margin, kReach);
-  if (situation.wish.forward > CornerEscape::kWantsSpeed) {
+  if (situation.desired.forward > CornerEscape::kWantsSpeed) {
     chosen_ = best(situation, clearance, view);
   } else {
     // Turning on the spot and moving backwards are executed as requested, as far as that is safe.
     candidates_.clear();
-    chosen_ = clearance.limited(situation.wish, situation.limits, options_.latency);
+    chosen_ = clearance.limited(situation.desired, situation.limits, options_.latency);
   }
-  chosen_ = escape_.decide(situation.wish, chosen_, clearance, view, situation.limits, situation.time);
+  chosen_ = escape_.decide(situation.desired, chosen_, clearance, view, situation.limits, situation.time);
   return chosen_;
 }
 

@@ -29,16 +29,16 @@ void VectorField::openSectors(double need) {
   }
 }
 
-DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits& limits) {
-  const double wanted = std::clamp(wish.rotation * options_.wishTime, -2.0, 2.0);
+DriveVelocity VectorField::steered(const DriveVelocity& desired, const DriveLimits& limits) {
+  const double wanted = std::clamp(desired.rotation * options_.desiredTime, -2.0, 2.0);
   // Slow requests need less room.
-  openSectors(std::min(options_.need, options_.outline.halfLength + 0.15 + 1.6 * wish.forward));
+  openSectors(std::min(options_.need, options_.outline.halfLength + 0.15 + 1.6 * desired.forward));
   double best = 1e9, direction = 0;
   bool found = false;
   for (int sector = 0; sector < PolarView::kSectors; ++sector) {
     const double angle = PolarView::angleOf(sector);
     if (!open(sector) || std::abs(angle) > robotlink::radians(120)) continue;
-    const double cost = options_.wishCost * std::abs(normalizedAngle(angle - wanted)) +
+    const double cost = options_.desiredCost * std::abs(normalizedAngle(angle - wanted)) +
                         options_.straightCost * std::abs(angle) +
                         options_.lastCost * std::abs(normalizedAngle(angle - direction_)) +
                         1.0 / std::max(0.2, view_.free(sector));
@@ -51,10 +51,10 @@ DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits&
   direction_ = direction;
   const double room = view_.freeAbout(0, robotlink::radians(5));
   const double straight = std::max(kLeastShare, std::cos(direction));
-  const double speed = wish.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
+  const double speed = desired.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
   // If the requested direction is open, the request is followed unchanged.
-  const bool asWished = std::abs(direction - wanted) < 0.6 * PolarView::kSector;
-  const double rotation = asWished ? wish.rotation : options_.steering * direction;
+  const bool asDesired = std::abs(direction - wanted) < 0.6 * PolarView::kSector;
+  const double rotation = asDesired ? desired.rotation : options_.steering * direction;
   return {direction > 1.2 || direction < -1.2 ? 0 : speed,
           std::clamp(rotation, -limits.rotation, limits.rotation)};
 }
@@ -62,14 +62,14 @@ DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits&
 DriveVelocity VectorField::decide(const AvoidanceSituation& situation) {
   const Clearance clearance(options_.outline, {kHardMargin, 3.0}, situation.points);
   view_ = PolarView(situation.points, options_.outline.halfWidth + options_.margin, options_.reach);
-  DriveVelocity wanted = situation.wish;
+  DriveVelocity wanted = situation.desired;
   // Only motion ahead is steered; turning on the spot and moving backwards are executed as requested.
   if (wanted.forward > CornerEscape::kWantsSpeed)
     wanted = steered(wanted, situation.limits);
   else
     direction_ = 0;
   const DriveVelocity possible = clearance.limited(wanted, situation.limits, options_.latency);
-  return escape_.decide(situation.wish, possible, clearance, view_, situation.limits, situation.time);
+  return escape_.decide(situation.desired, possible, clearance, view_, situation.limits, situation.time);
 }
 
 }  // namespace modules

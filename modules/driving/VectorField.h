@@ -12,7 +12,7 @@ namespace modules {
 /// The input of obstacle avoidance, all in the robot's frame.
 struct AvoidanceSituation {
   /// The requested velocity.
-  DriveVelocity wish;
+  DriveVelocity desired;
   /// As measured by the wheels.
   DriveVelocity now;
   /// Obstacles, m.
@@ -40,9 +40,9 @@ class VectorField {
     /// The same for a direction that was closed, m; more, as hysteresis.
     double needAgain = 1.2;
     /// A requested rotation means the direction that it would reach after this time, s.
-    double wishTime = 1.0;
+    double desiredTime = 1.0;
     /// Costs per radian.
-    double wishCost = 5, straightCost = 1.5, lastCost = 2;
+    double desiredCost = 5, straightCost = 1.5, lastCost = 2;
     /// Rotation per difference in direction, 1/s.
     double steering = 1.5;
     /// Delay until a request takes effect, s.
@@ -65,7 +65,7 @@ class VectorField {
   /// Updates open_, with hysteresis.
   void openSectors(double need);
   /// The velocity that follows the request through the histogram.
-  DriveVelocity steered(const DriveVelocity& wish, const DriveLimits& limits);
+  DriveVelocity steered(const DriveVelocity& desired, const DriveLimits& limits);
 
   Options options_;
   CornerEscape escape_;

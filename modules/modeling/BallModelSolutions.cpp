@@ -34,7 +34,7 @@ class BallModeler : public robotlink::Solution {
         model_(context.output(robotlink::kBallModel)) {}
 
  protected:
-  void tell(const BallEstimate& ball, const google::protobuf::Timestamp& time) {
+  void publish(const BallEstimate& ball, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::BallModel>();
     *package->mutable_timestamp() = time;
     package->set_known(ball.known);
@@ -97,7 +97,7 @@ class PerceptBallModeler final : public BallModeler {
     const Pose2 odometry = motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{};
     estimator_.setOptions(optionsOf(parameters_));
     estimator_.update(robotlink::seconds(robotlink::instant(percept_->timestamp())), odometry, seen);
-    tell(estimator_.estimate(), percept_->timestamp());
+    publish(estimator_.estimate(), percept_->timestamp());
   }
 
  private:
@@ -143,7 +143,7 @@ class OracleBall final : public BallModeler {
     estimate.known = true;
     estimate.position =
         robotlink::pose2(world_->robot_in_field()).inverse() * robotlink::Vector2(ball.head<2>());
-    tell(estimate, world_->timestamp());
+    publish(estimate, world_->timestamp());
   }
 
  private:

@@ -24,7 +24,7 @@ class PlayersModeler : public robotlink::Solution {
       : debug_(context.debug()), model_(context.output(robotlink::kPlayersModel)) {}
 
  protected:
-  void tell(const std::vector<TrackedPlayer>& players, const google::protobuf::Timestamp& time) {
+  void publish(const std::vector<TrackedPlayer>& players, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::PlayersModel>();
     *package->mutable_timestamp() = time;
     for (const TrackedPlayer& player : players) {
@@ -66,7 +66,7 @@ class PerceptPlayers final : public PlayersModeler {
     tracker_.setOptions(
         {parameters_.same_within(), parameters_.half_life(), parameters_.forget_below(), parameters_.pull()});
     tracker_.update(robotlink::seconds(robotlink::instant(percepts_->timestamp())), seen_);
-    tell(tracker_.players(), percepts_->timestamp());
+    publish(tracker_.players(), percepts_->timestamp());
   }
 
  private:
@@ -97,7 +97,7 @@ class OraclePlayers final : public PlayersModeler {
     std::vector<TrackedPlayer> players;
     for (const robotcontrol::OracleWorld::Robot& robot : world_->others())
       players.push_back({robot.team(), robotlink::pose2(robot.pose_in_field()).translation(), 1});
-    tell(players, world_->timestamp());
+    publish(players, world_->timestamp());
   }
 
  private:

@@ -5,7 +5,7 @@
 
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/LandmarkLocalizer.h"
-#include "modules/modeling/SelfLocator.h"
+#include "modules/modeling/SelfLocalization.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
@@ -22,10 +22,10 @@ Pose2 startPose(const robotcontrol::Pose2& start, const std::string& team) {
   return team == "blue" ? Pose2{0, 0, robotlink::kPi} * red : red;
 }
 
-class OdometryLocator final : public SelfLocator {
+class OdometryLocalization final : public SelfLocalization {
  public:
-  explicit OdometryLocator(robotlink::SolutionContext& context)
-      : SelfLocator(context),
+  explicit OdometryLocalization(robotlink::SolutionContext& context)
+      : SelfLocalization(context),
         parameters_(context.parameters<robotcontrol::OdometryLocalisationParameters>()),
         team_(context.robot().team),
         motion_(context.input(robotlink::kMotionStatus)) {}
@@ -42,7 +42,7 @@ class OdometryLocator final : public SelfLocator {
     estimate.headingDeviation = parameters_.drift_per_radian() * turn_;
     estimate.positionDeviation =
         parameters_.drift_per_metre() * way_ + 0.5 * way_ * estimate.headingDeviation;
-    tell(estimate, motion_->timestamp());
+    publish(estimate, motion_->timestamp());
   }
 
  private:
@@ -54,17 +54,17 @@ class OdometryLocator final : public SelfLocator {
 };
 
 const robotlink::SolutionRegistration kOdometry =
-    robotlink::SolutionBuilder<OdometryLocator>("self-localisation", "odometry",
-                                                "Dead reckoning from a known start; its error only grows.")
+    robotlink::SolutionBuilder<OdometryLocalization>(
+        "self-localisation", "odometry", "Dead reckoning from a known start; its error only grows.")
         .needs(robotlink::kMotionStatus)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey})
         .parameters<robotcontrol::OdometryLocalisationParameters>();
 
-class LandmarkLocator final : public SelfLocator {
+class LandmarkLocalization final : public SelfLocalization {
  public:
-  explicit LandmarkLocator(robotlink::SolutionContext& context)
-      : SelfLocator(context),
+  explicit LandmarkLocalization(robotlink::SolutionContext& context)
+      : SelfLocalization(context),
         field_(context.robot().field),
         percepts_(context.input(robotlink::kLandmarkPercepts)),
         motion_(context.input(robotlink::kMotionStatus)),
@@ -81,7 +81,7 @@ class LandmarkLocator final : public SelfLocator {
     const bool shaken = executed == robotcontrol::MotionRequest::KEY_FRAMES ||
                         executed == robotcontrol::MotionRequest::GET_UP;
     localizer_.update(motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{}, shaken, seen_);
-    tell(localizer_.estimate(), percepts_->timestamp());
+    publish(localizer_.estimate(), percepts_->timestamp());
     if (debug_.on(kLocatorParticlesKey)) {
       auto drawing = debug_.fieldDrawing(kLocatorParticlesKey);
       for (const Pose2& particle : localizer_.particles())
@@ -131,7 +131,7 @@ class LandmarkLocator final : public SelfLocator {
 };
 
 const robotlink::SolutionRegistration kLandmarks =
-    robotlink::SolutionBuilder<LandmarkLocator>(
+    robotlink::SolutionBuilder<LandmarkLocalization>(
         "self-localisation", "landmarks",
         "A particle filter over dead reckoning and the bearings and distances of beacons and goals.")
         .needs(robotlink::kLandmarkPercepts)
@@ -140,14 +140,14 @@ const robotlink::SolutionRegistration kLandmarks =
         .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey})
         .parameters<robotcontrol::LandmarkLocalisationParameters>();
 
-class OracleLocator final : public SelfLocator {
+class OracleLocalization final : public SelfLocalization {
  public:
-  explicit OracleLocator(robotlink::SolutionContext& context)
-      : SelfLocator(context), world_(context.input(robotlink::kOracleWorld)) {}
+  explicit OracleLocalization(robotlink::SolutionContext& context)
+      : SelfLocalization(context), world_(context.input(robotlink::kOracleWorld)) {}
 
   void execute() override {
     if (!world_ || !world_.isNew()) return;
-    tell({robotlink::pose2(world_->robot_in_field()), 0, 0}, world_->timestamp());
+    publish({robotlink::pose2(world_->robot_in_field()), 0, 0}, world_->timestamp());
   }
 
  private:
@@ -155,8 +155,8 @@ class OracleLocator final : public SelfLocator {
 };
 
 const robotlink::SolutionRegistration kOracleLocator =
-    robotlink::SolutionBuilder<OracleLocator>("self-localisation", "oracle",
-                                              "The robot's true pose, from the simulator.")
+    robotlink::SolutionBuilder<OracleLocalization>("self-localisation", "oracle",
+                                                   "The robot's true pose, from the simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey});

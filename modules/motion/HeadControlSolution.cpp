@@ -40,34 +40,34 @@ class HeadControlSolution : public robotlink::Solution {
     const HeadAngles head = measured();
     const HeadAngles wanted = decide(controller_, head, frame);
     send(wanted);
-    tell(wanted, head);
+    publish(wanted, head);
   }
 
  protected:
   virtual HeadAngles decide(HeadController& controller, const HeadAngles& head,
                             robotlink::Duration frame) = 0;
 
-  HeadWish wish() const {
-    HeadWish wish;
-    if (!mode_) return wish;
-    wish.angles = {mode_->tilt(), mode_->pan(), mode_->roll(), mode_->mouth()};
+  HeadCommand desired() const {
+    HeadCommand desired;
+    if (!mode_) return desired;
+    desired.angles = {mode_->tilt(), mode_->pan(), mode_->roll(), mode_->mouth()};
     switch (mode_->kind()) {
       case robotcontrol::HeadMode::SEARCH_BALL:
-        wish.kind = HeadWish::Kind::kSearchBall;
+        desired.kind = HeadCommand::Kind::kSearchBall;
         break;
       case robotcontrol::HeadMode::TRACK_BALL:
-        wish.kind = HeadWish::Kind::kTrackBall;
+        desired.kind = HeadCommand::Kind::kTrackBall;
         break;
       case robotcontrol::HeadMode::LOOK_AROUND:
-        wish.kind = HeadWish::Kind::kLookAround;
+        desired.kind = HeadCommand::Kind::kLookAround;
         break;
       case robotcontrol::HeadMode::ANGLES:
-        wish.kind = HeadWish::Kind::kAngles;
+        desired.kind = HeadCommand::Kind::kAngles;
         break;
       default:
         break;
     }
-    return wish;
+    return desired;
   }
 
   std::optional<BallSight> ball() const {
@@ -100,7 +100,7 @@ class HeadControlSolution : public robotlink::Solution {
     request_.send(std::move(request));
   }
 
-  void tell(const HeadAngles& wanted, const HeadAngles& head) {
+  void publish(const HeadAngles& wanted, const HeadAngles& head) {
     robotlink::DebugContext& debug = context_.debug();
     if (debug.on(kAnglesKey)) {
       debug.plot(kAnglesKey, "wanted-tilt", wanted.tilt, "rad");
@@ -137,7 +137,7 @@ class SearchAndTrack final : public HeadControlSolution {
  public:
   using HeadControlSolution::HeadControlSolution;
   HeadAngles decide(HeadController& controller, const HeadAngles& head, robotlink::Duration frame) override {
-    return controller.advance(wish(), ball(), head, frame);
+    return controller.advance(desired(), ball(), head, frame);
   }
 };
 
@@ -145,8 +145,9 @@ class LookAround final : public HeadControlSolution {
  public:
   using HeadControlSolution::HeadControlSolution;
   HeadAngles decide(HeadController& controller, const HeadAngles& head, robotlink::Duration frame) override {
-    const HeadWish wanted = wish();
-    if (wanted.kind == HeadWish::Kind::kAngles) return controller.advance(wanted, std::nullopt, head, frame);
+    const HeadCommand wanted = desired();
+    if (wanted.kind == HeadCommand::Kind::kAngles)
+      return controller.advance(wanted, std::nullopt, head, frame);
     return controller.lookAround(head, frame);
   }
 };

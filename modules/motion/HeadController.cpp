@@ -16,18 +16,18 @@ constexpr double kLag = 0.5;
 
 }  // namespace
 
-HeadAngles HeadController::advance(const HeadWish& wish, const std::optional<BallSight>& ball,
+HeadAngles HeadController::advance(const HeadCommand& desired, const std::optional<BallSight>& ball,
                                    const HeadAngles& now, robotlink::Duration frame) {
   const double dt = robotlink::seconds(frame);
   if (ball && ball->position.allFinite()) side_ = ball->position.y() < 0 ? -1 : 1;
-  switch (wish.kind) {
-    case HeadWish::Kind::kLookAhead:
+  switch (desired.kind) {
+    case HeadCommand::Kind::kLookAhead:
       state_ = State::kStill;
       return {parameters_.aheadTilt, 0, 0, 0};
-    case HeadWish::Kind::kAngles:
+    case HeadCommand::Kind::kAngles:
       state_ = State::kStill;
-      return wish.angles;
-    case HeadWish::Kind::kLookAround:
+      return desired.angles;
+    case HeadCommand::Kind::kLookAround:
       return lookAround(now, frame);
     default:
       break;

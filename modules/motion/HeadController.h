@@ -11,12 +11,12 @@
 namespace modules {
 
 /// A request for the head.
-struct HeadWish {
+struct HeadCommand {
   enum class Kind { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
   /// Only for kAngles.
   HeadAngles angles;
-  bool operator==(const HeadWish&) const = default;
+  bool operator==(const HeadCommand&) const = default;
 };
 
 /// The ball model as the head needs it: the ball's position in the robot's frame, m, and the time since it
@@ -64,7 +64,7 @@ class HeadController {
 
   void setParameters(const HeadParameters& parameters) { parameters_ = parameters; }
   /// Call it once a frame. `now` are the present angles; `ball` is empty if it is unknown.
-  HeadAngles advance(const HeadWish& wish, const std::optional<BallSight>& ball, const HeadAngles& now,
+  HeadAngles advance(const HeadCommand& desired, const std::optional<BallSight>& ball, const HeadAngles& now,
                      robotlink::Duration frame);
   /// Only the sweep from side to side.
   HeadAngles lookAround(const HeadAngles& now, robotlink::Duration frame);

@@ -37,36 +37,37 @@ void MotionEngine::advance(const Frame& frame) {
   const bool wasFallen = falls_.fallen();
   if (frame.acceleration) falls_.update(*frame.acceleration, frame.time);
   if (falls_.fallen() && !wasFallen && mode_ == Mode::kGait) beginBlend();
-  const MotionWish wish = resolved(frame.wish);
+  const MotionCommand desired = resolved(frame.desired);
 
   // Key frames begin and end in the gait's stand; between two of them there is always a stand.
   const bool wantsKeyFrames =
-      wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp;
+      desired.kind == MotionCommand::Kind::kKeyFrames || desired.kind == MotionCommand::Kind::kGetUp;
   if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
     mode_ = Mode::kKeyFrames;
     player_.start(positions_);
-    player_.request(wish.motion, robotlink::MotionPlayer::Repeat::kOnce);
-    executed_ = wish;
+    player_.request(desired.motion, robotlink::MotionPlayer::Repeat::kOnce);
+    executed_ = desired;
   }
-  if (mode_ == Mode::kKeyFrames) runKeyFrames(wish, frame.time);
-  if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionWish{} : wish, frame.time);
+  if (mode_ == Mode::kKeyFrames) runKeyFrames(desired, frame.time);
+  if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionCommand{} : desired, frame.time);
   setFreeJoints(dt);
   moveHead(frame.head, dt);
 }
 
 /// The request as it can be executed: getting up after a fall takes precedence; an unknown motion becomes a
 /// stand.
-MotionWish MotionEngine::resolved(const MotionWish& wish) {
+MotionCommand MotionEngine::resolved(const MotionCommand& desired) {
   refusal_.clear();
   const bool mustGetUp = falls_.fallen() && options_.getUpByItself;
-  if (mustGetUp || (wish.kind == MotionWish::Kind::kGetUp && falls_.side() != FallDetector::Side::kNone)) {
-    MotionWish result{MotionWish::Kind::kGetUp, {}, getUpMotion()};
+  if (mustGetUp ||
+      (desired.kind == MotionCommand::Kind::kGetUp && falls_.side() != FallDetector::Side::kNone)) {
+    MotionCommand result{MotionCommand::Kind::kGetUp, {}, getUpMotion()};
     if (motions_->find(result.motion) >= 0) return result;
     refusal_ = "there is no motion '" + result.motion + "'";
-  } else if (wish.kind == MotionWish::Kind::kKeyFrames && motions_->find(wish.motion) < 0) {
-    refusal_ = "there is no motion '" + wish.motion + "'";
-  } else if (wish.kind != MotionWish::Kind::kGetUp) {
-    return wish;
+  } else if (desired.kind == MotionCommand::Kind::kKeyFrames && motions_->find(desired.motion) < 0) {
+    refusal_ = "there is no motion '" + desired.motion + "'";
+  } else if (desired.kind != MotionCommand::Kind::kGetUp) {
+    return desired;
   }
   return {};
 }
@@ -96,13 +97,13 @@ void MotionEngine::beginBlend() {
   executed_ = {};
 }
 
-void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
+void MotionEngine::runKeyFrames(const MotionCommand& desired, Duration time) {
   // The requested motion may change, but getting up is not interrupted.
-  const bool getsUp = executed_.kind == MotionWish::Kind::kGetUp;
-  if (!getsUp && wish.kind == MotionWish::Kind::kKeyFrames) {
-    player_.request(wish.motion, robotlink::MotionPlayer::Repeat::kOnce);
-    executed_ = wish;
-  } else if (wish != executed_) {
+  const bool getsUp = executed_.kind == MotionCommand::Kind::kGetUp;
+  if (!getsUp && desired.kind == MotionCommand::Kind::kKeyFrames) {
+    player_.request(desired.motion, robotlink::MotionPlayer::Repeat::kOnce);
+    executed_ = desired;
+  } else if (desired != executed_) {
     player_.clear();
   }
   player_.advance(time);
@@ -123,11 +124,11 @@ void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
   }
 }
 
-void MotionEngine::runGait(const MotionWish& wish, Duration time) {
+void MotionEngine::runGait(const MotionCommand& desired, Duration time) {
   const double dt = robotlink::seconds(time);
   blended_ += dt;
   const bool blending = blended_ < options_.blendTime;
-  gait_.request(wish.kind == MotionWish::Kind::kWalk && !blending ? wish.walk : WalkSpeed{});
+  gait_.request(desired.kind == MotionCommand::Kind::kWalk && !blending ? desired.walk : WalkSpeed{});
   gait_.advance(time, WheelModelGait::Idle::kStand);
   const double part = blending ? 0.5 - 0.5 * std::cos(robotlink::kPi * blended_ / options_.blendTime) : 1;
   std::vector<double> wanted = blendFrom_;
@@ -140,7 +141,7 @@ void MotionEngine::runGait(const MotionWish& wish, Duration time) {
   }
   const WalkSpeed now = speed();
   odometry_ = odometry_ * robotlink::Pose2{now.x * dt, now.y * dt, now.rotation * dt};
-  executed_.kind = gait_.standing() ? MotionWish::Kind::kStand : MotionWish::Kind::kWalk;
+  executed_.kind = gait_.standing() ? MotionCommand::Kind::kStand : MotionCommand::Kind::kWalk;
   executed_.walk = gait_.standing() ? WalkSpeed{} : gait_.requested();
   executed_.motion.clear();
 }

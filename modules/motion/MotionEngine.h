@@ -12,14 +12,14 @@
 namespace modules {
 
 /// A request for the body. A plain value.
-struct MotionWish {
+struct MotionCommand {
   enum class Kind { kStand, kWalk, kKeyFrames, kGetUp };
   Kind kind = Kind::kStand;
   /// Only for kWalk; zero means standing.
   WalkSpeed walk;
   /// Only for kKeyFrames.
   std::string motion;
-  bool operator==(const MotionWish&) const = default;
+  bool operator==(const MotionCommand&) const = default;
 };
 
 /// Converts requests to angles of all joints, one frame at a time: stands, walks, plays key-frame motions,
@@ -40,7 +40,7 @@ class MotionEngine {
   };
   /// The input of a frame.
   struct Frame {
-    MotionWish wish;
+    MotionCommand desired;
     HeadAngles head;
     /// Null if it is unknown.
     const robotlink::Vector3* acceleration = nullptr;
@@ -64,7 +64,7 @@ class MotionEngine {
   /// Fraction of the torque, the same for all servos.
   double stiffness() const { return stiffness_; }
   /// The request that is being executed, which may differ from the last one.
-  const MotionWish& executed() const { return executed_; }
+  const MotionCommand& executed() const { return executed_; }
   /// Whether the present motion can be left now.
   bool stable() const;
   /// The pose by dead reckoning since start().
@@ -80,13 +80,13 @@ class MotionEngine {
   /// What controls the legs.
   enum class Mode { kGait, kKeyFrames };
   /// The request as it can be executed.
-  MotionWish resolved(const MotionWish& wish);
+  MotionCommand resolved(const MotionCommand& desired);
   /// The name of the motion for the side on which the robot lies.
   std::string getUpMotion() const;
-  void runGait(const MotionWish& wish, robotlink::Duration time);
+  void runGait(const MotionCommand& desired, robotlink::Duration time);
   /// Starts moving the legs from their present angles to the stand.
   void beginBlend();
-  void runKeyFrames(const MotionWish& wish, robotlink::Duration time);
+  void runKeyFrames(const MotionCommand& desired, robotlink::Duration time);
   void moveHead(const HeadAngles& wanted, double seconds);
   /// Moves joints that nothing controls to their stance.
   void setFreeJoints(double seconds);
@@ -105,7 +105,7 @@ class MotionEngine {
   double blended_ = 0;
   double stiffness_ = 1;
   robotlink::Pose2 odometry_;
-  MotionWish executed_;
+  MotionCommand executed_;
   std::string refusal_;
 };
 

@@ -80,26 +80,26 @@ void assign(robotcontrol::Velocity2& to, const WalkSpeed& from) {
   to.set_rotation(from.rotation);
 }
 
-MotionWish::Kind wishKind(robotcontrol::MotionRequest::Kind kind) {
+MotionCommand::Kind desiredKind(robotcontrol::MotionRequest::Kind kind) {
   switch (kind) {
     case robotcontrol::MotionRequest::WALK:
-      return MotionWish::Kind::kWalk;
+      return MotionCommand::Kind::kWalk;
     case robotcontrol::MotionRequest::KEY_FRAMES:
-      return MotionWish::Kind::kKeyFrames;
+      return MotionCommand::Kind::kKeyFrames;
     case robotcontrol::MotionRequest::GET_UP:
-      return MotionWish::Kind::kGetUp;
+      return MotionCommand::Kind::kGetUp;
     default:
-      return MotionWish::Kind::kStand;
+      return MotionCommand::Kind::kStand;
   }
 }
 
-robotcontrol::MotionRequest::Kind requestKind(MotionWish::Kind kind) {
+robotcontrol::MotionRequest::Kind requestKind(MotionCommand::Kind kind) {
   switch (kind) {
-    case MotionWish::Kind::kWalk:
+    case MotionCommand::Kind::kWalk:
       return robotcontrol::MotionRequest::WALK;
-    case MotionWish::Kind::kKeyFrames:
+    case MotionCommand::Kind::kKeyFrames:
       return robotcontrol::MotionRequest::KEY_FRAMES;
-    case MotionWish::Kind::kGetUp:
+    case MotionCommand::Kind::kGetUp:
       return robotcontrol::MotionRequest::GET_UP;
     default:
       return robotcontrol::MotionRequest::STAND;
@@ -164,7 +164,7 @@ void MotionSolution::execute() {
     engine_->advance(frame(kFrame));
   sendJoints();
   sendStatus();
-  tell();
+  publish();
   plot();
   draw();
 }
@@ -181,7 +181,7 @@ MotionEngine::Frame MotionSolution::frame(robotlink::Duration time) {
   MotionEngine::Frame frame;
   frame.time = time;
   if (request_) {
-    frame.wish = {wishKind(request_->kind()), walkSpeed(request_->walk()), request_->motion()};
+    frame.desired = {desiredKind(request_->kind()), walkSpeed(request_->walk()), request_->motion()};
   }
   if (head_) frame.head = {head_->tilt(), head_->pan(), head_->roll(), head_->mouth()};
   if (sensors_) {
@@ -202,7 +202,7 @@ void MotionSolution::sendJoints() {
 void MotionSolution::sendStatus() {
   auto status = std::make_shared<robotcontrol::MotionStatus>();
   robotlink::assign(*status->mutable_timestamp(), context_.clock().now());
-  const MotionWish& executed = engine_->executed();
+  const MotionCommand& executed = engine_->executed();
   auto& request = *status->mutable_executed();
   *request.mutable_timestamp() = status->timestamp();
   request.set_kind(requestKind(executed.kind));
@@ -216,19 +216,19 @@ void MotionSolution::sendStatus() {
 }
 
 /// Logs each fact once, when it changes.
-void MotionSolution::tell() {
+void MotionSolution::publish() {
   robotlink::DebugContext& debug = context_.debug();
-  if (engine_->refusal() != toldRefusal_) {
-    toldRefusal_ = engine_->refusal();
-    if (!toldRefusal_.empty()) debug.text(Level::kWarning, "motion", toldRefusal_);
+  if (engine_->refusal() != reportedRefusal_) {
+    reportedRefusal_ = engine_->refusal();
+    if (!reportedRefusal_.empty()) debug.text(Level::kWarning, "motion", reportedRefusal_);
   }
-  if (engine_->falls().fallen() != toldFallen_) {
-    toldFallen_ = engine_->falls().fallen();
-    debug.text(Level::kInfo, "motion", toldFallen_ ? "the robot fell" : "the robot is upright again");
+  if (engine_->falls().fallen() != reportedFallen_) {
+    reportedFallen_ = engine_->falls().fallen();
+    debug.text(Level::kInfo, "motion", reportedFallen_ ? "the robot fell" : "the robot is upright again");
   }
-  if (engine_->executed().motion != toldMotion_) {
-    toldMotion_ = engine_->executed().motion;
-    if (!toldMotion_.empty()) debug.text(Level::kInfo, "motion", "plays '" + toldMotion_ + "'");
+  if (engine_->executed().motion != reportedMotion_) {
+    reportedMotion_ = engine_->executed().motion;
+    if (!reportedMotion_.empty()) debug.text(Level::kInfo, "motion", "plays '" + reportedMotion_ + "'");
   }
 }
 

@@ -34,7 +34,7 @@ class MotionSolution : public robotlink::Solution {
   void sendJoints();
   void sendStatus();
   /// Logs changes of motion, falls and refusals.
-  void tell();
+  void publish();
   void plot();
   void draw();
 
@@ -54,9 +54,9 @@ class MotionSolution : public robotlink::Solution {
   /// Whether the engine has got the angles of the joints.
   bool started_ = false;
   // The last logged state, so that only changes are logged.
-  std::string toldRefusal_;
-  std::string toldMotion_;
-  bool toldFallen_ = false;
+  std::string reportedRefusal_;
+  std::string reportedMotion_;
+  bool reportedFallen_ = false;
 };
 
 }  // namespace modules

@@ -6,7 +6,7 @@
 
 #include "NavigationParameters.pb.h"
 #include "foxglove/Ranging.pb.h"
-#include "modules/modeling/SelfLocator.h"
+#include "modules/modeling/SelfLocalization.h"
 #include "modules/navigation/MonteCarloLocalizer.h"
 #include "modules/navigation/OdometryHistory.h"
 #include "modules/navigation/ParameterDefaults.h"
@@ -37,10 +37,10 @@ bool finite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
 }
 
-class MonteCarloLocator final : public SelfLocator {
+class MonteCarloLocalization final : public SelfLocalization {
  public:
-  explicit MonteCarloLocator(robotlink::SolutionContext& context)
-      : SelfLocator(context),
+  explicit MonteCarloLocalization(robotlink::SolutionContext& context)
+      : SelfLocalization(context),
         parameters_(context.parameters<robotcontrol::MonteCarloLocalisationParameters>()),
         laserMaximum_(context.robot().description.laser ? context.robot().description.laser->maximum : 32),
         map_(context.robot().map),
@@ -57,13 +57,13 @@ class MonteCarloLocator final : public SelfLocator {
         debug_.text(Level::kWarning, "self-localisation",
                     "there is no map to find the robot in: open one, or choose the solution wheel-odometry");
       warned_ = true;
-      return tell(kNowhere, drive_->timestamp());
+      return publish(kNowhere, drive_->timestamp());
     }
     localizer_->setOptions(options());
     takeStep();
     const std::vector<RangeBeam> beams = measured();
     localizer_->see(beams);
-    tell(localizer_->estimate(), drive_->timestamp());
+    publish(localizer_->estimate(), drive_->timestamp());
     draw(beams);
   }
 
@@ -168,7 +168,7 @@ class MonteCarloLocator final : public SelfLocator {
 };
 
 const robotlink::SolutionRegistration kMonteCarlo =
-    robotlink::SolutionBuilder<MonteCarloLocator>(
+    robotlink::SolutionBuilder<MonteCarloLocalization>(
         "self-localisation", "monte-carlo",
         "A particle filter over odometry and what laser or sonars measure in the map; begins anywhere.")
         .needs(robotlink::kDriveState)
@@ -178,10 +178,10 @@ const robotlink::SolutionRegistration kMonteCarlo =
         .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey, &kRaysKey, &kFilterKey})
         .parameters<robotcontrol::MonteCarloLocalisationParameters>();
 
-class WheelLocator final : public SelfLocator {
+class WheelLocalization final : public SelfLocalization {
  public:
-  explicit WheelLocator(robotlink::SolutionContext& context)
-      : SelfLocator(context),
+  explicit WheelLocalization(robotlink::SolutionContext& context)
+      : SelfLocalization(context),
         parameters_(context.parameters<robotcontrol::WheelOdometryParameters>()),
         drive_(context.input(robotlink::kDriveState)) {
     const auto map = context.robot().map;
@@ -206,7 +206,7 @@ class WheelLocator final : public SelfLocator {
     estimate.headingDeviation = orBuiltIn(parameters_.drift_per_radian(), 0.03) * turn_;
     estimate.positionDeviation =
         orBuiltIn(parameters_.drift_per_metre(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
-    tell(estimate, drive_->timestamp());
+    publish(estimate, drive_->timestamp());
   }
 
  private:
@@ -217,7 +217,7 @@ class WheelLocator final : public SelfLocator {
 };
 
 const robotlink::SolutionRegistration kWheels =
-    robotlink::SolutionBuilder<WheelLocator>(
+    robotlink::SolutionBuilder<WheelLocalization>(
         "self-localisation", "wheel-odometry",
         "Dead reckoning by the wheels from the home of the map; its error only grows.")
         .needs(robotlink::kDriveState)

@@ -45,7 +45,7 @@ void MonteCarloLocalizer::startAnywhere() {
     const auto count = static_cast<int>(std::clamp(wanted, fewest, std::max<double>(fewest, options_.most)));
     for (int i = 0; i < count; ++i) particles_.push_back(Particle::at(freeSpace_.draw(random_)));
   }
-  tell();
+  publish();
 }
 
 void MonteCarloLocalizer::startAt(const Pose2& robotInMap, double positionDeviation,
@@ -60,7 +60,7 @@ void MonteCarloLocalizer::startAt(const Pose2& robotInMap, double positionDeviat
                       robotInMap.y + positionDeviation * random_.normal(),
                       normalizedAngle(robotInMap.heading + headingDeviation * random_.normal())}));
   }
-  tell();
+  publish();
 }
 
 void MonteCarloLocalizer::move(const Pose2& step) {
@@ -84,12 +84,12 @@ bool MonteCarloLocalizer::see(std::span<const RangeBeam> beams) {
   const bool moved = first_ || way_ >= options_.leastWay || turn_ >= options_.leastTurn;
   if (moved) ranges_.choose(beams);
   if (!moved || particles_.empty() || ranges_.empty()) {
-    tell();
+    publish();
     return false;
   }
   way_ = turn_ = 0;
   weigh();
-  tell();
+  publish();
   judge();
   first_ = false;
   if (badFits_ > options_.lostAfter)
@@ -111,7 +111,7 @@ void MonteCarloLocalizer::weigh() {
   }
 }
 
-void MonteCarloLocalizer::tell() {
+void MonteCarloLocalizer::publish() {
   estimate_ = summarize(particles_);
   if (particles_.empty() || first_) return;
   const double misfit = 1 - std::min(1.0, fit_ / options_.goodFit);

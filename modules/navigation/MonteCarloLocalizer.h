@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "modules/navigation/FreeSpace.h"
 #include "modules/navigation/Particle.h"
 #include "modules/navigation/RangeModel.h"
+#include "modules/navigation/ReachableSpace.h"
 #include "robotlink/base/Random.h"
 
 namespace modules {
@@ -72,7 +72,7 @@ class MonteCarloLocalizer {
   /// The fraction of recent measurements that the estimate explains, 0 to 1.
   double fit() const { return fit_; }
   std::span<const Particle> particles() const { return particles_; }
-  const FreeSpace& freeSpace() const { return freeSpace_; }
+  const ReachableSpace& freeSpace() const { return freeSpace_; }
 
  private:
   /// Updates fit() and detects a robot that was carried away.
@@ -86,12 +86,12 @@ class MonteCarloLocalizer {
   /// Replaces some particles by the best of random poses.
   void drawAnew();
   /// Computes the estimate from the particles.
-  void tell();
+  void publish();
 
   Options options_;
   robotlink::Random random_;
   DistanceMap distances_;
-  FreeSpace freeSpace_;
+  ReachableSpace freeSpace_;
   RangeModel ranges_;
   /// drawn_ is the next generation, kept to reuse its memory.
   std::vector<Particle> particles_, drawn_;

@@ -48,7 +48,7 @@ class PathPlanner : public robotlink::Solution {
 
   void execute() override {
     if (goal_ && goal_.isNew()) {
-      told_.clear();
+      published_.clear();
       planNow_ = true;
     }
     const double now = robotlink::seconds(clock_.now());
@@ -94,8 +94,8 @@ class PathPlanner : public robotlink::Solution {
   /// its wording varies.
   void sayOnce(Level level, const std::string& text, const std::string& what = "") {
     const std::string about = what.empty() ? text : what;
-    if (about == told_) return;
-    told_ = about;
+    if (about == published_) return;
+    published_ = about;
     debug_.text(level, "path-planning", text);
   }
 
@@ -120,7 +120,7 @@ class PathPlanner : public robotlink::Solution {
   robotlink::Input<robotcontrol::DriveGoal> goal_;
   robotlink::Output<DrivePath> path_;
   std::shared_ptr<DrivePath> sent_;
-  std::string told_;
+  std::string published_;
   bool planNow_ = true;
   double plannedAt_ = 0;
 };

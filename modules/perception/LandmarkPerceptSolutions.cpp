@@ -36,7 +36,7 @@ class LandmarkPerceptor : public robotlink::Solution {
         percepts_(context.output(robotlink::kLandmarkPercepts)) {}
 
  protected:
-  void tell(const std::vector<LandmarkObservation>& seen, const google::protobuf::Timestamp& time) {
+  void publish(const std::vector<LandmarkObservation>& seen, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::LandmarkPercepts>();
     *package->mutable_timestamp() = time;
     for (const LandmarkObservation& each : seen) {
@@ -102,7 +102,7 @@ class ColorBandsLandmarkPerceptor final : public LandmarkPerceptor {
     const BandLandmarkFinder finder(*field_, landmarks_,
                                     {parameters_.minimum_band_area(), parameters_.minimum_goal_area(),
                                      landmarkGeometry(parameters_.geometry())});
-    tell(finder.find(known_, cameraView(*pose_)), regions_->timestamp());
+    publish(finder.find(known_, cameraView(*pose_)), regions_->timestamp());
   }
 
  private:
@@ -132,7 +132,7 @@ class HorizonScanLandmarkPerceptor final : public LandmarkPerceptor {
   void execute() override {
     if (!image_ || !image_.isNew() || !pose_) return;
     updateFinder();
-    tell(finder_->find(robotlink::imageView(*image_), cameraView(*pose_)), image_->timestamp());
+    publish(finder_->find(robotlink::imageView(*image_), cameraView(*pose_)), image_->timestamp());
   }
 
  private:

@@ -18,7 +18,7 @@ bool isInformation(std::uint8_t id) {
 
 }  // namespace
 
-void ClientSession::takeInConnection(const Packet& packet, Instant now) {
+void ClientSession::applyConnection(const Packet& packet, Instant now) {
   if (isInformation(packet.id)) {
     takeInformation(packet, now);
   } else if (packet.id == Configuration::kId) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robotlink/arcos/codec/CommandTable.h"
+#include "robotlink/arcos/codec/CommandCatalog.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -164,13 +164,13 @@ void ClientSession::take(const Packet& packet, Instant now) {
   if (packet.id >= kFirstControllerReset) {
     restart(now);
   } else if (state_ == State::kSynchronizing) {
-    takeInHandshake(packet, now);
+    applyHandshake(packet, now);
   } else {
-    takeInConnection(packet, now);
+    applyConnection(packet, now);
   }
 }
 
-void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
+void ClientSession::applyHandshake(const Packet& packet, Instant now) {
   if (packet.id == sync_ && sync_ < 2) {
     tries_ = 0;
     sendSync(sync_ + 1, now);

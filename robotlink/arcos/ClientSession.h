@@ -171,8 +171,8 @@ class ClientSession {
   Error silence() const;
 
   // Packets by phase and kind.
-  void takeInHandshake(const Packet& packet, Instant now);
-  void takeInConnection(const Packet& packet, Instant now);
+  void applyHandshake(const Packet& packet, Instant now);
+  void applyConnection(const Packet& packet, Instant now);
   void takeInformation(const Packet& packet, Instant now);
   void takeConfiguration(const Packet& packet, Instant now);
   void takeLaser(const Packet& packet, Instant now);

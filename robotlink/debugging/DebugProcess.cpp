@@ -191,9 +191,9 @@ void DebugProcess::Implementation::takeQueues() {
 }
 
 void DebugProcess::Implementation::takeRequested() {
-  if (!requested.tellNews()) return;
+  if (!requested.publishNews()) return;
   joinOwnKeys();
-  tables.tellKeys();
+  tables.publishKeys();
 }
 
 void DebugProcess::Implementation::joinOwnKeys() {
@@ -281,7 +281,7 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
 void DebugProcess::Implementation::setKey(const Request& request) {
   if (requested.show(packageOfKey(request.set_key().name()), request.set_key().mode())) {
     joinOwnKeys();
-    tables.tellKeys();
+    tables.publishKeys();
   } else {
     sendToAll(request);
   }
@@ -339,11 +339,11 @@ void DebugProcess::Implementation::sendToAll(const Request& request) {
 
 void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal,
                                           std::uint64_t taken) {
-  auto& told = *debug.add(streams::kResults).mutable_result();
-  told.set_id(request.id());
-  told.set_accepted(refusal.empty());
-  told.set_reason(refusal);
-  told.set_checksum(taken);
+  auto& published = *debug.add(streams::kResults).mutable_result();
+  published.set_id(request.id());
+  published.set_accepted(refusal.empty());
+  published.set_reason(refusal);
+  published.set_checksum(taken);
 }
 
 // ---- Processes

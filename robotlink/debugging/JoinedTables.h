@@ -21,7 +21,7 @@ class JoinedTables {
     solutions_[process] = std::move(solutions);
   }
   /// Marks the table of keys as changed.
-  void tellKeys() { keysChanged_ = true; }
+  void publishKeys() { keysChanged_ = true; }
   /// Returns whether the table has changed since the last call.
   bool takeKeysChanged() { return std::exchange(keysChanged_, false); }
   bool takeSolutionsChanged() { return std::exchange(solutionsChanged_, false); }

@@ -44,12 +44,12 @@ std::string RequestPreview::addTo(const TaskProcess& process, const Request& req
     case Request::kSetParameters:
       return setParameters(process, request.set_parameters());
     case Request::kGetParameters: {
-      const auto& wish = request.get_parameters();
-      const std::string solution = solutionOf(process, wish.task(), wish.solution());
-      const SolutionParameters* known = process.solutionParameters(wish.task(), solution);
-      if (known == nullptr) return "task " + wish.task() + " has no solution '" + wish.solution() + "'";
+      const auto& details = request.get_parameters();
+      const std::string solution = solutionOf(process, details.task(), details.solution());
+      const SolutionParameters* known = process.solutionParameters(details.task(), solution);
+      if (known == nullptr) return "task " + details.task() + " has no solution '" + details.solution() + "'";
       if (known->message() != nullptr) return "";
-      return "solution " + wish.solution() + " of " + wish.task() + " has no parameters";
+      return "solution " + details.solution() + " of " + details.task() + " has no parameters";
     }
     default:
       return "";
@@ -57,19 +57,19 @@ std::string RequestPreview::addTo(const TaskProcess& process, const Request& req
 }
 
 std::string RequestPreview::selectSolution(const TaskProcess& process,
-                                           const robotcontrol::SelectSolution& wish) {
-  std::string refusal = reasonOf(process.trySolution(wish.task(), wish.solution()));
-  if (refusal.empty()) solutions_[wish.task()] = wish.solution();
+                                           const robotcontrol::SelectSolution& details) {
+  std::string refusal = reasonOf(process.trySolution(details.task(), details.solution()));
+  if (refusal.empty()) solutions_[details.task()] = details.solution();
   return refusal;
 }
 
 std::string RequestPreview::setParameters(const TaskProcess& process,
-                                          const robotcontrol::SetParameters& wish) {
-  const std::string solution = solutionOf(process, wish.task(), wish.solution());
-  const SolutionParameters* known = process.solutionParameters(wish.task(), solution);
-  if (known == nullptr) return "task " + wish.task() + " has no solution '" + wish.solution() + "'";
-  const auto entry = parameters_.try_emplace({wish.task(), solution}, known->clone()).first;
-  return reasonOf(entry->second.set(wish.value()));
+                                          const robotcontrol::SetParameters& details) {
+  const std::string solution = solutionOf(process, details.task(), details.solution());
+  const SolutionParameters* known = process.solutionParameters(details.task(), solution);
+  if (known == nullptr) return "task " + details.task() + " has no solution '" + details.solution() + "'";
+  const auto entry = parameters_.try_emplace({details.task(), solution}, known->clone()).first;
+  return reasonOf(entry->second.set(details.value()));
 }
 
 /// The solution that is meant: the task's active one if `solution` is empty.

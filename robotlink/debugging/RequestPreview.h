@@ -43,8 +43,8 @@ class RequestPreview {
   /// The task process that a request goes to; null if the debug process handles it.
   const TaskProcess* processOf(const robotcontrol::Request& request) const;
   std::string addTo(const TaskProcess& process, const robotcontrol::Request& request);
-  std::string selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& wish);
-  std::string setParameters(const TaskProcess& process, const robotcontrol::SetParameters& wish);
+  std::string selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& details);
+  std::string setParameters(const TaskProcess& process, const robotcontrol::SetParameters& details);
   /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
                          const std::string& solution) const;

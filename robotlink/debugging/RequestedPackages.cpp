@@ -31,18 +31,18 @@ bool RequestedPackages::show(const std::string& package, const robotcontrol::Key
   return true;
 }
 
-bool RequestedPackages::tellNews() {
+bool RequestedPackages::publishNews() {
   bool expired = false;
   for (auto& [name, package] : packages_) {
     if (!package.wanted() || !package.receiver->isNew() || !package.mode.due(process_.frameTime())) continue;
-    tell(name, *package.receiver->value());
+    publish(name, *package.receiver->value());
     expired |= !package.wanted();
     package.link();
   }
   return expired;
 }
 
-void RequestedPackages::tell(const std::string& name, const google::protobuf::Message& package) {
+void RequestedPackages::publish(const std::string& name, const google::protobuf::Message& package) {
   if (const auto* image = dynamic_cast<const foxglove::RawImage*>(&package)) {
     robotcontrol::DebugMessage& message = debug_.add(name);
     // The image belongs to the time at which it was taken, not to the frame in which it arrived here.

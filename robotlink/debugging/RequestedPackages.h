@@ -26,7 +26,7 @@ class RequestedPackages {
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
   /// Publishes the packages that arrived for this frame, images with their own timestamps. Returns whether a
   /// mode has run out.
-  bool tellNews();
+  bool publishNews();
   /// Adds the keys of the packages to a table.
   void fillKeys(robotcontrol::KeyTable& to) const;
 
@@ -41,7 +41,7 @@ class RequestedPackages {
     /// Connects or disconnects the receiver according to the mode.
     void link() const;
   };
-  void tell(const std::string& name, const google::protobuf::Message& package);
+  void publish(const std::string& name, const google::protobuf::Message& package);
 
   Process& process_;
   DebugContext& debug_;

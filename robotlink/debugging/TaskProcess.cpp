@@ -58,7 +58,7 @@ struct TaskProcess::Implementation {
   Result<void> select(const std::string& task, const std::string& solution);
   Result<TaskRunner*> selectable(const std::string& task, const std::string& solution) const;
   Result<void> getParameters(const std::string& task, const std::string& solution);
-  Result<void> setParameters(const robotcontrol::SetParameters& wish);
+  Result<void> setParameters(const robotcontrol::SetParameters& details);
   void answer(const Request& request, const Result<void>& result);
   Result<std::pair<TaskRunner*, SolutionParameters*>> parametersOf(const std::string& task,
                                                                    const std::string& solution);
@@ -292,13 +292,13 @@ void TaskProcess::Implementation::handle(const Request& request) {
 /// Keys of the code belong to all processes, so the debug process answers for them; the key of a package
 /// belongs to the process that publishes it.
 void TaskProcess::Implementation::setKey(const Request& request) {
-  const robotcontrol::SetKey& wish = request.set_key();
+  const robotcontrol::SetKey& details = request.set_key();
   keysChanged = true;
-  if (const std::string package = packageOfKey(wish.name()); !package.empty()) {
-    if (board.show(package, wish.mode())) return answer(request, {});
+  if (const std::string package = packageOfKey(details.name()); !package.empty()) {
+    if (board.show(package, details.mode())) return answer(request, {});
     return answer(request, refused("key.unknown", "process " + process.name() + " does not show " + package));
   }
-  setKey(DebugKey::find(wish.name()), wish.mode());
+  setKey(DebugKey::find(details.name()), details.mode());
 }
 
 void TaskProcess::Implementation::setKey(int key, const robotcontrol::KeyMode& mode) {
@@ -376,19 +376,19 @@ Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
   return {};
 }
 
-Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetParameters& wish) {
-  const auto found = parametersOf(wish.task(), wish.solution());
+Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetParameters& details) {
+  const auto found = parametersOf(details.task(), details.solution());
   if (!found) return tl::unexpected(found.error());
-  if (auto set = found->second->set(wish.value()); !set) return set;
+  if (auto set = found->second->set(details.value()); !set) return set;
   // The new values go to everyone who displays them.
-  return getParameters(wish.task(), wish.solution());
+  return getParameters(details.task(), details.solution());
 }
 
 void TaskProcess::Implementation::answer(const Request& request, const Result<void>& result) {
-  auto& told = *debug.add(streams::kResults).mutable_result();
-  told.set_id(request.id());
-  told.set_accepted(result.has_value());
-  if (!result) told.set_reason(result.error().text);
+  auto& published = *debug.add(streams::kResults).mutable_result();
+  published.set_id(request.id());
+  published.set_accepted(result.has_value());
+  if (!result) published.set_reason(result.error().text);
 }
 
 }  // namespace robotlink

@@ -3,8 +3,8 @@
 
 namespace robotlink {
 
-Result<void> Platform::control(const robotcontrol::ControlDrive& wish) {
-  (void)wish;
+Result<void> Platform::control(const robotcontrol::ControlDrive& details) {
+  (void)details;
   return robotlink::failure("platform.no-drive", "this robot has no wheels that this could be asked of");
 }
 

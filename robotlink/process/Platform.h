@@ -33,7 +33,7 @@ class Platform : public Process {
   virtual void engageStop(bool engaged) = 0;
   virtual bool stopEngaged() const { return false; }
   /// Does what a person asks of the robot's base rather than of its program. Refused where it has no wheels.
-  virtual Result<void> control(const robotcontrol::ControlDrive& wish);
+  virtual Result<void> control(const robotcontrol::ControlDrive& details);
   /// Senders of packages that no task may need: a debug process receives those that no task does while their
   /// keys are on. What takes time to make is made only while its sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }

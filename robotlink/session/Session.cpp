@@ -244,14 +244,14 @@ std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onRe
   return id;
 }
 
-void Session::restart(const std::function<void()>& tell) {
+void Session::restart(const std::function<void()>& publish) {
   {
     const std::lock_guard lock(inbox_->mutex);
     inbox_->forget();
     inbox_->restarted = true;
     inbox_->held = true;
   }
-  if (tell) tell();
+  if (publish) publish();
   const std::lock_guard lock(inbox_->mutex);
   inbox_->held = false;
 }

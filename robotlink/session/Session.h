@@ -71,7 +71,7 @@ class Session {
   ///
   /// What is pushed while `tell` runs is applied by one tick as a whole; until then the history stays as it
   /// was, so that no view sees half of it. One thread at a time.
-  void restart(const std::function<void()>& tell = {});
+  void restart(const std::function<void()>& publish = {});
 
   // Only in the GUI's thread.
   /// Moves the inbox into the history, updates the timeline, then calls the result handlers. Called at 30 Hz.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simcore/maps/CellSet.h"
+#include "simcore/maps/SparseCells.h"
 
 namespace simcore {
 namespace {
@@ -121,11 +121,11 @@ class CellGatherer {
   }
 
   std::vector<Cell> cells_;
-  CellSet waiting_, allowed_;
+  SparseCells waiting_, allowed_;
 };
 
 /// Marks the cells whose centers are so close to a line that its box covers them.
-void markNear(const GroundMap::Line& line, double cell, double distance, CellSet& near) {
+void markNear(const GroundMap::Line& line, double cell, double distance, SparseCells& near) {
   const Vector2 along = line.to - line.from;
   const double length = along.norm();
   const Vector2 unit = length > 0 ? Vector2(along / length) : Vector2(Vector2::UnitX());
@@ -150,7 +150,7 @@ std::vector<WallBox> wallBoxes(const GroundMap& map) {
   const double cell = std::max(map.resolution, kFinestCell);
   // At this distance from the line, the corner of a square is as far from the box as allowed.
   const double covered = kLineThickness / 2 + kTolerance - cell * std::numbers::sqrt2 / 2;
-  CellSet near;
+  SparseCells near;
   double marked = 0;
   for (const GroundMap::Line& line : map.lines) {
     boxes.push_back(boxOf(line));

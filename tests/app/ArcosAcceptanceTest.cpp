@@ -98,16 +98,16 @@ TEST(ArcosAcceptance, c4ConfigurationWithAndWithoutArgument) {
     client.forget();
     client.send(request);
     ASSERT_TRUE(bench.runUntil([&] { return !client.of(Configuration::kId).empty(); }, kNoTime));
-    const auto told = decodeConfiguration(client.of(Configuration::kId)[0]);
-    ASSERT_TRUE(told);
-    EXPECT_EQ(told->serialNumber, "SIM");
-    EXPECT_EQ(told->subtype, "p3at-sh");
-    EXPECT_THAT(told->transVelTopMmS, AllOf(Ge(1200), Le(1500)));
-    EXPECT_THAT(told->transVelMaxMmS, AllOf(Ge(700), Le(750)));
-    EXPECT_THAT(told->rotVelTopDegS, AllOf(Ge(300), Le(360)));
-    EXPECT_THAT(told->rotVelMaxDegS, AllOf(Ge(100), Le(140)));
-    EXPECT_EQ(told->frontBumpers, 5);
-    EXPECT_EQ(told->hasGyro, 1);
+    const auto reported = decodeConfiguration(client.of(Configuration::kId)[0]);
+    ASSERT_TRUE(reported);
+    EXPECT_EQ(reported->serialNumber, "SIM");
+    EXPECT_EQ(reported->subtype, "p3at-sh");
+    EXPECT_THAT(reported->transVelTopMmS, AllOf(Ge(1200), Le(1500)));
+    EXPECT_THAT(reported->transVelMaxMmS, AllOf(Ge(700), Le(750)));
+    EXPECT_THAT(reported->rotVelTopDegS, AllOf(Ge(300), Le(360)));
+    EXPECT_THAT(reported->rotVelMaxDegS, AllOf(Ge(100), Le(140)));
+    EXPECT_EQ(reported->frontBumpers, 5);
+    EXPECT_EQ(reported->hasGyro, 1);
   }
 }
 
@@ -301,7 +301,7 @@ TEST(ArcosAcceptance, c16TheSimulatorsOwnCommands) {
   client.send(Packet{236, {0x2B, 6, 0}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(SimulatorInfo::kId).empty(); }, kNoTime));
   EXPECT_EQ(decodeSimulatorInfo(client.of(SimulatorInfo::kId)[0])->application, "RobotControl");
-  EXPECT_THAT(bench.told, testing::Contains("p3at1: hello [2J")) << "without what disturbs a terminal";
+  EXPECT_THAT(bench.reported, testing::Contains("p3at1: hello [2J")) << "without what disturbs a terminal";
   client.send(Packet{236, {0x2B, 1, 0, 9, 0, 'w', 'o', 'r', 'l', 'd', '.', 's', 'd', 'f'}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(MapChanged::kId).empty(); }, kNoTime));
   EXPECT_EQ(decodeMapChanged(client.of(MapChanged::kId)[0])->loaded, 1);
@@ -320,9 +320,9 @@ TEST(ArcosAcceptance, aClientThatWritesWithoutEndIsShownInPart) {
     if (i % 20 == 19) bench.step();
   }
   bench.run(0.5);
-  const auto shown = bench.told.size();
+  const auto shown = bench.reported.size();
   EXPECT_LE(shown, 60U);
-  EXPECT_THAT(bench.told, testing::Contains("p3at1: again"));
+  EXPECT_THAT(bench.reported, testing::Contains("p3at1: again"));
   EXPECT_GT(bench.simulation().ports().suppressedTexts(0), 900U);
 }
 

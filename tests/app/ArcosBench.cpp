@@ -123,7 +123,7 @@ void ArcosBench::create(std::shared_ptr<const simcore::Scene> scene, const Simul
   options.speed = 0;
   options.ports.firstPort = 0;
   auto made = ArcosSimulation::create(std::move(scene), options,
-                                      [this](const std::string& text) { told.push_back(text); });
+                                      [this](const std::string& text) { reported.push_back(text); });
   if (!made) throw std::runtime_error(describe(made.error()));
   simulation_ = std::move(*made);
 }

@@ -96,7 +96,7 @@ class ArcosBench {
   /// Transfers bytes without a simulation step.
   void settle();
   /// The texts that the simulation reported to the user.
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
 
  private:
   struct Connection {

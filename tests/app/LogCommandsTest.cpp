@@ -21,7 +21,7 @@ class LogCommandsTest : public testing::Test {
                   ("log-commands-" + std::to_string(::getpid()))) {
     workbench.session().setRequestSink(
         [this](const robotcontrol::Request& request) { asked.push_back(request); });
-    workbench.onErrors([this](const robotlink::Errors& told) { errors = robotlink::describe(told); });
+    workbench.onErrors([this](const robotlink::Errors& reported) { errors = robotlink::describe(reported); });
   }
   void openLog() {
     auto status = std::make_shared<robotcontrol::ReplayStatus>();

@@ -92,9 +92,9 @@ class PioneerDriverTest : public testing::Test {
     request_.send(std::move(request));
   }
   robotcontrol::ControlDrive motors(bool on) const {
-    robotcontrol::ControlDrive wish;
-    wish.set_motors(on);
-    return wish;
+    robotcontrol::ControlDrive details;
+    details.set_motors(on);
+    return details;
   }
 
   robotlink::ManualClock clock_;
@@ -180,12 +180,12 @@ TEST_F(PioneerDriverTest, wishesThatAreNoNumbersOrTooLargeAreLimited) {
 
 TEST_F(PioneerDriverTest, packetsThatAPersonSendsMustBeWhole) {
   play(2);
-  robotcontrol::ControlDrive wish;
+  robotcontrol::ControlDrive details;
   const auto pulse = arcos::encode(arcos::toPacket(arcos::command(arcos::CommandId::kPulse)));
-  wish.add_packets(std::string(pulse.begin(), pulse.end()));
-  EXPECT_TRUE(driver_.control(wish, clock_.now()));
-  wish.add_packets("hello");
-  const auto refused = driver_.control(wish, clock_.now());
+  details.add_packets(std::string(pulse.begin(), pulse.end()));
+  EXPECT_TRUE(driver_.control(details, clock_.now()));
+  details.add_packets("hello");
+  const auto refused = driver_.control(details, clock_.now());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().id, "drive.packet");
 }

@@ -76,20 +76,20 @@ TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetersAndRadians) {
   information.chargeState = 0;
   information.stateOfChargePercent = 80;
   packages_.setBumpers(5, 5);
-  const auto told = state(information);
-  EXPECT_NEAR(told.velocity().x(), 0.5, 1e-9);
-  EXPECT_NEAR(told.velocity().rotation(), 1.0, 1e-9);
-  EXPECT_NEAR(told.battery(), 12.4, 1e-9);
-  EXPECT_TRUE(told.motors_on());
-  EXPECT_TRUE(told.sonar_on());
-  EXPECT_FALSE(told.left_stalled());
-  EXPECT_TRUE(told.right_stalled());
-  ASSERT_EQ(told.front_bumpers_size(), 5);
-  EXPECT_TRUE(told.front_bumpers(1));
-  EXPECT_FALSE(told.front_bumpers(0));
-  EXPECT_TRUE(told.rear_bumpers(1));
-  EXPECT_EQ(told.charging(), robotcontrol::DriveState::NOT_CHARGING);
-  EXPECT_NEAR(told.state_of_charge(), 0.8, 1e-9);
+  const auto reported = state(information);
+  EXPECT_NEAR(reported.velocity().x(), 0.5, 1e-9);
+  EXPECT_NEAR(reported.velocity().rotation(), 1.0, 1e-9);
+  EXPECT_NEAR(reported.battery(), 12.4, 1e-9);
+  EXPECT_TRUE(reported.motors_on());
+  EXPECT_TRUE(reported.sonar_on());
+  EXPECT_FALSE(reported.left_stalled());
+  EXPECT_TRUE(reported.right_stalled());
+  ASSERT_EQ(reported.front_bumpers_size(), 5);
+  EXPECT_TRUE(reported.front_bumpers(1));
+  EXPECT_FALSE(reported.front_bumpers(0));
+  EXPECT_TRUE(reported.rear_bumpers(1));
+  EXPECT_EQ(reported.charging(), robotcontrol::DriveState::NOT_CHARGING);
+  EXPECT_NEAR(reported.state_of_charge(), 0.8, 1e-9);
 }
 
 TEST_F(PioneerPackagesTest, sonarReadingsSayWhereTheirSensorsAre) {

@@ -44,7 +44,7 @@ TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   const ServedWorld world;
   Workbench workbench(std::filesystem::path(testing::TempDir()) / "connected-again");
   std::string errors;
-  workbench.onErrors([&](const robotlink::Errors& told) { errors += robotlink::describe(told); });
+  workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   const auto connect = [&] {
     workbench.connectRobot({.url = world.url()});
     return test::tickUntil(workbench, [&] {

@@ -26,7 +26,7 @@ class RealLogReplay : public ::testing::Test {
   static ReplayOptions options() {
     ReplayOptions options = replayOf({{realLog()}});
     options.colorTable = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
-    options.tellPackages = true;
+    options.publishAllPackages = true;
     return options;
   }
 };
@@ -96,9 +96,9 @@ TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
   EXPECT_THAT(unavailable,
               ::testing::Contains(
                   "nao/motion: neither the robot nor another task provides joint angles (joints/states)"));
-  const auto* told = replay.lastOn("nao/tables/solutions");
-  ASSERT_NE(told, nullptr);
-  const auto& table = dynamic_cast<const robotcontrol::SolutionTable&>(*told->value);
+  const auto* reported = replay.lastOn("nao/tables/solutions");
+  ASSERT_NE(reported, nullptr);
+  const auto& table = dynamic_cast<const robotcontrol::SolutionTable&>(*reported->value);
   for (const std::string& text : unavailable) {
     const std::string task = text.substr(4, text.find(':') - 4);
     const auto row = std::find_if(table.tasks().begin(), table.tasks().end(),
@@ -116,7 +116,7 @@ TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
 TEST_F(RealLogReplay, theFirstFrameShowsAtOnceWithWhatIsComputedOnIt) {
   Replay replay(options());
   ASSERT_TRUE(replay.run);
-  EXPECT_TRUE(replay.told.empty());
+  EXPECT_TRUE(replay.reported.empty());
   // The log begins with joint angles.
   const auto first = replay.run->frameTime(replay.run->stepProcess(), 0);
   EXPECT_EQ(first, at(486.749));
@@ -133,9 +133,9 @@ TEST_F(RealLogReplay, theFirstFrameShowsAtOnceWithWhatIsComputedOnIt) {
 
 TEST_F(RealLogReplay, theSameTwiceGivesTheSameBytesAndAnotherSolutionOthers) {
   const auto bytesWith = [](const std::string& solution) {
-    ReplayOptions wishes = options();
-    if (!solution.empty()) wishes.solutions["ball-percept"] = solution;
-    Replay replay(wishes);
+    ReplayOptions overrides = options();
+    if (!solution.empty()) overrides.solutions["ball-percept"] = solution;
+    Replay replay(overrides);
     replay.playToEnd();
     return replay.digestOn("nao/percepts/ball") + replay.digestOn("nao/models/ball");
   };
@@ -150,7 +150,7 @@ TEST_F(RealLogReplay, steppingBackShowsTheFrameBefore) {
   EXPECT_EQ(replay.status().frame(), 100U);
   const auto back = replay.run->frameTime("nao/cognition", -1);
   ASSERT_TRUE(back);
-  replay.told.clear();
+  replay.reported.clear();
   ASSERT_TRUE(replay.run->jump(*back).empty());
   EXPECT_EQ(replay.status().frame(), 99U);
   EXPECT_EQ(replay.countOn("nao/camera/image"), 1U);
@@ -158,7 +158,7 @@ TEST_F(RealLogReplay, steppingBackShowsTheFrameBefore) {
   EXPECT_EQ(replay.lastOn("nao/percepts/ball")->time, *back);
   // The same place, the same bytes.
   const std::string once = replay.digestOn("nao/models/ball");
-  replay.told.clear();
+  replay.reported.clear();
   ASSERT_TRUE(replay.run->jump(*back).empty());
   EXPECT_EQ(replay.digestOn("nao/models/ball"), once);
 }

@@ -34,7 +34,7 @@ class RecordingTest : public ::testing::Test {
     recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
     if (recordFromTheStart) start("a.mcap");
     SimulatedRun::Listeners listeners;
-    listeners.queue = [this](const std::string&, const auto& queue) { told += queue->ByteSizeLong(); };
+    listeners.queue = [this](const std::string&, const auto& queue) { reported += queue->ByteSizeLong(); };
     auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
     ASSERT_TRUE(made.has_value());
     run = std::move(*made);
@@ -68,7 +68,7 @@ class RecordingTest : public ::testing::Test {
   TestFolder folder;
   std::unique_ptr<logplayer::Recorder> recorder;
   std::unique_ptr<SimulatedRun> run;
-  std::atomic<std::size_t> told{0};
+  std::atomic<std::size_t> reported{0};
 };
 
 template <typename T>
@@ -174,16 +174,16 @@ TEST_F(RecordingTest, aRecordingThatBeginsInTheGameHasAllThatHolds) {
 TEST_F(RecordingTest, whenItEndsTheProgramTellsNoMoreThanBefore) {
   make(false);
   steps(125);
-  told = 0;
+  reported = 0;
   steps(125);
-  const std::size_t before = told;
+  const std::size_t before = reported;
   start("a.mcap");
   steps(125);
   (void)stop();
   steps(25);
-  told = 0;
+  reported = 0;
   steps(125);
-  EXPECT_NEAR(static_cast<double>(told), static_cast<double>(before), 0.05 * static_cast<double>(before));
+  EXPECT_NEAR(static_cast<double>(reported), static_cast<double>(before), 0.05 * static_cast<double>(before));
 }
 
 TEST_F(RecordingTest, theSetUpSaysWhatTheProgramIsMadeOf) {
@@ -239,10 +239,10 @@ TEST_F(RecordingTest, parametersThatAreSetAreInTheSetUp) {
   start("a.mcap");
   Request request;
   request.set_robot("red1");
-  auto& wish = *request.mutable_set_parameters();
-  wish.set_task(values.task());
-  wish.set_solution(values.solution());
-  wish.mutable_value()->set_type(values.value().type());  // all as its type has them
+  auto& details = *request.mutable_set_parameters();
+  details.set_task(values.task());
+  details.set_solution(values.solution());
+  details.mutable_value()->set_type(values.value().type());  // all as its type has them
   ASSERT_TRUE(run->request(request).has_value());
   steps(25);
   const auto setups = on(stop(), "red1/program");

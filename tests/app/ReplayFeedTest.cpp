@@ -36,7 +36,8 @@ class ReplayFeedTest : public testing::Test {
   static std::filesystem::path logFile() { return folder() / "replay-feed.mcap"; }
 
   ReplayFeedTest() : workbench(folder() / "workbench") {
-    workbench.onErrors([this](const robotlink::Errors& told) { errors += robotlink::describe(told); });
+    workbench.onErrors(
+        [this](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
     run("log.open \"" + logFile().string() + "\"");
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; })) << errors;
     EXPECT_TRUE(settle());

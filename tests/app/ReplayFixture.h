@@ -89,11 +89,11 @@ struct Replay {
   explicit Replay(ReplayOptions options) {
     ReplayRun::Listeners listeners;
     listeners.logged = [this](std::vector<StreamMessage> messages) {
-      told.insert(told.end(), messages.begin(), messages.end());
+      reported.insert(reported.end(), messages.begin(), messages.end());
     };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       auto taken = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
-      told.insert(told.end(), taken.messages.begin(), taken.messages.end());
+      reported.insert(reported.end(), taken.messages.begin(), taken.messages.end());
       for (const auto& result : taken.results) results.push_back(*result);
     };
     listeners.trouble = [this](const std::string& robot, const robotlink::Process&, const std::string& text) {
@@ -120,20 +120,20 @@ struct Replay {
   /// A hash of all messages on a path; empty if there are none.
   std::string digestOn(const std::string& path) const {
     std::string bytes;
-    for (const auto& message : told) {
+    for (const auto& message : reported) {
       if (message.path == path) bytes += message.value->SerializeAsString() + "\n";
     }
     return bytes.empty() ? "" : std::to_string(std::hash<std::string>{}(bytes));
   }
   std::size_t countOn(const std::string& path) const {
     std::size_t count = 0;
-    for (const auto& message : told) count += message.path == path ? 1 : 0;
+    for (const auto& message : reported) count += message.path == path ? 1 : 0;
     return count;
   }
   /// The last message on a path; null if there is none.
   const StreamMessage* lastOn(const std::string& path) const {
     const StreamMessage* last = nullptr;
-    for (const auto& message : told) {
+    for (const auto& message : reported) {
       if (message.path == path) last = &message;
     }
     return last;
@@ -142,7 +142,7 @@ struct Replay {
   std::unique_ptr<ReplayRun> run;
   /// Why `run` is null.
   robotlink::Errors errors;
-  std::vector<StreamMessage> told;
+  std::vector<StreamMessage> reported;
   std::vector<robotcontrol::RequestResult> results;
   std::vector<std::string> troubles;
 };

@@ -48,17 +48,17 @@ processes:
   - {name: debug, debug: true, period_ms: 16}
 )";
 
-ReplayWishes wishesFor(std::set<std::string> logged, const std::string& text = kLayout) {
-  ReplayWishes wishes;
+ReplaySelection wishesFor(std::set<std::string> logged, const std::string& text = kLayout) {
+  ReplaySelection selection;
   auto layout = robotlink::parseLayout(text, "toy.yaml");
   EXPECT_TRUE(layout.has_value());
-  if (layout) wishes.layout = std::move(*layout);
-  wishes.logged = std::move(logged);
-  return wishes;
+  if (layout) selection.layout = std::move(*layout);
+  selection.logged = std::move(logged);
+  return selection;
 }
 
-ReplayPlan planned(ReplayWishes wishes) {
-  auto plan = planReplay(std::move(wishes), catalog());
+ReplayPlan planned(ReplaySelection selection) {
+  auto plan = planReplay(std::move(selection), catalog());
   EXPECT_TRUE(plan.has_value()) << (plan ? "" : robotlink::describe(plan.error()));
   return plan ? std::move(*plan) : ReplayPlan{};
 }
@@ -79,8 +79,8 @@ const robotlink::Layout::Process& process(const ReplayPlan& plan, const std::str
   throw std::runtime_error("no process " + name);
 }
 
-std::string idOf(ReplayWishes wishes) {
-  const auto plan = planReplay(std::move(wishes), catalog());
+std::string idOf(ReplaySelection selection) {
+  const auto plan = planReplay(std::move(selection), catalog());
   return plan || plan.error().empty() ? "" : plan.error().front().id;
 }
 
@@ -131,9 +131,9 @@ TEST(ReplayPlan, whatLacksInputsByWayOfOthersGoesToo) {
 }
 
 TEST(ReplayPlan, anotherSolutionIsTakenWhereTheWishedOneCannotRunAndThatIsSaid) {
-  ReplayWishes wishes = wishesFor({"image", "joints"});
-  wishes.layout.processes[0].tasks[3].solution = "truth";
-  const ReplayPlan plan = planned(std::move(wishes));
+  ReplaySelection selection = wishesFor({"image", "joints"});
+  selection.layout.processes[0].tasks[3].solution = "truth";
+  const ReplayPlan plan = planned(std::move(selection));
   EXPECT_THAT(tasksOf(plan), ::testing::Contains("cognition/believe:filter"));
   EXPECT_THAT(plan.notes, ElementsAre("task believe is done by filter, because truth is unavailable: neither "
                                       "the robot nor another task provides oracle"));
@@ -148,11 +148,11 @@ TEST(ReplayPlan, oneOfTwoPackagesOfATaskCanBeAsLogged) {
 }
 
 TEST(ReplayPlan, allThatCanBeIsRecomputedButWhatAPersonChose) {
-  ReplayWishes wishes =
+  ReplaySelection selection =
       wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
-  wishes.recomputeAll = true;
-  wishes.packages["model"] = ControlReplay::AS_LOGGED;
-  const ReplayPlan plan = planned(wishes);
+  selection.recomputeAll = true;
+  selection.packages["model"] = ControlReplay::AS_LOGGED;
+  const ReplayPlan plan = planned(selection);
   EXPECT_TRUE(plan.isAsLogged("image"));
   EXPECT_TRUE(plan.isAsLogged("model"));
   for (const char* package : {"regions", "pose", "percept"})
@@ -160,10 +160,10 @@ TEST(ReplayPlan, allThatCanBeIsRecomputedButWhatAPersonChose) {
 }
 
 TEST(ReplayPlan, aPersonsChoiceCountsMore) {
-  ReplayWishes wishes =
+  ReplaySelection selection =
       wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
-  wishes.packages["percept"] = ControlReplay::RECOMPUTED;
-  const ReplayPlan plan = planned(wishes);
+  selection.packages["percept"] = ControlReplay::RECOMPUTED;
+  const ReplayPlan plan = planned(selection);
   EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/see:fit"));
   EXPECT_TRUE(plan.find("percept")->chosen);
   EXPECT_FALSE(plan.find("model")->chosen);
@@ -174,44 +174,44 @@ TEST(ReplayPlan, aPersonsChoiceCountsMore) {
 }
 
 TEST(ReplayPlan, withoutWhatSetItsPaceAProcessGoesByWhatItNeeds) {
-  ReplayWishes wishes = wishesFor({"percept", "status"});
-  const ReplayPlan plan = planned(wishes);
+  ReplaySelection selection = wishesFor({"percept", "status"});
+  const ReplayPlan plan = planned(selection);
   EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/believe:filter"));
   ASSERT_EQ(process(plan, "cognition").blocking.size(), 1U);
   EXPECT_EQ(process(plan, "cognition").blocking[0].package, "percept");
 }
 
 TEST(ReplayPlan, choicesThatCannotBeAreRefused) {
-  ReplayWishes wishes = wishesFor({"image", "pose"});
-  wishes.packages["image"] = ControlReplay::RECOMPUTED;
-  EXPECT_EQ(idOf(wishes), "replay.cannot-recompute");
-  wishes.packages = {{"steps", ControlReplay::RECOMPUTED}};
-  const auto plan = planReplay(wishes, catalog());
+  ReplaySelection selection = wishesFor({"image", "pose"});
+  selection.packages["image"] = ControlReplay::RECOMPUTED;
+  EXPECT_EQ(idOf(selection), "replay.cannot-recompute");
+  selection.packages = {{"steps", ControlReplay::RECOMPUTED}};
+  const auto plan = planReplay(selection, catalog());
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().front().text,
             "steps cannot be recomputed: neither the robot nor another task provides joints");
-  wishes.packages = {{"percept", ControlReplay::AS_LOGGED}};
-  EXPECT_EQ(idOf(wishes), "replay.not-logged");
-  wishes.packages = {{"smell", ControlReplay::AS_LOGGED}};
-  EXPECT_EQ(idOf(wishes), "replay.no-package");
-  wishes.packages = {{"smell", ControlReplay::AUTOMATIC}};
-  EXPECT_EQ(idOf(wishes), "");
+  selection.packages = {{"percept", ControlReplay::AS_LOGGED}};
+  EXPECT_EQ(idOf(selection), "replay.not-logged");
+  selection.packages = {{"smell", ControlReplay::AS_LOGGED}};
+  EXPECT_EQ(idOf(selection), "replay.no-package");
+  selection.packages = {{"smell", ControlReplay::AUTOMATIC}};
+  EXPECT_EQ(idOf(selection), "");
 }
 
 TEST(ReplayPlan, aSolutionThatCannotBeMadeIsUnavailableForItsOwnReason) {
-  ReplayWishes wishes = wishesFor({"image", "joints"});
-  wishes.broken[{"walk", "gait"}] = "the robot has no leg";
-  const ReplayPlan plan = planned(wishes);
+  ReplaySelection selection = wishesFor({"image", "joints"});
+  selection.broken[{"walk", "gait"}] = "the robot has no leg";
+  const ReplayPlan plan = planned(selection);
   EXPECT_THAT(plan.unavailable, ElementsAre("walk: the robot has no leg"));
 }
 
 TEST(ReplayPlan, aLayoutOfAnOlderProgramLosesWhatIsGoneOneOfAPersonIsRefused) {
   std::string text = kLayout;
   text.replace(text.find("- segment: lines"), 16, "- segment: circles\n      - smell: nose");
-  ReplayWishes wishes = wishesFor({"image", "joints"}, text);
-  EXPECT_EQ(idOf(wishes), "layout.unknown-solution");
-  wishes.fromLog = true;
-  const ReplayPlan plan = planned(wishes);
+  ReplaySelection selection = wishesFor({"image", "joints"}, text);
+  EXPECT_EQ(idOf(selection), "layout.unknown-solution");
+  selection.fromLog = true;
+  const ReplayPlan plan = planned(selection);
   EXPECT_THAT(tasksOf(plan), ::testing::Contains("cognition/segment:lines"));
   EXPECT_THAT(plan.unavailable, ElementsAre("smell: this program has no such task"));
   EXPECT_THAT(plan.notes,

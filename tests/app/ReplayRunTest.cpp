@@ -45,7 +45,7 @@ class ReplayRunTest : public ::testing::Test {
   static ReplayOptions recomputingRegions() {
     ReplayOptions options = replayOf({{file()}});
     options.packages[kRegions] = ControlReplay::RECOMPUTED;
-    options.tellPackages = true;
+    options.publishAllPackages = true;
     return options;
   }
   static logplayer::TemporaryFolder* folder_;
@@ -209,7 +209,7 @@ TEST_F(ReplayRunTest, whatIsToldAnewTakesThePathAndWhatWasLoggedStandsBesideIt) 
 TEST_F(ReplayRunTest, theColorTableInUseIsThatOfTheLogOrTheOneThatIsBuiltIn) {
   const auto sourcesIn = [](const Replay& replay) {
     std::vector<std::string> sources;
-    for (const auto& message : replay.told) {
+    for (const auto& message : replay.reported) {
       if (message.path != "red1/tables/colors") continue;
       const auto& source = dynamic_cast<const robotcontrol::ColorTable&>(*message.value).source();
       if (sources.empty() || sources.back() != source) sources.push_back(source);
@@ -244,7 +244,7 @@ TEST_F(ReplayRunTest, theColorTableInUseIsThatOfTheLogOrTheOneThatIsBuiltIn) {
   recomputed.playToEnd();
   EXPECT_THAT(sourcesIn(recomputed), ::testing::ElementsAre("built-in", "of the log: /home/me/orange.c64"));
   EXPECT_EQ(recomputed.status().differences(0).different(), 0U);
-  recomputed.told.clear();
+  recomputed.reported.clear();
   ASSERT_TRUE(recomputed.run->jump(at(1.5)).empty());
   EXPECT_EQ(sourcesIn(recomputed).back(), "of the log: /home/me/orange.c64");
 }
@@ -266,7 +266,7 @@ TEST_F(ReplayRunTest, anotherSolutionGivesOtherBytesAndTheFirstOneItsOwnAgain) {
 
   // The same by switching, and stepping over the same frames again.
   ASSERT_TRUE(other.run->request(selectRequest("red1", "segmentation", "scan-lines")));
-  other.told.clear();
+  other.reported.clear();
   ASSERT_TRUE(other.run->jump(other.run->begin()).empty());
   other.playToEnd();
   EXPECT_EQ(other.digestOn(kRegions), before);
@@ -290,21 +290,21 @@ TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndOfNumbersALittleMore) {
   EXPECT_EQ(replay.countOn("red1/program"), 1U);
   EXPECT_EQ(replay.countOn("red1/logged/program"), 1U);
   EXPECT_EQ(replay.countOn("red1/tables/solutions"), 1U);
-  for (std::size_t i = 1; i < replay.told.size(); ++i)
-    EXPECT_LE(replay.told[i - 1].time, replay.told[i].time);
+  for (std::size_t i = 1; i < replay.reported.size(); ++i)
+    EXPECT_LE(replay.reported[i - 1].time, replay.reported[i].time);
   const auto* drawing = replay.lastOn("red1/drawings/image/segmentation/regions");
   ASSERT_NE(drawing, nullptr);
   EXPECT_EQ(drawing->frame, replay.lastOn("red1/frames/cognition")->frame)
       << "a drawing of the last whole frame";
   // On from there without a gap.
-  replay.told.clear();
+  replay.reported.clear();
   ASSERT_TRUE(replay.run->step());
   EXPECT_EQ(replay.lastOn("red1/joints/states")->time, at(1.008));
 }
 
 TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
   ReplayOptions options = recomputingAll(file());
-  options.tellPackages = true;
+  options.publishAllPackages = true;
   options.preroll = 10s;  // all of it
   Replay played(options);
   ASSERT_TRUE(played.run);
@@ -319,8 +319,8 @@ TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
         << path;
   }
   // And both go on alike.
-  played.told.clear();
-  jumped.told.clear();
+  played.reported.clear();
+  jumped.reported.clear();
   played.playToEnd();
   jumped.playToEnd();
   EXPECT_EQ(jumped.digestOn("red1/joints/request"), played.digestOn("red1/joints/request"));
@@ -379,14 +379,14 @@ TEST_F(ReplayRunTest, aLayoutCanBeChosenAndABadOneChangesNothing) {
   ASSERT_TRUE(replay.run);
   ASSERT_TRUE(replay.run->setLayout(robotlink::resource("layouts/parallel.yaml")).empty());
   EXPECT_EQ(replay.run->options().layout.stem(), "parallel");
-  replay.told.clear();
+  replay.reported.clear();
   for (int i = 0; i < 100; ++i) replay.run->step();
   EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 5U);
   const auto bad = std::filesystem::path(::testing::TempDir()) / "bad.yaml";
   std::ofstream(bad) << "version: 1\nname: bad\n";
   EXPECT_FALSE(replay.run->setLayout(bad).empty());
   EXPECT_EQ(replay.run->options().layout.stem(), "parallel");
-  replay.told.clear();
+  replay.reported.clear();
   for (int i = 0; i < 50; ++i) replay.run->step();
   EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 2U);
   // Nor where the log's own layout is in use.
@@ -398,7 +398,7 @@ TEST_F(ReplayRunTest, aLayoutCanBeChosenAndABadOneChangesNothing) {
 TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
   Replay replay(recomputingRegions());
   ASSERT_TRUE(replay.run->jump(at(0.5)).empty());
-  replay.told.clear();
+  replay.reported.clear();
   replay.results.clear();
   auto request = keyRequest("red1", "segmentation/regions");
   request.set_id(77);
@@ -443,7 +443,7 @@ TEST_F(ReplayRunTest, aTaskThatIsReplacedSaysSoAndCannotBeSwitched) {
 
 TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   ReplayOptions options = replayOf({{file()}, {file(), 500ms}});
-  options.tellPackages = true;
+  options.publishAllPackages = true;
   options.packages["*/percepts/regions"] = ControlReplay::RECOMPUTED;
   Replay replay(options);
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
@@ -516,7 +516,7 @@ class ForeignSetup : public ::testing::Test {
   }
   static std::string replayTexts(const Replay& replay) {
     std::string texts;
-    for (const auto& message : replay.told) {
+    for (const auto& message : replay.reported) {
       const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
       if (text != nullptr && text->name() == "replay") texts += text->message() + "\n";
     }

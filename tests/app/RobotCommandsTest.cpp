@@ -49,7 +49,7 @@ TEST_F(RobotCommandsTest, aSetUpThatMakesNoSenseIsRefusedAtOnce) {
 
 TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
   std::string errors;
-  workbench_.onErrors([&](const robotlink::Errors& told) { errors += robotlink::describe(told); });
+  workbench_.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   ASSERT_TRUE(workbench_.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 0.0,
                                                              true, 0.0, false, std::string("both")}));
   ASSERT_TRUE(test::tickUntil(workbench_, [&] { return workbench_.loaded() != nullptr || !errors.empty(); }));

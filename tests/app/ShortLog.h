@@ -59,10 +59,10 @@ struct ShortLog {
     for (int frame = 0; frame < kFrames; ++frame) {
       const auto number = kFirstNumber + static_cast<std::uint64_t>(frame);
       if (hasImage(frame)) expect((*writer)->write({image(frame), info(frame, "platform", number)}));
-      std::vector<robotlink::StreamMessage> told{info(frame, "planner", number)};
-      if (hasNote(frame)) told.insert(told.begin(), note(frame));
-      for (auto& message : told) message.frame = number;
-      expect((*writer)->write(told));
+      std::vector<robotlink::StreamMessage> reported{info(frame, "planner", number)};
+      if (hasNote(frame)) reported.insert(reported.begin(), note(frame));
+      for (auto& message : reported) message.frame = number;
+      expect((*writer)->write(reported));
     }
     expect((*writer)->container().close());
     return wrong;

@@ -140,14 +140,14 @@ std::unique_ptr<google::protobuf::Message> lastPercept() {
 robotcontrol::Request parameterRequest(double memory) {
   robotcontrol::Request request;
   request.set_robot("red1");
-  auto& wish = *request.mutable_set_parameters();
-  wish.set_task("ball-model");
-  wish.set_solution("last-percept");
+  auto& details = *request.mutable_set_parameters();
+  details.set_task("ball-model");
+  details.set_solution("last-percept");
   const auto value = lastPercept();
   const auto* field = value->GetDescriptor()->FindFieldByName("memory");
   value->GetReflection()->SetDouble(value.get(), field, memory);
-  wish.mutable_value()->set_type(value->GetDescriptor()->full_name());
-  wish.mutable_value()->set_data(value->SerializeAsString());
+  details.mutable_value()->set_type(value->GetDescriptor()->full_name());
+  details.mutable_value()->set_data(value->SerializeAsString());
   return request;
 }
 
@@ -163,7 +163,7 @@ robotcontrol::Request tableRequest() {
 
 /// What a run tells of red1: its newest solution of a task, parameters of its ball model, and whether it has
 /// an own color table.
-struct Told {
+struct Reported {
   std::map<std::string, std::string> solutions;
   double memory = -1;  // s
   bool ownTable = false;
@@ -208,7 +208,7 @@ std::vector<robotcontrol::Request> choices() {
 }  // namespace
 
 TEST(SimulatedRun, requestsInAPauseAreAnsweredAtOnceAndTheRunIsTheSameAsWithoutThePause) {
-  Told paused, other;
+  Reported paused, other;
   const auto looked = makeRun(options(), paused.listeners()),
              unlooked = makeRun(options(), other.listeners());
   for (const bool look : {true, false}) {
@@ -216,11 +216,11 @@ TEST(SimulatedRun, requestsInAPauseAreAnsweredAtOnceAndTheRunIsTheSameAsWithoutT
     play(run, 0.5);
     for (const auto& request : choices()) {
       ASSERT_TRUE(run.request(request).has_value());
-      if (look) run.tellAnswersToCome();
+      if (look) run.publishComingAnswers();
     }
-    if (look) run.tellAnswersToCome();
+    if (look) run.publishComingAnswers();
     play(run, 0.008);  // In the middle of their way to the processes.
-    if (look) run.tellAnswersToCome();
+    if (look) run.publishComingAnswers();
     play(run, 0.5);
   }
   for (std::uint64_t id = 1; id <= 4; ++id) EXPECT_TRUE(paused.accepted[id]) << id;
@@ -230,30 +230,30 @@ TEST(SimulatedRun, requestsInAPauseAreAnsweredAtOnceAndTheRunIsTheSameAsWithoutT
 }
 
 TEST(SimulatedRun, inAPauseTheTablesAndParametersFollowWhatWasAsked) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
-  run->tellAnswersToCome();
-  EXPECT_EQ(told.solutions["ball-model"], "filtered") << "known before the first step";
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
+  run->publishComingAnswers();
+  EXPECT_EQ(reported.solutions["ball-model"], "filtered") << "known before the first step";
   for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
-  run->tellAnswersToCome();
-  EXPECT_EQ(told.accepted.size(), 5U) << "the four, and what the run asks for itself";
-  EXPECT_EQ(told.solutions["ball-model"], "last-percept");
-  EXPECT_EQ(told.memory, 0.125);
+  run->publishComingAnswers();
+  EXPECT_EQ(reported.accepted.size(), 5U) << "the four, and what the run asks for itself";
+  EXPECT_EQ(reported.solutions["ball-model"], "last-percept");
+  EXPECT_EQ(reported.memory, 0.125);
   EXPECT_EQ(run->world().clock().now(), robotlink::Instant{});
 }
 
 TEST(SimulatedRun, whatAPersonChoseSurvivesResetsAndOtherLayouts) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   play(*run, 0.2);
   for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
   play(*run, 0.5);
   const auto expectAll = [&](const char* after) {
-    told = {};
+    reported = {};
     play(*run, 0.5);
-    EXPECT_EQ(told.solutions["ball-model"], "last-percept") << after;
-    EXPECT_EQ(told.memory, 0.125) << after;
-    EXPECT_TRUE(told.ownTable) << after;
+    EXPECT_EQ(reported.solutions["ball-model"], "last-percept") << after;
+    EXPECT_EQ(reported.memory, 0.125) << after;
+    EXPECT_TRUE(reported.ownTable) << after;
     EXPECT_EQ(run->lostChoices(), std::vector<std::string>()) << after;
   };
   ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("parallel")).empty());
@@ -263,22 +263,22 @@ TEST(SimulatedRun, whatAPersonChoseSurvivesResetsAndOtherLayouts) {
 }
 
 TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   play(*run, 0.5);
-  EXPECT_THAT(std::set(told.tables.begin(), told.tables.end()), ElementsAre("built-in"));
-  EXPECT_THAT(told.texts, IsEmpty());
-  told = {};
+  EXPECT_THAT(std::set(reported.tables.begin(), reported.tables.end()), ElementsAre("built-in"));
+  EXPECT_THAT(reported.texts, IsEmpty());
+  reported = {};
   ASSERT_TRUE(run->request(tableRequest()).has_value());
   play(*run, 0.5);
-  EXPECT_THAT(told.tables, ElementsAre("/home/me/orange.c64"));
-  EXPECT_THAT(told.texts, ElementsAre("The color table is now /home/me/orange.c64"));
+  EXPECT_THAT(reported.tables, ElementsAre("/home/me/orange.c64"));
+  EXPECT_THAT(reported.texts, ElementsAre("The color table is now /home/me/orange.c64"));
   const auto expectKept = [&](const char* after) {
-    told = {};
+    reported = {};
     play(*run, 0.5);
-    EXPECT_THAT(std::set(told.tables.begin(), told.tables.end()), ElementsAre("/home/me/orange.c64"))
+    EXPECT_THAT(std::set(reported.tables.begin(), reported.tables.end()), ElementsAre("/home/me/orange.c64"))
         << after;
-    EXPECT_THAT(told.texts, IsEmpty()) << after << ": nothing changed";
+    EXPECT_THAT(reported.texts, IsEmpty()) << after << ": nothing changed";
   };
   ASSERT_TRUE(run->reset(1).empty());
   expectKept("reset");
@@ -287,37 +287,37 @@ TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
   robotcontrol::Request back;
   back.set_robot("red1");
   back.mutable_set_color_table();
-  told = {};
+  reported = {};
   ASSERT_TRUE(run->request(back).has_value());
   play(*run, 0.5);
-  EXPECT_THAT(told.tables, ElementsAre("built-in"));
-  EXPECT_THAT(told.texts, ElementsAre("The color table is now the built-in one"));
+  EXPECT_THAT(reported.tables, ElementsAre("built-in"));
+  EXPECT_THAT(reported.texts, ElementsAre("The color table is now the built-in one"));
 }
 
 TEST(SimulatedRun, inAPauseTheColorTableThatWasGivenIsSaidAtOnce) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
-  run->tellAnswersToCome();
-  EXPECT_THAT(told.tables, ElementsAre("built-in")) << "known before the first step";
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
+  run->publishComingAnswers();
+  EXPECT_THAT(reported.tables, ElementsAre("built-in")) << "known before the first step";
   ASSERT_TRUE(run->request(tableRequest()).has_value());
-  run->tellAnswersToCome();
-  EXPECT_EQ(told.tables.back(), "/home/me/orange.c64");
+  run->publishComingAnswers();
+  EXPECT_EQ(reported.tables.back(), "/home/me/orange.c64");
 }
 
 TEST(SimulatedRun, choicesInAPauseSurviveAResetInTheSamePause) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
-  run->tellAnswersToCome();
+  run->publishComingAnswers();
   ASSERT_TRUE(run->reset(1).empty());
   play(*run, 0.5);
-  EXPECT_EQ(told.solutions["ball-model"], "last-percept");
-  EXPECT_EQ(told.memory, 0.125);
+  EXPECT_EQ(reported.solutions["ball-model"], "last-percept");
+  EXPECT_EQ(reported.memory, 0.125);
 }
 
 TEST(SimulatedRun, whatALayoutCannotFulfillIsSaidAndComesBackWithOneThatCan) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   ASSERT_TRUE(run->request(solutionRequest("self-localisation", "odometry")).has_value());
   play(*run, 0.2);
   ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("perception")).empty());
@@ -329,34 +329,34 @@ TEST(SimulatedRun, whatALayoutCannotFulfillIsSaidAndComesBackWithOneThatCan) {
   ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("balanced")).empty());
   EXPECT_TRUE(run->lostChoices().empty());
   play(*run, 0.5);
-  EXPECT_EQ(told.solutions["self-localisation"], "odometry");
+  EXPECT_EQ(reported.solutions["self-localisation"], "odometry");
 }
 
 TEST(SimulatedRun, whatWasRefusedIsNotAskedForAgain) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   auto wrong = solutionRequest("ball-model", "telepathy");
   wrong.set_id(77);
   ASSERT_TRUE(run->request(wrong).has_value());
   play(*run, 0.2);
-  EXPECT_EQ(told.accepted,
-            (std::map<std::uint64_t, bool>{{77, false}, {told.accepted.rbegin()->first, true}}));
+  EXPECT_EQ(reported.accepted,
+            (std::map<std::uint64_t, bool>{{77, false}, {reported.accepted.rbegin()->first, true}}));
   ASSERT_TRUE(run->reset(1).empty());
   EXPECT_TRUE(run->lostChoices().empty());
 }
 
 TEST(SimulatedRun, inAPauseTheNewestValueOfOneThingTakesThePlaceOfThoseBefore) {
-  Told told;
-  const auto run = makeRun(options(), told.listeners());
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
   for (std::uint64_t id = 1; id <= 3000; ++id) {
     auto request = parameterRequest(0.001 * static_cast<double>(id));
     request.set_id(id);
     ASSERT_TRUE(run->request(request).has_value()) << id;
-    run->tellAnswersToCome();
+    run->publishComingAnswers();
   }
-  EXPECT_EQ(told.accepted.size(), 3001U);
+  EXPECT_EQ(reported.accepted.size(), 3001U);
   play(*run, 0.5);
-  EXPECT_EQ(told.memory, 3);
+  EXPECT_EQ(reported.memory, 3);
 }
 
 TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {

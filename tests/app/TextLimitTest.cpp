@@ -21,19 +21,19 @@ TEST(TextLimit, someTextsAreShownAtOnceAndAllOfASlowSender) {
 TEST(TextLimit, aFloodIsCountedAndItsNumberIsToldOnceASecond) {
   TextLimit limit;
   int shown = 0, tellings = 0;
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   for (int i = 0; i < 200'000; ++i) {  // ten seconds at 20 kHz
     const auto now = kStart + i * 50us;
     shown += limit.admit(now) ? 1 : 0;
     const std::uint64_t count = limit.takeSuppressed(now);
     tellings += count > 0 ? 1 : 0;
-    told += count;
+    reported += count;
   }
-  told += limit.takeSuppressed(kStart + 20s);
+  reported += limit.takeSuppressed(kStart + 20s);
   EXPECT_LE(shown, TextLimit::kBurst + 10 * TextLimit::kPerSecond);
   EXPECT_LE(tellings, 10);
-  EXPECT_EQ(static_cast<std::uint64_t>(shown) + told, 200'000U);
-  EXPECT_EQ(limit.suppressed(), told);
+  EXPECT_EQ(static_cast<std::uint64_t>(shown) + reported, 200'000U);
+  EXPECT_EQ(limit.suppressed(), reported);
   EXPECT_EQ(limit.takeSuppressed(kStart + 30s), 0U);
 }
 

@@ -25,7 +25,7 @@ class HeardStreams {
     return {[this](const std::string& robot, const auto& queue) {
               for (auto& message :
                    robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages)
-                told_[message.path].push_back(message.value);
+                reported_[message.path].push_back(message.value);
             },
             [this](const std::string&, const robotlink::Process&, const std::string& text) {
               troubles_ += text + "\n";
@@ -34,7 +34,7 @@ class HeardStreams {
   template <typename T>
   std::vector<std::shared_ptr<const T>> all(const std::string& path) {
     std::vector<std::shared_ptr<const T>> all;
-    for (const auto& value : told_[path]) {
+    for (const auto& value : reported_[path]) {
       if (auto message = std::dynamic_pointer_cast<const T>(value)) all.push_back(std::move(message));
     }
     return all;
@@ -42,7 +42,7 @@ class HeardStreams {
   const std::string& troubles() const { return troubles_; }
 
  private:
-  std::map<std::string, std::vector<std::shared_ptr<const google::protobuf::Message>>> told_;
+  std::map<std::string, std::vector<std::shared_ptr<const google::protobuf::Message>>> reported_;
   std::string troubles_;
 };
 

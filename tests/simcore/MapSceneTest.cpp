@@ -119,17 +119,17 @@ TEST_F(MapScene, twentyRobotsStandInsideOfTheShippedHouse) {
 
 TEST_F(MapScene, loadingTellsHowFarItIsAndCanBeGivenUpAnywhere) {
   const auto file = folder_.write("house.map", kHouse);
-  std::vector<double> told;
+  std::vector<double> reported;
   const auto note = [&](double share) {
-    told.push_back(share);
+    reported.push_back(share);
     return true;
   };
   ASSERT_TRUE(Scene::load(file, {.count = 2}, note));
-  ASSERT_GE(told.size(), 4U);
-  EXPECT_EQ(told.front(), 0);
-  EXPECT_LE(told.back(), 1);
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  for (const double last : told) {
+  ASSERT_GE(reported.size(), 4U);
+  EXPECT_EQ(reported.front(), 0);
+  EXPECT_LE(reported.back(), 1);
+  EXPECT_TRUE(std::ranges::is_sorted(reported));
+  for (const double last : reported) {
     const auto scene = Scene::load(file, {.count = 2}, [&](double share) { return share < last; });
     ASSERT_FALSE(scene) << last;
     ASSERT_EQ(scene.error().size(), 1U);

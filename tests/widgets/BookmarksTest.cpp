@@ -41,7 +41,7 @@ class BookmarkBench : public LogBench {
     auto bookmarks = logplayer::Bookmarks::open(file);
     if (!bookmarks) qFatal("%s", bookmarks.error().describe().c_str());
     readings.at(file.string())->bookmarks.emplace(std::move(bookmarks));
-    tell();
+    publish();
   }
   const std::vector<logplayer::Bookmark>& bookmarks() { return log().bookmarks->all(); }
   widgets::OpenLogs::Log& log() { return *logs().logs().front(); }
@@ -104,7 +104,7 @@ class BookmarksTest : public QObject {
     QVERIFY(bench.logs().addBookmarkAt(at(120), QStringLiteral("early bird")));
     QVERIFY(!slow.bookmarks);
     bench.readings.at(slow.path)->bookmarks.emplace(logplayer::Bookmarks::open(bench.file));
-    bench.tell();
+    bench.publish();
     QCOMPARE(slow.bookmarks->all().size(), std::size_t{1});
     QCOMPARE(slow.bookmarks->all()[0].text, std::string("early bird"));
     QCOMPARE(slow.bookmarks->all()[0].from, at(20));
@@ -176,7 +176,7 @@ class BookmarksTest : public QObject {
     QCOMPARE(bench.saved()[0].text, std::string("first"));
     bench.logs().addBookmark(bench.log(), at(25), at(26), QStringLiteral("second"));
     bench.status.clear_logs();
-    bench.tell();
+    bench.publish();
     QVERIFY(bench.logs().logs().empty());
     QCOMPARE(bench.saved().size(), std::size_t{2});
     QCOMPARE(bench.saved()[1].to, at(26));

@@ -29,7 +29,7 @@ struct Sitting {
   Sitting() : bench(colorBench(world.context)), files(colorFiles(world.context)) {
     bench.setFrame(world.frame());
     QObject::connect(&bench, &ColorBench::failed, [this](const QString& reason) { failed << reason; });
-    QObject::connect(&files, &ColorFiles::told, [this](const QString& text) { told << text; });
+    QObject::connect(&files, &ColorFiles::reported, [this](const QString& text) { reported << text; });
   }
   void stroke(int colorClass, double x, double y) {
     bench.setCurrentClass(colorClass);
@@ -44,7 +44,7 @@ struct Sitting {
   ColorWorld world;
   ColorBench& bench;
   ColorFiles& files;
-  QStringList failed, told;
+  QStringList failed, reported;
 };
 
 class ColorFilesTest : public QObject {
@@ -166,7 +166,7 @@ class ColorFilesTest : public QObject {
     at.stroke(1, 8, 7);
     QVERIFY(at.files.merge(path("other.samples")));
     QCOMPARE(at.strokes(), std::size_t{5});
-    QVERIFY(at.told.last().contains(QStringLiteral("4 strokes")));
+    QVERIFY(at.reported.last().contains(QStringLiteral("4 strokes")));
     at.bench.undoStack().undo();
     QCOMPARE(at.strokes(), std::size_t{1});
   }
@@ -222,7 +222,7 @@ class ColorFilesTest : public QObject {
     samples.settings.votes.rejection = 0;
     at.bench.setDocument(samples);
     QVERIFY(at.files.exportTable(path("t.c64"), true));
-    QVERIFY(at.told.last().contains(QStringLiteral("no room")));
+    QVERIFY(at.reported.last().contains(QStringLiteral("no room")));
   }
 
   void whatWasNotSavedComesBackAfterACrash() {
@@ -243,14 +243,14 @@ class ColorFilesTest : public QObject {
       next.files.startRecovery(path("colors"));
       QCOMPARE(next.bench.samples(), lost);
       QVERIFY(next.files.changed());
-      QVERIFY(next.told.last().contains(QStringLiteral("2 strokes")));
+      QVERIFY(next.reported.last().contains(QStringLiteral("2 strokes")));
       QVERIFY(next.files.saveAs(path("saved.samples")));
     }
     QVERIFY(!std::filesystem::exists(recoveryFile()));
     Sitting third;
     third.files.startRecovery(path("colors"));
     QCOMPARE(third.strokes(), std::size_t{0});
-    QVERIFY(third.told.isEmpty());
+    QVERIFY(third.reported.isEmpty());
   }
 
   void whatWasDiscardedDoesNotComeBack() {

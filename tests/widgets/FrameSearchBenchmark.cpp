@@ -33,19 +33,19 @@ void searchTheLog(benchmark::State& state) {
     static_cast<void>(unused);
     std::mutex mutex;
     std::condition_variable news;
-    bool told = false;
+    bool reported = false;
     widgets::FrameQuery query{widgets::LoggedImages{kData / "logs/bhuman2009.log", "nao/camera/image"},
                               table,
                               {},
                               objectClasses(named->classes)};
     widgets::FrameSearch search(std::move(query), [&] {
       const std::lock_guard lock(mutex);
-      told = true;
+      reported = true;
       news.notify_one();
     });
     while (!search.progress().ended) {
       std::unique_lock lock(mutex);
-      news.wait(lock, [&] { return std::exchange(told, false); });
+      news.wait(lock, [&] { return std::exchange(reported, false); });
     }
     images = search.progress().seen;
   }

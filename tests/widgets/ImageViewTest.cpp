@@ -243,7 +243,7 @@ class ImageViewTest : public QObject {
 
   void aDrawingIsSwitchedOnWhereItIsMissed() {
     Shown s;
-    const auto tell = [&s](robotcontrol::KeyMode::Kind kind) {
+    const auto publish = [&s](robotcontrol::KeyMode::Kind kind) {
       auto table = std::make_shared<robotcontrol::KeyTable>();
       for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"},
                                        {"ball-model/ball", "The ball (drawn on the field)"},
@@ -257,7 +257,7 @@ class ImageViewTest : public QObject {
       s.step();
     };
     s.world.pushImage("red1/camera/image", kImage, kGrass);
-    tell(robotcontrol::KeyMode::OFF);
+    publish(robotcontrol::KeyMode::OFF);
     s.click("imageDrawings");
     auto* list = child<QListView>(s.view, "drawingsList");
     QCOMPARE(list->model()->rowCount(), 1);
@@ -273,12 +273,12 @@ class ImageViewTest : public QObject {
     s.clickDrawing(0);
     QCOMPARE(s.world.requests.back().set_key().name(), std::string("ball-percept/disc"));
     QCOMPARE(s.world.requests.back().set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
-    tell(robotcontrol::KeyMode::ALWAYS);
+    publish(robotcontrol::KeyMode::ALWAYS);
     QCOMPARE(state(), static_cast<int>(Qt::Checked));
     list->setCurrentIndex(list->model()->index(0, 0));
     s.click("drawingsOff");
     QCOMPARE(s.world.requests.back().set_key().mode().kind(), robotcontrol::KeyMode::OFF);
-    tell(robotcontrol::KeyMode::OFF);
+    publish(robotcontrol::KeyMode::OFF);
     QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
   }
 

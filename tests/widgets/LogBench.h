@@ -14,13 +14,13 @@
 #include "widgets/log/OpenLogs.h"
 
 /// A LogReading whose results the test sets.
-class ToldReading final : public widgets::LogReading {
+class FakeReading final : public widgets::LogReading {
  public:
   struct Wanted {
     std::string stream;
     std::vector<robotlink::Instant> times;
   };
-  std::shared_ptr<const widgets::LogOverview> overview() override { return told; }
+  std::shared_ptr<const widgets::LogOverview> overview() override { return published; }
   void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int) override {
     wanted = {stream, std::move(times)};
   }
@@ -29,7 +29,7 @@ class ToldReading final : public widgets::LogReading {
     return std::exchange(bookmarks, std::nullopt);
   }
 
-  std::shared_ptr<const widgets::LogOverview> told;
+  std::shared_ptr<const widgets::LogOverview> published;
   Wanted wanted;
   std::vector<widgets::Thumbnail> thumbnails;
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks;
@@ -75,10 +75,10 @@ class LogBench : public Bench {
  public:
   LogBench() {
     context.logs = std::make_shared<widgets::OpenLogs>(session, [this](const std::filesystem::path& file) {
-      auto reading = std::make_unique<ToldReading>();
+      auto reading = std::make_unique<FakeReading>();
       auto overview = overviewOfTest(file.string());
       if (shapeOverview) shapeOverview(overview);
-      reading->told = std::make_shared<const widgets::LogOverview>(std::move(overview));
+      reading->published = std::make_shared<const widgets::LogOverview>(std::move(overview));
       readings[file.string()] = reading.get();
       return reading;
     });
@@ -98,19 +98,19 @@ class LogBench : public Bench {
     log.set_path(path);
     log.set_offset(robotlink::fromSeconds(offset).count());
     status.set_end(std::max(status.end(), at(40 + offset).time_since_epoch().count()));
-    tell();
+    publish();
   }
   void showTime(double seconds) {
     status.set_time(at(seconds).time_since_epoch().count());
-    tell();
+    publish();
   }
   void setRange(double from, double to) {
     status.mutable_range()->set_from(at(from).time_since_epoch().count());
     status.mutable_range()->set_to(at(to).time_since_epoch().count());
-    tell();
+    publish();
   }
   /// Publishes the current status and updates session and logs.
-  void tell() {
+  void publish() {
     push("replay", status, 1);
     session.tick();
     context.logs->tick();
@@ -134,6 +134,6 @@ class LogBench : public Bench {
   widgets::OpenLogs& logs() { return *context.logs; }
 
   robotcontrol::ReplayStatus status;
-  std::map<std::string, ToldReading*> readings;
+  std::map<std::string, FakeReading*> readings;
   std::function<void(widgets::LogOverview&)> shapeOverview;
 };

@@ -141,7 +141,7 @@ class LogViewsTest : public QObject {
                 .contains(QStringLiteral(
                     "neither the robot nor another task provides requests to joints (joints/request)")));
     bench.status.mutable_differences(0)->set_different(9);
-    bench.tell();
+    bench.publish();
     bench.tick(*view);
     QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(),
              QStringLiteral("9 + 2 alone"));

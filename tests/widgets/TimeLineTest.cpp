@@ -134,7 +134,7 @@ class TimeLineTest : public QObject {
     bench.tick(*view);
     QVERIFY(!hint.isVisible());
     bench.status.clear_logs();
-    bench.tell();
+    bench.publish();
     bench.tick(*view);
     QVERIFY(hint.isVisible());
     QVERIFY(child<TimeLineCanvas>(*view, "timeLineCanvas").bands().empty());
@@ -226,7 +226,7 @@ class TimeLineTest : public QObject {
     };
     QCOMPARE(asked(Qt::Key_Space).action(), ControlReplay::PLAY);
     bench.status.set_playing(true);
-    bench.tell();
+    bench.publish();
     QCOMPARE(asked(Qt::Key_Space).action(), ControlReplay::PAUSE);
     QCOMPARE(asked(Qt::Key_Right).count(), 1);
     QCOMPARE(bench.asked().action(), ControlReplay::STEP_FRAME);
@@ -240,7 +240,7 @@ class TimeLineTest : public QObject {
     QVERIFY(isAbout(asked(Qt::Key_O).range().to(), 20));
     QVERIFY(isAbout(asked(Qt::Key_End).time(), 40));
     bench.answer(true);
-    bench.tell();
+    bench.publish();
     QVERIFY(isAbout(asked(Qt::Key_Home).time(), 10));
   }
 
@@ -326,7 +326,7 @@ class TimeLineTest : public QObject {
     bench.status.mutable_logs(0)->add_robots("nao");
     bench.openLog("/logs/other.mcap");
     bench.status.mutable_logs(1)->add_robots("nao-2");
-    bench.tell();
+    bench.publish();
     auto view = bench.openView<TimeLineView>({1000, 600});
     Spots spots(*view);
     const QPoint name(40, spots.lane(Kind::kStream, "nao/joints/states", 1).center().y());

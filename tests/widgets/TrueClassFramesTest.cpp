@@ -27,7 +27,7 @@ class TrueClassFramesTest : public QObject {
     frames_->setOn(true);
     QCOMPARE(world_->requests.size(), std::size_t{1});
     QCOMPARE(world_->requests[0].set_key().name(), std::string("package/oracle/classes"));
-    tell();
+    report();
     QCOMPARE(bench_->labeled().size(), std::size_t{1});
     bench_->setFrame(world_->frame());
     bench_->setCurrentClass(1);
@@ -45,9 +45,9 @@ class TrueClassFramesTest : public QObject {
 
   void oneImageASecondIsTakenAndTheLastOnesStay() {
     frames_->setOn(true);
-    for (int i = 0; i < 5; ++i) tell(300);
+    for (int i = 0; i < 5; ++i) report(300);
     QCOMPARE(bench_->labeled().size(), std::size_t{2});
-    for (std::size_t i = 0; i < TrueClassFrames::kMax + 5; ++i) tell(1000);
+    for (std::size_t i = 0; i < TrueClassFrames::kMax + 5; ++i) report(1000);
     QCOMPARE(bench_->labeled().size(), TrueClassFrames::kMax);
   }
 
@@ -62,7 +62,7 @@ class TrueClassFramesTest : public QObject {
 
  private:
   /// The camera's image and its true classes, in the numbers of 2002.
-  void tell(int milliseconds = 40) {
+  void report(int milliseconds = 40) {
     auto image = std::make_shared<foxglove::RawImage>(*ColorWorld::image());
     robotlink::assign(*image->mutable_timestamp(), world_->now());
     robotlink::Image classes(40, 30, robotlink::PixelFormat::kMono8);

@@ -43,13 +43,13 @@ std::filesystem::path fileToWrite(const ColorFiles& files, QWidget* parent, cons
 }
 
 /// Reports a failure by the bench's failed(). True: success.
-bool tell(const ColorFiles& files, const robotlink::Result<void>& done) {
+bool report(const ColorFiles& files, const robotlink::Result<void>& done) {
   if (!done) Q_EMIT files.bench().failed(QString::fromStdString(done.error().describe()));
   return done.has_value();
 }
 
 bool saveTo(ColorFiles& files, const std::filesystem::path& file) {
-  return !file.empty() && tell(files, files.saveAs(file));
+  return !file.empty() && report(files, files.saveAs(file));
 }
 
 bool askAndSave(ColorFiles& files, QWidget* parent) {
@@ -143,7 +143,7 @@ void ColorFileActions::addTo(QHBoxLayout* row) const {
 
 void ColorFileActions::read(const QString& title, const QString& filter, const Use& use) {
   const QString file = QFileDialog::getOpenFileName(view_, title, files_.folder(), filter);
-  if (!file.isEmpty()) tell(files_, use(file.toStdString()));
+  if (!file.isEmpty()) report(files_, use(file.toStdString()));
 }
 
 void ColorFileActions::startAnew() {
@@ -169,7 +169,7 @@ void ColorFileActions::merge() {
 
 void ColorFileActions::exportTable() {
   const auto file = fileToWrite(files_, view_, tr("Export color table"), tableFiles(), QStringLiteral("c64"));
-  if (!file.empty()) tell(files_, files_.exportTable(file, several_->isChecked()));
+  if (!file.empty()) report(files_, files_.exportTable(file, several_->isChecked()));
 }
 
 void ColorFileActions::importReference() {

@@ -91,9 +91,9 @@ void ColorFiles::discard() {
   ticksUnkept_ = 0;
 }
 
-void ColorFiles::tell(const QString& text) {
+void ColorFiles::report(const QString& text) {
   message_ = {text, false};
-  Q_EMIT told(text);
+  Q_EMIT reported(text);
 }
 
 void ColorFiles::fail(const QString& reason) {
@@ -139,7 +139,7 @@ robotlink::Result<void> ColorFiles::saveAs(const std::filesystem::path& file) {
   if (const auto saved = colortool::saveSamples(bench_.samples(), file); !saved) return saved;
   bench_.setSaved();
   setFile(file);
-  tell(tr("Saved: %1").arg(pathText(file)));
+  report(tr("Saved: %1").arg(pathText(file)));
   return {};
 }
 
@@ -151,7 +151,7 @@ robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
   const std::size_t more = next.strokes.size() - bench_.samples().strokes.size();
   bench_.change(tr("Merge %1").arg(pathText(file.filename())), std::move(next));
   remember(file);
-  tell(tr("%1 came from %2").arg(strokesText(more), pathText(file.filename())));
+  report(tr("%1 came from %2").arg(strokesText(more), pathText(file.filename())));
   if (!read->problems.empty())
     show(read->problems, tr("Only a part of %1 could be read and was added:").arg(pathText(file)));
   return {};
@@ -181,7 +181,7 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   }
   if (correctsColors(samples))
     said += tr("\nThe corrections of cameras and vignetting are not part of the table");
-  tell(said);
+  report(said);
   return {};
 }
 
@@ -200,7 +200,7 @@ robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path&
   if (!unknown.isEmpty())
     said +=
         tr("; its classes %1 are not among yours and count as none").arg(unknown.join(QStringLiteral(", ")));
-  tell(said);
+  report(said);
   return {};
 }
 
@@ -227,7 +227,7 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
          "to keep them.")
           .arg(strokesText(strokes));
   if ((*left)->problems.empty())
-    tell(said);
+    report(said);
   else
     show((*left)->problems, said);
 }
@@ -261,7 +261,7 @@ void ColorFiles::takePictures() {
     said += tr("; there was no room for %1 more, remove some of the strip first (Delete)")
                 .arg(read->value().leftOut);
   if (read->value().problems.empty())
-    tell(said);
+    report(said);
   else
     show(read->value().problems, said + tr(". These could not be read:"));
 }

@@ -85,7 +85,7 @@ class ColorFiles final : public QObject {
   /// title() changed.
   void titleChanged(const QString& title);
   /// Something was done, or done in part.
-  void told(const QString& text);
+  void reported(const QString& text);
 
  private:
   /// Writes or deletes the recovery file.
@@ -96,7 +96,7 @@ class ColorFiles final : public QObject {
   void setFile(const std::filesystem::path& file);
   /// Sets folder().
   void remember(const std::filesystem::path& file);
-  void tell(const QString& text);
+  void report(const QString& text);
   void fail(const QString& reason);
   /// Reports the first dozen problems by the bench's failed().
   void show(const robotlink::Errors& problems, const QString& what);

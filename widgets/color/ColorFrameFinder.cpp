@@ -37,13 +37,13 @@ std::string ColorFrameFinder::streamToSearch() const {
   OpenLogs::Log* log = openLogs(context_).current();
   if (log == nullptr) return {};
   const auto streams = log->overview->imageStreams();
-  return streams.empty() ? std::string() : OpenLogs::toldAs(*log, streams.front());
+  return streams.empty() ? std::string() : OpenLogs::sessionPath(*log, streams.front());
 }
 
 std::optional<ColorFrameFinder::Place> ColorFrameFinder::placeInLogs(const std::string& stream) const {
   for (const auto& log : openLogs(context_).logs()) {
     for (const auto& logged : log->overview->streams) {
-      if (!isImageType(logged.type) || OpenLogs::toldAs(*log, logged.path) != stream) continue;
+      if (!isImageType(logged.type) || OpenLogs::sessionPath(*log, logged.path) != stream) continue;
       const std::filesystem::path file(log->path);
       return Place{LoggedImages{file, logged.path, log->offset},
                    QStringLiteral("%1, %2").arg(QString::fromStdString(file.filename().string()),
@@ -105,13 +105,13 @@ void ColorFrameFinder::start() {
   model_.clear(classes);
   progress_ = {};
   search_ = std::make_unique<FrameSearch>(std::move(query), [this] {
-    if (!told_.exchange(true))
+    if (!reported_.exchange(true))
       QMetaObject::invokeMethod(this, &ColorFrameFinder::takeNews, Qt::QueuedConnection);
   });
 }
 
 void ColorFrameFinder::takeNews() {
-  told_ = false;
+  reported_ = false;
   if (!search_) return;
   progress_ = search_->progress();
   model_.add(search_->take());

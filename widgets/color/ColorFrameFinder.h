@@ -94,7 +94,7 @@ class ColorFrameFinder final : public QObject {
   Searched searched_;
   FrameSearch::Progress progress_;
   /// Whether a call of takeNews() is queued; set in the search's thread.
-  std::atomic<bool> told_{false};
+  std::atomic<bool> reported_{false};
   /// Destroyed first, since its thread uses told_.
   std::unique_ptr<FrameSearch> search_;
 };

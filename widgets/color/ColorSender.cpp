@@ -45,8 +45,8 @@ ColorSender::ColorSender(ColorBench& bench) : QObject(&bench), bench_(bench) {
   patience_.setSingleShot(true);
   connect(&patience_, &QTimer::timeout, this, [this] {
     ++asked_;  // later replies are ignored
-    tell(State::kFailed,
-         tr("%1 does not answer; is its program running?").arg(QString::fromStdString(robot_)));
+    report(State::kFailed,
+           tr("%1 does not answer; is its program running?").arg(QString::fromStdString(robot_)));
   });
   connect(&bench_, &ColorBench::colorsChanged, this, &ColorSender::sendNew);
 }
@@ -68,7 +68,7 @@ void ColorSender::tick() {
   const LearnedColors* colors = bench_.colors();
   const bool sameTable = colors == nullptr || colors->table == sent_ || sent_ == nullptr;
   if (sameTable && bench_.session().selectedRobot() == robot_) return;
-  tell(State::kIdle, {});
+  report(State::kIdle, {});
 }
 
 void ColorSender::send() {
@@ -80,7 +80,7 @@ void ColorSender::send() {
   }
   robotlink::Session& session = bench_.session();
   robot_ = session.selectedRobot();
-  if (robot_.empty()) return tell(State::kFailed, tr("There is no robot to send it to"));
+  if (robot_.empty()) return report(State::kFailed, tr("There is no robot to send it to"));
   sent_ = colors->table;
   robotcontrol::Request request;
   request.set_robot(robot_);
@@ -94,7 +94,7 @@ void ColorSender::send() {
   if (!correction.none()) assign(*table.mutable_correction(), correction);
   describeSource(table);
   expected_ = robotlink::checksum(table);
-  tell(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));
+  report(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));
   patience_.start(kPatience);
   session.request(std::move(request), [guard = QPointer<ColorSender>(this),
                                        number = ++asked_](const robotcontrol::RequestResult& result) {
@@ -114,17 +114,17 @@ void ColorSender::take(const robotcontrol::RequestResult& result) {
   patience_.stop();
   const QString robot = QString::fromStdString(robot_);
   if (!result.accepted())
-    tell(State::kFailed, tr("%1 refuses it: %2").arg(robot, QString::fromStdString(result.reason())));
+    report(State::kFailed, tr("%1 refuses it: %2").arg(robot, QString::fromStdString(result.reason())));
   else if (result.checksum() != expected_)
-    tell(State::kFailed, tr("%1 got something else (%2 instead of %3); send it again")
-                             .arg(robot, hex(result.checksum()), hex(expected_)));
+    report(State::kFailed, tr("%1 got something else (%2 instead of %3); send it again")
+                               .arg(robot, hex(result.checksum()), hex(expected_)));
   else
-    tell(State::kConfirmed, tr("%1 uses it (%2)").arg(robot, hex(expected_)));
+    report(State::kConfirmed, tr("%1 uses it (%2)").arg(robot, hex(expected_)));
   if (std::exchange(again_, false)) send();
   sendNew();
 }
 
-void ColorSender::tell(State state, const QString& text) {
+void ColorSender::report(State state, const QString& text) {
   state_ = state;
   text_ = text;
   Q_EMIT changed();

@@ -58,7 +58,7 @@ class ColorSender final : public QObject {
   void sendNew();
   void describeSource(robotcontrol::ColorTable& table) const;
   void take(const robotcontrol::RequestResult& result);
-  void tell(State state, const QString& text);
+  void report(State state, const QString& text);
 
   ColorBench& bench_;
   bool autoSend_ = false;

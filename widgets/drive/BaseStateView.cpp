@@ -13,13 +13,13 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/CommandTable.h"
+#include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/Silence.h"
 #include "widgets/drive/BatteryGauge.h"
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
@@ -202,8 +202,9 @@ void BaseStateView::tick() {
   const std::string robot = robots_->robot(session());
   if (robot != robot_) problem_->hide();
   robot_ = robot;
-  wish_.want(session(), robot_,
-             {robotlink::kDriveState.name, robotlink::kDriveRequest.name, robotlink::kLinkStatus.name});
+  subscription_.want(
+      session(), robot_,
+      {robotlink::kDriveState.name, robotlink::kDriveRequest.name, robotlink::kLinkStatus.name});
   const auto* state = newestOf<DriveState>(session(), robot_, robotlink::kDriveState.name);
   const auto* status =
       session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());

@@ -66,7 +66,7 @@ class BaseStateView final : public View {
   /// The robot that is shown; empty: none.
   std::string robot_;
   /// Requests that the packages shown here are published.
-  PackageSubscription wish_;
+  PackageSubscription subscription_;
   RobotChoice* robots_ = nullptr;
   QAction *motors_ = nullptr, *sonar_ = nullptr, *resetOdometry_ = nullptr;
   /// A row of base_.

@@ -331,7 +331,7 @@ void ConnectDialog::fail(const QString& reason) {
 void ConnectDialog::tick() {
   if (wanted_.isEmpty()) return;
   for (const std::string& robot : session_.robots())
-    wish_.want(session_, robot, {robotlink::kLinkStatus.name});
+    subscription_.want(session_, robot, {robotlink::kLinkStatus.name});
   for (const auto* message :
        latestOfType(session_.store(), {}, "robotcontrol.LinkStatus", session_.timeline().newest())) {
     const auto* status =

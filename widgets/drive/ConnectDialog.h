@@ -101,7 +101,7 @@ class ConnectDialog final : public QDialog {
   /// See recent().
   QStringList recent_;
   /// Requests that the robots' LinkStatus is published.
-  PackageSubscription wish_;
+  PackageSubscription subscription_;
   /// The address that is being connected to; empty: none.
   QString wanted_;
   QComboBox *address_ = nullptr, *port_ = nullptr, *baud_ = nullptr, *layout_ = nullptr;

@@ -11,7 +11,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/StreamStore.h"
-#include "widgets/Silence.h"
+#include "widgets/BaseSilence.h"
 
 namespace widgets {
 namespace {

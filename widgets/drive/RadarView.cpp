@@ -13,10 +13,10 @@
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
+#include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
-#include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/Silence.h"
+#include "widgets/ViewPicture.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
@@ -129,17 +129,17 @@ void RadarView::tick() {
   robots_->refresh(session());
   drawings_->refresh(session(), session().selectedRobot());
   const std::string robot = robots_->robot(session());
-  wish_.want(session(), robot,
-             {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name,
-              robotlink::kRobotPose.name});
+  subscription_.want(session(), robot,
+                     {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name,
+                      robotlink::kRobotPose.name});
   const auto description = context().robots.find(robot);
   const auto memory = robotlink::fromSeconds(canvas_->look().memory);
   RadarReadings readings = radarReadings(
       session().store(), robot, description == context().robots.end() ? nullptr : description->second.get(),
       session().timeline().shown(), memory);
   readings.heading = mapHeading(robot, readings.heading);
-  const bool told = readings.time.has_value();
-  canvas_->show(std::move(readings), drawings(robot), hint(robot, told));
+  const bool reported = readings.time.has_value();
+  canvas_->show(std::move(readings), drawings(robot), hint(robot, reported));
   updateStatus();
 }
 
@@ -163,10 +163,10 @@ std::vector<WorldDrawing> RadarView::drawings(const std::string& robot) const {
   return drawings;
 }
 
-QString RadarView::hint(const std::string& robot, bool told) const {
+QString RadarView::hint(const std::string& robot, bool reported) const {
   if (robot.empty())
     return tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).");
-  if (told) return {};
+  if (reported) return {};
   const QString name = QString::fromStdString(robot);
   const auto description = context().robots.find(robot);
   if (description != context().robots.end() && description->second && !description->second->drive)

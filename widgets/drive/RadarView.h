@@ -42,12 +42,12 @@ class RadarView final : public View {
   /// Heading of the robot on the map (rad): by its pose estimate if there is one, else the odometry's.
   double mapHeading(const std::string& robot, double odometry) const;
   /// Why nothing is shown and what to do; empty if `told`, that is, there are readings.
-  QString hint(const std::string& robot, bool told) const;
+  QString hint(const std::string& robot, bool reported) const;
   /// Updates the footer.
   void updateStatus();
 
   /// Requests that the packages shown here are published.
-  PackageSubscription wish_;
+  PackageSubscription subscription_;
   DrawingsModel* drawings_ = nullptr;
   RadarCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;

@@ -16,10 +16,10 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
+#include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
-#include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/Silence.h"
+#include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/field/FieldCanvas.h"
@@ -227,8 +227,8 @@ void FieldView::updateGoals(const std::vector<RobotBelief>& beliefs) {
   std::vector<DriveAim> aims;
   for (const RobotBelief& belief : beliefs) {
     if (belief.body.x() <= 0) continue;
-    wish_.want(session(), belief.robot,
-               {robotlink::kDriveState.name, robotlink::kRobotPose.name, robotlink::kDrivePath.name});
+    subscription_.want(session(), belief.robot,
+                       {robotlink::kDriveState.name, robotlink::kRobotPose.name, robotlink::kDrivePath.name});
     auto aim = driveAim(session().store(), belief.robot, session().timeline().shown());
     if (!aim) continue;
     aim->color = belief.team;

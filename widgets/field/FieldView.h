@@ -85,7 +85,7 @@ class FieldView final : public View {
   /// What noticeOf() returned last.
   QString placeNotice_;
   /// Requests that the packages shown here are published.
-  PackageSubscription wish_;
+  PackageSubscription subscription_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;

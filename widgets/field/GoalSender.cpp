@@ -59,10 +59,10 @@ void GoalSender::send(robotlink::Session& session, const std::string& robot, con
   }
   const std::weak_ptr<Answer> answer = answer_;
   session.request(std::move(request), [answer](const robotcontrol::RequestResult& result) {
-    const auto told = answer.lock();
-    if (!told || result.accepted()) return;
-    told->refusal = QString::fromStdString(result.reason());
-    told->ticks = 0;
+    const auto reported = answer.lock();
+    if (!reported || result.accepted()) return;
+    reported->refusal = QString::fromStdString(result.reason());
+    reported->ticks = 0;
   });
 }
 

@@ -15,13 +15,13 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/PictureFile.h"
+#include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
-#include "widgets/image/StreamChoice.h"
+#include "widgets/image/StreamSelector.h"
 
 namespace widgets {
 namespace {
@@ -97,7 +97,7 @@ void ImageView::createViews() {
 
 QWidget* ImageView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
-  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
+  streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
   addButtons(row, {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_});
@@ -126,7 +126,7 @@ void ImageView::connectSignals() {
     frozenAt_ = frozen ? std::optional(session().timeline().shown()) : std::nullopt;
     tick();
   });
-  connect(streams_, &StreamChoice::choiceChanged, this, [this] {
+  connect(streams_, &StreamSelector::choiceChanged, this, [this] {
     freeze_->setChecked(false);
     tick();
   });

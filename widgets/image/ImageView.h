@@ -22,7 +22,7 @@ namespace widgets {
 
 class DrawingsModel;
 class ImageCanvas;
-class StreamChoice;
+class StreamSelector;
 
 /// Shows any stream of images with the drawings that belong to it, chosen by name. Zoom, pan, color of the
 /// pixel under the cursor; the picture can be frozen, copied and saved. Follows the session's timeline.
@@ -71,7 +71,7 @@ class ImageView final : public View {
 
   DrawingsModel* drawings_ = nullptr;
   ImageCanvas* canvas_ = nullptr;
-  StreamChoice* streams_ = nullptr;
+  StreamSelector* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *pixel_ = nullptr, *state_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;

@@ -55,7 +55,7 @@ KeyTreeModel::KeyTreeModel(QObject* parent) : QAbstractItemModel(parent), root_(
 KeyTreeModel::~KeyTreeModel() = default;
 
 void KeyTreeModel::setKeys(std::vector<KeyEntry> keys) {
-  wishes_.clear();
+  pending_.clear();
   if (!sameNames(keys, keys_)) {
     beginResetModel();
     keys_ = std::move(keys);
@@ -85,20 +85,20 @@ void KeyTreeModel::build() {
 }
 
 KeyValue KeyTreeModel::shownValue(const KeyEntry& key) const {
-  const auto wish = wishes_.find(key.name);
-  return wish == wishes_.end() ? key.value : wish->second;
+  const auto pending = pending_.find(key.name);
+  return pending == pending_.end() ? key.value : pending->second;
 }
 
 void KeyTreeModel::choose(const std::string& key, KeyValue value) {
   value = withNumber(value);
-  wishes_[key] = value;
+  pending_[key] = value;
   refusals_.erase(key);
   changed(key);
   Q_EMIT keyChosen(QString::fromStdString(key), value);
 }
 
 void KeyTreeModel::refuse(const std::string& key, const QString& reason) {
-  wishes_.erase(key);
+  pending_.erase(key);
   refusals_[key] = reason;
   changed(key);
 }
@@ -213,7 +213,7 @@ QVariant KeyTreeModel::data(const QModelIndex& index, int role) const {
       return key->inUse ? QVariant() : colorOf(Meaning::kMuted, QGuiApplication::palette());
     case Qt::FontRole: {
       QFont font;
-      font.setItalic(wishes_.count(key->name) > 0);
+      font.setItalic(pending_.count(key->name) > 0);
       font.setBold(index.column() == kName && value.kind != KeyValue::Kind::kOff);
       return font;
     }

@@ -80,7 +80,7 @@ class KeyTreeModel final : public QAbstractItemModel {
   /// By the key's name.
   std::map<std::string, const Node*> nodes_;
   /// Pending modes, by the key's name.
-  std::map<std::string, KeyValue> wishes_;
+  std::map<std::string, KeyValue> pending_;
   /// Reasons of refusals, by the key's name; kept until the key is edited again.
   std::map<std::string, QString> refusals_;
 };

@@ -74,7 +74,7 @@ void LogReader::publish(const LogOverview& overview) {
   overview_ = std::move(shared);
 }
 
-bool LogReader::tell(LogOverview& overview, double share) {
+bool LogReader::report(LogOverview& overview, double share) {
   // Publishing copies the overview; doing so for each percent would take longer than reading.
   if (share - overview.progress >= 0.1 || share < overview.progress) {
     overview.progress = share;
@@ -96,7 +96,7 @@ void LogReader::readAll() {
 bool LogReader::open(LogOverview& overview) {
   logplayer::LogFile::Options options;
   options.cacheBytes = kLogCacheBytes;
-  options.progress = [&](double share) { return tell(overview, share); };
+  options.progress = [&](double share) { return report(overview, share); };
   overview.converted = logplayer::canImport(file_);
   auto opened = logplayer::LogFile::open(file_, options);
   if (!opened) {
@@ -131,7 +131,7 @@ void LogReader::readTimes(LogOverview& overview) {
   const double count = static_cast<double>(overview.streams.size());
   double done = 0;
   for (auto& stream : overview.streams) {
-    if (!tell(overview, done++ / count)) return;
+    if (!report(overview, done++ / count)) return;
     stream.density = MessageDensity(log_->times(stream.path));
   }
   overview.stage = Stage::kTexts;
@@ -158,7 +158,7 @@ void LogReader::readTexts(LogOverview& overview) {
   if (!streams.empty()) {
     logplayer::LogFile::Cursor cursor(log_, streams);
     while (const auto message = cursor.next()) {
-      if (!tell(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages))))
+      if (!report(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages))))
         return;
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
@@ -178,7 +178,7 @@ void LogReader::readTexts(LogOverview& overview) {
 }
 
 void LogReader::countSizes(LogOverview& overview) {
-  const auto counted = log_->countBytes([&](double share) { return tell(overview, share); });
+  const auto counted = log_->countBytes([&](double share) { return report(overview, share); });
   if (quit_) return;
   for (const auto& stream : counted) {
     for (auto& shown : overview.streams) {

@@ -53,7 +53,7 @@ class LogReader final : public LogReading {
   /// Makes a copy available to overview().
   void publish(const LogOverview& overview);
   /// Publishes the progress, at most ten times per step. False: the reader is being destroyed.
-  bool tell(LogOverview& overview, double share);
+  bool report(LogOverview& overview, double share);
 
   /// Function of the thread that reads thumbnails.
   void readThumbnails();

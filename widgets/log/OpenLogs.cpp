@@ -66,7 +66,7 @@ OpenLogs::Log* OpenLogs::at(Instant time) {
   return logs_.empty() ? nullptr : logs_.front().get();
 }
 
-std::string OpenLogs::toldAs(const Log& log, const std::string& stream) {
+std::string OpenLogs::sessionPath(const Log& log, const std::string& stream) {
   const auto& own = log.overview->robots;
   const std::size_t slash = stream.find('/');
   const auto found = std::find(own.begin(), own.end(), stream.substr(0, slash));
@@ -89,20 +89,20 @@ void OpenLogs::tick() {
 }
 
 void OpenLogs::followLogs() {
-  const auto& told = replay_.status().logs();
-  const auto isTold = [&](const auto& log) {
-    return std::any_of(told.begin(), told.end(),
+  const auto& reported = replay_.status().logs();
+  const auto isListed = [&](const auto& log) {
+    return std::any_of(reported.begin(), reported.end(),
                        [&](const auto& entry) { return entry.path() == log->path; });
   };
-  if (!std::all_of(logs_.begin(), logs_.end(), isTold)) {
+  if (!std::all_of(logs_.begin(), logs_.end(), isListed)) {
     saveBookmarks();
     undo_.clear();
-    std::erase_if(logs_, [&](const auto& log) { return !isTold(log); });
+    std::erase_if(logs_, [&](const auto& log) { return !isListed(log); });
     replay_.setSteppedStream({});
     ++version_;
     Q_EMIT logsChanged();
   }
-  for (const auto& entry : told) {
+  for (const auto& entry : reported) {
     Log* log = find(entry.path());
     const Duration offset(entry.offset());
     const std::vector<std::string> robots(entry.robots().begin(), entry.robots().end());
@@ -152,7 +152,7 @@ void OpenLogs::chooseDefaults(Log& log) {
   const auto images = log.overview->imageStreams();
   if (images.empty()) return;
   if (log.imageStream.empty()) log.imageStream = images.front();
-  if (replay_.steppedStream().empty()) replay_.setSteppedStream(toldAs(log, images.front()));
+  if (replay_.steppedStream().empty()) replay_.setSteppedStream(sessionPath(log, images.front()));
 }
 
 void OpenLogs::changeBookmarks(Log& log, const QString& what,

@@ -74,7 +74,7 @@ class OpenLogs final : public QObject {
   /// The log at the play head.
   Log* current() { return at(replay_.shown()); }
   /// Path of a log's stream in the replay: "nao-2/camera/image".
-  static std::string toldAs(const Log& log, const std::string& stream);
+  static std::string sessionPath(const Log& log, const std::string& stream);
   /// Grows with every change of logs, overviews, bookmarks or options, but not of thumbnails.
   std::uint64_t version() const { return version_; }
 

@@ -76,7 +76,7 @@ void StreamsView::connectSignals() {
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
     const auto& row = model_.row(filtered_->mapToSource(index).row());
     if (const auto* log = logs_.find(row.log))
-      logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, row.path));
+      logs_.replay().setSteppedStream(OpenLogs::sessionPath(*log, row.path));
   });
   connect(&model_, &StreamListModel::shownChanged, this,
           [this](const std::string& path, const std::string& stream, bool shown) {
@@ -91,7 +91,7 @@ void StreamsView::tick() {
   std::vector<StreamListModel::Row> rows;
   for (const auto& log : logs_.logs()) {
     for (auto& row : StreamListModel::rowsOf(log->path, *log->overview, log->hidden)) {
-      row.stepped = OpenLogs::toldAs(*log, row.path) == logs_.replay().steppedStream();
+      row.stepped = OpenLogs::sessionPath(*log, row.path) == logs_.replay().steppedStream();
       rows.push_back(std::move(row));
     }
   }

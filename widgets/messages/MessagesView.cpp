@@ -231,7 +231,7 @@ void MessagesView::takeLogs() {
     for (LogEntry entry : *log->overview->texts) {
       entry.time += log->offset;
       entry.robot =
-          QString::fromStdString(robotPart(OpenLogs::toldAs(*log, entry.robot.toStdString() + "/")));
+          QString::fromStdString(robotPart(OpenLogs::sessionPath(*log, entry.robot.toStdString() + "/")));
       entry.logged = true;
       logged_.insert(keyOf(entry));
       entries.push_back(std::move(entry));

@@ -58,7 +58,7 @@ void HeadPanel::createSlider(Joint joint, const char* name, const QString& text)
   values_[joint] = value;
   connect(slider, &QSlider::valueChanged, this, [this, joint] {
     showValue(joint);
-    mode_->setCurrentIndex(static_cast<int>(HeadWish::Kind::kAngles));
+    mode_->setCurrentIndex(static_cast<int>(HeadTarget::Kind::kAngles));
   });
 }
 
@@ -84,18 +84,18 @@ void HeadPanel::showValue(Joint joint) {
       QStringLiteral("%1°").arg(sliders_[joint]->value() / double(kPerDegree), 0, 'f', 1));
 }
 
-HeadWish HeadPanel::wish() const {
+HeadTarget HeadPanel::target() const {
   const auto angle = [this](Joint joint) {
     return robotlink::radians(sliders_[joint]->value() / double(kPerDegree));
   };
-  return {static_cast<HeadWish::Kind>(mode_->currentIndex()), angle(kTilt), angle(kPan), angle(kRoll),
+  return {static_cast<HeadTarget::Kind>(mode_->currentIndex()), angle(kTilt), angle(kPan), angle(kRoll),
           angle(kMouth)};
 }
 
-void HeadPanel::setWish(const HeadWish& wish) {
-  const double angles[] = {wish.tilt, wish.pan, wish.roll, wish.mouth};
+void HeadPanel::setTarget(const HeadTarget& target) {
+  const double angles[] = {target.tilt, target.pan, target.roll, target.mouth};
   for (int i = 0; i < kJoints; ++i) sliders_[static_cast<std::size_t>(i)]->setValue(toSlider(angles[i]));
-  mode_->setCurrentIndex(static_cast<int>(wish.kind));
+  mode_->setCurrentIndex(static_cast<int>(target.kind));
 }
 
 }  // namespace widgets

@@ -26,9 +26,9 @@ class HeadPanel final : public QGroupBox {
   /// Sets the ranges of the sliders. Null: no robot is known; all sliders are enabled from -90 to 90 degrees.
   void setRobot(const robotlink::RobotDescription* robot);
   /// The selected mode and the joint angles in rad.
-  HeadWish wish() const;
+  HeadTarget target() const;
   /// Selects the mode and moves the sliders to the angles.
-  void setWish(const HeadWish& wish);
+  void setTarget(const HeadTarget& target);
 
  private:
   /// The joints in the order of their sliders.

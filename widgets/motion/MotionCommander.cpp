@@ -67,7 +67,7 @@ robotcontrol::RemoteMotion MotionCommander::command() const {
   }
   auto& head = *result.mutable_head();
   head.set_kind(static_cast<robotcontrol::HeadMode::Kind>(head_.kind));
-  if (head_.kind == HeadWish::Kind::kAngles) {
+  if (head_.kind == HeadTarget::Kind::kAngles) {
     head.set_tilt(head_.tilt);
     head.set_pan(head_.pan);
     head.set_roll(head_.roll);

@@ -22,7 +22,7 @@ struct WalkAxes {
 
 /// What the head is commanded to do. The kinds are in the order of robotcontrol.HeadMode; the angles (rad)
 /// are used by kAngles only.
-struct HeadWish {
+struct HeadTarget {
   /// Look ahead, search for the ball, follow the ball with the camera, look around, or hold the angles.
   enum class Kind : std::uint8_t { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
@@ -30,7 +30,7 @@ struct HeadWish {
   double pan = 0;
   double roll = 0;
   double mouth = 0;
-  bool operator==(const HeadWish&) const = default;
+  bool operator==(const HeadTarget&) const = default;
 };
 
 /// Turns the inputs of pad, keys, sliders and gamepad into motion commands, and decides when one is due: at
@@ -53,7 +53,7 @@ class MotionCommander {
   const Limits& limits() const { return limits_; }
   void setAxes(const WalkAxes& axes) { axes_ = axes; }
   const WalkAxes& axes() const { return axes_; }
-  void setHead(const HeadWish& head) { head_ = head; }
+  void setHead(const HeadTarget& head) { head_ = head; }
   /// Commands a key-frame motion, or kGetUp; replaces a motion that has not begun.
   void play(const std::string& motion);
   /// Commands standing still: no deflection and no motion. The head keeps its mode.
@@ -77,7 +77,7 @@ class MotionCommander {
 
   Limits limits_;
   WalkAxes axes_;
-  HeadWish head_;
+  HeadTarget head_;
   /// Motion that has not begun; empty: none.
   std::string motion_;
   /// Ticks since play().

@@ -153,7 +153,7 @@ void MotionView::followRobot() {
   if (robot != robot_) {
     stand();
     robot_ = robot;
-    takeOver_ = {};
+    manualControl_ = {};
     tables_.clear();
     askedForStatus_ = false;
     commander_.setActive(false);
@@ -166,12 +166,12 @@ void MotionView::followRobot() {
   auto values = valuesOf(tables);
   if (values != tables_) {
     tables_ = std::move(values);
-    takeOver_.update(tasksOf(tables));
+    manualControl_.update(tasksOf(tables));
   }
-  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
+  const bool taken = manualControl_.state() == ManualControl::State::kTaken;
   if (taken && !commander_.active()) walkPad_->setFocus();
   commander_.setActive(taken);
-  commander_.setHead(head_->wish());
+  commander_.setHead(head_->target());
 }
 
 void MotionView::nameRobot() {
@@ -236,7 +236,7 @@ void MotionView::switchMotors(bool on) {
 
 void MotionView::tick() {
   followRobot();
-  if (drive_) wish_.want(session(), robot_, {robotlink::kDriveState.name});
+  if (drive_) subscription_.want(session(), robot_, {robotlink::kDriveState.name});
   useGamepad(gamepad_());
   std::string path = robot_ + '/';
   path += robotlink::kMotionStatus.name;
@@ -268,14 +268,14 @@ void MotionView::stand() {
 }
 
 void MotionView::takeOver(bool take) {
-  const std::string solution = takeOver_.begin(take);
+  const std::string solution = manualControl_.begin(take);
   if (!take) stand();
   if (!solution.empty()) {
     robotcontrol::Request request;
-    request.mutable_select_solution()->set_task(takeOver_.task());
+    request.mutable_select_solution()->set_task(manualControl_.task());
     request.mutable_select_solution()->set_solution(solution);
     ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-      if (!accepted) takeOver_.refused(reason);
+      if (!accepted) manualControl_.refused(reason);
     });
   }
   showPad(nullptr);
@@ -328,11 +328,11 @@ void MotionView::showStop() {
 }
 
 void MotionView::showPad(const robotcontrol::MotionStatus* status) {
-  const TakeOver::State who = takeOver_.state();
-  const bool taken = who == TakeOver::State::kTaken;
+  const ManualControl::State who = manualControl_.state();
+  const bool taken = who == ManualControl::State::kTaken;
   QAction& take = *take_->defaultAction();
   take.setChecked(taken);
-  take.setEnabled(who == TakeOver::State::kFree || taken);
+  take.setEnabled(who == ManualControl::State::kFree || taken);
   take.setText(taken ? tr("Give back") : tr("Take over"));
   state_->setText(stateText());
   const auto* base = drive_ ? driveState() : nullptr;
@@ -352,14 +352,14 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
 QString MotionView::stateText() const {
   if (robot_.empty()) return tr("No robot. Start a simulation or connect to a robot.");
   const auto* base = drive_ ? driveState() : nullptr;
-  if (base == nullptr || takeOver_.state() != TakeOver::State::kTaken) return takeOver_.text();
+  if (base == nullptr || manualControl_.state() != ManualControl::State::kTaken) return manualControl_.text();
   if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
-  return base->motors_on() ? takeOver_.text()
+  return base->motors_on() ? manualControl_.text()
                            : tr("You steer the robot, but its motors are off: switch them on.");
 }
 
 void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
-  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
+  const bool taken = manualControl_.state() == ManualControl::State::kTaken;
   const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
   std::optional<Speed> believed;
   if (const auto* base = drive_ ? driveState() : nullptr; base != nullptr) {
@@ -393,7 +393,7 @@ void MotionView::changeEvent(QEvent* event) {
 QJsonObject MotionView::saveState() const {
   QJsonObject state{{QStringLiteral("speed"), walkLimits_.speed},
                     {QStringLiteral("rotation"), walkLimits_.rotation},
-                    {QStringLiteral("headMode"), static_cast<int>(head_->wish().kind)}};
+                    {QStringLiteral("headMode"), static_cast<int>(head_->target().kind)}};
   if (!driveLimits_) return state;
   state[QStringLiteral("driveSpeed")] = driveLimits_->speed;
   state[QStringLiteral("driveRotation")] = driveLimits_->rotation;
@@ -411,9 +411,10 @@ void MotionView::restoreState(const QJsonObject& state) {
   }
   const auto description = context().robots.find(robot_);
   useRobot(description == context().robots.end() ? nullptr : description->second.get());
-  HeadWish wish = head_->wish();
-  wish.kind = static_cast<HeadWish::Kind>(std::clamp(state.value(QStringLiteral("headMode")).toInt(), 0, 4));
-  head_->setWish(wish);
+  HeadTarget target = head_->target();
+  target.kind =
+      static_cast<HeadTarget::Kind>(std::clamp(state.value(QStringLiteral("headMode")).toInt(), 0, 4));
+  head_->setTarget(target);
 }
 
 }  // namespace widgets

@@ -5,8 +5,8 @@
 #include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
 #include "widgets/motion/Gamepad.h"
+#include "widgets/motion/ManualControl.h"
 #include "widgets/motion/MotionCommander.h"
-#include "widgets/motion/TakeOver.h"
 
 class QLabel;
 class QPushButton;
@@ -99,7 +99,7 @@ class MotionView final : public View {
   /// Turns the inputs into commands and decides when one is due.
   MotionCommander commander_;
   /// Who has control of the robot.
-  TakeOver takeOver_;
+  ManualControl manualControl_;
   GamepadSource gamepad_;
   /// The gamepad's state in the last tick, to detect pressed buttons.
   Gamepad::State pad_;
@@ -123,8 +123,8 @@ class MotionView final : public View {
   /// The limits that the user set for robots on wheels; unset: half of the drive's maximum.
   std::optional<MotionCommander::Limits> driveLimits_;
   /// Requests that DriveState is published.
-  PackageSubscription wish_;
-  /// Addresses of the solution tables that takeOver_ has seen.
+  PackageSubscription subscription_;
+  /// Addresses of the solution tables that manualControl_ has seen.
   std::vector<const void*> tables_;
   /// Whether the debug key of MotionStatus was requested for this robot.
   bool askedForStatus_ = false;

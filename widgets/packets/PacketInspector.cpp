@@ -222,7 +222,7 @@ PacketModel& PacketInspector::shownModel() {
 
 void PacketInspector::tick() {
   followRobot();
-  wish_.want(session(), robot_, {robotlink::kLinkPackets.name});
+  subscription_.want(session(), robot_, {robotlink::kLinkPackets.name});
   if (!pause_->isChecked()) takeNew();
   replay_->tick(session().timeline().newest());
   const auto& timeline = session().timeline();
@@ -254,10 +254,10 @@ void PacketInspector::takeNew() {
   const auto news = cursor_.take(*stream);
   if (news.restarted) live_.clear();
   for (const auto* message : news.messages) {
-    const auto* told = dynamic_cast<const robotcontrol::LinkPackets*>(message->value.get());
-    if (told == nullptr) continue;
-    dropped_ = told->dropped();
-    for (const auto& packet : told->packets()) {
+    const auto* reported = dynamic_cast<const robotcontrol::LinkPackets*>(message->value.get());
+    if (reported == nullptr) continue;
+    dropped_ = reported->dropped();
+    for (const auto& packet : reported->packets()) {
       const auto time = packet.has_timestamp() ? robotlink::instant(packet.timestamp()) : message->time;
       entries.push_back(packetEntry(time, packet.from_robot(), packet.bytes(), packet.damaged()));
     }

@@ -83,7 +83,7 @@ class PacketInspector final : public View {
   PacketModel live_, recorded_;
   PacketFilter* filter_;
   /// Requests that packets are published.
-  PackageSubscription wish_;
+  PackageSubscription subscription_;
   StreamCursor cursor_;
   std::string robot_;
   /// Generation of the store when it was last read.

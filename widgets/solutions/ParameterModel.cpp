@@ -81,12 +81,12 @@ bool ParameterModel::setParameters(const robotcontrol::ParameterValues& from) {
   }
   values->now.reset(prototype->New());
   values->standard.reset(prototype->New());
-  const bool told = from.has_defaults() && values->standard->ParseFromString(from.defaults().data());
+  const bool reported = from.has_defaults() && values->standard->ParseFromString(from.defaults().data());
   if (!values->now->ParseFromString(from.value().data())) {
     clear();
     return false;
   }
-  if (!told) values->standard->CopyFrom(*values->now);
+  if (!reported) values->standard->CopyFrom(*values->now);
   beginResetModel();
   root_ = std::make_unique<Node>();  // destroyed before the descriptors to which its paths point
   values_ = std::move(values);

@@ -50,8 +50,8 @@ std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*
 void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
   for (const TaskEntry& task : tasks) {
     firstActive_.emplace(task.name, task.active);
-    const auto wish = pending_.find(task.name);
-    if (wish != pending_.end() && wish->second == task.active) pending_.erase(wish);
+    const auto pending = pending_.find(task.name);
+    if (pending != pending_.end() && pending->second == task.active) pending_.erase(pending);
     const auto refusal = refusals_.find(task.name);
     if (refusal != refusals_.end() && refusal->second.solution == task.active) refusals_.erase(refusal);
   }
@@ -117,8 +117,8 @@ int SolutionModel::columnCount(const QModelIndex&) const {
 
 SolutionModel::Choice SolutionModel::choiceOf(const TaskEntry& task,
                                               const TaskEntry::Solution& solution) const {
-  const auto wish = pending_.find(task.name);
-  if (wish != pending_.end() && wish->second == solution.name) return Choice::kPending;
+  const auto pending = pending_.find(task.name);
+  if (pending != pending_.end() && pending->second == solution.name) return Choice::kPending;
   if (solution.name == task.active) return Choice::kActive;
   return solution.unavailable.isEmpty() ? Choice::kFree : Choice::kUnavailable;
 }
@@ -143,9 +143,10 @@ QVariant SolutionModel::taskData(const TaskEntry& task, int column, int role) co
   if (role != Qt::DisplayRole) return {};
   if (column == kName) return QString::fromStdString(task.name);
   if (column == kProcess) return QString::fromStdString(task.process);
-  const auto wish = pending_.find(task.name);
+  const auto pending = pending_.find(task.name);
   const QString active = task.active.empty() ? tr("nothing") : QString::fromStdString(task.active);
-  return wish == pending_.end() ? active : tr("%1 → %2…").arg(active, QString::fromStdString(wish->second));
+  return pending == pending_.end() ? active
+                                   : tr("%1 → %2…").arg(active, QString::fromStdString(pending->second));
 }
 
 QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,

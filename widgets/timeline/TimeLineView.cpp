@@ -194,7 +194,7 @@ OpenLogs::Log* TimeLineView::logAt(int band) {
 }
 
 void TimeLineView::chooseStream(int band, const std::string& path) {
-  if (const auto* log = logAt(band)) logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, path));
+  if (const auto* log = logAt(band)) logs_.replay().setSteppedStream(OpenLogs::sessionPath(*log, path));
 }
 
 void TimeLineView::showSteppedStream() {
@@ -202,7 +202,8 @@ void TimeLineView::showSteppedStream() {
   for (int band = 0; band < static_cast<int>(logs_.logs().size()); ++band) {
     const auto* log = logAt(band);
     for (const auto& stream : log->overview->streams) {
-      if (OpenLogs::toldAs(*log, stream.path) == stepped) return canvas_->setSteppedStream(band, stream.path);
+      if (OpenLogs::sessionPath(*log, stream.path) == stepped)
+        return canvas_->setSteppedStream(band, stream.path);
     }
   }
   canvas_->setSteppedStream(-1, {});

@@ -244,26 +244,26 @@ std::vector<arcos::Packet> PioneerDriver::takeOutgoing(Instant now) {
   return packets;
 }
 
-robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive& wish, Instant now) {
+robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive& details, Instant now) {
   if (!session_.isConnected()) {
     return robotlink::failure("drive.not-connected",
                               otherClient_.empty() ? "the robot is not connected: " + session_.describe()
                                                    : "a client at " + otherClient_ + " drives the robot now");
   }
   std::vector<arcos::Packet> packets;
-  for (const std::string& bytes : wish.packets()) {
+  for (const std::string& bytes : details.packets()) {
     auto found = packetsOf(bytes);
     if (!found) return tl::unexpected(found.error());
     packets.insert(packets.end(), found->begin(), found->end());
   }
-  if (wish.has_motors()) {
-    if (wish.motors() && held_)
+  if (details.has_motors()) {
+    if (details.motors() && held_)
       return robotlink::failure("drive.stopped", "STOP is engaged; release it first");
-    motorsWanted_ = wish.motors();
-    command(CommandId::kEnable, wish.motors() ? 1 : 0, now);
+    motorsWanted_ = details.motors();
+    command(CommandId::kEnable, details.motors() ? 1 : 0, now);
   }
-  if (wish.has_sonar()) command(CommandId::kSonar, wish.sonar() ? 1 : 0, now);
-  if (wish.reset_odometry()) packages_.resetOdometry();
+  if (details.has_sonar()) command(CommandId::kSonar, details.sonar() ? 1 : 0, now);
+  if (details.reset_odometry()) packages_.resetOdometry();
   for (const arcos::Packet& packet : packets) {
     if (auto sent = session_.send(packet, now); !sent) return sent;
   }

@@ -73,7 +73,7 @@ class PioneerDriver {
   /// Ends the connection in good order: motors off, CLOSE.
   void end(robotlink::Instant now) { session_.close(now); }
 
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish, robotlink::Instant now);
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details, robotlink::Instant now);
   /// A layout may need some of them or none: Platform::onRequest().
   std::vector<robotlink::AnySender*> senders();
   const robotlink::arcos::ClientSession& session() const { return session_; }

@@ -36,8 +36,8 @@ PlatformOpening PioneerFeed::opening(PioneerOptions options) {
     options.url = robotlink::arcos::toString(*url);
   return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
             PioneerOptions chosen = options;
-            const auto before = context.wishes.find(chosen.robot);
-            if (before != context.wishes.end()) chosen.wishes = before->second;
+            const auto before = context.overrides.find(chosen.robot);
+            if (before != context.overrides.end()) chosen.overrides = before->second;
             return create(std::move(chosen), context.session, context.recorder);
           }};
 }
@@ -52,12 +52,12 @@ tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::creat
 }
 
 PioneerRun::Listeners PioneerFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+  return {[this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.tellTrouble(robot, process, text);
+            outlet_.publishTrouble(robot, process, text);
           },
           [this](const std::string& robot, const std::string& text) {
-            if (run_) outlet_.tellText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
+            if (run_) outlet_.publishText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
           }};
 }
 
@@ -66,8 +66,8 @@ void PioneerFeed::begin() {
   due_ = Clock::now();
   if (const auto map = run_->map()) {
     const auto now = run_->clock().now();
-    outlet_.tell({robotlink::streams::kMap, now, mapMessage(*map, now)});
-    outlet_.tellMapNotes(run_->options().robot, now, *map);
+    outlet_.publish({robotlink::streams::kMap, now, mapMessage(*map, now)});
+    outlet_.publishMapNotes(run_->options().robot, now, *map);
   }
   publishStatus();
 }
@@ -83,15 +83,15 @@ robotlink::Result<void> PioneerFeed::requestRobot(const robotcontrol::Request& r
   return run_->request(request);
 }
 
-std::map<std::string, ProgramWishes> PioneerFeed::wishes() const {
-  return {{run_->options().robot, run_->wishes()}};
+std::map<std::string, ProgramOverrides> PioneerFeed::overrides() const {
+  return {{run_->options().robot, run_->overrides()}};
 }
 
 robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
   robotlink::Errors errors = run_->setLayout(file);
   if (!errors.empty()) return errors;
   for (const std::string& lost : run_->lostChoices()) {
-    outlet_.tellText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
+    outlet_.publishText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
   }
   return {};
 }
@@ -120,9 +120,9 @@ void PioneerFeed::publishStatus() {
   status->set_scene(run_->options().url);
   status->add_robots(run_->options().robot);
   if (run_->platform().stopEngaged()) status->add_stopped_robots(run_->options().robot);
-  outlet_.tell({robotlink::streams::kSimulation, now, std::move(status)});
-  outlet_.tell({robotlink::streams::kRecording, now,
-                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  outlet_.publish({robotlink::streams::kSimulation, now, std::move(status)});
+  outlet_.publish({robotlink::streams::kRecording, now,
+                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -31,7 +31,7 @@ class PioneerFeed final : public PlatformFeed {
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
   /// A robot has one client, and the other platform may want the same one.
   bool makeWay() override { return false; }
-  std::map<std::string, ProgramWishes> wishes() const override;
+  std::map<std::string, ProgramOverrides> overrides() const override;
   void connectNow() override { run_->connectNow(); }
 
  protected:

@@ -36,7 +36,7 @@ void PioneerLine::send(Bytes bytes) {
   if (open_) outgoing_.push(std::move(bytes));
 }
 
-void PioneerLine::tell(std::variant<Opened, Bytes, Lost> what) {
+void PioneerLine::report(std::variant<Opened, Bytes, Lost> what) {
   events_.push({std::move(what), clock_.now()});
 }
 
@@ -70,7 +70,7 @@ void PioneerLine::run() {
     if (auto stream = arcos::open(url_, kOpeningLimit)) {
       outgoing_.drain();
       open_ = true;
-      tell(Opened{});
+      report(Opened{});
       serve(**stream);
       open_ = false;
     } else {
@@ -85,7 +85,7 @@ void PioneerLine::serve(arcos::ByteStream& stream) {
   while (wanted()) {
     const auto count = stream.read(buffer, kReadTimeout);
     if (!count) return lose(count.error());
-    if (*count > 0) tell(Bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count)));
+    if (*count > 0) report(Bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count)));
     if (!writeWaiting(stream)) return;
   }
   writeWaiting(stream);  // What ends the connection in good order.
@@ -93,7 +93,7 @@ void PioneerLine::serve(arcos::ByteStream& stream) {
 
 void PioneerLine::lose(const robotlink::Error& why) {
   close();
-  tell(Lost{why});
+  report(Lost{why});
 }
 
 bool PioneerLine::writeWaiting(arcos::ByteStream& stream) {

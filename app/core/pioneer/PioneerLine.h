@@ -58,7 +58,7 @@ class PioneerLine {
   void serve(robotlink::arcos::ByteStream& stream);
   bool writeWaiting(robotlink::arcos::ByteStream& stream);
   void lose(const robotlink::Error& why);
-  void tell(std::variant<Opened, Bytes, Lost> what);
+  void report(std::variant<Opened, Bytes, Lost> what);
   bool waitUntilWanted();
   bool wanted();
 

@@ -30,8 +30,8 @@ class PioneerPlatform final : public robotlink::Platform {
   void engageStop(bool engaged) override;
   bool stopEngaged() const override { return stopEngaged_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override {
-    return driver_.control(wish, clock().now());
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override {
+    return driver_.control(details, clock().now());
   }
   /// Does not wait any longer before it tries to connect again.
   void connectNow() { driver_.connectNow(clock().now()); }

@@ -75,7 +75,7 @@ Errors PioneerRun::describeRobot() {
   }
   robot_ = std::make_unique<RobotHost>(
       HostedRobot{options_.robot, use->teamOf(options_.robot), *description, *field, map, fieldOfKind},
-      listeners_, tap_.get(), options_.wishes);
+      listeners_, tap_.get(), options_.overrides);
   return {};
 }
 

@@ -36,9 +36,9 @@ struct PioneerOptions {
   std::filesystem::path layout = {};  ///< empty: that of its kind
   std::filesystem::path map = {};     ///< of where it drives; empty: it knows none
   std::map<std::string, std::string> solutions =
-      {};                     ///< task -> solution at the start, instead of the layout's
-  bool motorsOn = false;      ///< as soon as it is connected
-  ProgramWishes wishes = {};  ///< what a person chose for it while it was connected before
+      {};                           ///< task -> solution at the start, instead of the layout's
+  bool motorsOn = false;            ///< as soon as it is connected
+  ProgramOverrides overrides = {};  ///< what a person chose for it while it was connected before
 };
 
 /// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its
@@ -76,7 +76,7 @@ class PioneerRun {
   const robotlink::Clock& clock() const { return clock_; }
   const PioneerPlatform& platform() const { return *platform_; }
   const HostedRobot& robot() const { return robot_->robot(); }
-  ProgramWishes wishes() const { return robot_->wishes(); }
+  ProgramOverrides overrides() const { return robot_->overrides(); }
   std::shared_ptr<const robotlink::GroundMap> map() const { return robot().map; }
 
  private:

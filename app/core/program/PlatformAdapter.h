@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/ProgramWishes.h"
+#include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Error.h"
 
 namespace logplayer {
@@ -54,7 +54,7 @@ struct PlatformContext {
   robotlink::Session& session;
   logplayer::Recorder& recorder;
   /// Where the same sources were open before: what a person chose for their robots, by the robots' names.
-  std::map<std::string, ProgramWishes> wishes = {};
+  std::map<std::string, ProgramOverrides> overrides = {};
 };
 
 /// A platform that is to be opened.

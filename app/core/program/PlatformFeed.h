@@ -83,7 +83,7 @@ class PlatformFeed {
   virtual Going going() const { return {}; }
   virtual void inheritPlayback(const Going&) {}
   /// What a person chose for the robots' programs, by the robots' names.
-  virtual std::map<std::string, ProgramWishes> wishes() const { return {}; }
+  virtual std::map<std::string, ProgramOverrides> overrides() const { return {}; }
 
   /// One that has this log beside what this one has, and goes on where this one stands. Refused where no log
   /// is open.

@@ -33,10 +33,10 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
   preview_.reset();
   // What was told to be accepted is among the wishes.
   std::deque<Open> asked = std::exchange(open_, {});
-  std::erase_if(asked, [](const Open& open) { return open.told || isOwn(open.request); });
+  std::erase_if(asked, [](const Open& open) { return open.reported || isOwn(open.request); });
   std::vector<std::string> lost;
   robotlink::RequestPreview preview(program);
-  for (Request& request : wishes_.requests(robot_)) {
+  for (Request& request : overrides_.requests(robot_)) {
     if (const std::string why = preview.add(request); why.empty()) {
       addOwn(std::move(request));
     } else if (const std::string what = choiceOf(request); !what.empty()) {
@@ -55,7 +55,7 @@ void ProgramRequests::addOwn(Request request) {
 /// So that a color that is painted or a slider that is dragged in a pause does not leave a heap of old values
 /// behind.
 bool ProgramRequests::replacesLast(const Request& request) const {
-  return !open_.empty() && open_.back().told && !open_.back().handed &&
+  return !open_.empty() && open_.back().reported && !open_.back().handed &&
          robotlink::setTheSame(open_.back().request, request);
 }
 
@@ -73,7 +73,7 @@ void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
     if (open.handed) continue;
     if (!give(open.request)) break;
     open.handed = true;
-    if (open.request.id() == 0) wishes_.note(open.request);  // Nobody will know the answer.
+    if (open.request.id() == 0) overrides_.note(open.request);  // Nobody will know the answer.
   }
   std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }
@@ -87,7 +87,8 @@ void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
       return open.request.id() == message.result().id();
     });
     if (found == open_.end()) continue;
-    if (message.result().accepted() && !found->told && !isOwn(found->request)) wishes_.note(found->request);
+    if (message.result().accepted() && !found->reported && !isOwn(found->request))
+      overrides_.note(found->request);
     open_.erase(found);
   }
 }
@@ -95,25 +96,25 @@ void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
 std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
     robotlink::RobotProgram& program, robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
-  if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.told; })) return nullptr;
+  if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.reported; })) return nullptr;
   if (!preview_) {
     preview_.emplace(program);
     for (Open& open : open_) open.previewed = false;
   }
   for (Open& open : open_) {
     if (std::exchange(open.previewed, true)) continue;
-    if (std::exchange(open.told, true)) {
+    if (std::exchange(open.reported, true)) {
       preview_->add(open.request);
     } else if (preview_->answer(open.request) && !isOwn(open.request)) {
-      wishes_.note(open.request);
+      overrides_.note(open.request);
     }
   }
   return preview_->takeQueue(now);
 }
 
-ProgramWishes ProgramRequests::wishes() const {
+ProgramOverrides ProgramRequests::overrides() const {
   const std::lock_guard lock(mutex_);
-  return wishes_;
+  return overrides_;
 }
 
 }  // namespace app

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/ProgramWishes.h"
+#include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/debugging/RequestPreview.h"
 
@@ -30,8 +30,8 @@ namespace app {
 /// runs.
 class ProgramRequests {
  public:
-  explicit ProgramRequests(std::string robot, ProgramWishes wishes = {})
-      : robot_(std::move(robot)), wishes_(std::move(wishes)) {}
+  explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {})
+      : robot_(std::move(robot)), overrides_(std::move(overrides)) {}
 
   /// A program was made that has not run yet, in the place of the one before, if there was one: hand() gives
   /// it what a person chose so far, and what was asked and not yet answered. Returns a sentence for each
@@ -50,13 +50,13 @@ class ProgramRequests {
   std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program,
                                                                 robotlink::Instant now);
 
-  ProgramWishes wishes() const;
+  ProgramOverrides overrides() const;
 
  private:
   struct Open {
     robotcontrol::Request request;
     bool handed = false;     // to the program
-    bool told = false;       // its answer, before the program gave it
+    bool reported = false;   // its answer, before the program gave it
     bool previewed = false;  // by the present preview
   };
   bool replacesLast(const robotcontrol::Request& request) const;
@@ -67,7 +67,7 @@ class ProgramRequests {
   mutable std::mutex mutex_;  // protects what follows
   std::deque<Open> open_;     // in the order in which they were asked
   std::uint64_t ownRequests_ = 0;
-  ProgramWishes wishes_;
+  ProgramOverrides overrides_;
 };
 
 }  // namespace app

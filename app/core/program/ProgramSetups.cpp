@@ -82,11 +82,11 @@ bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& tab
   return true;
 }
 
-bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& told) {
+bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& reported) {
   for (auto& values : *setup.mutable_parameters()) {
-    if (values.task() != told.task() || values.solution() != told.solution()) continue;
-    if (values.value().data() == told.value().data()) return false;
-    *values.mutable_value() = told.value();
+    if (values.task() != reported.task() || values.solution() != reported.solution()) continue;
+    if (values.value().data() == reported.value().data()) return false;
+    *values.mutable_value() = reported.value();
     return true;
   }
   return false;

@@ -66,30 +66,31 @@ void PublishGate::recordQueue(const std::string& robot,
   for (auto& frame : robotlink::framesOf(std::move(parts.messages))) record(std::move(frame));
 }
 
-void PublishGate::tell(robotlink::StreamMessage message) {
+void PublishGate::publish(robotlink::StreamMessage message) {
   pass([this, message = std::move(message)]() mutable {
     record({message});
     session_.push(std::move(message));
   });
 }
 
-void PublishGate::tellFrame(std::vector<robotlink::StreamMessage> frame) {
+void PublishGate::publishFrame(std::vector<robotlink::StreamMessage> frame) {
   pass([this, frame = std::move(frame)]() mutable {
     record(frame);
     session_.push(std::move(frame));
   });
 }
 
-void PublishGate::tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue) {
+void PublishGate::publishQueue(const std::string& robot,
+                               std::shared_ptr<const robotcontrol::DebugQueue> queue) {
   pass([this, robot, queue = std::move(queue)] {
     recordQueue(robot, queue);
     session_.pushQueue(robot, queue);
   });
 }
 
-void PublishGate::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
-                            const std::string& text) {
-  tellText(robot, source, time, foxglove::Log::ERROR, text);
+void PublishGate::publishError(const std::string& robot, const std::string& source, robotlink::Instant time,
+                               const std::string& text) {
+  publishText(robot, source, time, foxglove::Log::ERROR, text);
 }
 
 robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source,
@@ -102,20 +103,20 @@ robotlink::StreamMessage textMessage(const std::string& robot, const std::string
   return {robot + "/" + robotlink::streams::kLog, time, std::move(log)};
 }
 
-void PublishGate::tellText(const std::string& robot, const std::string& source, robotlink::Instant time,
-                           int level, const std::string& text) {
-  tell(textMessage(robot, source, time, level, text));
+void PublishGate::publishText(const std::string& robot, const std::string& source, robotlink::Instant time,
+                              int level, const std::string& text) {
+  publish(textMessage(robot, source, time, level, text));
 }
 
-void PublishGate::tellMapNotes(const std::string& robot, robotlink::Instant time,
-                               const robotlink::GroundMap& map) {
+void PublishGate::publishMapNotes(const std::string& robot, robotlink::Instant time,
+                                  const robotlink::GroundMap& map) {
   const int level = map.incomplete ? foxglove::Log::WARNING : foxglove::Log::INFO;
-  for (const std::string& note : map.notes) tellText(robot, "map", time, level, note);
+  for (const std::string& note : map.notes) publishText(robot, "map", time, level, note);
 }
 
-void PublishGate::tellTrouble(const std::string& robot, const robotlink::Process& process,
-                              const std::string& text) {
-  tellError(robot, process.name(), process.clock().now(), text);
+void PublishGate::publishTrouble(const std::string& robot, const robotlink::Process& process,
+                                 const std::string& text) {
+  publishError(robot, process.name(), process.clock().now(), text);
 }
 
 }  // namespace app

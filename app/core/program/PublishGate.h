@@ -45,20 +45,20 @@ class PublishGate {
   /// Forgets what it keeps back.
   void discard();
 
-  void tell(robotlink::StreamMessage message);
+  void publish(robotlink::StreamMessage message);
   /// What belongs together.
-  void tellFrame(std::vector<robotlink::StreamMessage> frame);
-  void tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
+  void publishFrame(std::vector<robotlink::StreamMessage> frame);
+  void publishQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
   /// In the robot's log.
-  void tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
-                 const std::string& text);
+  void publishError(const std::string& robot, const std::string& source, robotlink::Instant time,
+                    const std::string& text);
   /// `level`: a foxglove::Log::Level.
-  void tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
-                const std::string& text);
+  void publishText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                   const std::string& text);
   /// What is to be known about the map that the robot drives by, as texts.
-  void tellMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
+  void publishMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
   /// That something is wrong with a process.
-  void tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
+  void publishTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 
  private:
   void pass(std::function<void()> push);

@@ -55,7 +55,7 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
 }
 
 /// Whether something in it is to be known also while nothing is recorded.
-bool tellsWhatHolds(const DebugQueue& queue) {
+bool recordsLatched(const DebugQueue& queue) {
   return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
     return message.has_keys() || message.has_solutions() || message.has_processes() ||
            message.has_parameters();
@@ -70,7 +70,7 @@ struct RecordingTap::Robot {
   robotlink::RobotProgram* program = nullptr;
   std::set<std::string> asked;  // packages that the program tells
   std::shared_ptr<TappedFrame> sensors = std::make_shared<TappedFrame>();
-  std::shared_ptr<TappedFrame> wishes = std::make_shared<TappedFrame>();  // of the debug process
+  std::shared_ptr<TappedFrame> overrides = std::make_shared<TappedFrame>();  // of the debug process
 
   // The debug process's thread.
   robotcontrol::ProgramSetup setup;
@@ -106,16 +106,16 @@ void RecordingTap::attach(const std::string& name, robotlink::Platform& platform
   robot->program = &program;
   robot->setup = std::move(setup);
   robot->lastTime = platform.clock().now();
-  robot->sensors->robot = robot->wishes->robot = name;
+  robot->sensors->robot = robot->overrides->robot = name;
   robot->sensors->process = kPlatform;
-  robot->wishes->process = program.debugProcess().name();
+  robot->overrides->process = program.debugProcess().name();
   if (const Robot* before = find(name); before != nullptr && before->platform == &platform) {
     robot->sensors = before->sensors;
     std::erase_if(robots_, [&](const auto& other) { return other->name == name; });
   } else {
     tapSenders(platform, robot->sensors, recorder_);
   }
-  tapSenders(program.debugProcess(), robot->wishes, recorder_);
+  tapSenders(program.debugProcess(), robot->overrides, recorder_);
   robot->asked = robot->wanted(recorder_);
   program.recordPackages(robot->asked);
   recorder_.forget(name);
@@ -165,18 +165,18 @@ void RecordingTap::add(const std::string& name, const std::shared_ptr<const Debu
   if (robot == nullptr) return;
   bool setupChanged = false;
   for (const DebugMessage& message : queue->messages()) setupChanged |= follow(robot->setup, message);
-  const bool own = queue->process() == robot->wishes->process;
-  if (recorder_.active() || tellsWhatHolds(*queue) || (own && !robot->wishes->messages.empty())) {
+  const bool own = queue->process() == robot->overrides->process;
+  if (recorder_.active() || recordsLatched(*queue) || (own && !robot->overrides->messages.empty())) {
     auto parts = robotlink::messagesOf(name, queue, robot->lastTime, robotlink::QueueReader::kRecorder);
     if (!parts.messages.empty()) robot->lastTime = parts.messages.back().time;
     for (std::vector<StreamMessage>& frame : robotlink::framesOf(std::move(parts.messages))) {
       std::erase_if(frame, [robot](const StreamMessage& message) {
-        return robot->sensors->paths.contains(message.path) || robot->wishes->paths.contains(message.path);
+        return robot->sensors->paths.contains(message.path) || robot->overrides->paths.contains(message.path);
       });
       if (own && !frame.empty()) {  // What was sent in this frame was so before its end.
-        auto wishes = std::exchange(robot->wishes->messages, {});
-        frame.insert(frame.end() - 1, std::make_move_iterator(wishes.begin()),
-                     std::make_move_iterator(wishes.end()));
+        auto overrides = std::exchange(robot->overrides->messages, {});
+        frame.insert(frame.end() - 1, std::make_move_iterator(overrides.begin()),
+                     std::make_move_iterator(overrides.end()));
       }
       recorder_.add(std::move(frame));
     }

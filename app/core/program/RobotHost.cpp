@@ -36,11 +36,11 @@ RobotHost::Candidate::Candidate(Candidate&&) noexcept = default;
 RobotHost::Candidate& RobotHost::Candidate::operator=(Candidate&&) noexcept = default;
 RobotHost::Candidate::~Candidate() = default;
 
-RobotHost::RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramWishes wishes)
+RobotHost::RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramOverrides overrides)
     : robot_(std::move(robot)),
       listeners_(std::move(listeners)),
       tap_(tap),
-      requests_(robot_.name, std::move(wishes)) {}
+      requests_(robot_.name, std::move(overrides)) {}
 
 RobotHost::~RobotHost() {
   stop();

@@ -68,7 +68,7 @@ class RobotHost {
   };
 
   /// `tap` may be null: nothing is recorded. `wishes`: what a person chose for this robot before.
-  RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramWishes wishes = {});
+  RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramOverrides overrides = {});
   ~RobotHost();
   RobotHost(const RobotHost&) = delete;
   RobotHost& operator=(const RobotHost&) = delete;
@@ -103,7 +103,7 @@ class RobotHost {
   /// The answers that the program will give in its next frames, if they were not given yet; null: there are
   /// none. Only in lockstep.
   std::shared_ptr<const robotcontrol::DebugQueue> answersToCome();
-  ProgramWishes wishes() const { return requests_.wishes(); }
+  ProgramOverrides overrides() const { return requests_.overrides(); }
 
   /// Whether the process is one of its program's or its platform.
   bool owns(const robotlink::Process& process) const;

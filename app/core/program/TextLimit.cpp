@@ -13,14 +13,14 @@ bool TextLimit::admit(RealTime now) {
     tokens_ -= 1;
     return true;
   }
-  if (suppressed_++ == told_) counted_ = now;
+  if (suppressed_++ == reported_) counted_ = now;
   return false;
 }
 
 std::uint64_t TextLimit::takeSuppressed(RealTime now) {
-  if (suppressed_ == told_ || now - counted_ < std::chrono::seconds(1)) return 0;
-  const std::uint64_t count = suppressed_ - told_;
-  told_ = suppressed_;
+  if (suppressed_ == reported_ || now - counted_ < std::chrono::seconds(1)) return 0;
+  const std::uint64_t count = suppressed_ - reported_;
+  reported_ = suppressed_;
   return count;
 }
 

@@ -25,7 +25,7 @@ class TextLimit {
   double tokens_ = kBurst;
   RealTime refilled_;
   RealTime counted_;  ///< when the first text was suppressed of those that are not yet told
-  std::uint64_t suppressed_ = 0, told_ = 0;
+  std::uint64_t suppressed_ = 0, reported_ = 0;
 };
 
 }  // namespace app

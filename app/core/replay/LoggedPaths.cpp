@@ -42,10 +42,10 @@ LoggedPaths::LoggedPaths(const ReplayPlan& plan) {
   }
 }
 
-bool LoggedPaths::isToldAnew(const std::string& path, const google::protobuf::Message& value) const {
+bool LoggedPaths::isRecomputed(const std::string& path, const google::protobuf::Message& value) const {
   if (path == streams::kLog) {
     const auto* text = dynamic_cast<const foxglove::Log*>(&value);
-    return text != nullptr && textIsToldAnew(text->name());
+    return text != nullptr && isRecomputedText(text->name());
   }
   const auto [known, isNew] = known_.try_emplace(path, false);
   if (isNew) known->second = decide(path);
@@ -61,7 +61,7 @@ bool LoggedPaths::decide(const std::string& path) const {
   if (recomputed_.contains(path)) return true;
   for (const char* prefix : {streams::kImages, streams::kImageDrawings, streams::kFieldDrawings,
                              streams::kRobotDrawings, streams::kPlots}) {
-    if (const std::string key = below(path, prefix); !key.empty()) return keyIsToldAnew(key);
+    if (const std::string key = below(path, prefix); !key.empty()) return isRecomputedKey(key);
   }
   for (const char* prefix : {streams::kFrames, streams::kStopwatches, "tables/keys/", "tables/solutions/"}) {
     if (const std::string process = below(path, prefix); !process.empty()) return runs(process);
@@ -71,7 +71,7 @@ bool LoggedPaths::decide(const std::string& path) const {
 }
 
 /// A plot's curve follows its key.
-bool LoggedPaths::keyIsToldAnew(std::string key) const {
+bool LoggedPaths::isRecomputedKey(std::string key) const {
   while (!keys_.contains(key)) {
     const auto slash = key.rfind('/');
     if (slash == std::string::npos) return false;
@@ -81,7 +81,7 @@ bool LoggedPaths::keyIsToldAnew(std::string key) const {
 }
 
 /// `source`: "<process>/<task>", or something else of the process.
-bool LoggedPaths::textIsToldAnew(const std::string& source) const {
+bool LoggedPaths::isRecomputedText(const std::string& source) const {
   const auto slash = source.find('/');
   const std::string teller = slash == std::string::npos ? "" : source.substr(slash + 1);
   const auto& all = robotlink::SolutionRegistry::all();

@@ -19,14 +19,14 @@ class LoggedPaths {
   explicit LoggedPaths(const ReplayPlan& plan);
 
   /// `path`: below the robot. Only texts are looked into.
-  bool isToldAnew(const std::string& path, const google::protobuf::Message& value) const;
+  bool isRecomputed(const std::string& path, const google::protobuf::Message& value) const;
   /// The process runs again: its frames are counted anew.
   bool runs(const std::string& process) const { return processes_.contains(process); }
 
  private:
   bool decide(const std::string& path) const;
-  bool keyIsToldAnew(std::string key) const;
-  bool textIsToldAnew(const std::string& source) const;
+  bool isRecomputedKey(std::string key) const;
+  bool isRecomputedText(const std::string& source) const;
 
   std::set<std::string> tasks_;  // that run
   std::set<std::string> processes_;

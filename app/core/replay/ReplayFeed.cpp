@@ -73,10 +73,10 @@ Instant ReplayFeed::firstImage() const {
 }
 
 ReplayRun::Listeners ReplayFeed::listeners() {
-  return {[this](std::vector<robotlink::StreamMessage> frame) { outlet_.tellFrame(std::move(frame)); },
-          [this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+  return {[this](std::vector<robotlink::StreamMessage> frame) { outlet_.publishFrame(std::move(frame)); },
+          [this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.tellError(robot, process.name(), run_ ? run_->now() : process.clock().now(), text);
+            outlet_.publishError(robot, process.name(), run_ ? run_->now() : process.clock().now(), text);
           }};
 }
 
@@ -97,7 +97,7 @@ ReplayOptions ReplayFeed::options() const {
   for (const auto& package : status.packages()) {
     if (package.chosen()) options.packages[package.package()] = package.source();
   }
-  options.wishes = run_->wishes();
+  options.overrides = run_->overrides();
   return options;
 }
 
@@ -106,7 +106,7 @@ void ReplayFeed::begin() {
   publishStatus();
 }
 
-Errors ReplayFeed::tellAnew(const Change& change) {
+Errors ReplayFeed::republish(const Change& change) {
   outlet_.close();
   Errors errors = change();
   if (!errors.empty()) {
@@ -124,7 +124,7 @@ Errors ReplayFeed::tellAnew(const Change& change) {
 }
 
 Result<void> ReplayFeed::changed(const Change& change) {
-  const Errors errors = tellAnew(change);
+  const Errors errors = republish(change);
   if (errors.empty()) return {};
   return tl::unexpected(errors.front());
 }
@@ -156,7 +156,7 @@ std::optional<PacedThread::Clock::time_point> ReplayFeed::due() {
 void ReplayFeed::step() {
   const auto real = Clock::now();
   if (stale_ && !playback_.playing()) {
-    tellFailure(jump(run_->now()));
+    publishFailure(jump(run_->now()));
     return;
   }
   const auto next = playback_.next(place());
@@ -168,7 +168,7 @@ void ReplayFeed::step() {
         stale_ = false;
         break;
       case Playback::Next::What::kJump:
-        tellFailure(jump(next->to));
+        publishFailure(jump(next->to));
         break;
       case Playback::Next::What::kPause:
         playback_.pause();
@@ -179,19 +179,19 @@ void ReplayFeed::step() {
   if (real - lastStatus_ >= kReplayStatusEvery) publishStatus();
 }
 
-void ReplayFeed::tellFailure(const Result<void>& done) {
+void ReplayFeed::publishFailure(const Result<void>& done) {
   if (done) return;
   playback_.pause();
   stale_ = false;
   const std::string& process = run_->stepProcess();
   const auto slash = std::min(process.find('/'), process.size());
-  outlet_.tellError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())),
-                    run_->now(), "The log is paused: " + done.error().describe());
+  outlet_.publishError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())),
+                       run_->now(), "The log is paused: " + done.error().describe());
   publishStatus();
 }
 
 Errors ReplayFeed::setLayout(const std::filesystem::path& file) {
-  return tellAnew([&] { return run_->setLayout(file); });
+  return republish([&] { return run_->setLayout(file); });
 }
 
 LoadedPlatform ReplayFeed::describe() const {
@@ -225,9 +225,9 @@ void ReplayFeed::publishStatus() {
     status->mutable_range()->set_from(range->from.time_since_epoch().count());
     status->mutable_range()->set_to(range->to.time_since_epoch().count());
   }
-  outlet_.tell({robotlink::streams::kReplay, run_->now(), std::move(status)});
-  outlet_.tell({robotlink::streams::kRecording, run_->now(),
-                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  outlet_.publish({robotlink::streams::kReplay, run_->now(), std::move(status)});
+  outlet_.publish({robotlink::streams::kRecording, run_->now(),
+                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

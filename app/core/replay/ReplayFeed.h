@@ -61,9 +61,9 @@ class ReplayFeed final : public PlatformFeed {
   Playback::Place place() const;
   robotlink::Instant firstImage() const;
   /// That something failed for which nobody asked just now; it is paused.
-  void tellFailure(const robotlink::Result<void>& done);
+  void publishFailure(const robotlink::Result<void>& done);
   /// What the change tells takes the place of all that was told; if it fails, that stays.
-  robotlink::Errors tellAnew(const Change& change);
+  robotlink::Errors republish(const Change& change);
   robotlink::Result<void> changed(const Change& change);
   robotlink::Result<void> jump(robotlink::Instant time);
   robotlink::Result<void> goTo(robotlink::Instant time);

@@ -37,8 +37,9 @@ std::string listed(const std::set<std::string>& texts) {
 
 class Planner {
  public:
-  Planner(ReplayWishes wishes, const TaskCatalog& catalog) : wishes_(std::move(wishes)), catalog_(catalog) {
-    plan_.layout = wishes_.layout;
+  Planner(ReplaySelection selection, const TaskCatalog& catalog)
+      : selection_(std::move(selection)), catalog_(catalog) {
+    plan_.layout = selection_.layout;
   }
 
   tl::expected<ReplayPlan, Errors> make() {
@@ -70,7 +71,7 @@ class Planner {
   bool isRead(const std::string& package, const Layout::Process& by) const;
   std::string paceOf(const Layout::Process& process) const;
 
-  ReplayWishes wishes_;
+  ReplaySelection selection_;
   const TaskCatalog& catalog_;
   ReplayPlan plan_;
   std::set<std::string> obtainable_;  // logged, or yielded by a task that could run if it were chosen
@@ -81,11 +82,11 @@ class Planner {
 // ---- Packages
 
 void Planner::findObtainable() {
-  obtainable_ = wishes_.logged;
-  obtainable_.insert(wishes_.debugOffers.begin(), wishes_.debugOffers.end());
+  obtainable_ = selection_.logged;
+  obtainable_.insert(selection_.debugOffers.begin(), selection_.debugOffers.end());
   for (std::size_t before = 0; before != obtainable_.size();) {
     before = obtainable_.size();
-    for (const Layout::Process& process : wishes_.layout.processes) {
+    for (const Layout::Process& process : selection_.layout.processes) {
       for (const Layout::Task& task : process.tasks) {
         const TaskCatalog::Task* known = catalog_.find(task.task);
         if (known == nullptr) continue;
@@ -106,22 +107,22 @@ const std::string* Planner::missing(const TaskCatalog::Solution& solution) const
 }
 
 void Planner::listPackages() {
-  std::set<std::string> names = wishes_.logged;
-  for (const Layout::Process& process : wishes_.layout.processes) {
+  std::set<std::string> names = selection_.logged;
+  for (const Layout::Process& process : selection_.layout.processes) {
     for (const Layout::Task& task : process.tasks) names.merge(outputsOf(catalog_.find(task.task)));
   }
   for (const std::string& name : names) {
     ReplayPlan::Package package;
     package.name = name;
-    package.logged = wishes_.logged.contains(name);
-    package.whyNot = "no task of layout " + wishes_.layout.name + " yields it";
+    package.logged = selection_.logged.contains(name);
+    package.whyNot = "no task of layout " + selection_.layout.name + " yields it";
     describeProducer(package);
     plan_.packages.push_back(std::move(package));
   }
 }
 
 void Planner::describeProducer(ReplayPlan::Package& package) const {
-  for (const Layout::Process& process : wishes_.layout.processes) {
+  for (const Layout::Process& process : selection_.layout.processes) {
     for (const Layout::Task& task : process.tasks) {
       const TaskCatalog::Task* known = catalog_.find(task.task);
       if (!outputsOf(known).contains(package.name)) continue;
@@ -142,10 +143,10 @@ void Planner::describeProducer(ReplayPlan::Package& package) const {
 
 void Planner::choose() {
   for (ReplayPlan::Package& package : plan_.packages) {
-    const auto wish = wishes_.packages.find(package.name);
-    const auto source = wish == wishes_.packages.end() ? ControlReplay::AUTOMATIC : wish->second;
+    const auto choice = selection_.packages.find(package.name);
+    const auto source = choice == selection_.packages.end() ? ControlReplay::AUTOMATIC : choice->second;
     package.chosen = source != ControlReplay::AUTOMATIC;
-    const bool recomputed = !package.logged || (wishes_.recomputeAll && package.canRecompute);
+    const bool recomputed = !package.logged || (selection_.recomputeAll && package.canRecompute);
     package.source = recomputed ? ControlReplay::RECOMPUTED : ControlReplay::AS_LOGGED;
     if (source == ControlReplay::RECOMPUTED && !package.canRecompute) {
       errors_.push_back({"replay.cannot-recompute",
@@ -158,11 +159,11 @@ void Planner::choose() {
       package.source = source;
     }
   }
-  for (const auto& [name, source] : wishes_.packages) {
+  for (const auto& [name, source] : selection_.packages) {
     if (source == ControlReplay::AUTOMATIC || plan_.find(name) != nullptr) continue;
     errors_.push_back(
         {"replay.no-package",
-         "there is no package " + name + ", neither in the log nor of layout " + wishes_.layout.name,
+         "there is no package " + name + ", neither in the log nor of layout " + selection_.layout.name,
          {name},
          {}});
   }
@@ -174,7 +175,7 @@ void Planner::replaceTasks() {
   for (const auto& package : plan_.packages) {
     if (package.source == ControlReplay::AS_LOGGED) platform_.offers.push_back(package.name);
   }
-  platform_.debugOffers = wishes_.debugOffers;
+  platform_.debugOffers = selection_.debugOffers;
   for (Layout::Process& process : plan_.layout.processes) {
     std::erase_if(process.tasks, [&](const Layout::Task& task) {
       std::set<std::string> replaced;
@@ -218,7 +219,8 @@ bool Planner::removeOneUnavailable() {
 std::string Planner::makeAvailable(Layout::Task& task) {
   const auto reasonOf = [&](const std::string& solution) {
     constexpr std::string_view kPrefix = "unavailable because ";
-    if (const auto broken = wishes_.broken.find({task.task, solution}); broken != wishes_.broken.end()) {
+    if (const auto broken = selection_.broken.find({task.task, solution});
+        broken != selection_.broken.end()) {
       return broken->second;
     }
     const std::string reason = unavailability(plan_.layout, catalog_, platform_, task.task, solution);
@@ -226,7 +228,7 @@ std::string Planner::makeAvailable(Layout::Task& task) {
   };
   const TaskCatalog::Task* known = catalog_.find(task.task);
   const bool misspelled = catalog_.find(task.task, task.solution) == nullptr;
-  if (misspelled && !wishes_.fromLog) return {};  // for the check of the layout to say
+  if (misspelled && !selection_.fromLog) return {};  // for the check of the layout to say
   if (known == nullptr) return "this program has no such task";
   const std::string reason = misspelled ? "this program has no such solution" : reasonOf(task.solution);
   if (reason.empty()) return {};
@@ -326,8 +328,8 @@ bool ReplayPlan::isAsLogged(const std::string& package) const {
   return found != nullptr && found->source == ControlReplay::AS_LOGGED;
 }
 
-tl::expected<ReplayPlan, Errors> planReplay(ReplayWishes wishes, const TaskCatalog& catalog) {
-  return Planner(std::move(wishes), catalog).make();
+tl::expected<ReplayPlan, Errors> planReplay(ReplaySelection selection, const TaskCatalog& catalog) {
+  return Planner(std::move(selection), catalog).make();
 }
 
 }  // namespace app

@@ -13,7 +13,7 @@
 namespace app {
 
 /// What shall run on a log.
-struct ReplayWishes {
+struct ReplaySelection {
   robotlink::Layout layout;              ///< whole, with the solutions that are wished for
   std::set<std::string> logged;          ///< packages that the log holds
   std::vector<std::string> debugOffers;  ///< packages that the debug process offers
@@ -57,7 +57,7 @@ struct ReplayPlan {
 };
 
 /// Fails if a package cannot be had as a person chose, or if what is left of the layout cannot be run.
-tl::expected<ReplayPlan, robotlink::Errors> planReplay(ReplayWishes wishes,
+tl::expected<ReplayPlan, robotlink::Errors> planReplay(ReplaySelection selection,
                                                        const robotlink::TaskCatalog& catalog);
 
 }  // namespace app

@@ -89,14 +89,14 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   auto logged = loggedSetupAt(time);
   auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
   if (!setup) return setup.error();
-  const auto& solutions = choices_.wishes.solutions();
+  const auto& solutions = choices_.overrides.solutions();
   for (auto& process : setup->layout.processes) {
     for (auto& task : process.tasks) {
       const auto chosen = solutions.find(task.task);
       if (chosen != solutions.end()) task.choose(chosen->second);
     }
   }
-  for (const auto& [solution, values] : choices_.wishes.parameters())
+  for (const auto& [solution, values] : choices_.overrides.parameters())
     setup->parameters.recorded.push_back(values);
   if (setup->team.empty()) setup->team = setup->use.teamOf(logName_);
   setup->map = loggedMapAt(time);
@@ -145,7 +145,7 @@ Errors ReplayRobot::playOnly(const Errors& why) {
 
 std::vector<std::string> ReplayRobot::lostChoices() const {
   std::vector<std::string> lost;
-  for (const auto& [task, solution] : choices_.wishes.solutions()) {
+  for (const auto& [task, solution] : choices_.overrides.solutions()) {
     const auto uses = [&wanted = task, &choice = solution](const auto& process) {
       return std::any_of(process.tasks.begin(), process.tasks.end(),
                          [&](const auto& own) { return own.task == wanted && own.solution == choice; });
@@ -158,22 +158,22 @@ std::vector<std::string> ReplayRobot::lostChoices() const {
   return lost;
 }
 
-ReplayWishes ReplayRobot::wishes() const {
-  ReplayWishes wishes;
-  wishes.layout = setup_->layout;
-  wishes.fromLog = setup_->layoutFromLog;
-  wishes.logged = logged_;
-  wishes.debugOffers = robotlink::debugPackages();
-  wishes.packages = choices_.packages;
-  wishes.recomputeAll = choices_.recomputeAll;
-  return wishes;
+ReplaySelection ReplayRobot::overrides() const {
+  ReplaySelection overrides;
+  overrides.layout = setup_->layout;
+  overrides.fromLog = setup_->layoutFromLog;
+  overrides.logged = logged_;
+  overrides.debugOffers = robotlink::debugPackages();
+  overrides.packages = choices_.packages;
+  overrides.recomputeAll = choices_.recomputeAll;
+  return overrides;
 }
 
 /// A solution that cannot be made here, say because the robot lacks a joint, counts as unavailable.
 Errors ReplayRobot::makeProgram() {
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
-  for (ReplayWishes wished = wishes();;) {
-    auto plan = planReplay(wished, catalog);
+  for (ReplaySelection requested = overrides();;) {
+    auto plan = planReplay(requested, catalog);
     if (!plan) return plan.error();
     auto program = programFor(*plan);
     if (program) {
@@ -186,12 +186,12 @@ Errors ReplayRobot::makeProgram() {
       for (const auto& [id, request] : unanswered_) program_->program->debugProcess().request(request);
       return {};
     }
-    const std::size_t before = wished.broken.size();
+    const std::size_t before = requested.broken.size();
     for (const robotlink::Error& error : program.error()) {
       if (error.id != "solution.broken" || error.arguments.size() != 3) continue;
-      wished.broken.emplace(std::pair(error.arguments[0], error.arguments[1]), error.arguments[2]);
+      requested.broken.emplace(std::pair(error.arguments[0], error.arguments[1]), error.arguments[2]);
     }
-    if (wished.broken.size() == before) return program.error();
+    if (requested.broken.size() == before) return program.error();
   }
 }
 
@@ -217,10 +217,10 @@ tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::program
   auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
   if (!program) return tl::unexpected(program.error());
   made->program = std::move(*program);
-  made->program->setKeys(choices_.wishes.keys());
-  const auto& wished = choices_.wishes.recordedPackages();
-  std::set<std::string> recorded(wished.begin(), wished.end());
-  if (choices_.tellPackages) {
+  made->program->setKeys(choices_.overrides.keys());
+  const auto& requested = choices_.overrides.recordedPackages();
+  std::set<std::string> recorded(requested.begin(), requested.end());
+  if (choices_.publishAllPackages) {
     const auto yielded = made->program->yieldedPackages();
     recorded.insert(yielded.begin(), yielded.end());
   }
@@ -289,7 +289,7 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
     program_->program->debugProcess().offer(
         own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table)) : message->value);
   }
-  if (const auto& table = choices_.wishes.colorTable()) program_->program->debugProcess().offer(table);
+  if (const auto& table = choices_.overrides.colorTable()) program_->program->debugProcess().offer(table);
 }
 
 }  // namespace app

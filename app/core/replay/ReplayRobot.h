@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/program/ProgramWishes.h"
+#include "app/core/program/ProgramOverrides.h"
 #include "app/core/replay/LoggedPaths.h"
 #include "app/core/replay/PackageDifferences.h"
 #include "app/core/replay/ReplayPlan.h"
@@ -28,10 +28,10 @@ namespace app {
 /// What a person chose for a robot of a log; it outlives the programs that are made of it.
 struct ReplayChoices {
   std::filesystem::path layout;  ///< empty: the log's
-  ProgramWishes wishes;          ///< against the layout and the log
+  ProgramOverrides overrides;    ///< against the layout and the log
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
-  bool recomputeAll = false;  ///< of what `packages` does not name
-  bool tellPackages = false;  ///< all are told so
+  bool recomputeAll = false;        ///< of what `packages` does not name
+  bool publishAllPackages = false;  ///< all are told so
 };
 
 /// One robot of a log with the program that runs on what the log holds. All times are those of the log, so
@@ -74,7 +74,7 @@ class ReplayRobot {
   /// Runs the program over what was taken.
   void run();
   /// Where and as what a message of the log is told beside this program.
-  robotlink::StreamMessage told(robotlink::StreamMessage message) const;
+  robotlink::StreamMessage published(robotlink::StreamMessage message) const;
 
   robotlink::Result<void> request(const robotcontrol::Request& request);
 
@@ -90,7 +90,7 @@ class ReplayRobot {
   robotlink::Errors readSetupAt(robotlink::Instant time);
   robotlink::Errors makeProgram();
   robotlink::Errors playOnly(const robotlink::Errors& why);
-  ReplayWishes wishes() const;
+  ReplaySelection overrides() const;
   tl::expected<std::unique_ptr<Program>, robotlink::Errors> programFor(const ReplayPlan& plan);
   std::vector<logplayer::LogPlatform::Package> platformPackages(const ReplayPlan& plan) const;
   void describeProgram(const Program& program);
@@ -100,7 +100,7 @@ class ReplayRobot {
   std::string below(const std::string& path) const { return path.substr(logName_.size() + 1); }
   void takePackage(const std::string& package, const robotlink::StreamMessage& message);
   void takeRequest(const robotcontrol::Request& request);
-  void takeWish(const google::protobuf::Message& package);
+  void takeRequest(const google::protobuf::Message& package);
   bool hasRequests() const { return streams_.contains(robotlink::streams::kRequests); }
   bool takeSetup(const robotcontrol::ProgramSetup& setup, robotlink::Instant now);
   bool debugProcessRan(const std::vector<robotlink::StreamMessage>& messages) const;

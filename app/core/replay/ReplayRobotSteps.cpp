@@ -61,7 +61,7 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
     if (logged_.contains(path) && !startedAnew) takePackage(path, message);
     const auto* request = dynamic_cast<const Request*>(message.value.get());
     if (request != nullptr && path == streams::kRequests) takeRequest(*request);
-    if (!hasRequests() && robotlink::isDebugPackage(path)) takeWish(*message.value);
+    if (!hasRequests() && robotlink::isDebugPackage(path)) takeRequest(*message.value);
   }
   // As late as then: the debug process here runs at every instant, so that what programs tell is heard at
   // once.
@@ -100,15 +100,15 @@ void ReplayRobot::takeRequest(const Request& request) {
   bool counts = false;
   if (request.has_select_solution()) {
     const std::string& task = request.select_solution().task();
-    counts = plan_.runs(task) && !choices_.wishes.solutions().contains(task);
+    counts = plan_.runs(task) && !choices_.overrides.solutions().contains(task);
   } else if (request.has_set_parameters()) {
-    const auto& wish = request.set_parameters();
-    counts =
-        plan_.runs(wish.task()) && !choices_.wishes.parameters().contains({wish.task(), wish.solution()});
+    const auto& details = request.set_parameters();
+    counts = plan_.runs(details.task()) &&
+             !choices_.overrides.parameters().contains({details.task(), details.solution()});
   } else if (request.has_motion() || request.has_set_goal()) {
     counts = true;
   } else if (request.has_set_color_table()) {
-    counts = choices_.wishes.colorTable() == nullptr;
+    counts = choices_.overrides.colorTable() == nullptr;
   }
   if (!counts) return;
   due_.push_back(request);
@@ -120,7 +120,7 @@ void ReplayRobot::takeRequest(const Request& request) {
 }
 
 /// A log may hold what the debug process sent, but not who asked for it.
-void ReplayRobot::takeWish(const google::protobuf::Message& package) {
+void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
   Request request;
   if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
     *request.mutable_motion() = *motion;
@@ -142,9 +142,9 @@ void ReplayRobot::run() {
   }
 }
 
-StreamMessage ReplayRobot::told(StreamMessage message) const {
+StreamMessage ReplayRobot::published(StreamMessage message) const {
   const std::string path = below(message.path);
-  const bool anew = paths_.isToldAnew(path, *message.value);
+  const bool anew = paths_.isRecomputed(path, *message.value);
   message.path = name_ + "/" + (anew ? streams::kLogged : "") + path;
   // The process counts other frames here; drawings are told apart by their times.
   if (!anew && paths_.runs(message.process)) message.frame = 0;
@@ -179,7 +179,7 @@ bool ReplayRobot::isAvailable(const std::string& task, const std::string& soluti
 void ReplayRobot::remember(const Request& request) {
   const auto& solution = request.select_solution();
   if (request.has_select_solution() && !isAvailable(solution.task(), solution.solution())) return;
-  if (!choices_.wishes.note(request)) return;
+  if (!choices_.overrides.note(request)) return;
   if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
 }
 

@@ -73,14 +73,14 @@ Errors ReplayRun::Implementation::open() {
   }
   bool hasWorld = false;
   for (std::size_t i = 0; i < options.logs.size(); ++i) {
-    LogFile::Options wishes;
+    LogFile::Options overrides;
     if (options.progress) {
       const double count = static_cast<double>(options.logs.size());
-      wishes.progress = [this, i, count](double share) {
+      overrides.progress = [this, i, count](double share) {
         return options.progress((static_cast<double>(i) + share) / count);
       };
     }
-    auto file = LogFile::open(options.logs[i].file, std::move(wishes));
+    auto file = LogFile::open(options.logs[i].file, std::move(overrides));
     if (!file) return {file.error()};
     options.logs[i].offset = offsetOf(options.logs[i], **file);
     auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
@@ -110,12 +110,12 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     const std::string name = freeName(logName);
     ReplayChoices choices;
     choices.layout = options.layout;
-    if (const auto before = options.wishes.find(name); before != options.wishes.end())
-      choices.wishes = before->second;
-    for (const auto& [task, solution] : options.solutions) choices.wishes.chooseSolution(task, solution);
-    if (colorTable) choices.wishes.chooseColorTable(colorTable);
+    if (const auto before = options.overrides.find(name); before != options.overrides.end())
+      choices.overrides = before->second;
+    for (const auto& [task, solution] : options.solutions) choices.overrides.chooseSolution(task, solution);
+    if (colorTable) choices.overrides.chooseColorTable(colorTable);
     choices.recomputeAll = options.recomputeAll;
-    choices.tellPackages = options.tellPackages;
+    choices.publishAllPackages = options.publishAllPackages;
     for (const std::string& prefix : {std::string("*/"), name + "/"}) {
       for (const auto& [package, choice] : options.packages) {
         if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;
@@ -151,7 +151,7 @@ bool ReplayRun::Implementation::step() {
     if (source->reader.nextTime() != logTime) continue;
     const std::vector<StreamMessage> messages = source->reader.next();
     give(*source, logTime, messages);
-    tell(*source, messages);
+    publish(*source, messages);
     for (const auto& robot : source->robots) robot->run();
   }
   return true;
@@ -165,19 +165,19 @@ void ReplayRun::Implementation::give(Source& source, Instant logTime,
   for (const auto& [logName, robot] : source.byLogName) robot->take(logTime, byRobot[logName]);
 }
 
-std::optional<StreamMessage> ReplayRun::Implementation::told(Source& source,
-                                                             const StreamMessage& message) const {
+std::optional<StreamMessage> ReplayRun::Implementation::published(Source& source,
+                                                                  const StreamMessage& message) const {
   const auto robot = source.byLogName.find(robotOf(message.path));
-  if (robot == source.byLogName.end() && !source.tellsWorld) return std::nullopt;
-  StreamMessage result = robot == source.byLogName.end() ? message : robot->second->told(message);
+  if (robot == source.byLogName.end() && !source.publishesWorld) return std::nullopt;
+  StreamMessage result = robot == source.byLogName.end() ? message : robot->second->published(message);
   result.time = source.onLine(result.time);
   return result;
 }
 
-void ReplayRun::Implementation::tell(Source& source, const std::vector<StreamMessage>& messages) {
+void ReplayRun::Implementation::publish(Source& source, const std::vector<StreamMessage>& messages) {
   std::vector<StreamMessage> all = std::exchange(notes, {});
   for (const StreamMessage& message : messages) {
-    if (auto shown = told(source, message)) all.push_back(std::move(*shown));
+    if (auto shown = published(source, message)) all.push_back(std::move(*shown));
   }
   if (!all.empty() && listeners.logged) listeners.logged(std::move(all));
 }
@@ -190,7 +190,7 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
     return;
   }
   const auto reader =
-      options.tellPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
+      options.publishAllPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
   auto taken = robotlink::messagesOf(robot, shown, now, reader);
   for (StreamMessage& message : taken.messages) {
     if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
@@ -237,7 +237,7 @@ Errors ReplayRun::Implementation::jump(Instant time) {
   for (const auto& source : sources) {
     const Instant logTime = source->inLog(time);
     for (const StreamMessage& message : source->reader.past(logTime - options.preroll, logTime)) {
-      if (auto shown = told(*source, message)) messages.push_back(std::move(*shown));
+      if (auto shown = published(*source, message)) messages.push_back(std::move(*shown));
     }
   }
   for (auto& [path, message] : newest) messages.push_back(std::move(message));
@@ -378,10 +378,10 @@ robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request)
   return robot->request(request);
 }
 
-std::map<std::string, ProgramWishes> ReplayRun::wishes() const {
-  std::map<std::string, ProgramWishes> all;
+std::map<std::string, ProgramOverrides> ReplayRun::overrides() const {
+  std::map<std::string, ProgramOverrides> all;
   for (const auto& source : implementation_->sources) {
-    for (const auto& robot : source->robots) all[robot->name()] = robot->choices().wishes;
+    for (const auto& robot : source->robots) all[robot->name()] = robot->choices().overrides;
   }
   return all;
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/ProgramWishes.h"
+#include "app/core/program/ProgramOverrides.h"
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
@@ -41,14 +41,14 @@ struct ReplayOptions {
   /// The program that runs on the logged data; empty: the layout in each robot's log, or, without one, the
   /// shipped "compact".
   std::filesystem::path layout;
-  std::map<std::string, std::string> solutions;  ///< task -> solution, instead of the layout's
-  std::map<std::string, ProgramWishes> wishes;   ///< what a person chose before for a robot, by its name
+  std::map<std::string, std::string> solutions;       ///< task -> solution, instead of the layout's
+  std::map<std::string, ProgramOverrides> overrides;  ///< what a person chose before for a robot, by its name
   /// By "<robot>/<package>", or "*/<package>" for all robots; what is not named is chosen by what the logs
   /// hold.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
   bool recomputeAll = false;         ///< of what `packages` does not name, whatever can be recomputed is
   std::filesystem::path colorTable;  ///< .c64; empty: the one in the log
-  bool tellPackages =
+  bool publishAllPackages =
       false;  ///< programs tell all packages that they yield, whether or not their keys are on
   /// How much of the log the program runs on before a jump's aim, so that its models are settled.
   robotlink::Duration preroll = std::chrono::seconds(2);
@@ -121,7 +121,7 @@ class ReplayRun {
   void describe(robotcontrol::ReplayStatus& status) const;
   const ReplayOptions& options() const;
   /// By the robot's name.
-  std::map<std::string, ProgramWishes> wishes() const;
+  std::map<std::string, ProgramOverrides> overrides() const;
   /// What of these the programs that run now cannot fulfill, a sentence each.
   std::vector<std::string> lostChoices() const;
   std::vector<std::string> robots() const;

@@ -13,7 +13,7 @@ struct ReplayRun::Implementation {
   struct Source {
     ReplayLog log;
     ReplaySource reader;
-    bool tellsWorld = true;  ///< what belongs to no robot: of the first log that has it
+    bool publishesWorld = true;  ///< what belongs to no robot: of the first log that has it
     std::vector<std::unique_ptr<ReplayRobot>> robots;
     std::map<std::string, ReplayRobot*> byLogName;
 
@@ -43,8 +43,9 @@ struct ReplayRun::Implementation {
   void runQuietly(Source& source, robotlink::Instant from, robotlink::Instant to);
   void give(Source& source, robotlink::Instant logTime,
             const std::vector<robotlink::StreamMessage>& messages);
-  void tell(Source& source, const std::vector<robotlink::StreamMessage>& messages);
-  std::optional<robotlink::StreamMessage> told(Source& source, const robotlink::StreamMessage& message) const;
+  void publish(Source& source, const std::vector<robotlink::StreamMessage>& messages);
+  std::optional<robotlink::StreamMessage> published(Source& source,
+                                                    const robotlink::StreamMessage& message) const;
   void hear(const Source& source, const std::string& robot,
             const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
   void note(const Source& source, const std::string& robot, robotlink::Instant logTime, int level,

@@ -23,7 +23,7 @@ std::string printable(std::string text) {
 }  // namespace
 
 robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& world, const Options& options,
-                                                                Teller teller) {
+                                                                Log teller) {
   if (world.pioneers().empty()) {
     return robotlink::failure(
         "arcos.no-robot",
@@ -37,11 +37,8 @@ robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& 
   return made;
 }
 
-ArcosPorts::ArcosPorts(SimulatedWorld& world, Options options, Teller teller)
-    : world_(world),
-      options_(std::move(options)),
-      teller_(std::move(teller)),
-      texts_(world.pioneers().size()) {}
+ArcosPorts::ArcosPorts(SimulatedWorld& world, Options options, Log teller)
+    : world_(world), options_(std::move(options)), log_(std::move(teller)), texts_(world.pioneers().size()) {}
 
 ArcosPorts::~ArcosPorts() {
   for (const auto& pioneer : world_.pioneers()) {
@@ -51,18 +48,18 @@ ArcosPorts::~ArcosPorts() {
   }
 }
 
-void ArcosPorts::tell(std::size_t robot, const std::string& text) {
+void ArcosPorts::log(std::size_t robot, const std::string& text) {
   if (!texts_[robot].admit(Clock::now())) return;
-  if (teller_) teller_(world_.pioneers()[robot]->robot() + ": " + text);
+  if (log_) log_(world_.pioneers()[robot]->robot() + ": " + text);
 }
 
-void ArcosPorts::tellSuppressed() {
+void ArcosPorts::logSuppressed() {
   const auto now = Clock::now();
   for (std::size_t robot = 0; robot < texts_.size(); ++robot) {
     const std::uint64_t count = texts_[robot].takeSuppressed(now);
-    if (count == 0 || !teller_) continue;
-    teller_(world_.pioneers()[robot]->robot() + ": " + std::to_string(count) +
-            " more messages of its client are not shown, because there are too many");
+    if (count == 0 || !log_) continue;
+    log_(world_.pioneers()[robot]->robot() + ": " + std::to_string(count) +
+         " more messages of its client are not shown, because there are too many");
   }
 }
 
@@ -82,7 +79,7 @@ void ArcosPorts::clientCame(std::size_t robot, const std::string& address) {
   SimulatedPioneer& pioneer = *world_.pioneers()[robot];
   pioneer.clientGone(world_.clock().now());  // the program that runs here, if there is one
   pioneer.setOutsideClient(address);
-  tell(robot, "connected from " + address);
+  log(robot, "connected from " + address);
 }
 
 void ArcosPorts::packetCame(std::size_t robot, const robotlink::arcos::Packet& packet) {
@@ -91,7 +88,7 @@ void ArcosPorts::packetCame(std::size_t robot, const robotlink::arcos::Packet& p
 
 void ArcosPorts::clientGone(std::size_t robot) {
   SimulatedPioneer& pioneer = *world_.pioneers()[robot];
-  tell(robot, pioneer.outsideClient() + " is gone");
+  log(robot, pioneer.outsideClient() + " is gone");
   pioneer.clientGone(world_.clock().now());
   pioneer.setOutsideClient({});
 }
@@ -101,7 +98,7 @@ void ArcosPorts::serve(std::chrono::steady_clock::time_point until) {
 }
 
 void ArcosPorts::deliver() {
-  tellSuppressed();
+  logSuppressed();
   const auto pioneers = world_.pioneers();
   for (std::size_t robot = 0; robot < pioneers.size(); ++robot) {
     fulfilRequests(robot);
@@ -111,19 +108,19 @@ void ArcosPorts::deliver() {
 }
 
 void ArcosPorts::fulfilRequests(std::size_t robot) {
-  for (const auto& wish : world_.pioneers()[robot]->takeRequests()) {
-    if (const auto* message = std::get_if<request::Message>(&wish)) {
-      tell(robot, printable(message->text));
-    } else if (const auto* exit = std::get_if<request::Exit>(&wish)) {
-      tell(robot, "its client asks the simulation to end");
+  for (const auto& details : world_.pioneers()[robot]->takeRequests()) {
+    if (const auto* message = std::get_if<request::Message>(&details)) {
+      log(robot, printable(message->text));
+    } else if (const auto* exit = std::get_if<request::Exit>(&details)) {
+      log(robot, "its client asks the simulation to end");
       exit_ = exit->status;
-    } else if (const auto* map = std::get_if<request::LoadMap>(&wish)) {
+    } else if (const auto* map = std::get_if<request::LoadMap>(&details)) {
       // A world stays what it was opened with; a client that asks for the same map has what it wants.
       const std::filesystem::path present = world_.simulation().scene().file();
       const bool same = std::filesystem::path(map->file).filename() == present.filename();
       if (!same)
-        tell(robot,
-             "its client asks for the map " + printable(map->file) + "; " + present.string() + " stays");
+        log(robot,
+            "its client asks for the map " + printable(map->file) + "; " + present.string() + " stays");
       world_.pioneers()[robot]->mapLoaded(present.string(), same, false);
     }
   }

@@ -30,11 +30,11 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   };
   /// What clients did that a person may want to know, one line each: who came and went, and what they wrote
   /// to the simulator's log. Of a client that writes without end some lines, and how many were left out.
-  using Teller = std::function<void(const std::string& text)>;
+  using Log = std::function<void(const std::string& text)>;
 
   /// Fails if the world has no Pioneer, or a port cannot be opened.
   static robotlink::Result<std::unique_ptr<ArcosPorts>> open(SimulatedWorld& world, const Options& options,
-                                                             Teller teller = {});
+                                                             Log teller = {});
   ~ArcosPorts() override;
 
   /// Takes what clients send until this instant; one that is past: only what is there already.
@@ -53,17 +53,17 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   std::optional<int> exitRequest() const { return exit_; }
 
  private:
-  ArcosPorts(SimulatedWorld& world, Options options, Teller teller);
+  ArcosPorts(SimulatedWorld& world, Options options, Log teller);
   void clientCame(std::size_t robot, const std::string& address) override;
   void packetCame(std::size_t robot, const robotlink::arcos::Packet& packet) override;
   void clientGone(std::size_t robot) override;
   void fulfilRequests(std::size_t robot);
-  void tell(std::size_t robot, const std::string& text);
-  void tellSuppressed();
+  void log(std::size_t robot, const std::string& text);
+  void logSuppressed();
 
   SimulatedWorld& world_;
   const Options options_;
-  const Teller teller_;
+  const Log log_;
   std::unique_ptr<robotlink::arcos::RobotPorts> ports_;
   std::vector<TextLimit> texts_;  ///< by robot
   std::optional<int> exit_;

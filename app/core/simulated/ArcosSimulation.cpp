@@ -9,14 +9,14 @@ namespace app {
 using Clock = std::chrono::steady_clock;
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
-    Options options, ArcosPorts::Teller teller) {
+    Options options, ArcosPorts::Log teller) {
   auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}));
   if (!scene) return tl::unexpected(scene.error());
   return create(std::move(*scene), std::move(options), std::move(teller));
 }
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
-    std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Teller teller) {
+    std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log teller) {
   std::unique_ptr<ArcosSimulation> simulation(new ArcosSimulation(std::move(options)));
   auto world = SimulatedWorld::create(std::move(scene), simulation->options_.world);
   if (!world) return tl::unexpected(robotlink::Errors{world.error()});

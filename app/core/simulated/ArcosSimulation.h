@@ -31,11 +31,11 @@ class ArcosSimulation {
   };
 
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
-      Options options, ArcosPorts::Teller teller = {});
+      Options options, ArcosPorts::Log teller = {});
 
   /// The same of a scene that was loaded before; the options' file and robots do not count then.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
-      std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Teller teller = {});
+      std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log teller = {});
 
   /// Waits until the next step is due, moving packets meanwhile, and makes it.
   void step();

@@ -59,8 +59,8 @@ void SimulatedDrivePlatform::execute() {
   sendOracle();
 }
 
-robotlink::Result<void> SimulatedDrivePlatform::control(const robotcontrol::ControlDrive& wish) {
-  return driver_.control(wish, clock().now());
+robotlink::Result<void> SimulatedDrivePlatform::control(const robotcontrol::ControlDrive& details) {
+  return driver_.control(details, clock().now());
 }
 
 }  // namespace app

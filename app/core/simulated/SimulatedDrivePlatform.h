@@ -23,7 +23,7 @@ class SimulatedDrivePlatform final : public SimulatedPlatform {
   void shutDown() override;
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
  protected:
   void execute() override;

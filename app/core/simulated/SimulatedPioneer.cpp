@@ -151,7 +151,7 @@ RobotSensing SimulatedPioneer::sense() {
   sensing.battery = battery_.voltage();
   sensing.charge = battery_.charge();
   if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
-  if (session_.tellsTruth()) senseTruth(sensing);
+  if (session_.publishesTruth()) senseTruth(sensing);
   return sensing;
 }
 
@@ -191,13 +191,13 @@ std::span<const double> SimulatedPioneer::laser() {
 void SimulatedPioneer::fulfilRequests() {
   namespace request = robotlink::arcos::simulator_request;
   std::optional<robotlink::Pose2> target;  // Of many the last one counts: to place a robot is not cheap.
-  for (auto& wish : session_.takeRequests()) {
-    if (const auto* pose = std::get_if<request::SetPose>(&wish)) {
+  for (auto& details : session_.takeRequests()) {
+    if (const auto* pose = std::get_if<request::SetPose>(&details)) {
       target = pose->pose;
-    } else if (std::holds_alternative<request::Reset>(wish)) {
+    } else if (std::holds_alternative<request::Reset>(details)) {
       target = start_;
     } else if (requests_.size() < kMaxRequests) {
-      requests_.push_back(std::move(wish));
+      requests_.push_back(std::move(details));
     }
   }
   if (target) place(*target);

@@ -14,8 +14,8 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
       robot_(std::move(robot)),
       oracle_(*this, robotlink::kOracleWorld.name, robotlink::Blocking::kNo) {}
 
-robotlink::Result<void> SimulatedPlatform::control(const robotcontrol::ControlDrive& wish) {
-  (void)wish;
+robotlink::Result<void> SimulatedPlatform::control(const robotcontrol::ControlDrive& details) {
+  (void)details;
   return robotlink::failure("platform.no-drive", robot_ + " has no wheels that this could be asked of", {},
                             {robot_});
 }

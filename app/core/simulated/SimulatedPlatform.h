@@ -35,7 +35,7 @@ class SimulatedPlatform : public robotlink::Platform {
   /// Robots with a camera send the true classes with every image from now on, whether or not somebody
   /// receives them; the listener, which may be empty, is told of both.
   virtual void alwaysSendClasses(LabeledListener listener) { (void)listener; }
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
   bool stopEngaged() const override { return stopEngaged_.load(); }

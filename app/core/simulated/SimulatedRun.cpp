@@ -312,7 +312,7 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
                             {request.robot()});
 }
 
-void SimulatedRun::tellAnswersToCome() {
+void SimulatedRun::publishComingAnswers() {
   if (options_.executor != ExecutorKind::kLockstep || !listeners_.queue) return;
   for (const auto& robot : robots_) {
     if (auto queue = robot->answersToCome()) listeners_.queue(robot->name(), std::move(queue));

@@ -89,7 +89,7 @@ class SimulatedRun {
   /// next frames to what they were asked and have not answered, with the tables and parameters that follow
   /// from it. Neither the programs nor what is recorded know of it, so that a run is the same however long it
   /// is paused.
-  void tellAnswersToCome();
+  void publishComingAnswers();
   /// World and programs as they were at the start, with another seed; what a person chose for the programs
   /// stays as it is. If the programs cannot be made anew, all goes on as before.
   robotlink::Errors reset(std::uint64_t seed);

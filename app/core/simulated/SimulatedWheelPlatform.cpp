@@ -107,19 +107,19 @@ void SimulatedWheelPlatform::approach(double forward, double rotation) {
   rotation_ = next(rotation_, rotation, drive.maximumRotation, drive.rotationAcceleration);
 }
 
-robotlink::Result<void> SimulatedWheelPlatform::control(const robotcontrol::ControlDrive& wish) {
-  if (wish.packets_size() > 0) {
+robotlink::Result<void> SimulatedWheelPlatform::control(const robotcontrol::ControlDrive& details) {
+  if (details.packets_size() > 0) {
     return robotlink::failure("drive.no-controller",
                               robot() + " has no microcontroller that packets could be sent to", {},
                               {robot()});
   }
-  if (wish.has_motors()) {
-    if (wish.motors() && stopEngaged())
+  if (details.has_motors()) {
+    if (details.motors() && stopEngaged())
       return robotlink::failure("drive.stopped", "STOP is engaged; release it first");
-    motorsOn_ = wish.motors();
+    motorsOn_ = details.motors();
   }
-  if (wish.has_sonar()) sonarsOn_ = wish.sonar();
-  if (wish.reset_odometry()) odometry_ = {};
+  if (details.has_sonar()) sonarsOn_ = details.sonar();
+  if (details.reset_odometry()) odometry_ = {};
   return {};
 }
 

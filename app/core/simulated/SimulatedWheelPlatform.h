@@ -30,7 +30,7 @@ class SimulatedWheelPlatform final : public SimulatedPlatform {
 
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return {&state_, &sonar_, &laser_}; }
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
  protected:
   void execute() override;

@@ -48,26 +48,27 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
 }
 
 SimulatedRun::Listeners SimulationFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+  return {[this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.tellTrouble(robot, process, text);
+            outlet_.publishTrouble(robot, process, text);
           },
           {},
-          [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); },
-          [this](robotlink::Instant, const std::string& text) { tellOfGame(text); },
+          [this](const std::string& text) { publishPorts(text, foxglove::Log::INFO); },
+          [this](robotlink::Instant, const std::string& text) { publishGame(text); },
           [this](const std::string& robot, const std::string& text) {
             const robotlink::Instant time = run_ ? now() : robotlink::Instant{};
-            outlet_.tellText(robot, "platform", time, foxglove::Log::INFO, text);
+            outlet_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
           }};
 }
 
-void SimulationFeed::tellOfPorts(const std::string& text, int level) {
-  if (run_ && !run_->robots().empty()) outlet_.tellText(run_->robots().front(), "ports", now(), level, text);
+void SimulationFeed::publishPorts(const std::string& text, int level) {
+  if (run_ && !run_->robots().empty())
+    outlet_.publishText(run_->robots().front(), "ports", now(), level, text);
 }
 
-void SimulationFeed::tellOfGame(const std::string& text) {
+void SimulationFeed::publishGame(const std::string& text) {
   if (run_ && !run_->robots().empty())
-    outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
+    outlet_.publishText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
 bool SimulationFeed::makeWay() {
@@ -91,15 +92,15 @@ void SimulationFeed::begin() {
   restartPace();
   publishScene();
   if (const auto map = run_->map(); map && !run_->robots().empty()) {
-    outlet_.tellMapNotes(run_->robots().front(), now(), *map);
+    outlet_.publishMapNotes(run_->robots().front(), now(), *map);
   }
   if (const ArcosPorts* ports = run_->ports()) {
     const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
-    tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
-                foxglove::Log::INFO);
-    if (!ports->warning().empty()) tellOfPorts(ports->warning(), foxglove::Log::WARNING);
+    publishPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
+                 foxglove::Log::INFO);
+    if (!ports->warning().empty()) publishPorts(ports->warning(), foxglove::Log::WARNING);
   }
-  tellAnswers();
+  publishAnswers();
 }
 
 std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
@@ -119,12 +120,12 @@ void SimulationFeed::step() {
     publishTransforms();
   }
   if (single || real - lastStatus_ >= kSimulationStatusEvery) publishStatus();
-  tellAnswers();
+  publishAnswers();
 }
 
 /// While it is paused there are no frames in which the programs could answer.
-void SimulationFeed::tellAnswers() {
-  if (!running_ && stepsWanted_ == 0) run_->tellAnswersToCome();
+void SimulationFeed::publishAnswers() {
+  if (!running_ && stepsWanted_ == 0) run_->publishComingAnswers();
 }
 
 LoadedPlatform SimulationFeed::describe() const {
@@ -142,7 +143,7 @@ LoadedPlatform SimulationFeed::describe() const {
 
 robotlink::Result<void> SimulationFeed::requestRobot(const robotcontrol::Request& request) {
   auto done = run_->request(request);
-  tellAnswers();
+  publishAnswers();
   return done;
 }
 
@@ -157,7 +158,7 @@ robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Re
   } else {
     done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
   }
-  tellAnswers();
+  publishAnswers();
   return done;
 }
 
@@ -188,15 +189,15 @@ robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
   robotlink::Errors errors = run_->setLayout(file);
   if (errors.empty()) {
     if (choices_) choices_(run_->options());
-    tellAnswers();
-    tellLostChoices();
+    publishAnswers();
+    publishLostOverrides();
   }
   return errors;
 }
 
-void SimulationFeed::tellLostChoices() {
+void SimulationFeed::publishLostOverrides() {
   for (const std::string& lost : run_->lostChoices()) {
-    outlet_.tellText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
+    outlet_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
   }
 }
 
@@ -213,14 +214,15 @@ robotlink::Result<void> SimulationFeed::reset() {
 void SimulationFeed::publishScene() {
   lastStatusTime_ = now();
   lastStatus_ = Clock::now();
-  if (const auto map = run_->map()) outlet_.tell({robotlink::streams::kMap, now(), mapMessage(*map, now())});
-  outlet_.tell({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
+  if (const auto map = run_->map())
+    outlet_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
+  outlet_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
   publishTransforms();
   publishStatus();
 }
 
 void SimulationFeed::publishTransforms() {
-  outlet_.tell({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+  outlet_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
 }
 
 void SimulationFeed::publishStatus() {
@@ -246,9 +248,9 @@ void SimulationFeed::publishStatus() {
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);
   const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
   if (recorder_.active()) recorder_.add({message});
-  outlet_.tell(message);
-  outlet_.tell({robotlink::streams::kRecording, now(),
-                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  outlet_.publish(message);
+  outlet_.publish({robotlink::streams::kRecording, now(),
+                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

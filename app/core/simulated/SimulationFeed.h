@@ -51,14 +51,14 @@ class SimulationFeed final : public PlatformFeed {
   SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : outlet_(session), recorder_(recorder) {}
   SimulatedRun::Listeners listeners();
-  void tellOfPorts(const std::string& text, int level);
-  void tellOfGame(const std::string& text);
+  void publishPorts(const std::string& text, int level);
+  void publishGame(const std::string& text);
   robotlink::Instant now() const { return run_->world().clock().now(); }
   void restartPace() { pace_.restart(Clock::now(), now()); }
   robotlink::Result<void> control(const robotcontrol::ControlSimulation& control);
   robotlink::Result<void> reset();
-  void tellAnswers();
-  void tellLostChoices();
+  void publishAnswers();
+  void publishLostOverrides();
   void publishScene();
   void publishTransforms();
 

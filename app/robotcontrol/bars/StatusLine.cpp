@@ -12,7 +12,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
-#include "widgets/Silence.h"
+#include "widgets/BaseSilence.h"
 
 namespace app {
 namespace {
@@ -61,7 +61,7 @@ QString StatusLine::robotState() {
   const auto& robots = workbench_.loaded()->robots;
   const std::string robot = robots.empty() ? std::string() : robots.begin()->first;
   const auto newest = session.timeline().newest();
-  wish_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
+  subscription_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
   const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
   const double silence = heard == nullptr ? 0 : robotlink::seconds(newest - heard->time);
   const auto* link =

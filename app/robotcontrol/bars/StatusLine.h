@@ -36,7 +36,7 @@ class StatusLine : public QObject {
 
   Workbench& workbench_;
   /// The subscription of the packages that robotState() needs.
-  widgets::PackageSubscription wish_;
+  widgets::PackageSubscription subscription_;
   /// The labels, owned by the status bar, from left to right.
   QLabel* state_;
   QLabel* time_;

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/image/ClassPresets.h"
 
 namespace app {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/TableImport.h"
 
 namespace app {
@@ -26,7 +26,7 @@ const TableFormatName* findFormat(const std::string& name) {
 }
 
 /// Says what the new table lacks.
-int tellImportLosses(const std::string& file, const colortool::ImportedTable& imported) {
+int printImportLosses(const std::string& file, const colortool::ImportedTable& imported) {
   if (imported.mixedCells != 0)
     std::cerr
         << file << ": " << imported.mixedCells
@@ -59,7 +59,7 @@ int convert(const ConvertArguments& arguments) {
               imported->sides[0], imported->sides[1], imported->sides[2]);
   printCells(imported->table);
   std::fflush(stdout);
-  return tellImportLosses(arguments.to, *imported);
+  return printImportLosses(arguments.to, *imported);
 }
 
 }  // namespace

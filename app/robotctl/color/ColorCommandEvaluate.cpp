@@ -8,8 +8,8 @@
 
 #include "app/core/simulated/TrueClasses.h"
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/scoring/Evaluation.h"
 #include "robotlink/base/AtomicFile.h"
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/image/ClassPresets.h"
 #include "logplayer/base/Plural.h"
 #include "logplayer/images/ImageCoding.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/TableDifference.h"
 
 namespace app {

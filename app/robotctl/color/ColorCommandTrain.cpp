@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/samples/SampleFile.h"
 #include "colortool/samples/StrokeList.h"
 #include "colortool/training/TableTrainer.h"
@@ -50,10 +50,10 @@ struct Learned {
 tl::expected<void, Errors> checkClasses(const std::vector<DiscStroke>& strokes,
                                         const colortool::ColorClasses& known, const std::string& file) {
   Errors errors;
-  std::set<std::string> told{std::string(DiscStroke::kBackground)};
+  std::set<std::string> reported{std::string(DiscStroke::kBackground)};
   for (const DiscStroke& stroke : strokes) {
     if (known.index(stroke.colorClass) != colortool::ColorClasses::kNone ||
-        !told.insert(stroke.colorClass).second)
+        !reported.insert(stroke.colorClass).second)
       continue;
     std::string names;
     for (const std::string& name : known.names()) names += ", " + name;
@@ -118,7 +118,7 @@ ColorTableFile::Packed tableOf(const Samples& samples, double several) {
 }
 
 /// Reports losses to stderr and returns the resulting ExitStatus.
-int tellLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
+int printLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
   for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
   if (learned.outside != 0) {
     std::cerr << arguments.strokes << ": "
@@ -154,7 +154,7 @@ int train(const TrainArguments& arguments) {
   }
   std::cout << arguments.out << ": " << logplayer::plural(samples.strokes.size(), "stroke") << " in "
             << logplayer::plural(samples.images.size(), "image") << "\n";
-  return tellLosses(arguments, *learned, made);
+  return printLosses(arguments, *learned, made);
 }
 
 /// Adds the options of the training methods, with their defaults.

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/core/simulated/TrueClasses.h"
-#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/NamedColorTable.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"

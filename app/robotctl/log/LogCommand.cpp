@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 

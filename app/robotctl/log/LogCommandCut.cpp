@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/edit/LogCut.h"
 
 namespace app {

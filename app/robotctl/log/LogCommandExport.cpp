@@ -4,8 +4,8 @@
 #include <iostream>
 #include <memory>
 
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/export/LogExport.h"
 
 namespace app {
@@ -22,7 +22,7 @@ struct ExportArguments {
   bool texts = false;
   std::string output = "-";
   TimeRange range;
-  logplayer::StreamChoice streams;
+  logplayer::StreamFilter streams;
   bool force = false;
 };
 

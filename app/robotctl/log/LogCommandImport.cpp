@@ -8,9 +8,9 @@
 
 #include "app/core/program/ColorTables.h"
 #include "app/robotctl/RobotName.h"
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
-#include "logplayer/base/Losses.h"
+#include "app/robotctl/log/LogSubcommands.h"
+#include "logplayer/base/DamageReport.h"
 #include "logplayer/base/OutputFile.h"
 #include "logplayer/file/LogImport.h"
 #include "logplayer/mcap/read/Reader.h"
@@ -104,7 +104,7 @@ int repair(ImportArguments& arguments) {
               << report->bytesLost << (report->bytesLost == 1 ? " byte" : " bytes");
   }
   std::cout << "\n";
-  return printLosses(logplayer::lossesOf(arguments.from, true, report->damage));
+  return printLosses(logplayer::describeDamage(arguments.from, true, report->damage));
 }
 
 CLI::App* addImporter(CLI::App& log, const char* name, const char* help,

@@ -7,8 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/edit/LogAttachments.h"

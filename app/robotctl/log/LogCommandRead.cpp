@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/LogInfo.h"
-#include "logplayer/base/Losses.h"
+#include "logplayer/base/DamageReport.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/Reader.h"
 
@@ -57,7 +57,7 @@ Result<Findings> verify(const std::filesystem::path& path) {
   if (container->conversion() && !container->conversion()->damage.empty()) {
     findings.losses.push_back(file + ": " + container->conversion()->damage);
   }
-  const auto damaged = logplayer::lossesOf(file, (*reader)->complete(), (*reader)->damage());
+  const auto damaged = logplayer::describeDamage(file, (*reader)->complete(), (*reader)->damage());
   findings.losses.insert(findings.losses.end(), damaged.begin(), damaged.end());
   const auto messages = (*reader)->statistics().messageCount;
   const auto chunks = (*reader)->chunks().size();

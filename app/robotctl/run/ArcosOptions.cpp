@@ -7,7 +7,7 @@
 
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
-#include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/TextMessages.h"
 #include "simcore/Scene.h"

@@ -14,8 +14,8 @@
 #include "app/core/replay/ReplayRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/RobotName.h"
-#include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/RunRobotCommand.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -338,7 +338,7 @@ int replay(const RunArguments& arguments) {
     }
   }
   options.colorTable = arguments.colorTable;
-  options.tellPackages = !arguments.record.empty();
+  options.publishAllPackages = !arguments.record.empty();
   std::vector<LogInput> inputs;
   if (const auto read = readInputs(options, inputs); !read) return printErrors({read.error()});
   return replay(arguments, std::move(options));

@@ -36,17 +36,17 @@ PioneerRun::Listeners robotListeners(const RunRobotArguments& arguments) {
 /// connected.
 bool drive(PioneerRun& run, const RunRobotArguments& arguments) {
   const robotlink::Instant end = run.clock().now() + robotlink::fromSeconds(arguments.seconds);
-  std::string told;
+  std::string reported;
   bool connected = false;
   auto due = std::chrono::steady_clock::now();
   while (!Interrupt::noted() && (arguments.seconds == 0 || run.clock().now() < end)) {
     run.step();
     const auto& session = run.platform().driver().session();
     connected = connected || session.isConnected();
-    if (const std::string text = session.describe(); text != told) {
+    if (const std::string text = session.describe(); text != reported) {
       std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(run.clock().now()) << "  " << text
                 << "\n";
-      told = text;
+      reported = text;
     }
     due += kStep;
     std::this_thread::sleep_until(due);

@@ -18,7 +18,7 @@
 #include "app/core/simulated/BallTrials.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
-#include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/ArcosOptions.h"
 #include "app/robotctl/run/CameraOptions.h"
 #include "app/robotctl/run/RecordOptions.h"
@@ -98,14 +98,14 @@ bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recor
   const auto& clock = run.world().clock();
   pace.restart(std::chrono::steady_clock::now(), clock.now());
   const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
-  robotlink::Instant told;
+  robotlink::Instant reported;
   while (clock.now() < end) {
     if (Interrupt::noted()) return false;
     if (arguments.speed > 0) std::this_thread::sleep_until(pace.due(clock.now()));
     run.step();
     if (recorder != nullptr) recorder->waitForRoom();
-    if (!arguments.progress || clock.now() - told < kProgressEvery) continue;
-    told += kProgressEvery;
+    if (!arguments.progress || clock.now() - reported < kProgressEvery) continue;
+    reported += kProgressEvery;
     std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(clock.now()) << " s" << std::endl;
   }
   return true;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 namespace logplayer::mcap {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 
 namespace logplayer::mcap {

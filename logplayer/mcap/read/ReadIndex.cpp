@@ -62,13 +62,14 @@ robotlink::Error givenUp(const Source& source) {
 bool chunkIsThere(const Source& source, const Section& section, std::size_t maxRecordBytes) {
   SourceWindow window(source, kHeadBytes);
   const std::optional<Section> found = chunkAt(window, source, section.info.offset);
-  const Reader::ChunkInfo& told = section.info;
-  if (!found || found->info.length != told.length || found->info.compressedBytes != told.compressedBytes ||
-      found->info.uncompressedBytes != told.uncompressedBytes ||
-      found->info.compression != told.compression) {
+  const Reader::ChunkInfo& stated = section.info;
+  if (!found || found->info.length != stated.length ||
+      found->info.compressedBytes != stated.compressedBytes ||
+      found->info.uncompressedBytes != stated.uncompressedBytes ||
+      found->info.compression != stated.compression) {
     return false;
   }
-  const bool same = found->info.start == told.start && found->info.end == told.end;
+  const bool same = found->info.start == stated.start && found->info.end == stated.end;
   return same || timesFit(source, section, maxRecordBytes);
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 namespace logplayer::mcap {
 namespace {

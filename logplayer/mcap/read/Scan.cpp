@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/Resync.h"
 
 namespace logplayer::mcap {
@@ -71,11 +71,11 @@ class Scanner {
   Resync resync_;
   FileIndex index_;
   Buffer records_;
-  std::uint64_t offset_ = 0;   // of the current record
-  std::uint64_t end_ = 0;      // of the next record
-  std::uint64_t certain_ = 0;  // everything before this was understood
-  std::uint64_t read_ = 0;     // end of messages outside of chunks, if their lengths are right
-  std::uint64_t told_ = 0;     // last reported progress
+  std::uint64_t offset_ = 0;    // of the current record
+  std::uint64_t end_ = 0;       // of the next record
+  std::uint64_t certain_ = 0;   // everything before this was understood
+  std::uint64_t read_ = 0;      // end of messages outside of chunks, if their lengths are right
+  std::uint64_t reported_ = 0;  // last reported progress
   std::optional<std::uint64_t>
       torn_;  // the last chunk, if it could not be read completely: its length may be wrong
   std::uint64_t searchFrom_ = 0;  // behind the place where the last damage ended
@@ -116,8 +116,8 @@ bool Scanner::atEnd() {
 }
 
 bool Scanner::goOn(std::uint64_t at) {
-  if (!options_.progress || at - std::min(told_, at) < kProgressBytes) return true;
-  told_ = at;
+  if (!options_.progress || at - std::min(reported_, at) < kProgressBytes) return true;
+  reported_ = at;
   if (options_.progress(static_cast<double>(at) / static_cast<double>(source_.bytes()))) return true;
   index_.givenUp = true;
   offset_ = certain_ = source_.bytes();

@@ -81,14 +81,14 @@ void Verification::checkSection(std::size_t number) {
 void Verification::checkIndexes(std::size_t number, const MessageList& found) {
   const Section& section = index_.sections[number];
   if (!section.indexed) return;
-  const std::optional<MessageList> told = cache_.listByIndexes(section);
-  if (!told || !(*told == found)) cache_.distrustIndexes(number);
+  const std::optional<MessageList> stated = cache_.listByIndexes(section);
+  if (!stated || !(*stated == found)) cache_.distrustIndexes(number);
 }
 
 void Verification::checkStatistics() {
-  const Statistics& told = index_.statistics;
-  bool same = told.messageCount == readable_.messages;
-  for (const auto& [channel, count] : told.channelMessageCounts) {
+  const Statistics& stated = index_.statistics;
+  bool same = stated.messageCount == readable_.messages;
+  for (const auto& [channel, count] : stated.channelMessageCounts) {
     const auto counted = counts_.find(channel);
     same = same && count == (counted == counts_.end() ? 0 : counted->second);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/read/SectionCache.h"
 #include "logplayer/mcap/write/Writer.h"

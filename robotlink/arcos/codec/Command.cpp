@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "robotlink/arcos/codec/CommandTable.h"
+#include "robotlink/arcos/codec/CommandCatalog.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -5,8 +5,8 @@
 
 namespace robotlink::arcos {
 
-/// The ids of commands that are used in code; commandTable() describes all known ones. Before a connection, 0
-/// to 2 are the SYNCs of the handshake. Units are those of the integer argument.
+/// The ids of commands that are used in code; commandCatalog() describes all known ones. Before a connection,
+/// 0 to 2 are the SYNCs of the handshake. Units are those of the integer argument.
 enum class CommandId : std::uint8_t {
   /// Keeps the robot's watchdog from stopping it; no other effect.
   kPulse = 0,

@@ -106,7 +106,7 @@ void ServerSession::robotReset() {
   motion_.reset();
 }
 
-bool ServerSession::tellsTruth() const {
+bool ServerSession::publishesTruth() const {
   const Subscription& status = client_.subscriptions[kStatus];
   return status.once || status.always;
 }

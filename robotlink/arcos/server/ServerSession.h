@@ -93,7 +93,7 @@ class ServerSession {
   bool sonarOn() const { return sonars_.anyOn(); }
   /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
   /// contain it.
-  bool tellsTruth() const;
+  bool publishesTruth() const;
   /// Whether the watchdog has stopped the robot until the next packet.
   bool starved() const { return starved_; }
   /// Packets dropped because they were too long, had a reserved id, or were not taken in time.

@@ -55,7 +55,7 @@ struct ServerSettings {
   double encoderTicks = 138000;
   /// Whether the id of information packets tells if the robot moves, as on real robots; MobileSim always uses
   /// the id for standing.
-  bool tellsMotion = true;
+  bool reportsMotion = true;
 };
 
 }  // namespace robotlink::arcos

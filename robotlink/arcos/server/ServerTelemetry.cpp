@@ -134,7 +134,7 @@ StandardInformation informationOf(const ServerSettings& settings, const RobotSen
                                   const ServerReport& report) {
   StandardInformation sip;
   const Pose2& odometry = motion.odometry();
-  sip.moving = settings.tellsMotion && motion.moving();
+  sip.moving = settings.reportsMotion && motion.moving();
   sip.xMm = wrapped<std::int16_t>(odometry.x * 1000);
   sip.yMm = wrapped<std::int16_t>(odometry.y * 1000);
   sip.heading4096 = angleUnits(odometry.heading);

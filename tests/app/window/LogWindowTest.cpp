@@ -58,9 +58,9 @@ class Desk {
   static std::int64_t at(double seconds) { return robotlink::fromSeconds(seconds).count(); }
   void openLog() {
     status.add_logs()->set_path(kFile);
-    tell();
+    publish();
   }
-  void tell() {
+  void publish() {
     workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)),
                               std::make_shared<const robotcontrol::ReplayStatus>(status)});
     window.tick();
@@ -116,7 +116,7 @@ class LogWindowTest : public WindowTest {
     QVERIFY(desk.find<QLabel>("logFrames").text().contains(QStringLiteral("101 / 434")));
     QVERIFY(desk.find<QLabel>("logEnd").text().contains(QStringLiteral("30.000")));
     desk.status.clear_logs();
-    desk.tell();
+    desk.publish();
     QVERIFY(!bar.isVisible());
   }
 
@@ -137,7 +137,7 @@ class LogWindowTest : public WindowTest {
     QTest::keyClick(&time, Qt::Key_Return);
     QCOMPARE(desk.last().time(), Desk::at(25.5));
     desk.status.clear_logs();
-    desk.tell();
+    desk.publish();
     QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant());
   }
 
@@ -155,7 +155,7 @@ class LogWindowTest : public WindowTest {
     desk.click("log.playOrPause");
     QCOMPARE(desk.last().action(), ControlReplay::PLAY);
     desk.status.set_playing(true);
-    desk.tell();
+    desk.publish();
     desk.click("log.playOrPause");
     QCOMPARE(desk.last().action(), ControlReplay::PAUSE);
     desk.click("log.stop");

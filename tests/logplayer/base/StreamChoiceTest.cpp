@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace logplayer {
 namespace {
 
-TEST(StreamChoice, aStarStandsForAnyTextWithItsSlashes) {
+TEST(StreamFilter, aStarStandsForAnyTextWithItsSlashes) {
   EXPECT_TRUE(fits("red1/camera/image", "red1/camera/image"));
   EXPECT_TRUE(fits("red1/camera/image", "*"));
   EXPECT_TRUE(fits("red1/camera/image", "red1/*"));
@@ -26,17 +26,17 @@ TEST(StreamChoice, aStarStandsForAnyTextWithItsSlashes) {
   EXPECT_FALSE(fits("", "a"));
 }
 
-TEST(StreamChoice, anythingIsTakenUnlessSomethingIsNamed) {
-  EXPECT_TRUE(StreamChoice{}.has("red1/log"));
-  const StreamChoice choice{{"red1/*", "scene"}, {"*/camera/*"}};
+TEST(StreamFilter, anythingIsTakenUnlessSomethingIsNamed) {
+  EXPECT_TRUE(StreamFilter{}.has("red1/log"));
+  const StreamFilter choice{{"red1/*", "scene"}, {"*/camera/*"}};
   EXPECT_TRUE(choice.has("red1/log"));
   EXPECT_TRUE(choice.has("scene"));
   EXPECT_FALSE(choice.has("blue1/log"));
   EXPECT_FALSE(choice.has("red1/camera/image"));
-  EXPECT_FALSE((StreamChoice{{}, {"scene"}}.has("scene")));
+  EXPECT_FALSE((StreamFilter{{}, {"scene"}}.has("scene")));
 }
 
-TEST(StreamChoice, tablesSceneAndSetUpsHoldUntilTheyAreToldAnew) {
+TEST(StreamFilter, tablesSceneAndSetUpsHoldUntilTheyAreToldAnew) {
   EXPECT_TRUE(isLatched("scene", "foxglove.SceneUpdate"));
   EXPECT_TRUE(isLatched("red1/program", robotcontrol::ProgramSetup::descriptor()->full_name()));
   EXPECT_TRUE(isLatched("red1/colors/table", robotcontrol::ColorTable::descriptor()->full_name()));

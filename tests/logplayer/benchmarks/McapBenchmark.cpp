@@ -11,8 +11,8 @@
 #include <functional>
 #include <random>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Compression.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/read/MessageCursor.h"
 #include "logplayer/mcap/read/Reader.h"

@@ -161,16 +161,16 @@ TEST_F(LogImport, allThatUseAnOldLogShareItsCopy) {
 }
 
 TEST_F(LogImport, progressGoesFromNothingToAll) {
-  std::vector<double> told;
+  std::vector<double> reported;
   ImportOptions options;
   options.progress = [&](double done) {
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   ASSERT_TRUE(importLog(written(someLog().file()), target(), options));
-  ASSERT_FALSE(told.empty());
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.back(), 1);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_EQ(reported.back(), 1);
 }
 
 TEST_F(LogImport, whatCannotBeImportedIsRefusedInWords) {

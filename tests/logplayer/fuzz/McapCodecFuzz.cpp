@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/write/Writer.h"
 
 using namespace logplayer::mcap;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
 using namespace logplayer::mcap;
@@ -21,7 +21,7 @@ class AppendTest : public testing::Test {
 
   TemporaryFolder folder_;
   std::filesystem::path log_ = folder_ / "log.mcap";
-  std::vector<Told> messages_ = someMessages(20);
+  std::vector<Expected> messages_ = someMessages(20);
 };
 
 TEST_F(AppendTest, whatIsAppendedComesBehindWhatWasThere) {

@@ -3,10 +3,10 @@
 
 #include <random>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Compression.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 
 using namespace logplayer::mcap;
 

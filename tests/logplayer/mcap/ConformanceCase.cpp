@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 
 namespace logplayer::mcap::test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/ConformanceCase.h"
 
 // How the conformance suite lays its files out, told by the codec.

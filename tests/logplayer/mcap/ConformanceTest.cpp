@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/MessageCursor.h"
 #include "tests/logplayer/mcap/ConformanceCase.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"

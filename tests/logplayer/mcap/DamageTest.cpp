@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Compression.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/Allocations.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
@@ -53,7 +53,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
 
   struct Outcome {
     bool opened = false;
-    std::vector<Told> forwards, byCursor, all;
+    std::vector<Expected> forwards, byCursor, all;
     std::vector<Damage> damage;
   };
   /// Reads a file in every way.
@@ -82,19 +82,19 @@ class DamageTest : public testing::TestWithParam<Compression> {
     }
     return found;
   }
-  std::vector<Told> without(std::optional<std::size_t> chunk) const {
+  std::vector<Expected> without(std::optional<std::size_t> chunk) const {
     if (!chunk) return messages_;
-    std::vector<Told> left;
-    std::ranges::copy_if(messages_, std::back_inserter(left), [&](const Told& message) {
+    std::vector<Expected> left;
+    std::ranges::copy_if(messages_, std::back_inserter(left), [&](const Expected& message) {
       return at(message.time) < chunks_[*chunk].start || at(message.time) > chunks_[*chunk].end;
     });
     return left;
   }
-  static bool containsAll(const std::vector<Told>& found, const std::vector<Told>& expected) {
-    const auto inOrder = [](const Told& a, const Told& b) { return a.time < b.time; };
+  static bool containsAll(const std::vector<Expected>& found, const std::vector<Expected>& expected) {
+    const auto inOrder = [](const Expected& a, const Expected& b) { return a.time < b.time; };
     return std::ranges::includes(found, expected, inOrder) &&
-           std::ranges::all_of(expected, [&](const Told& told) {
-             return *std::ranges::lower_bound(found, told, inOrder) == told;
+           std::ranges::all_of(expected, [&](const Expected& expected) {
+             return *std::ranges::lower_bound(found, expected, inOrder) == expected;
            });
   }
   void flipAll(const std::string& bytes, std::size_t step, std::size_t from = 0) {
@@ -104,7 +104,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
       const Outcome outcome = readDamaged(flipped);
       ASSERT_TRUE(outcome.opened) << "byte " << i;
       ASSERT_FALSE(outcome.damage.empty()) << "byte " << i;
-      const std::vector<Told> left = without(chunkOf(i));
+      const std::vector<Expected> left = without(chunkOf(i));
       ASSERT_TRUE(containsAll(outcome.forwards, left)) << "byte " << i;
       ASSERT_TRUE(containsAll(outcome.byCursor, left)) << "byte " << i;
       ASSERT_TRUE(containsAll(outcome.all, left)) << "byte " << i;
@@ -113,7 +113,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
 
   TemporaryFolder folder_;
   std::filesystem::path log_ = folder_ / "log.mcap";
-  std::vector<Told> messages_;
+  std::vector<Expected> messages_;
   std::string bytes_;
   std::vector<Reader::ChunkInfo> chunks_;
 };
@@ -121,10 +121,10 @@ class DamageTest : public testing::TestWithParam<Compression> {
 TEST_P(DamageTest, aFileCutAtAnyByteKeepsAllChunksBeforeThat) {
   for (std::size_t length = 0; length < bytes_.size(); ++length) {
     const Outcome outcome = readDamaged(bytes_.substr(0, length));
-    std::vector<Told> expected;
+    std::vector<Expected> expected;
     for (std::size_t i = 0; i < chunks_.size(); ++i) {
       if (chunks_[i].offset + chunks_[i].length > length) break;
-      for (const Told& message : messages_) {
+      for (const Expected& message : messages_) {
         if (at(message.time) >= chunks_[i].start && at(message.time) <= chunks_[i].end)
           expected.push_back(message);
       }
@@ -141,18 +141,18 @@ TEST_P(DamageTest, theSearchBehindDamageTellsHowFarItIsAndCanBeGivenUp) {
   const std::size_t cut = chunks_.back().offset;
   writeBytes(file, bytes_.substr(0, cut));
   std::filesystem::resize_file(file, cut + (40U << 20U));
-  int told = 0;
-  Reader::Options wishes = options();
-  wishes.progress = [&](double share) {
+  int expected = 0;
+  Reader::Options options = options();
+  options.progress = [&](double share) {
     EXPECT_LE(share, 1);
-    return ++told != 5;
+    return ++expected != 5;
   };
-  const auto reader = Reader::open(file, wishes);
-  EXPECT_EQ(told, 5);
+  const auto reader = Reader::open(file, options);
+  EXPECT_EQ(expected, 5);
   ASSERT_FALSE(reader);
   EXPECT_EQ(reader.error().id, "log.given-up");
-  EXPECT_EQ(test::open(file, wishes)->chunks().size(), chunks_.size() - 1);
-  EXPECT_GT(told, 12);
+  EXPECT_EQ(test::open(file, options)->chunks().size(), chunks_.size() - 1);
+  EXPECT_GT(expected, 12);
 }
 
 TEST_P(DamageTest, aFlippedByteCostsAtMostItsChunk) {

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
 // The disk fills up in the middle of a recording: by a limit on the size of files, and, where the right is
@@ -42,11 +42,11 @@ class FullDiskTest : public testing::TestWithParam<const char*> {
   }
 
   /// Writes until it fails; yields how often it did not.
-  std::size_t fill(Writer& writer, const std::vector<Told>& messages) {
+  std::size_t fill(Writer& writer, const std::vector<Expected>& messages) {
     for (std::size_t i = 0; i < messages.size(); ++i) {
-      const Told& told = messages[i];
-      const auto written =
-          writer.write({told.channelId, told.sequence, at(told.time), at(told.time + 1), bytesOf(told.data)});
+      const Expected& expected = messages[i];
+      const auto written = writer.write({expected.channelId, expected.sequence, at(expected.time),
+                                         at(expected.time + 1), bytesOf(expected.data)});
       if (!written) return i;
     }
     return messages.size();
@@ -60,7 +60,7 @@ class FullDiskTest : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(FullDiskTest, theErrorIsToldAndTheFileIsComplete) {
-  const std::vector<Told> messages = someMessages(1000, 1000);
+  const std::vector<Expected> messages = someMessages(1000, 1000);
   Writer::Options options;
   options.chunkBytes = 20'000;
   auto writer = Writer::create(disk_ / "log.mcap", options);
@@ -84,11 +84,11 @@ TEST_P(FullDiskTest, theErrorIsToldAndTheFileIsComplete) {
   EXPECT_TRUE(reader->complete());
   EXPECT_TRUE(reader->verify());
   EXPECT_TRUE(reader->damage().empty());
-  const std::vector<Told> read = readAll(*reader);
+  const std::vector<Expected> read = readAll(*reader);
   EXPECT_EQ(read.size(), counted);
   EXPECT_GT(read.size(), written - 25);
-  EXPECT_EQ(read,
-            std::vector<Told>(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(read.size())));
+  EXPECT_EQ(read, std::vector<Expected>(messages.begin(),
+                                        messages.begin() + static_cast<std::ptrdiff_t>(read.size())));
 }
 
 TEST_P(FullDiskTest, aRepairThatDoesNotFitLeavesNothing) {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
 // Files of ours, read by the MCAP project's own library for JavaScript.
@@ -35,11 +35,11 @@ Output runScript(const std::string& argument) {
   return output;
 }
 
-std::string lineOf(const std::string& reader, const Told& told) {
+std::string lineOf(const std::string& reader, const Expected& expected) {
   std::ostringstream line;
-  line << reader << " c" << told.channelId << ' ' << told.sequence << ' ' << told.time << ' ' << told.time + 1
-       << ' ';
-  for (const char c : told.data) {
+  line << reader << " c" << expected.channelId << ' ' << expected.sequence << ' ' << expected.time << ' '
+       << expected.time + 1 << ' ';
+  for (const char c : expected.data) {
     char hex[3];
     std::snprintf(hex, sizeof hex, "%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
     line << hex;
@@ -58,14 +58,14 @@ class InteropTest : public testing::TestWithParam<Compression> {
         << check_.text << ")";
   }
   /// What the script must print of these messages, given in the order of the file.
-  static std::vector<std::string> expectedLines(std::vector<Told> messages) {
+  static std::vector<std::string> expectedLines(std::vector<Expected> messages) {
     std::vector<std::string> lines;
-    for (const Told& told : messages) lines.push_back(lineOf("stream", told));
-    std::ranges::stable_sort(messages, {}, &Told::time);
-    for (const Told& told : messages) lines.push_back(lineOf("indexed", told));
+    for (const Expected& expected : messages) lines.push_back(lineOf("stream", expected));
+    std::ranges::stable_sort(messages, {}, &Expected::time);
+    for (const Expected& expected : messages) lines.push_back(lineOf("indexed", expected));
     return lines;
   }
-  void expectRead(const std::vector<Told>& messages, std::size_t chunks) {
+  void expectRead(const std::vector<Expected>& messages, std::size_t chunks) {
     const Output output = runScript(log_);
     ASSERT_EQ(output.status, 0) << output.text;
     std::vector<std::string> lines, others;
@@ -96,13 +96,13 @@ class InteropTest : public testing::TestWithParam<Compression> {
 };
 
 TEST_P(InteropTest, severalChunksAreRead) {
-  const std::vector<Told> messages = someMessages(300);
+  const std::vector<Expected> messages = someMessages(300);
   writeLog(log_, messages, options());
   expectRead(messages, test::open(log_)->chunks().size());
 }
 
 TEST_P(InteropTest, overlappingChunksAreRead) {
-  std::vector<Told> messages = someMessages(300);
+  std::vector<Expected> messages = someMessages(300);
   for (std::size_t i = 0; i < messages.size(); i += 7)
     messages[i].time += 1000;  // some are late by many chunks
   writeLog(log_, messages, options());
@@ -110,7 +110,7 @@ TEST_P(InteropTest, overlappingChunksAreRead) {
 }
 
 TEST_P(InteropTest, aFileThatWasAppendedToIsRead) {
-  std::vector<Told> messages = someMessages(100);
+  std::vector<Expected> messages = someMessages(100);
   writeLog(log_, messages, options());
   {
     auto writer = Writer::append(log_, options());
@@ -127,7 +127,7 @@ TEST_P(InteropTest, aFileThatWasAppendedToIsRead) {
 }
 
 TEST_P(InteropTest, aRepairedFileIsRead) {
-  const std::vector<Told> messages = someMessages(300);
+  const std::vector<Expected> messages = someMessages(300);
   writeLog(folder_ / "whole.mcap", messages, options());
   const std::string bytes = readBytes(folder_ / "whole.mcap");
   writeBytes(folder_ / "cut.mcap", bytes.substr(0, bytes.size() / 2));

@@ -8,14 +8,14 @@
 #include <random>
 #include <sstream>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/MessageCursor.h"
 
 namespace logplayer::mcap::test {
 
-void PrintTo(const Told& told, std::ostream* out) {
-  *out << "channel " << told.channelId << " #" << told.sequence << " at " << told.time << ", "
-       << told.data.size() << " bytes";
+void PrintTo(const Expected& expected, std::ostream* out) {
+  *out << "channel " << expected.channelId << " #" << expected.sequence << " at " << expected.time << ", "
+       << expected.data.size() << " bytes";
 }
 
 TemporaryFolder::TemporaryFolder() {
@@ -55,14 +55,14 @@ void addChannels(Writer& writer, int channels) {
   }
 }
 
-void write(Writer& writer, const Told& told) {
-  const auto written =
-      writer.write({told.channelId, told.sequence, at(told.time), at(told.time + 1), bytesOf(told.data)});
+void write(Writer& writer, const Expected& expected) {
+  const auto written = writer.write({expected.channelId, expected.sequence, at(expected.time),
+                                     at(expected.time + 1), bytesOf(expected.data)});
   ASSERT_TRUE(written) << written.error().describe();
 }
 
-void writeLog(const std::filesystem::path& file, const std::vector<Told>& messages, Writer::Options options,
-              const std::vector<std::size_t>& flushBefore, int channels) {
+void writeLog(const std::filesystem::path& file, const std::vector<Expected>& messages,
+              Writer::Options options, const std::vector<std::size_t>& flushBefore, int channels) {
   auto writer = Writer::create(file, std::move(options));
   ASSERT_TRUE(writer) << writer.error().describe();
   addChannels(**writer, channels);
@@ -82,58 +82,58 @@ std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options 
   return reader ? std::move(*reader) : nullptr;
 }
 
-Told toldBy(const Message& message) {
+Expected toldBy(const Message& message) {
   EXPECT_EQ(message.publishTime - message.logTime, robotlink::Duration(1));
   return {message.channelId, message.sequence, message.logTime.time_since_epoch().count(),
           std::string(textOf(message.data))};
 }
 
-std::vector<Told> readAll(Reader& reader) {
-  std::vector<Told> told;
+std::vector<Expected> readAll(Reader& reader) {
+  std::vector<Expected> expected;
   reader.readAll([&](const Message& message) {
-    told.push_back(toldBy(message));
+    expected.push_back(toldBy(message));
     return true;
   });
-  return told;
+  return expected;
 }
 
-std::vector<Told> readForwards(Reader& reader, std::vector<std::uint16_t> channels) {
-  std::vector<Told> told;
+std::vector<Expected> readForwards(Reader& reader, std::vector<std::uint16_t> channels) {
+  std::vector<Expected> expected;
   MessagePosition position{Instant::min(), 0, 0, 0};
   while (const auto next = reader.next(position, channels)) {
-    if (const auto message = reader.read(*next)) told.push_back(toldBy(message->message));
+    if (const auto message = reader.read(*next)) expected.push_back(toldBy(message->message));
     position = *next;
   }
-  return told;
+  return expected;
 }
 
-std::vector<Told> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels) {
-  std::vector<Told> told;
+std::vector<Expected> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels) {
+  std::vector<Expected> expected;
   for (MessageCursor cursor(reader, channels); cursor.next();) {
-    if (cursor.readable()) told.push_back(toldBy(cursor.message()));
+    if (cursor.readable()) expected.push_back(toldBy(cursor.message()));
   }
-  return told;
+  return expected;
 }
 
-std::vector<Told> readBackwards(Reader& reader, std::vector<std::uint16_t> channels) {
-  std::vector<Told> told;
+std::vector<Expected> readBackwards(Reader& reader, std::vector<std::uint16_t> channels) {
+  std::vector<Expected> expected;
   MessagePosition position{Instant::max(), UINT64_MAX, UINT64_MAX, UINT16_MAX};
   while (const auto previous = reader.previous(position, channels)) {
-    if (const auto message = reader.read(*previous)) told.push_back(toldBy(message->message));
+    if (const auto message = reader.read(*previous)) expected.push_back(toldBy(message->message));
     position = *previous;
   }
-  return told;
+  return expected;
 }
 
-std::vector<Told> someMessages(int count, std::size_t bytes) {
+std::vector<Expected> someMessages(int count, std::size_t bytes) {
   std::minstd_rand random(1);
-  std::vector<Told> messages;
+  std::vector<Expected> messages;
   for (int i = 0; i < count; ++i) {
-    Told told{static_cast<std::uint16_t>(1 + i % 3), static_cast<std::uint32_t>(i), 10 * (i + 1), {}};
+    Expected expected{static_cast<std::uint16_t>(1 + i % 3), static_cast<std::uint32_t>(i), 10 * (i + 1), {}};
     for (std::size_t j = 0; j < bytes; ++j) {
-      told.data.push_back(j % 2 == 0 ? 'x' : static_cast<char>(random() & 0xFF));
+      expected.data.push_back(j % 2 == 0 ? 'x' : static_cast<char>(random() & 0xFF));
     }
-    messages.push_back(std::move(told));
+    messages.push_back(std::move(expected));
   }
   return messages;
 }

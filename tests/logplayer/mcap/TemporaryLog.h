@@ -12,15 +12,15 @@
 namespace logplayer::mcap::test {
 
 /// A message with its data, for comparison.
-struct Told {
+struct Expected {
   std::uint16_t channelId = 0;
   std::uint32_t sequence = 0;
   /// Log time in ns; the publish time is 1 ns later.
   std::int64_t time = 0;
   std::string data;
-  bool operator==(const Told&) const = default;
+  bool operator==(const Expected&) const = default;
 };
-void PrintTo(const Told& told, std::ostream* out);
+void PrintTo(const Expected& expected, std::ostream* out);
 
 /// A folder for log files that the destructor removes.
 class TemporaryFolder {
@@ -44,26 +44,26 @@ inline Instant at(std::int64_t nanoseconds) {
 
 /// Adds the schema "s" and the channels "c1".."cN" with the ids 1..N.
 void addChannels(Writer& writer, int channels);
-void write(Writer& writer, const Told& told);
+void write(Writer& writer, const Expected& expected);
 /// Writes a new file with `channels` channels and these messages, and closes it. `flushBefore`: indices of
 /// messages before which the open chunk is written.
-void writeLog(const std::filesystem::path& file, const std::vector<Told>& messages,
+void writeLog(const std::filesystem::path& file, const std::vector<Expected>& messages,
               Writer::Options options = {}, const std::vector<std::size_t>& flushBefore = {},
               int channels = 3);
 
 std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options options = {});
-Told toldBy(const Message& message);
+Expected toldBy(const Message& message);
 /// In the order of the file.
-std::vector<Told> readAll(Reader& reader);
+std::vector<Expected> readAll(Reader& reader);
 /// By next() from the start; messages that cannot be read are skipped.
-std::vector<Told> readForwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
+std::vector<Expected> readForwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
 /// By a MessageCursor; messages that cannot be read are left out.
-std::vector<Told> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels = {1, 2, 3});
+std::vector<Expected> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels = {1, 2, 3});
 /// By previous(), from behind the last.
-std::vector<Told> readBackwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
+std::vector<Expected> readBackwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
 
 /// `count` messages 10 ns apart on channels 1..3 in turn, with about `bytes` bytes of data that compress by
 /// half.
-std::vector<Told> someMessages(int count, std::size_t bytes = 40);
+std::vector<Expected> someMessages(int count, std::size_t bytes = 40);
 
 }  // namespace logplayer::mcap::test

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Compression.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/Summary.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
@@ -25,7 +25,7 @@ const Channel kChannels[] = {
 class HandmadeFile {
  public:
   struct Chunk {
-    std::vector<Told> messages;
+    std::vector<Expected> messages;
     Compression compression = Compression::kNone;
     bool indexed = true;
     bool defines = false;        ///< with the schema and all channels
@@ -44,7 +44,7 @@ class HandmadeFile {
     for (const Channel& channel : kChannels) add(channel);
     return *this;
   }
-  HandmadeFile& add(const Told& told) { return add(messageOf(told)); }
+  HandmadeFile& add(const Expected& expected) { return add(messageOf(expected)); }
   HandmadeFile& addPrivate(std::uint8_t opcode, std::size_t length) {
     appendPrivate(bytes_, opcode, length);
     return *this;
@@ -54,8 +54,9 @@ class HandmadeFile {
   void write(const std::filesystem::path& file, bool summary = true);
 
  private:
-  static Message messageOf(const Told& told) {
-    return {told.channelId, told.sequence, at(told.time), at(told.time + 1), bytesOf(told.data)};
+  static Message messageOf(const Expected& expected) {
+    return {expected.channelId, expected.sequence, at(expected.time), at(expected.time + 1),
+            bytesOf(expected.data)};
   }
   static void appendPrivate(Buffer& to, std::uint8_t opcode, std::size_t length) {
     to.push_back(opcode);
@@ -75,16 +76,17 @@ HandmadeFile& HandmadeFile::add(const Chunk& chunk) {
   }
   std::map<std::uint16_t, MessageIndex> indexes;
   Instant start{}, end{};
-  for (const Told& told : chunk.messages) {
-    const bool first = &told == &chunk.messages.front();
-    start = first ? at(told.time) : std::min(start, at(told.time));
-    end = first ? at(told.time) : std::max(end, at(told.time));
-    MessageIndex& index = indexes.try_emplace(told.channelId, MessageIndex{told.channelId, {}}).first->second;
-    index.entries.push_back({static_cast<std::uint64_t>(told.time), records.size()});
-    encode(records, messageOf(told));
+  for (const Expected& expected : chunk.messages) {
+    const bool first = &expected == &chunk.messages.front();
+    start = first ? at(expected.time) : std::min(start, at(expected.time));
+    end = first ? at(expected.time) : std::max(end, at(expected.time));
+    MessageIndex& index =
+        indexes.try_emplace(expected.channelId, MessageIndex{expected.channelId, {}}).first->second;
+    index.entries.push_back({static_cast<std::uint64_t>(expected.time), records.size()});
+    encode(records, messageOf(expected));
     if (chunk.privateRecord) appendPrivate(records, 0x80, 33);
     ++summary_.statistics.messageCount;
-    ++summary_.statistics.channelMessageCounts[told.channelId];
+    ++summary_.statistics.channelMessageCounts[expected.channelId];
   }
   Compressor compressor(chunk.compression, 0);
   const auto compressed = compressor.compress(records);
@@ -134,8 +136,8 @@ class VectorsTest : public testing::TestWithParam<bool> {
     EXPECT_EQ(reader.damage().size(), reader.complete() ? 0U : 1U);
     for (const Damage& damage : reader.damage()) EXPECT_EQ(damage.bytes, 0U) << damage.what;
   }
-  static std::vector<Told> inOrder(std::vector<Told> messages) {
-    std::ranges::stable_sort(messages, {}, &Told::time);
+  static std::vector<Expected> inOrder(std::vector<Expected> messages) {
+    std::ranges::stable_sort(messages, {}, &Expected::time);
     return messages;
   }
 
@@ -143,18 +145,18 @@ class VectorsTest : public testing::TestWithParam<bool> {
 };
 
 TEST_P(VectorsTest, overlappingChunksAreMerged) {
-  const std::vector<Told> first{{1, 0, 10, "a"}, {2, 1, 40, "b"}, {1, 2, 70, "c"}};
-  const std::vector<Told> second{{2, 3, 20, "d"}, {1, 4, 50, "e"}, {3, 5, 80, "f"}};
-  const std::vector<Told> third{{1, 6, 30, "g"}, {3, 7, 60, "h"}, {2, 8, 90, "i"}};
+  const std::vector<Expected> first{{1, 0, 10, "a"}, {2, 1, 40, "b"}, {1, 2, 70, "c"}};
+  const std::vector<Expected> second{{2, 3, 20, "d"}, {1, 4, 50, "e"}, {3, 5, 80, "f"}};
+  const std::vector<Expected> third{{1, 6, 30, "g"}, {3, 7, 60, "h"}, {2, 8, 90, "i"}};
   HandmadeFile file;
   file.add({first, Compression::kLz4, true, true}).add({second, Compression::kZstd}).add({third});
   const auto reader = written(file);
-  std::vector<Told> all = first;
+  std::vector<Expected> all = first;
   all.insert(all.end(), second.begin(), second.end());
   all.insert(all.end(), third.begin(), third.end());
   EXPECT_EQ(readAll(*reader), all);
   EXPECT_EQ(readForwards(*reader), inOrder(all));
-  std::vector<Told> backwards = readBackwards(*reader);
+  std::vector<Expected> backwards = readBackwards(*reader);
   std::ranges::reverse(backwards);
   EXPECT_EQ(backwards, inOrder(all));
   EXPECT_THAT(reader->times(1), ElementsAre(at(10), at(30), at(50), at(70)));
@@ -165,7 +167,7 @@ TEST_P(VectorsTest, overlappingChunksAreMerged) {
 }
 
 TEST_P(VectorsTest, messagesOutOfOrderWithinAChunkAreSorted) {
-  const std::vector<Told> messages{
+  const std::vector<Expected> messages{
       {1, 0, 50, "a"}, {1, 1, 10, "b"}, {2, 2, 50, "c"}, {1, 3, 30, "d"}, {1, 4, 50, "e"}};
   HandmadeFile file;
   file.add({messages, Compression::kNone, true, true});
@@ -176,7 +178,7 @@ TEST_P(VectorsTest, messagesOutOfOrderWithinAChunkAreSorted) {
 }
 
 TEST_P(VectorsTest, anEmptyChunkDoesNoHarm) {
-  const std::vector<Told> messages{{1, 0, 10, "a"}};
+  const std::vector<Expected> messages{{1, 0, 10, "a"}};
   HandmadeFile file;
   file.add({{}, Compression::kNone, true, true}).add({messages}).add(HandmadeFile::Chunk{});
   const auto reader = written(file);
@@ -186,28 +188,28 @@ TEST_P(VectorsTest, anEmptyChunkDoesNoHarm) {
 }
 
 TEST_P(VectorsTest, unknownRecordsAreSkipped) {
-  const std::vector<Told> messages{{1, 0, 10, "a"}, {2, 1, 20, "b"}};
+  const std::vector<Expected> messages{{1, 0, 10, "a"}, {2, 1, 20, "b"}};
   HandmadeFile file;
   file.addPrivate(0x80, 5).addPrivate(0x10, 0).add({messages, Compression::kNone, true, true, true});
   const HandmadeFile::Chunk later{{{1, 2, 30, "c"}}};
   file.addPrivate(0xFF, 70'000).add(later).addPrivate(0x7F, 9);
   const auto reader = written(file);
-  EXPECT_THAT(readForwards(*reader), ElementsAre(messages[0], messages[1], Told{1, 2, 30, "c"}));
+  EXPECT_THAT(readForwards(*reader), ElementsAre(messages[0], messages[1], Expected{1, 2, 30, "c"}));
   expectNoLoss(*reader);
 }
 
 TEST_P(VectorsTest, aChunkWithoutMessageIndexesIsReadToFindItsMessages) {
-  const std::vector<Told> messages{{1, 0, 20, "a"}, {2, 1, 10, "b"}};
+  const std::vector<Expected> messages{{1, 0, 20, "a"}, {2, 1, 10, "b"}};
   HandmadeFile file;
   file.add({messages, Compression::kZstd, false, true}).add({{{3, 2, 30, "c"}}, Compression::kLz4, true});
   const auto reader = written(file);
-  EXPECT_THAT(readForwards(*reader), ElementsAre(messages[1], messages[0], Told{3, 2, 30, "c"}));
+  EXPECT_THAT(readForwards(*reader), ElementsAre(messages[1], messages[0], Expected{3, 2, 30, "c"}));
   EXPECT_EQ(reader->statistics().messageCount, 3U);
   expectNoLoss(*reader);
 }
 
 TEST_P(VectorsTest, moreThan65535MessagesFitIntoAChunk) {
-  std::vector<Told> messages;
+  std::vector<Expected> messages;
   for (std::uint32_t i = 0; i < 70'000; ++i)
     messages.push_back({static_cast<std::uint16_t>(1 + i % 3), i, i, {}});
   for (const bool indexed : {true, false}) {
@@ -236,29 +238,29 @@ INSTANTIATE_TEST_SUITE_P(Summary, VectorsTest, testing::Bool(),
 
 TEST(UnchunkedTest, messagesOutsideOfChunksAreReadInOrderOfTime) {
   TemporaryFolder folder;
-  std::vector<Told> messages = someMessages(3000, 1000);  // several stretches
+  std::vector<Expected> messages = someMessages(3000, 1000);  // several stretches
   std::swap(messages[1], messages[2000]);
   HandmadeFile file;
   file.define();
-  for (const Told& message : messages) file.add(message);
+  for (const Expected& message : messages) file.add(message);
   file.add(Metadata{"m", {}});
-  file.add(Told{1, 9999, 5, "behind"});
+  file.add(Expected{1, 9999, 5, "behind"});
   messages.push_back({1, 9999, 5, "behind"});
   file.write(folder / "log.mcap", false);
   const auto reader = test::open(folder / "log.mcap");
   EXPECT_EQ(reader->statistics().messageCount, 3001U);
   EXPECT_THAT(reader->chunks(), IsEmpty());
   EXPECT_EQ(readAll(*reader), messages);
-  std::ranges::stable_sort(messages, {}, &Told::time);
+  std::ranges::stable_sort(messages, {}, &Expected::time);
   EXPECT_EQ(readForwards(*reader), messages);
 }
 
 TEST(UnchunkedTest, readingGoesOnBehindDamage) {
   TemporaryFolder folder;
-  const std::vector<Told> messages = someMessages(100, 100);
+  const std::vector<Expected> messages = someMessages(100, 100);
   HandmadeFile file;
   file.define();
-  for (const Told& message : messages) file.add(message);
+  for (const Expected& message : messages) file.add(message);
   file.write(folder / "log.mcap", false);
   std::string bytes = readBytes(folder / "log.mcap");
   const std::size_t place = bytes.size() - 131 * 50;  // the head of a message's record
@@ -275,7 +277,7 @@ TEST(CompressionNameTest, anUnknownCompressionIsToldAndTheRestIsRead) {
   Writer::Options options;
   options.compression = Compression::kLz4;
   options.chunkBytes = 1000;
-  const std::vector<Told> messages = someMessages(60);
+  const std::vector<Expected> messages = someMessages(60);
   writeLog(folder / "log.mcap", messages, options);
   std::string bytes = readBytes(folder / "log.mcap");
   const auto chunk = test::open(folder / "log.mcap")->chunks()[1];

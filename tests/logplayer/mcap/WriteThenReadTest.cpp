@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
 using namespace logplayer::mcap;
@@ -26,7 +26,7 @@ class WriteThenRead : public testing::TestWithParam<Compression> {
 };
 
 TEST_P(WriteThenRead, whatWasWrittenIsReadForwardsAndBackwards) {
-  const std::vector<Told> messages = someMessages(200);
+  const std::vector<Expected> messages = someMessages(200);
   writeLog(folder_ / "log.mcap", messages, compressedBy(GetParam()));
   const auto reader = test::open(folder_ / "log.mcap");
   ASSERT_NE(reader, nullptr);
@@ -35,14 +35,14 @@ TEST_P(WriteThenRead, whatWasWrittenIsReadForwardsAndBackwards) {
   EXPECT_EQ(reader->chunks().front().compression, GetParam());
   EXPECT_EQ(readAll(*reader), messages);
   EXPECT_EQ(readForwards(*reader), messages);
-  std::vector<Told> backwards = readBackwards(*reader);
+  std::vector<Expected> backwards = readBackwards(*reader);
   std::ranges::reverse(backwards);
   EXPECT_EQ(backwards, messages);
   EXPECT_THAT(reader->damage(), IsEmpty());
 }
 
 TEST_P(WriteThenRead, aFileWithoutItsEndIsScanned) {
-  const std::vector<Told> messages = someMessages(200);
+  const std::vector<Expected> messages = someMessages(200);
   writeLog(folder_ / "log.mcap", messages, compressedBy(GetParam()));
   const auto whole = test::open(folder_ / "log.mcap");
   std::string bytes = readBytes(folder_ / "log.mcap");
@@ -54,12 +54,12 @@ TEST_P(WriteThenRead, aFileWithoutItsEndIsScanned) {
   EXPECT_FALSE(reader->complete());
   EXPECT_EQ(reader->channels(), whole->channels());
   EXPECT_EQ(reader->schemas(), whole->schemas());
-  const std::vector<Told> left = readForwards(*reader);
+  const std::vector<Expected> left = readForwards(*reader);
   EXPECT_EQ(reader->chunks().size() + 1, whole->chunks().size());
   EXPECT_EQ(reader->statistics().messageCount, left.size());
   ASSERT_LT(left.size(), messages.size());
-  EXPECT_EQ(left,
-            std::vector<Told>(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(left.size())));
+  EXPECT_EQ(left, std::vector<Expected>(messages.begin(),
+                                        messages.begin() + static_cast<std::ptrdiff_t>(left.size())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Compressions, WriteThenRead,
@@ -108,8 +108,9 @@ TEST_F(WriterTest, aLargeMessageGetsAChunkOfItsOwn) {
   ASSERT_EQ(reader->chunks().size(), 2U);
   EXPECT_EQ(reader->chunks()[0].messages, 1U);
   EXPECT_EQ(reader->chunks()[1].messages, 2U);
-  EXPECT_THAT(readForwards(*reader), ElementsAre(Told{1, 0, 10, "small"}, testing::Field(&Told::time, 20),
-                                                 Told{1, 1, 30, "small too"}));
+  EXPECT_THAT(readForwards(*reader),
+              ElementsAre(Expected{1, 0, 10, "small"}, testing::Field(&Expected::time, 20),
+                          Expected{1, 1, 30, "small too"}));
 }
 
 TEST_F(WriterTest, aChunkIsWrittenWhenItIsOldEnough) {

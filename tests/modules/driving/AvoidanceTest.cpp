@@ -20,8 +20,8 @@ struct Case {
 class AvoidanceTest : public testing::TestWithParam<Case> {
  protected:
   RollingRobot::Options robotAt(const Pose2& start) { return {.start = start, .laser = GetParam().laser}; }
-  static Ride::Wish always(const DriveVelocity& wish) {
-    return [wish](auto) { return wish; };
+  static Ride::Desired always(const DriveVelocity& desired) {
+    return [desired](auto) { return desired; };
   }
 };
 
@@ -70,11 +70,11 @@ TEST_P(AvoidanceTest, itGetsAroundAPillar) {
   const FlatWorld world(map);
   Ride ride(world, robotAt({2, 3.05, 0}), GetParam().avoidance);
   // Whoever wishes aims for the far end of the room.
-  const auto wish = [&](auto) {
+  const auto desired = [&](auto) {
     const auto goal = ride.robot().pose().inverse() * robotlink::Vector2(11, 3);
     return DriveVelocity{0.45, std::clamp(std::atan2(goal.y(), goal.x()), -0.6, 0.6)};
   };
-  EXPECT_TRUE(ride.runUntil(90, wish, [&] { return ride.robot().pose().x > 7; }));
+  EXPECT_TRUE(ride.runUntil(90, desired, [&] { return ride.robot().pose().x > 7; }));
   EXPECT_GT(ride.robot().nearest(), 0.06);
 }
 
@@ -111,11 +111,11 @@ TEST_P(AvoidanceTest, aDoorOfNinetyCentimetersIsWideEnough) {
   addWall(map, 5, 2.95, 5, 5);
   const FlatWorld world(map);
   Ride ride(world, robotAt({2.5, 2.4, 0}), GetParam().avoidance);
-  const auto wish = [&](auto) {
+  const auto desired = [&](auto) {
     const auto goal = ride.robot().pose().inverse() * robotlink::Vector2(6.5, 2.5);
     return DriveVelocity{0.35, std::clamp(std::atan2(goal.y(), goal.x()), -0.6, 0.6)};
   };
-  EXPECT_TRUE(ride.runUntil(120, wish, [&] { return ride.robot().pose().x > 5.8; }));
+  EXPECT_TRUE(ride.runUntil(120, desired, [&] { return ride.robot().pose().x > 5.8; }));
   EXPECT_GT(ride.robot().nearest(), 0.05);
 }
 

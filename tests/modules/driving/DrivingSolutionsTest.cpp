@@ -22,7 +22,7 @@ DriveVelocity velocityOf(const robotcontrol::DriveRequest* request) {
                             : DriveVelocity{request->velocity().x(), request->velocity().rotation()};
 }
 
-robotcontrol::DriveRequest wish(const OneSolution& solution, double forward, double rotation) {
+robotcontrol::DriveRequest desired(const OneSolution& solution, double forward, double rotation) {
   robotcontrol::DriveRequest request;
   robotlink::assign(*request.mutable_timestamp(), solution.clock().now());
   request.mutable_velocity()->set_x(forward);
@@ -35,36 +35,36 @@ TEST(Wander, drivesByWhatIsSeenAndStandsWhileNothingIs) {
   RollingRobot robot(world, {.start = {4, 3, 0}, .laser = false});
   OneSolution wander("driving", "wander");
   wander.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveWish)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)));
   for (int i = 0; i < 10; ++i) {
     robot.drive({});
     wander.pass();
     sense(wander, robot, false);
     wander.execute();
   }
-  EXPECT_NE(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveWish)));
+  EXPECT_NE(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)));
   EXPECT_THAT(wander.silentKeys(), IsEmpty());
   wander.pass(3);
   wander.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveWish)))
+  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)))
       << "its sensors have fallen silent";
 }
 
 TEST(ObeyOnWheels, doesWhatAPersonAsksFor) {
   OneSolution obey("driving", "obey");
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveWish)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
   robotcontrol::RemoteMotion remote;
   remote.mutable_motion()->set_kind(robotcontrol::MotionRequest::WALK);
   remote.mutable_motion()->mutable_walk()->set_x(0.3);
   remote.mutable_motion()->mutable_walk()->set_rotation(-0.2);
   obey.set(robotlink::kRemoteMotion, remote);
   obey.execute();
-  EXPECT_EQ((DriveVelocity{0.3, -0.2}), velocityOf(obey.sent(robotlink::kDriveWish)));
+  EXPECT_EQ((DriveVelocity{0.3, -0.2}), velocityOf(obey.sent(robotlink::kDriveRequest)));
   remote.mutable_motion()->set_kind(robotcontrol::MotionRequest::STAND);
   obey.set(robotlink::kRemoteMotion, remote);
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveWish)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
   EXPECT_THAT(obey.silentKeys(), IsEmpty());
 }
 
@@ -76,18 +76,18 @@ TEST(ObeyOnWheels, standsWhenNobodyIsHeardAnyMore) {
   for (int i = 0; i < 40; ++i) {
     if (i % 10 == 0) obey.set(robotlink::kRemoteMotion, remote);
     obey.execute();
-    EXPECT_EQ((DriveVelocity{0.3, 0}), velocityOf(obey.sent(robotlink::kDriveWish))) << i;
+    EXPECT_EQ((DriveVelocity{0.3, 0}), velocityOf(obey.sent(robotlink::kDriveRequest))) << i;
     obey.pass();
   }
   obey.pass(2);
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveWish)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
 }
 
 TEST(Halt, stands) {
   OneSolution halt("driving", "halt");
   halt.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(halt.sent(robotlink::kDriveWish)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(halt.sent(robotlink::kDriveRequest)));
 }
 
 /// Follows a path along the room's length.
@@ -118,11 +118,11 @@ class FollowPathTest : public testing::Test {
       follow_.set(robotlink::kRobotPose, pose);
       sense(follow_, robot_, true);
       follow_.execute();
-      robot_.drive(wished());
+      robot_.drive(desired());
       follow_.pass();
     }
   }
-  DriveVelocity wished() const { return velocityOf(follow_.sent(robotlink::kDriveWish)); }
+  DriveVelocity desired() const { return velocityOf(follow_.sent(robotlink::kDriveRequest)); }
 
   FlatWorld world_;
   RollingRobot robot_;
@@ -131,10 +131,10 @@ class FollowPathTest : public testing::Test {
 
 TEST_F(FollowPathTest, standsWhileThereIsNothingToDo) {
   run(0.5);
-  EXPECT_EQ(DriveVelocity{}, wished());
+  EXPECT_EQ(DriveVelocity{}, desired());
   setPath(false, true);
   run(0.5);
-  EXPECT_EQ(DriveVelocity{}, wished());
+  EXPECT_EQ(DriveVelocity{}, desired());
 }
 
 TEST_F(FollowPathTest, drivesToTheGoalAndTurnsAsItWants) {
@@ -149,14 +149,14 @@ TEST_F(FollowPathTest, drivesToTheGoalAndTurnsAsItWants) {
 TEST_F(FollowPathTest, whereThereIsNoWayItStandsAndSaysWhy) {
   setPath(true);
   run(1);
-  EXPECT_EQ(DriveVelocity{}, wished());
+  EXPECT_EQ(DriveVelocity{}, desired());
   EXPECT_TRUE(follow_.said("no way: there is a wall"));
 }
 
 TEST_F(FollowPathTest, wandersWhileItDoesNotKnowWhereItIs) {
   setPath();
   run(2, 4);
-  EXPECT_NE(DriveVelocity{}, wished());
+  EXPECT_NE(DriveVelocity{}, desired());
   EXPECT_TRUE(follow_.said("wanders until it does"));
   run(30);
   EXPECT_LT((robot_.pose().translation() - Vector2(5, 3)).norm(), 0.2);
@@ -167,7 +167,7 @@ TEST_F(FollowPathTest, mayWaitInsteadOfWandering) {
   follow_.parametersAs<robotcontrol::FollowPathParameters>().set_wait_when_lost(true);
   setPath();
   run(2, 4);
-  EXPECT_EQ(DriveVelocity{}, wished());
+  EXPECT_EQ(DriveVelocity{}, desired());
 }
 
 class AvoidanceSolutionTest : public testing::TestWithParam<const char*> {
@@ -179,7 +179,7 @@ class AvoidanceSolutionTest : public testing::TestWithParam<const char*> {
 
   void run(double seconds, double forward, double rotation) {
     for (const double end = robot_.time() + seconds; robot_.time() < end - 1e-6;) {
-      avoid_.set(robotlink::kDriveWish, wish(avoid_, forward, rotation));
+      avoid_.set(robotlink::kDriveRequest, desired(avoid_, forward, rotation));
       robotcontrol::DriveState state = driveState(robot_);
       change(state);
       sense(avoid_, robot_, true);
@@ -207,7 +207,7 @@ TEST_P(AvoidanceSolutionTest, drivesAsWishedButNotIntoAWall) {
 
 TEST_P(AvoidanceSolutionTest, blindItStandsAndSaysSoOnce) {
   for (int i = 0; i < 20; ++i) {
-    avoid_.set(robotlink::kDriveWish, wish(avoid_, 0.4, 0));
+    avoid_.set(robotlink::kDriveRequest, desired(avoid_, 0.4, 0));
     avoid_.set(robotlink::kDriveState, driveState(robot_));
     avoid_.execute();
     avoid_.pass();
@@ -256,10 +256,10 @@ INSTANTIATE_TEST_SUITE_P(Seeing, AvoidanceSolutionTest, testing::Values("vector-
 
 TEST(NoAvoidance, passesWishesOnWithinWhatTheMotorsCan) {
   OneSolution none("obstacle-avoidance", "none");
-  none.set(robotlink::kDriveWish, wish(none, 9, 0));
+  none.set(robotlink::kDriveRequest, desired(none, 9, 0));
   double last = 0;
   for (int i = 0; i < 60; ++i) {
-    none.set(robotlink::kDriveWish, wish(none, 9, 0));
+    none.set(robotlink::kDriveRequest, desired(none, 9, 0));
     none.execute();
     none.pass();
     const double now = velocityOf(none.sent(robotlink::kDriveRequest)).forward;

@@ -21,16 +21,16 @@ class Ride {
   Ride(const FlatWorld& world, const RollingRobot::Options& options, Avoidance avoidance);
 
   /// Returns the desired velocity, given the obstacles in the robot's frame.
-  using Wish = std::function<DriveVelocity(std::span<const robotlink::Vector2>)>;
-  void run(double seconds, const Wish& wish);
+  using Desired = std::function<DriveVelocity(std::span<const robotlink::Vector2>)>;
+  void run(double seconds, const Desired& desired);
   /// Runs until `done` returns true; returns false if it does not within `seconds`.
-  bool runUntil(double seconds, const Wish& wish, const std::function<bool()>& done);
+  bool runUntil(double seconds, const Desired& desired, const std::function<bool()>& done);
 
   RollingRobot& robot() { return robot_; }
   const DriveVelocity& request() const { return request_; }
 
  private:
-  void cycle(const Wish& wish);
+  void cycle(const Desired& desired);
 
   RollingRobot robot_;
   Avoidance avoidance_;

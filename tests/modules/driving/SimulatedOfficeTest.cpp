@@ -8,7 +8,7 @@
 
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulatedWorld.h"
-#include "modules/navigation/FreeSpace.h"
+#include "modules/navigation/ReachableSpace.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Modeling.pb.h"
@@ -86,7 +86,7 @@ TEST(SimulatedOffice, aMinuteOfWanderingTellsWhereTheRobotIs) {
     SimulatedOffice office("pioneer", {{"driving", "wander"}}, seed);
     const DistanceMap distances(*office.map(), {});
     robotlink::Random random(seed);
-    office.place(FreeSpace(distances, *office.map(), 0.6).draw(random));
+    office.place(ReachableSpace(distances, *office.map(), 0.6).draw(random));
     office.run(0.6);
     EXPECT_GT(office.believed().position_deviation(), 1) << seed;
     office.run(60);

@@ -81,10 +81,10 @@ void PlayedGame::run(double seconds) {
 
 void PlayedGame::show(const std::string& package, Listener listener) {
   listeners_[package] = std::move(listener);
-  tell(robotlink::packageKey(package));
+  publish(robotlink::packageKey(package));
 }
 
-void PlayedGame::tell(const std::string& key) {
+void PlayedGame::publish(const std::string& key) {
   robotcontrol::Request request = requestTo(kRobot);
   request.mutable_set_key()->set_name(key);
   request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);

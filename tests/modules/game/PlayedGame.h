@@ -42,7 +42,7 @@ class PlayedGame {
   }
   void select(const std::string& task, const std::string& solution);
   /// Turns a debug key on.
-  void tell(const std::string& key);
+  void publish(const std::string& key);
   /// The paths of all debug messages so far: "drawings/image/ball-percept/disc".
   const std::set<std::string>& paths() const { return paths_; }
 

@@ -54,13 +54,13 @@ std::vector<std::string> silentKeys(PlayedGame::Solutions solutions) {
   for (const auto& [task, name] : solutions)
     for (const int key : SolutionRegistry::find(task, name)->keys)
       keys.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
-  for (const std::string& key : keys) game.tell(key);
+  for (const std::string& key : keys) game.publish(key);
   game.placeBall({-0.1, 0.2});
   game.run(3);
   std::vector<std::string> silent;
   for (const std::string& key : keys) {
-    const auto tells = [&](const std::string& path) { return path.find("/" + key) != std::string::npos; };
-    if (std::ranges::none_of(game.paths(), tells)) silent.push_back(key);
+    const auto publishs = [&](const std::string& path) { return path.find("/" + key) != std::string::npos; };
+    if (std::ranges::none_of(game.paths(), publishs)) silent.push_back(key);
   }
   return silent;
 }

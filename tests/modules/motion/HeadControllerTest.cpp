@@ -10,7 +10,7 @@ using robotlink::radians;
 using robotlink::Vector3;
 constexpr robotlink::Duration kHeadFrame = std::chrono::milliseconds(8);
 
-HeadWish wish(HeadWish::Kind kind) {
+HeadCommand desired(HeadCommand::Kind kind) {
   return {kind, {}};
 }
 
@@ -52,13 +52,13 @@ TEST(HeadControllerTest, whatLiesBehindTheNeckDoesNotTurnTheHeadOver) {
 }
 
 TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnItsSide) {
-  for (const auto kind : {HeadWish::Kind::kSearchBall, HeadWish::Kind::kTrackBall}) {
+  for (const auto kind : {HeadCommand::Kind::kSearchBall, HeadCommand::Kind::kTrackBall}) {
     HeadController controller(HeadParameters{});
-    HeadAngles head = controller.advance(wish(kind), BallSight{{1, -0.5}, 0.1}, {}, kHeadFrame);
+    HeadAngles head = controller.advance(desired(kind), BallSight{{1, -0.5}, 0.1}, {}, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kTracking);
     EXPECT_LT(head.pan, -0.3);
     for (int i = 0; i < 30; ++i)
-      head = controller.advance(wish(kind), BallSight{{1, -0.5}, 2}, head, kHeadFrame);
+      head = controller.advance(desired(kind), BallSight{{1, -0.5}, 2}, head, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kSearching);
     EXPECT_LT(head.pan, -0.7);
   }
@@ -68,7 +68,7 @@ TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnIt
 struct Sweep {
   double left = -9, right = 9, up = -9, down = 9, fastest = 0;
 };
-Sweep swept(HeadController& controller, const HeadWish& kind, double seconds) {
+Sweep swept(HeadController& controller, const HeadCommand& kind, double seconds) {
   Sweep sweep;
   HeadAngles head;
   for (int i = 0; i < static_cast<int>(seconds / 0.008); ++i) {
@@ -85,7 +85,7 @@ Sweep swept(HeadController& controller, const HeadWish& kind, double seconds) {
 
 TEST(HeadControllerTest, searchingSweepsFarAndNearOnBothSides) {
   HeadController controller(HeadParameters{});
-  const Sweep sweep = swept(controller, wish(HeadWish::Kind::kSearchBall), 6);
+  const Sweep sweep = swept(controller, desired(HeadCommand::Kind::kSearchBall), 6);
   EXPECT_GT(sweep.left, radians(75));
   EXPECT_LT(sweep.right, radians(-75));
   EXPECT_LT(sweep.down, radians(-40));
@@ -94,7 +94,7 @@ TEST(HeadControllerTest, searchingSweepsFarAndNearOnBothSides) {
 
 TEST(HeadControllerTest, lookingAroundStaysAtTheHeightOfLandmarks) {
   HeadController controller(HeadParameters{});
-  const Sweep sweep = swept(controller, wish(HeadWish::Kind::kLookAround), 5);
+  const Sweep sweep = swept(controller, desired(HeadCommand::Kind::kLookAround), 5);
   EXPECT_GT(sweep.left, radians(80));
   EXPECT_LT(sweep.right, radians(-80));
   EXPECT_GT(sweep.down, radians(-5));
@@ -109,9 +109,9 @@ TEST(HeadControllerTest, aSweepWaitsForAHeadThatIsHeld) {
 
 TEST(HeadControllerTest, anglesAndAheadAreObeyedAtOnce) {
   HeadController controller(HeadParameters{});
-  const HeadWish angles{HeadWish::Kind::kAngles, {0.1, 0.2, 0.3, -0.4}};
+  const HeadCommand angles{HeadCommand::Kind::kAngles, {0.1, 0.2, 0.3, -0.4}};
   EXPECT_EQ(controller.advance(angles, std::nullopt, {}, kHeadFrame), angles.angles);
-  EXPECT_EQ(controller.advance(wish(HeadWish::Kind::kLookAhead), std::nullopt, {}, kHeadFrame).pan, 0);
+  EXPECT_EQ(controller.advance(desired(HeadCommand::Kind::kLookAhead), std::nullopt, {}, kHeadFrame).pan, 0);
 }
 
 }  // namespace

@@ -40,10 +40,10 @@ std::shared_ptr<const robotlink::MotionNet> motions() {
 
 class MotionEngineTest : public testing::Test {
  protected:
-  void run(const MotionWish& wish, int frames, const Vector3& acceleration = {0, 0, 9.8}) {
+  void run(const MotionCommand& desired, int frames, const Vector3& acceleration = {0, 0, 9.8}) {
     for (int i = 0; i < frames; ++i) {
       const std::vector<double> before(engine_.positions().begin(), engine_.positions().end());
-      engine_.advance({wish, head_, &acceleration, std::chrono::milliseconds(8)});
+      engine_.advance({desired, head_, &acceleration, std::chrono::milliseconds(8)});
       for (std::size_t j = 0; j < before.size(); ++j) {
         largestStep_ = std::max(largestStep_, std::abs(before[j] - engine_.positions()[j]));
       }
@@ -56,8 +56,8 @@ class MotionEngineTest : public testing::Test {
     }
     return NAN;
   }
-  static MotionWish walk(double x) { return {MotionWish::Kind::kWalk, {x, 0, 0}, {}}; }
-  static MotionWish keyFrames(const char* motion) { return {MotionWish::Kind::kKeyFrames, {}, motion}; }
+  static MotionCommand walk(double x) { return {MotionCommand::Kind::kWalk, {x, 0, 0}, {}}; }
+  static MotionCommand keyFrames(const char* motion) { return {MotionCommand::Kind::kKeyFrames, {}, motion}; }
 
   MotionEngine engine_{*JointLayout::of(joints()), motions(), GaitParameters{}, MotionEngine::Options{}};
   HeadAngles head_;
@@ -69,7 +69,7 @@ TEST_F(MotionEngineTest, itGoesSoftlyFromAnyPostureToTheStand) {
   run({}, 100);
   EXPECT_LT(largestStep_, 0.12);
   EXPECT_TRUE(engine_.stable());
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kStand);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kStand);
   EXPECT_NEAR(angle("legFL1"), engine_.gait().angles(Leg::kFrontLeft).swing, 1e-12);
   EXPECT_NEAR(angle("tailPan"), 0.2, 1e-12);
 }
@@ -77,7 +77,7 @@ TEST_F(MotionEngineTest, itGoesSoftlyFromAnyPostureToTheStand) {
 TEST_F(MotionEngineTest, odometryAddsUpTheWalk) {
   run({}, 100);
   run(walk(0.1), 250);
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
   EXPECT_NEAR(engine_.odometry().x, 2.0 * 0.1 - 0.0125, 0.003);
   EXPECT_EQ(engine_.speed().x, 0.1);
 }
@@ -86,8 +86,8 @@ TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {
   run({}, 100);
   run(walk(0.1), 100);
   run(keyFrames("kick"), 1);
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
-  for (int i = 0; i < 70 && engine_.executed().kind == MotionWish::Kind::kWalk; ++i)
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
+  for (int i = 0; i < 70 && engine_.executed().kind == MotionCommand::Kind::kWalk; ++i)
     run(keyFrames("kick"), 1);
   run(keyFrames("kick"), 20);
   EXPECT_EQ(engine_.executed(), keyFrames("kick"));
@@ -95,26 +95,26 @@ TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {
   run(walk(0.1), 2);
   EXPECT_EQ(engine_.executed(), keyFrames("kick")) << "a motion is left at its end only";
   run(walk(0.1), 200);
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
   EXPECT_LT(largestStep_, 0.12);
 }
 
 TEST_F(MotionEngineTest, aMotionThatIsWantedAllTheTimeIsRepeatedAfterAStand) {
   run({}, 100);
-  std::string told;
+  std::string reported;
   for (int i = 0; i < 250; ++i) {
     run(keyFrames("kick"), 1);
-    const char state = engine_.executed().kind == MotionWish::Kind::kKeyFrames ? 'k' : 's';
-    if (told.empty() || told.back() != state) told += state;
+    const char state = engine_.executed().kind == MotionCommand::Kind::kKeyFrames ? 'k' : 's';
+    if (reported.empty() || reported.back() != state) reported += state;
   }
-  EXPECT_EQ(told, "ksksks");
+  EXPECT_EQ(reported, "ksksks");
   EXPECT_LT(largestStep_, 0.12);
 }
 
 TEST_F(MotionEngineTest, unknownMotionsAreRefusedWithTheirName) {
   run(keyFrames("dance"), 10);
   EXPECT_EQ(engine_.refusal(), "there is no motion 'dance'");
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kStand);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kStand);
   run(walk(0), 1);
   EXPECT_EQ(engine_.refusal(), "");
 }
@@ -123,10 +123,10 @@ TEST_F(MotionEngineTest, aFallenRobotGetsUpBeforeItObeys) {
   run({}, 100);
   run(walk(0.1), 150, {0, -9.8, 0});
   EXPECT_TRUE(engine_.falls().fallen());
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kGetUp);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kGetUp);
   EXPECT_EQ(engine_.executed().motion, "get-up-left");
   run(walk(0.1), 200);
-  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
 }
 
 TEST_F(MotionEngineTest, aFallToASideWithoutAMotionIsToldAndNothingIsDone) {

@@ -60,7 +60,7 @@ class OneSolution final : public robotlink::SolutionContext {
     }
   }
   /// The paths and texts of all that was told.
-  std::set<std::string> told() {
+  std::set<std::string> reported() {
     std::set<std::string> result;
     while (debug_.hasQueue()) {
       const auto queue = debug_.takeQueue();
@@ -175,22 +175,22 @@ TEST_P(MotionSolutionTest, anUnknownMotionIsToldOnce) {
   request.set_motion("dance");
   motion_.set(robotlink::kMotionRequest, request);
   motion_.execute(5);
-  EXPECT_TRUE(motion_.told().contains("there is no motion 'dance'"));
+  EXPECT_TRUE(motion_.reported().contains("there is no motion 'dance'"));
   motion_.execute(5);
-  EXPECT_FALSE(motion_.told().contains("there is no motion 'dance'"));
+  EXPECT_FALSE(motion_.reported().contains("there is no motion 'dance'"));
 }
 
 TEST_P(MotionSolutionTest, whatIsSwitchedOnIsToldAndNothingElse) {
   motion_.set(robotlink::kMotionRequest, walking(0.1));
   motion_.execute(10);
   EXPECT_TRUE(std::ranges::none_of(
-      motion_.told(), [](const auto& path) { return path.find("motion/") != std::string::npos; }));
+      motion_.reported(), [](const auto& path) { return path.find("motion/") != std::string::npos; }));
   for (const int index : motion_.description().keys) {
     motion_.switchOn(robotlink::DebugKey::all()[static_cast<std::size_t>(index)].name.c_str());
   }
   motion_.execute(10);
   std::string all;
-  for (const std::string& path : motion_.told()) all += path + "\n";
+  for (const std::string& path : motion_.reported()) all += path + "\n";
   for (const char* part : {"motion/paws", "motion/speed/requested-x", "motion/phase", "motion/upright",
                            "motion/odometry/heading", "motion/joint-errors/legFL1"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
@@ -234,11 +234,11 @@ TEST(HeadControlSolutionTest, searchAndTrackLooksAtTheBallAndSearchesALostOne) {
   head.switchOn("head-control/gaze");
   head.set(robotlink::kBallModel, ballAt(1, 0.5, 3));
   head.execute(5);
-  const auto told = head.told();
+  const auto reported = head.reported();
   EXPECT_TRUE(
-      std::ranges::any_of(told, [](const auto& path) { return path.ends_with("head-control/state"); }));
+      std::ranges::any_of(reported, [](const auto& path) { return path.ends_with("head-control/state"); }));
   EXPECT_TRUE(
-      std::ranges::any_of(told, [](const auto& path) { return path.ends_with("head-control/gaze"); }));
+      std::ranges::any_of(reported, [](const auto& path) { return path.ends_with("head-control/gaze"); }));
 }
 
 TEST(HeadControlSolutionTest, lookAroundSweepsWhateverIsAskedForButObeysAngles) {

@@ -40,12 +40,12 @@ void walking(benchmark::State& state, FootMode mode) {
 
 void aFrameOfMotion(benchmark::State& state) {
   WalkingRobot robot(options(FootMode::kRectangle));
-  robot.run({MotionWish::Kind::kWalk, {0.1, 0, 0.2}, {}}, 2);
+  robot.run({MotionCommand::Kind::kWalk, {0.1, 0, 0.2}, {}}, 2);
   MotionEngine engine = robot.engine();
   const robotlink::Vector3 acceleration(0, 0, 9.81);
   for (auto _ : state) {
     engine.advance(
-        {{MotionWish::Kind::kWalk, {0.1, 0, 0.2}, {}}, {}, &acceleration, std::chrono::milliseconds(8)});
+        {{MotionCommand::Kind::kWalk, {0.1, 0, 0.2}, {}}, {}, &acceleration, std::chrono::milliseconds(8)});
     benchmark::DoNotOptimize(engine.positions().data());
   }
 }

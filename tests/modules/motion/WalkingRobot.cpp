@@ -72,10 +72,10 @@ WalkingRobot::WalkingRobot(const Options& options) {
   engine_->start(angles);
 }
 
-void WalkingRobot::frame(const MotionWish& wish) {
+void WalkingRobot::frame(const MotionCommand& desired) {
   const auto& values = simulation_->sensors()[accelerometer_].values;
   const robotlink::Vector3 acceleration(values[0], values[1], values[2]);
-  engine_->advance({wish, head_, &acceleration, std::chrono::milliseconds(8)});
+  engine_->advance({desired, head_, &acceleration, std::chrono::milliseconds(8)});
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     simulation_->requestAngle(servos_[i], engine_->positions()[i]);
     simulation_->setTorqueLimit(servos_[i], engine_->stiffness());
@@ -84,20 +84,20 @@ void WalkingRobot::frame(const MotionWish& wish) {
   simulation_->step();
 }
 
-void WalkingRobot::run(const MotionWish& wish, double seconds) {
-  for (int i = 0; i < static_cast<int>(seconds / 0.008); ++i) frame(wish);
+void WalkingRobot::run(const MotionCommand& desired, double seconds) {
+  for (int i = 0; i < static_cast<int>(seconds / 0.008); ++i) frame(desired);
 }
 
 WalkingRobot::Measured WalkingRobot::walk(const WalkSpeed& speed, double seconds) {
-  const MotionWish wish{MotionWish::Kind::kWalk, speed, {}};
+  const MotionCommand desired{MotionCommand::Kind::kWalk, speed, {}};
   run({}, 1);
-  run(wish, 1.5);
+  run(desired, 1.5);
   Measured result;
   const int cycle = engine_->gait().parameters().stepFrames;
   const int frames = static_cast<int>(seconds / 0.008) / cycle * cycle;
   robotlink::Pose2 last = robotlink::groundPose(pose());
   for (int i = 1; i <= frames; ++i) {
-    frame(wish);
+    frame(desired);
     result.leastUpright = std::min(result.leastUpright, upright());
     if (i % cycle != 0) continue;
     // Whole cycles, each in the direction in which the robot stood in its middle.

@@ -35,9 +35,9 @@ class WalkingRobot {
 
   explicit WalkingRobot(const Options& options);
 
-  void frame(const MotionWish& wish);
+  void frame(const MotionCommand& desired);
   /// Executes frames with the same request for some seconds.
-  void run(const MotionWish& wish, double seconds);
+  void run(const MotionCommand& desired, double seconds);
   /// Walks from the field's center until the speed is steady, then measures.
   Measured walk(const WalkSpeed& speed, double seconds);
 

@@ -19,8 +19,8 @@ WalkingRobot::Options options(FootMode mode = FootMode::kRectangle) {
   return options;
 }
 
-MotionWish keyFrames(const std::string& motion) {
-  return {MotionWish::Kind::kKeyFrames, {}, motion};
+MotionCommand keyFrames(const std::string& motion) {
+  return {MotionCommand::Kind::kKeyFrames, {}, motion};
 }
 
 struct SpeedCase {
@@ -64,7 +64,7 @@ TEST(WalkingTest, aMinuteOfChangingRequestsIsWalkedWithoutAFall) {
   for (int i = 0; i < 40; ++i) {
     robot.placeRobot({0, 0, random.uniform(-3, 3)});
     const WalkSpeed speed{random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), random.uniform(-1.5, 1.5)};
-    robot.run(i % 5 == 4 ? MotionWish{} : MotionWish{MotionWish::Kind::kWalk, speed, {}}, 1.5);
+    robot.run(i % 5 == 4 ? MotionCommand{} : MotionCommand{MotionCommand::Kind::kWalk, speed, {}}, 1.5);
     ASSERT_GT(robot.upright(), 0.95) << i;
     ASSERT_FALSE(robot.engine().falls().fallen()) << i;
   }
@@ -74,7 +74,7 @@ TEST(WalkingTest, theSameRunGivesTheSameBytes) {
   std::uint64_t digests[2];
   for (std::uint64_t& digest : digests) {
     WalkingRobot robot(options());
-    robot.run({MotionWish::Kind::kWalk, {0.1, 0.02, 0.3}, {}}, 3);
+    robot.run({MotionCommand::Kind::kWalk, {0.1, 0.02, 0.3}, {}}, 3);
     digest = robot.simulation().digest();
   }
   EXPECT_EQ(digests[0], digests[1]);
@@ -85,12 +85,12 @@ TEST(WalkingTest, odometryFollowsTheRobot) {
   robot.placeBall({-1, 1});
   robot.run({}, 1);
   const robotlink::Pose2 before = robotlink::groundPose(robot.pose());
-  robot.run({MotionWish::Kind::kWalk, {0.1, 0, 0.3}, {}}, 4);
+  robot.run({MotionCommand::Kind::kWalk, {0.1, 0, 0.3}, {}}, 4);
   robot.run({}, 1);
   const robotlink::Pose2 moved = before.inverse() * robotlink::groundPose(robot.pose());
-  const robotlink::Pose2& told = robot.engine().odometry();
-  EXPECT_LT((moved.translation() - told.translation()).norm(), 0.06);
-  EXPECT_NEAR(robotlink::normalizedAngle(moved.heading - told.heading), 0, 0.2);
+  const robotlink::Pose2& reported = robot.engine().odometry();
+  EXPECT_LT((moved.translation() - reported.translation()).norm(), 0.06);
+  EXPECT_NEAR(robotlink::normalizedAngle(moved.heading - reported.heading), 0, 0.2);
 }
 
 struct KickCase {
@@ -130,12 +130,12 @@ TEST(KickPostureTest, aKickThatBeginsWithTheHeadDownEndsOnFourPaws) {
   for (const double pan : {0.0, -1.2}) {
     WalkingRobot robot(options());
     robot.head() = {-1.2, pan, 0, 0};
-    robot.run({MotionWish::Kind::kWalk, {0.05, 0.02, 0}, {}}, 1.5);
+    robot.run({MotionCommand::Kind::kWalk, {0.05, 0.02, 0}, {}}, 1.5);
     robot.placeBall({0.155, 0});
     robot.run(keyFrames("kick-forward"), 1);
     double least = 1;
     for (int i = 0; i < 500; ++i) {
-      robot.frame({MotionWish::Kind::kWalk, {0.1, 0, 0}, {}});
+      robot.frame({MotionCommand::Kind::kWalk, {0.1, 0, 0}, {}});
       least = std::min(least, robot.upright());
     }
     EXPECT_GT(least, 0.85);
@@ -186,7 +186,7 @@ TEST_P(GetUpTest, theRobotGetsUpByItselfAndWalks) {
     }
     RecordProperty("seconds", std::to_string(time));
     EXPECT_LT(time, 8);
-    robot.run({MotionWish::Kind::kWalk, {0.1, 0, 0}, {}}, 1.5);
+    robot.run({MotionCommand::Kind::kWalk, {0.1, 0, 0}, {}}, 1.5);
     EXPECT_GT(robot.upright(), 0.98);
     EXPECT_GT(robot.engine().speed().x, 0.09);
   }

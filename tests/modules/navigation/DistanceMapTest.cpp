@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "FlatWorld.h"
-#include "modules/navigation/FreeSpace.h"
 #include "modules/navigation/LikelihoodField.h"
+#include "modules/navigation/ReachableSpace.h"
 
 namespace modules {
 namespace {
@@ -91,13 +91,13 @@ TEST(DistanceMap, anEmptyMapHasNoWalls) {
   const DistanceMap distances(GroundMap{}, {});
   EXPECT_EQ(DistanceMap::kFar, distances.at({0, 0}));
   EXPECT_EQ(5, distances.range({0, 0, 0}, radians(30), 5));
-  EXPECT_TRUE(FreeSpace(distances, GroundMap{}, 0.3).empty());
+  EXPECT_TRUE(ReachableSpace(distances, GroundMap{}, 0.3).empty());
 }
 
-TEST(FreeSpace, isInsideAndAwayFromWalls) {
+TEST(ReachableSpace, isInsideAndAwayFromWalls) {
   const GroundMap map = roomMap(8, 5);
   const DistanceMap distances(map, {});
-  const FreeSpace space(distances, map, 0.3);
+  const ReachableSpace space(distances, map, 0.3);
   EXPECT_NEAR(7.4 * 4.4, space.area(), 1.5);
   EXPECT_TRUE(space.contains({4, 2}));
   EXPECT_FALSE(space.contains({0.1, 2}));
@@ -106,7 +106,7 @@ TEST(FreeSpace, isInsideAndAwayFromWalls) {
   for (int i = 0; i < 200; ++i) EXPECT_TRUE(space.contains(space.draw(random).translation()));
 }
 
-TEST(FreeSpace, aGapInTheWallsDoesNotMakeAllOfTheWorldInside) {
+TEST(ReachableSpace, aGapInTheWallsDoesNotMakeAllOfTheWorldInside) {
   GroundMap map;
   addWall(map, 0, 0, 8, 0);
   addWall(map, 8, 0, 8, 5);
@@ -118,7 +118,7 @@ TEST(FreeSpace, aGapInTheWallsDoesNotMakeAllOfTheWorldInside) {
   home.pose = {4, 2.5, 0};
   map.places.push_back(home);
   const DistanceMap distances(map, {});
-  const FreeSpace space(distances, map, 0.3);
+  const ReachableSpace space(distances, map, 0.3);
   EXPECT_TRUE(space.contains({4, 2.5}));
   EXPECT_FALSE(space.contains({-0.8, 2.2}));
   EXPECT_GT(space.area(), 20);

@@ -15,7 +15,7 @@ struct Outcome {
   double firstDeviation = 0;  ///< m, after the first measurement
 };
 
-robotlink::Pose2 freePlace(const FlatWorld& world, const FreeSpace& space, std::uint64_t seed) {
+robotlink::Pose2 freePlace(const FlatWorld& world, const ReachableSpace& space, std::uint64_t seed) {
   robotlink::Random random(seed, 5);
   robotlink::Pose2 place = space.draw(random);
   while (world.distance(Outline{}, place) < 0.15) place = space.draw(random);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "robotlink/arcos/codec/CommandTable.h"
+#include "robotlink/arcos/codec/CommandCatalog.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -12,10 +12,10 @@ struct IdealWheels {
   robotlink::arcos::MotionController::Wheels wheels;
   robotlink::arcos::WheelCommand command;
 
-  void obey(const robotlink::arcos::WheelCommand& told) {
-    command = told;
-    if (!told.motorsOn) return;
-    wheels.leftTravel += told.left * robotlink::seconds(kStep);
-    wheels.rightTravel += told.right * robotlink::seconds(kStep);
+  void obey(const robotlink::arcos::WheelCommand& commanded) {
+    command = commanded;
+    if (!commanded.motorsOn) return;
+    wheels.leftTravel += commanded.left * robotlink::seconds(kStep);
+    wheels.rightTravel += commanded.right * robotlink::seconds(kStep);
   }
 };

@@ -29,13 +29,13 @@ Request getParameters(const char* task, const char* solution) {
 Request setParameters(const char* task, const char* solution, double x,
                       const char* type = "robotcontrol.Velocity2") {
   Request request;
-  auto& wish = *request.mutable_set_parameters();
-  wish.set_task(task);
-  wish.set_solution(solution);
+  auto& details = *request.mutable_set_parameters();
+  details.set_task(task);
+  details.set_solution(solution);
   robotcontrol::Velocity2 value;
   value.set_x(x);
-  wish.mutable_value()->set_type(type);
-  wish.mutable_value()->set_data(value.SerializeAsString());
+  details.mutable_value()->set_type(type);
+  details.mutable_value()->set_data(value.SerializeAsString());
   return request;
 }
 

@@ -44,9 +44,9 @@ TEST(RequestedPackages, areToldWithTheirOwnTimesWhileTheirKeyIsOn) {
   ASSERT_TRUE(robot.setKey(kKey, KeyMode::ALWAYS).accepted());
   robot.run(50);
   EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::ALWAYS);
-  const auto told = robot.on(kPath);
-  EXPECT_NEAR(static_cast<double>(told.size()), 10, 1);
-  for (const auto* message : told)
+  const auto published = robot.on(kPath);
+  EXPECT_NEAR(static_cast<double>(published.size()), 10, 1);
+  for (const auto* message : published)
     EXPECT_EQ(instant(message->timestamp()), instant(message->image().timestamp()));
   ASSERT_TRUE(robot.setKey(kKey, KeyMode::OFF).accepted());
   robot.run(10);
@@ -80,9 +80,9 @@ TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
   setup.name = "red1";
   auto program = RobotProgram::create(setup, *layout, platform, {});
   ASSERT_TRUE(program);
-  std::atomic<int> told{0};
+  std::atomic<int> published{0};
   (*program)->debugProcess().setListener([&](const auto& queue) {
-    for (const auto& message : queue->messages()) told += message.path() == kPath ? 1 : 0;
+    for (const auto& message : queue->messages()) published += message.path() == kPath ? 1 : 0;
   });
   ThreadExecutor executor({});
   for (Process* process : (*program)->processes()) executor.add(*process);
@@ -90,7 +90,7 @@ TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   robotcontrol::Request request;
   request.mutable_set_key()->set_name(kKey);
-  for (int i = 0; i < 200 || (told == 0 && std::chrono::steady_clock::now() < deadline); ++i) {
+  for (int i = 0; i < 200 || (published == 0 && std::chrono::steady_clock::now() < deadline); ++i) {
     if (i % 20 == 0) {
       request.mutable_set_key()->mutable_mode()->set_kind(i % 40 == 0 ? KeyMode::ALWAYS : KeyMode::OFF);
       (*program)->debugProcess().request(request);
@@ -104,7 +104,7 @@ TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
   }
   (*program)->stop();
   executor.stop();
-  EXPECT_GT(told, 0);
+  EXPECT_GT(published, 0);
 }
 
 TEST(RequestedPackages, theNextProgramOnThePlatformStartsWithoutThem) {

@@ -42,11 +42,11 @@ robotcontrol::Velocity2 velocity(double x) {
 
 Request parametersRequest(const std::string& solution, const google::protobuf::Message& value) {
   Request request;
-  auto& wish = *request.mutable_set_parameters();
-  wish.set_task("ball-percept");
-  wish.set_solution(solution);
-  wish.mutable_value()->set_type(value.GetDescriptor()->full_name());
-  wish.mutable_value()->set_data(value.SerializeAsString());
+  auto& details = *request.mutable_set_parameters();
+  details.set_task("ball-percept");
+  details.set_solution(solution);
+  details.mutable_value()->set_type(value.GetDescriptor()->full_name());
+  details.mutable_value()->set_data(value.SerializeAsString());
   return request;
 }
 
@@ -226,15 +226,15 @@ TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
   request.mutable_get_parameters()->set_task("ball-percept");
   request.mutable_get_parameters()->set_solution("region");
   EXPECT_TRUE(robot.ask(request).accepted());
-  const auto told = robot.on("parameters/ball-percept/region");
-  ASSERT_EQ(1U, told.size());
-  EXPECT_EQ("robotcontrol.Velocity2", told[0]->parameters().value().type());
+  const auto published = robot.on("parameters/ball-percept/region");
+  ASSERT_EQ(1U, published.size());
+  EXPECT_EQ("robotcontrol.Velocity2", published[0]->parameters().value().type());
   google::protobuf::FileDescriptorSet files;
-  ASSERT_TRUE(files.ParseFromString(told[0]->parameters().descriptors()));
+  ASSERT_TRUE(files.ParseFromString(published[0]->parameters().descriptors()));
   EXPECT_EQ("robotcontrol/Sensing.proto", files.file(files.file_size() - 1).name());
   EXPECT_TRUE(robot.ask(parametersRequest("region", velocity(5000))).accepted());
   const auto later = robot.on("parameters/ball-percept/region").back()->parameters();
-  EXPECT_EQ(told[0]->parameters().value().data(), later.defaults().data());
+  EXPECT_EQ(published[0]->parameters().value().data(), later.defaults().data());
   EXPECT_NE(later.value().data(), later.defaults().data());
   request.mutable_get_parameters()->set_solution("broken");
   EXPECT_EQ("solution broken of ball-percept has no parameters", robot.ask(request).reason());

@@ -42,10 +42,10 @@ class LockstepExecutorTest : public ::testing::Test {
     LockstepExecutor::Options options;
     options.advance = [this] { clock_.advance(8ms); };
     options.onStarved = [this](const Process& process, const std::string& what) {
-      told_.push_back(process.name() + " waits for " + what);
+      reported_.push_back(process.name() + " waits for " + what);
     };
     options.onFailed = [this](const Process& process) {
-      told_.push_back(process.name() + ": " + process.failure());
+      reported_.push_back(process.name() + ": " + process.failure());
     };
     executor_ = std::make_unique<LockstepExecutor>(options);
   }
@@ -55,7 +55,7 @@ class LockstepExecutorTest : public ::testing::Test {
 
   ManualClock clock_;
   TestPlatform platform_{clock_};
-  std::vector<std::string> told_;
+  std::vector<std::string> reported_;
   std::unique_ptr<LockstepExecutor> executor_;
 };
 
@@ -70,12 +70,12 @@ std::string threeProcessesRun(int frames) {
   Sender<Ball> percept(see, "percept", Blocking::kNo);
   Receiver<Ball> perceived(think, "percept", Blocking::kNo);
   Receiver<Ball> feedback(think, "command", Blocking::kNo);
-  Sender<Ball> wish(think, "wish", Blocking::kNo);
-  Receiver<Ball> wished(act, "wish", Blocking::kYes);
+  Sender<Ball> details(think, "wish", Blocking::kNo);
+  Receiver<Ball> requested(act, "wish", Blocking::kYes);
   Sender<Ball> command(act, "command", Blocking::kNo);
   connect(platform.sensor, seen);
   connect(percept, perceived);
-  connect(wish, wished);
+  connect(details, requested);
   connect(command, feedback);
   connect(command, platform.command);
   think.setPeriod(20ms);
@@ -84,9 +84,9 @@ std::string threeProcessesRun(int frames) {
   think.body = [&] {
     bytes += perceived.get() ? perceived.get()->SerializeAsString() : "-";
     bytes += feedback.get() ? feedback.get()->SerializeAsString() : "-";
-    wish.send(ball(numberIn(perceived) + numberIn(feedback)));
+    details.send(ball(numberIn(perceived) + numberIn(feedback)));
   };
-  act.body = [&] { command.send(ball(numberIn(wished) / 2)); };
+  act.body = [&] { command.send(ball(numberIn(requested) / 2)); };
   LockstepExecutor::Options options;
   options.advance = [&] { clock.advance(8ms); };
   LockstepExecutor executor(options);
@@ -151,14 +151,14 @@ TEST_F(LockstepExecutorTest, whoStarvesIsReportedOnceUntilItRunsAgain) {
   executor_->add(hungry);
   executor_->add(platform_);
   run(249);
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(reported_.empty());
   run(500);
-  EXPECT_THAT(told_, ElementsAre("hungry waits for package dinner of cook"));
+  EXPECT_THAT(reported_, ElementsAre("hungry waits for package dinner of cook"));
   dinner.send(ball(1));
   run(251);
-  EXPECT_EQ(1U, told_.size());
+  EXPECT_EQ(1U, reported_.size());
   run(2);
-  EXPECT_EQ(2U, told_.size());
+  EXPECT_EQ(2U, reported_.size());
 }
 
 TEST_F(LockstepExecutorTest, aProcessThatThrowsIsReportedAndTheOthersGoOn) {
@@ -171,7 +171,7 @@ TEST_F(LockstepExecutorTest, aProcessThatThrowsIsReportedAndTheOthersGoOn) {
   executor_->add(good);
   executor_->add(platform_);
   run(5);
-  EXPECT_THAT(told_, ElementsAre("bad: an exception of unknown type"));
+  EXPECT_THAT(reported_, ElementsAre("bad: an exception of unknown type"));
   EXPECT_EQ(5U, good.frames());
 }
 
@@ -183,7 +183,7 @@ TEST_F(LockstepExecutorTest, aPlatformThatThrowsIsReportedAndTimeGoesOn) {
   run(2);
   platform_.throws = true;
   run(3);
-  EXPECT_THAT(told_, ElementsAre("platform: the cable is out"));
+  EXPECT_THAT(reported_, ElementsAre("platform: the cable is out"));
   EXPECT_EQ(5U, good.frames());
 }
 
@@ -197,7 +197,7 @@ TEST_F(LockstepExecutorTest, aClockThatIsSetBackStartsPeriodsAnew) {
   clock_.set(Instant());
   run(100);
   EXPECT_EQ(20U, process.frames());
-  EXPECT_TRUE(told_.empty());
+  EXPECT_TRUE(reported_.empty());
 }
 
 }  // namespace

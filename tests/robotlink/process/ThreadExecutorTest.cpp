@@ -30,16 +30,16 @@ TEST(ThreadExecutorTest, motionKeepsItsRateWhileBehaviorIsBlocked) {
   SteadyClock clock;
   TestProcess behavior("behavior", clock);
   TestProcess motion("motion", clock);
-  Sender<Ball> wish(behavior, "wish", Blocking::kNo);
-  Receiver<Ball> wished(motion, "wish", Blocking::kNo);
-  connect(wish, wished);
+  Sender<Ball> details(behavior, "wish", Blocking::kNo);
+  Receiver<Ball> requested(motion, "wish", Blocking::kNo);
+  connect(details, requested);
   behavior.setPeriod(20ms);
   motion.setPeriod(20ms);
   std::atomic<std::uint64_t> before{0};
   std::atomic<std::uint64_t> during{0};
   std::atomic<bool> blocked{false};
   behavior.body = [&] {
-    wish.send(ball(1));
+    details.send(ball(1));
     if (behavior.frames() != 3) return;
     before = motion.frames();
     std::this_thread::sleep_for(1s);

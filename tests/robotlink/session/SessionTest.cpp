@@ -234,9 +234,9 @@ TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
     result.set_reason("the process has failed");
     session.pushResult(result);
   });
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   session.setRefusalHandler(
-      [&](const std::string& what, const std::string& why) { told.push_back(what + ": " + why); });
+      [&](const std::string& what, const std::string& why) { reported.push_back(what + ": " + why); });
   robotcontrol::Request request;
   request.set_robot("red1");
   request.mutable_set_key()->set_name("a/b");
@@ -247,10 +247,10 @@ TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
   request.clear_robot();
   request.mutable_control_simulation();
   session.request(request);
-  EXPECT_TRUE(told.empty()) << "only from the tick";
+  EXPECT_TRUE(reported.empty()) << "only from the tick";
   session.tick();
-  EXPECT_THAT(told, ElementsAre("set key of red1: the process has failed",
-                                "control simulation: the process has failed"));
+  EXPECT_THAT(reported, ElementsAre("set key of red1: the process has failed",
+                                    "control simulation: the process has failed"));
 }
 
 TEST(Session, theSelectedRobotIsAlwaysOneOfTheRobots) {

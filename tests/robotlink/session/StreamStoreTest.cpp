@@ -123,18 +123,18 @@ TEST(StreamStore, tablesOutliveAReset) {
 
 TEST(StreamStore, processesThatTellInOneStreamDoNotResetEachOther) {
   StreamStore store({});
-  auto told = [](const char* process, double time, double value) {
+  auto reported = [](const char* process, double time, double value) {
     StreamMessage message = plotted("red1/log", time, value);
     message.process = process;
     return message;
   };
-  for (int i = 0; i < 3; ++i) store.add(told("cognition", 1 + i, 10 + i));
-  for (int i = 0; i < 3; ++i) store.add(told("motion", 1.5 + i, 20 + i));
+  for (int i = 0; i < 3; ++i) store.add(reported("cognition", 1 + i, 10 + i));
+  for (int i = 0; i < 3; ++i) store.add(reported("motion", 1.5 + i, 20 + i));
   const auto& messages = store.find("red1/log")->messages;
   ASSERT_EQ(messages.size(), 6U);
   for (std::size_t i = 1; i < messages.size(); ++i) EXPECT_LT(messages[i - 1].time, messages[i].time);
   EXPECT_EQ(valueAt(store, "red1/log", 1.7), 20);
-  store.add(told("motion", 0.5, 30));
+  store.add(reported("motion", 0.5, 30));
   EXPECT_EQ(store.find("red1/log")->messages.size(), 1U) << "this one did go back";
 }
 

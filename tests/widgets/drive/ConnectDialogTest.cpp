@@ -47,7 +47,7 @@ struct ShownDialog : DriveWorld {
   }
   QString text(const char* label) { return child<QLabel>(*dialog, label).text(); }
   QPushButton& button() { return child<QPushButton>(*dialog, "connectButton"); }
-  void tell(robotcontrol::LinkStatus::State state, const std::string& words) {
+  void publish(robotcontrol::LinkStatus::State state, const std::string& words) {
     robotcontrol::LinkStatus status;
     status.set_state(state);
     status.set_address(asked.first().toStdString());
@@ -135,12 +135,12 @@ class ConnectDialogTest : public QObject {
              QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("tcp://localhost:8105")}));
     QVERIFY(child<QProgressBar>(*s.dialog, "connectProgress").isVisible());
     QVERIFY(!s.button().isEnabled());
-    s.tell(robotcontrol::LinkStatus::LOST, "nobody listens at tcp://robot:8101; it is tried again in 2 s");
+    s.publish(robotcontrol::LinkStatus::LOST, "nobody listens at tcp://robot:8101; it is tried again in 2 s");
     QVERIFY(s.text("connectState").contains(QStringLiteral("nobody listens")));
     widgets::test::keepPicture(*s.dialog, "connect-dialog");
-    s.tell(robotcontrol::LinkStatus::CONNECTING, "waits for the robot's answer to SYNC1");
+    s.publish(robotcontrol::LinkStatus::CONNECTING, "waits for the robot's answer to SYNC1");
     QVERIFY(s.dialog->isVisible());
-    s.tell(robotcontrol::LinkStatus::CONNECTED, "");
+    s.publish(robotcontrol::LinkStatus::CONNECTED, "");
     QCOMPARE(connected.size(), 1);
     QVERIFY(!s.dialog->isVisible());
   }
@@ -165,11 +165,11 @@ class ConnectDialogTest : public QObject {
     QVERIFY(!button.isVisible());
     click(s.button());
     QVERIFY(!button.isVisible());
-    s.tell(robotcontrol::LinkStatus::LOST, "waits 16 s before it connects again");
+    s.publish(robotcontrol::LinkStatus::LOST, "waits 16 s before it connects again");
     QVERIFY(button.isVisible());
     click(button);
     QCOMPARE(now, 1);
-    s.tell(robotcontrol::LinkStatus::CONNECTING, "opens the line");
+    s.publish(robotcontrol::LinkStatus::CONNECTING, "opens the line");
     QVERIFY(!button.isVisible());
   }
 

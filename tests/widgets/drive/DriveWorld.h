@@ -156,14 +156,14 @@ struct DriveWorld : Bench {
   }
   /// One message of link/packets.
   void pushPackets(const std::vector<std::pair<bool, robotlink::arcos::Bytes>>& packets, double time) {
-    robotcontrol::LinkPackets told;
+    robotcontrol::LinkPackets published;
     for (const auto& [fromRobot, bytes] : packets) {
-      auto& packet = *told.add_packets();
+      auto& packet = *published.add_packets();
       packet.set_from_robot(fromRobot);
       packet.set_bytes(std::string(bytes.begin(), bytes.end()));
       robotlink::assign(*packet.mutable_timestamp(), robotlink::Instant(robotlink::fromSeconds(time)));
     }
-    push("p3at1/link/packets", told, time);
+    push("p3at1/link/packets", published, time);
   }
 };
 

@@ -44,7 +44,7 @@ struct Steering : DriveWorld {
     push("p3at1/tables/solutions", driving("obey"), 2);
     tick(*view);
   }
-  robotcontrol::Velocity2 wish() {
+  robotcontrol::Velocity2 pending() {
     tick(*view);
     for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
       if (request->has_motion()) return request->motion().motion().walk();
@@ -114,29 +114,29 @@ class DrivingTest : public QObject {
     Steering s;
     s.takeOver();
     QTest::mousePress(s.walkPad, Qt::LeftButton, {}, {2, s.walkPad->height() / 2});
-    auto wish = s.wish();
-    QVERIFY(std::abs(wish.x()) < 0.01 && wish.y() == 0);
-    QVERIFY(std::abs(wish.rotation() - robotlink::radians(50)) < 0.02);  // half of what it can
+    auto pending = s.pending();
+    QVERIFY(std::abs(pending.x()) < 0.01 && pending.y() == 0);
+    QVERIFY(std::abs(pending.rotation() - robotlink::radians(50)) < 0.02);  // half of what it can
     QTest::mouseRelease(s.walkPad, Qt::LeftButton);
     QTest::keyPress(s.walkPad, Qt::Key_W);
     QTest::keyPress(s.walkPad, Qt::Key_D);
-    wish = s.wish();
-    QCOMPARE(wish.x(), 0.375);
-    QCOMPARE(wish.y(), 0.0);
-    QVERIFY(wish.rotation() < -0.8);
+    pending = s.pending();
+    QCOMPARE(pending.x(), 0.375);
+    QCOMPARE(pending.y(), 0.0);
+    QVERIFY(pending.rotation() < -0.8);
     QTest::keyRelease(s.walkPad, Qt::Key_W);
     QTest::keyRelease(s.walkPad, Qt::Key_D);
-    QVERIFY(s.wish().x() == 0);
+    QVERIFY(s.pending().x() == 0);
   }
 
   void eitherStickOfTheGamepadTurns() {
     Steering s;
     s.takeOver();
     s.pad = {true, QStringLiteral("Pad"), {1, 0.5, 0.2}, true, false};
-    const auto wish = s.wish();
-    QCOMPARE(wish.x(), 0.375);
-    QCOMPARE(wish.y(), 0.0);
-    QVERIFY(std::abs(wish.rotation() - 0.7 * robotlink::radians(50)) < 0.01);  // and A kicks nothing
+    const auto pending = s.pending();
+    QCOMPARE(pending.x(), 0.375);
+    QCOMPARE(pending.y(), 0.0);
+    QVERIFY(std::abs(pending.rotation() - 0.7 * robotlink::radians(50)) < 0.01);  // and A kicks nothing
   }
 
   void theLimitsAreTheRobots() {
@@ -151,7 +151,7 @@ class DrivingTest : public QObject {
     QTest::keyClick(&limit, Qt::Key_Return);
     s.takeOver();
     QTest::keyPress(s.walkPad, Qt::Key_Up);
-    QCOMPARE(s.wish().x(), 0.75);
+    QCOMPARE(s.pending().x(), 0.75);
     const QJsonObject state = s.view->saveState();
     QCOMPARE(state[QStringLiteral("driveSpeed")].toDouble(), 0.75);
     QCOMPARE(state[QStringLiteral("speed")].toDouble(), 0.15);  // that of robots with legs
@@ -188,7 +188,7 @@ class DrivingTest : public QObject {
     QVERIFY(!child<QLabel>(*s.view, "speedBelievedY").isVisible());
     QTest::keyPress(s.walkPad, Qt::Key_W);
     QTest::keyPress(s.walkPad, Qt::Key_A);
-    s.wish();
+    s.pending();
     widgets::test::keepPicture(*s.view, "motion-wheels");
   }
 };

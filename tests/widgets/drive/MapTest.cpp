@@ -78,8 +78,8 @@ class MapTest : public QObject {
     robotlink::assign(*pose.mutable_robot_in_field(), robotlink::Pose2{6, 3, 0});
     s.push("p3at1/models/pose", pose, 1);
     s.tick(*s.view);
-    auto& told = child<QLabel>(*s.view, "fieldState");
-    QVERIFY(!told.isVisible());
+    auto& reported = child<QLabel>(*s.view, "fieldState");
+    QVERIFY(!reported.isVisible());
     const auto colored = [&] {
       const QImage picture = s.canvas->rendered();
       const QPoint middle = s.at(6, 3);
@@ -91,12 +91,12 @@ class MapTest : public QObject {
     const int heard = colored();
     s.push("simulation", robotcontrol::SimulationStatus(), 8);
     s.tick(*s.view);
-    QCOMPARE(told.text(), QStringLiteral("p3at1 last heard 7 s ago"));
-    QVERIFY(told.isVisible());
+    QCOMPARE(reported.text(), QStringLiteral("p3at1 last heard 7 s ago"));
+    QVERIFY(reported.isVisible());
     QVERIFY2(colored() < heard, "it may be elsewhere by now");
     s.push("p3at1/drive/state", DriveWorld::state(), 8.1);
     s.tick(*s.view);
-    QVERIFY(!told.isVisible());
+    QVERIFY(!reported.isVisible());
     QCOMPARE(colored(), heard);
   }
 
@@ -127,13 +127,13 @@ class MapTest : public QObject {
     // In the view: a sentence at the top, until it has found itself.
     s.push("p3at1/drive/state", DriveWorld::state(), 1);
     s.tick(*s.view);
-    const QImage told = s.canvas->grab().toImage();
+    const QImage reported = s.canvas->grab().toImage();
     widgets::test::keepPicture(*s.view, "map-lost");
     s.pushEstimate("p3at1", {2, 3, 0}, 1);
     s.tick(*s.view);
     const QImage known = s.canvas->grab().toImage();
-    const QRect top(0, 0, told.width(), told.height() / 12);
-    QVERIFY(told.copy(top) != known.copy(top));
+    const QRect top(0, 0, reported.width(), reported.height() / 12);
+    QVERIFY(reported.copy(top) != known.copy(top));
   }
 
   void aClickSendsTheRobotThere() {

@@ -130,19 +130,19 @@ class RadarViewTest : public QObject {
     state.mutable_velocity()->set_x(0.4);
     world.push("p3at1/drive/state", state, 1);
     auto view = world.open<widgets::RadarView>();
-    auto& told = child<QLabel>(*view, "radarState");
+    auto& reported = child<QLabel>(*view, "radarState");
     auto& canvas = child<widgets::RadarCanvas>(*view, "radarCanvas");
-    QVERIFY(!told.isVisible());
+    QVERIFY(!reported.isVisible());
     const QImage heard = canvas.rendered();
     // Time goes on, the base says nothing.
     world.push("simulation", robotcontrol::SimulationStatus(), 13);
     world.tick(*view);
-    QCOMPARE(told.text(), QStringLiteral("p3at1 last heard 12 s ago"));
-    QVERIFY(told.isVisible());
+    QCOMPARE(reported.text(), QStringLiteral("p3at1 last heard 12 s ago"));
+    QVERIFY(reported.isVisible());
     QVERIFY(canvas.rendered() != heard);
     world.push("p3at1/drive/state", state, 13.1);
     world.tick(*view);
-    QVERIFY(!told.isVisible());
+    QVERIFY(!reported.isVisible());
     QCOMPARE(canvas.rendered(), heard);
   }
 

@@ -200,7 +200,7 @@ class PlotsViewTest : public QObject {
     bench.tick(*view);
     QVERIFY(bench.requests.empty());
     bench.status.mutable_packages(0)->set_source(robotcontrol::ControlReplay::RECOMPUTED);
-    bench.tell();
+    bench.publish();
     bench.tick(*view);
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));

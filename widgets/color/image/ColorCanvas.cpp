@@ -171,7 +171,7 @@ QImage ColorCanvas::rendered() const {
   return image;
 }
 
-void ColorCanvas::tellCursor() {
+void ColorCanvas::reportCursor() {
   Q_EMIT cursorMoved(cursor_ ? std::optional(toImage(*cursor_)) : std::nullopt);
   if (usesBrush(tool_)) update();
 }
@@ -199,7 +199,7 @@ void ColorCanvas::mouseMoveEvent(QMouseEvent* event) {
     panning_ = event->localPos();
   }
   if (drawing_) Q_EMIT gestureMoved(toImage(event->localPos()));
-  tellCursor();
+  reportCursor();
 }
 
 void ColorCanvas::mouseReleaseEvent(QMouseEvent* event) {
@@ -239,7 +239,7 @@ void ColorCanvas::keyPressEvent(QKeyEvent* event) {
 
 void ColorCanvas::leaveEvent(QEvent*) {
   cursor_.reset();
-  tellCursor();
+  reportCursor();
   update();
 }
 

@@ -96,7 +96,7 @@ class ColorCanvas final : public QWidget {
   /// Sets the viewport and emits viewportChanged().
   void moveView(const ImageViewport& viewport);
   /// Emits cursorMoved().
-  void tellCursor();
+  void reportCursor();
 
   ColorLayers layers_;
   ImageViewport viewport_;

@@ -23,7 +23,7 @@
 #include "widgets/color/image/ColorStrip.h"
 #include "widgets/color/image/ColorToolRow.h"
 #include "widgets/image/ImagePixels.h"
-#include "widgets/image/StreamChoice.h"
+#include "widgets/image/StreamSelector.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace widgets {
@@ -154,7 +154,7 @@ void ColorImageView::createViews() {
 
 QWidget* ColorImageView::createStreamRow() {
   QHBoxLayout* row = makeToolRow(this);
-  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultColorChoice), row->parentWidget());
+  streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultColorChoice), row->parentWidget());
   describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
   addButtons(row, {openPictures_, openFolder_});
@@ -210,7 +210,7 @@ void ColorImageView::connectSignals() {
   };
   connect(strip_, &ColorStrip::chosen, this, pin);
   connect(&bench_, &ColorBench::frameWanted, this, pin);
-  connect(streams_, &StreamChoice::choiceChanged, this, [this] {
+  connect(streams_, &StreamSelector::choiceChanged, this, [this] {
     freeze_->setChecked(false);
     tick();
   });

@@ -21,7 +21,7 @@ class ColorBench;
 class ColorEffectRow;
 class ColorStrip;
 class ColorToolRow;
-class StreamChoice;
+class StreamSelector;
 
 /// The view in which color tables are made: on the left an image of any stream (live, paused, or from the
 /// timeline) or a collected one, on the right its segmentation by the table, the reference, their difference,
@@ -104,7 +104,7 @@ class ColorImageView final : public View {
   ColorStrip* strip_ = nullptr;
   ColorToolRow* toolRow_ = nullptr;
   ColorEffectRow* effect_ = nullptr;
-  StreamChoice* streams_ = nullptr;
+  StreamSelector* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QComboBox* rightLayer_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr;

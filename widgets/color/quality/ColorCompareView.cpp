@@ -123,7 +123,7 @@ void ColorCompareView::createViews() {
   sums_ = addLabel(footer, "colorCompareSums", tr("How many cells and pixels differ"));
   footer->addStretch(1);
   layout->addWidget(footer->parentWidget());
-  tell({});
+  report({});
 }
 
 void ColorCompareView::connectSignals() {
@@ -141,7 +141,7 @@ void ColorCompareView::connectSignals() {
           [this](const QModelIndex& current) { selectCells(current); });
 }
 
-void ColorCompareView::tell(const QString& problem) {
+void ColorCompareView::report(const QString& problem) {
   QPalette colors = palette();
   colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
   problem_->setPalette(colors);
@@ -163,14 +163,14 @@ void ColorCompareView::askForFile() {
 
 void ColorCompareView::useFile(const QString& file) {
   const auto read = files_.importReference(file.toStdString());
-  tell(read ? QString() : QString::fromStdString(read.error().describe()));
+  report(read ? QString() : QString::fromStdString(read.error().describe()));
   if (read) training_ = {};
   tick();
 }
 
 void ColorCompareView::takeStep(std::size_t position) {
   const colortool::SampleDocument& document = bench_.document();
-  tell({});
+  report({});
   if (position == document.position() && bench_.upToDate()) {
     training_ = {};
     bench_.setReference(referenceOfNow(bench_));

@@ -64,7 +64,7 @@ class ColorCompareView final : public View {
   /// Selects the cells behind a cell of the table.
   void selectCells(const QModelIndex& index);
   /// Shows a problem; empty: none.
-  void tell(const QString& problem);
+  void report(const QString& problem);
 
   ColorBench& bench_;
   ColorFiles& files_;

@@ -190,8 +190,8 @@ void ColorClassesView::connectSignals() {
   connect(&bench_, &ColorBench::meaningChanged, this, &ColorClassesView::showMeaning);
   connect(&bench_, &ColorBench::qualityChanged, this, &ColorClassesView::showQuality);
   connect(&bench_, &ColorBench::failed, this, [this](const QString& reason) { say(reason, true); });
-  connect(&files_, &ColorFiles::told, this, [this](const QString& text) { say(text, false); });
-  connect(training_, &TrainingPanel::told, this, [this](const QString& text) { say(text, false); });
+  connect(&files_, &ColorFiles::reported, this, [this](const QString& text) { say(text, false); });
+  connect(training_, &TrainingPanel::reported, this, [this](const QString& text) { say(text, false); });
   connect(&files_, &ColorFiles::titleChanged, this, &ColorClassesView::showTitle);
 }
 

@@ -229,7 +229,7 @@ void TrainingPanel::estimate() {
   bench_.change(tr("Estimate corrections"), std::move(next));
   QStringList notes;
   for (const std::string& note : found.notes) notes << QString::fromStdString(note);
-  Q_EMIT told(notes.join(QLatin1Char('\n')));
+  Q_EMIT reported(notes.join(QLatin1Char('\n')));
 }
 
 void TrainingPanel::set(const Control& control, double value) {

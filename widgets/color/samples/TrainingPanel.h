@@ -29,7 +29,7 @@ class TrainingPanel final : public QWidget {
 
  Q_SIGNALS:
   /// What estimating the corrections found out, or what is missing for it.
-  void told(const QString& text);
+  void reported(const QString& text);
 
  private:
   /// The widgets of one option: slider and field for a number, check box for a switch.

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   robot.setMotors(true);
   robot.setSonar(true);
   const auto start = robot.state().time;
-  double told = 0, fastest = 0;
+  double reported = 0, fastest = 0;
   while (robot.read()) {
     const auto state = robot.state();
     const double time = robotlink::seconds(state.time - start);
@@ -25,8 +25,8 @@ int main(int argc, char** argv) {
     const bool blocked = robot.nearestEcho(-0.5, 0.5) < 0.8;
     robot.setSpeed(blocked ? 0 : std::min(0.05 * time, 0.5));
     fastest = std::max(fastest, state.speed);
-    if (time - told >= 1)
-      std::cout << (told = time) << " s: " << state.speed << " m/s at " << state.pose.x << " m\n";
+    if (time - reported >= 1)
+      std::cout << (reported = time) << " s: " << state.speed << " m/s at " << state.pose.x << " m\n";
   }
   std::cout << "fastest: " << fastest << " m/s\n";
   if (!robot.isConnected()) std::cerr << robot.problem() << "\n";

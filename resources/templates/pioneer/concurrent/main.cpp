@@ -30,7 +30,7 @@ struct PeriodicTask {
       ++rounds;
     }
   }
-  bool tell(double duration) const {
+  bool report(double duration) const {
     std::cout << name << ": " << rounds << " rounds of " << period.count() << " ms, at most "
               << latest.count() << " ms late\n";
     return static_cast<double>(rounds) >= 0.95 * duration * 1000 / static_cast<double>(period.count());
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     });
     std::this_thread::sleep_for(std::chrono::duration<double>(duration));
   }
-  const bool held = reading.tell(duration) & control.tell(duration) & planning.tell(duration);
+  const bool held = reading.report(duration) & control.report(duration) & planning.report(duration);
   std::cout << (held ? "all periods were held\n" : "this machine is too busy to hold the periods\n");
   if (!robot.isConnected()) std::cerr << robot.problem() << "\n";
   return robot.isConnected() && held ? 0 : 1;

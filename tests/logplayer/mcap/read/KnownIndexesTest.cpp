@@ -37,7 +37,7 @@ class KnownIndexesTest : public testing::Test {
 
   TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "log.mcap";
-  std::vector<Told> messages_ = someMessages(50);
+  std::vector<Expected> messages_ = someMessages(50);
   std::vector<Reader::ChunkInfo> chunks_;
 };
 

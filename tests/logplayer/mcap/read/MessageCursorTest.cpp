@@ -20,7 +20,7 @@ const std::vector<std::uint16_t> kAll{1, 2, 3};
 class MessageCursorTest : public testing::Test {
  protected:
   /// In chunks of some messages each.
-  std::unique_ptr<Reader> written(const std::vector<Told>& messages, std::size_t inChunk,
+  std::unique_ptr<Reader> written(const std::vector<Expected>& messages, std::size_t inChunk,
                                   Reader::Options options = {}) {
     std::vector<std::size_t> flushes;
     for (std::size_t i = inChunk; i < messages.size(); i += inChunk) flushes.push_back(i);
@@ -28,16 +28,16 @@ class MessageCursorTest : public testing::Test {
     writeLog(file_, messages, {}, flushes);
     return test::open(file_, std::move(options));
   }
-  static std::vector<Told> inOrder(std::vector<Told> messages) {
-    std::ranges::stable_sort(messages, {}, &Told::time);
+  static std::vector<Expected> inOrder(std::vector<Expected> messages) {
+    std::ranges::stable_sort(messages, {}, &Expected::time);
     return messages;
   }
   /// Messages whose times are up to `jitter` from their order in the file; many are equal.
-  static std::vector<Told> shuffled(int count, int jitter, std::minstd_rand& random) {
-    std::vector<Told> messages = someMessages(count, 5);
-    for (Told& told : messages) {
+  static std::vector<Expected> shuffled(int count, int jitter, std::minstd_rand& random) {
+    std::vector<Expected> messages = someMessages(count, 5);
+    for (Expected& expected : messages) {
       const auto off = static_cast<std::int64_t>(random() % static_cast<unsigned>(2 * jitter + 1)) - jitter;
-      told.time = std::max<std::int64_t>(0, told.time / 10 + off);
+      expected.time = std::max<std::int64_t>(0, expected.time / 10 + off);
     }
     return messages;
   }
@@ -52,7 +52,7 @@ class MessageCursorTest : public testing::Test {
 };
 
 TEST_F(MessageCursorTest, messagesInOrderComeAsTheyAreInTheFile) {
-  const std::vector<Told> messages = someMessages(200);
+  const std::vector<Expected> messages = someMessages(200);
   const auto reader = written(messages, 30);
   EXPECT_EQ(readByCursor(*reader), messages);
 }
@@ -60,7 +60,7 @@ TEST_F(MessageCursorTest, messagesInOrderComeAsTheyAreInTheFile) {
 TEST_F(MessageCursorTest, theOrderIsThatOfTimeAndThenOfTheFileHoweverChunksOverlap) {
   std::minstd_rand random(1);
   for (const int jitter : {0, 1, 3, 10, 40, 150}) {
-    const std::vector<Told> messages = shuffled(150, jitter, random);
+    const std::vector<Expected> messages = shuffled(150, jitter, random);
     for (const std::size_t inChunk : {1U, 2U, 7U, 40U}) {
       const auto reader = written(messages, inChunk);
       EXPECT_EQ(readByCursor(*reader), inOrder(messages)) << jitter << " " << inChunk;
@@ -79,13 +79,13 @@ TEST_F(MessageCursorTest, someChannelsAloneComeAsByStepping) {
 
 TEST_F(MessageCursorTest, itGoesToAnyPlace) {
   std::minstd_rand random(3);
-  const std::vector<Told> messages = inOrder(shuffled(100, 10, random));
+  const std::vector<Expected> messages = inOrder(shuffled(100, 10, random));
   const auto reader = written(messages, 9);
   MessageCursor cursor(*reader, kAll);
   for (int i = 0; i < 200; ++i) {
     const auto time = static_cast<std::int64_t>(random() % 120);
     cursor.seek({at(time), 0, 0, 0});
-    const auto first = std::ranges::lower_bound(messages, time, {}, &Told::time);
+    const auto first = std::ranges::lower_bound(messages, time, {}, &Expected::time);
     for (auto expected = first; expected != messages.end() && expected - first < 5; ++expected) {
       ASSERT_TRUE(cursor.next());
       ASSERT_EQ(toldBy(cursor.message()), *expected) << time;
@@ -97,7 +97,7 @@ TEST_F(MessageCursorTest, itGoesOnBehindThePositionOfAnyMessage) {
   std::minstd_rand random(4);
   const auto reader = written(shuffled(60, 5, random), 9);
   std::vector<MessagePosition> positions;
-  std::vector<Told> all;
+  std::vector<Expected> all;
   MessageCursor cursor(*reader, kAll);
   while (cursor.next()) {
     positions.push_back(cursor.position());
@@ -128,9 +128,9 @@ TEST_F(MessageCursorTest, theReaderMayBeAskedInBetween) {
   std::minstd_rand random(5);
   Reader::Options options;
   options.cacheBytes = 600;
-  const std::vector<Told> messages = shuffled(150, 2, random);
+  const std::vector<Expected> messages = shuffled(150, 2, random);
   const auto reader = written(messages, 9, options);
-  std::vector<Told> found;
+  std::vector<Expected> found;
   std::vector<Reader::MessageData> kept;
   for (MessageCursor cursor(*reader, kAll); cursor.next();) {
     found.push_back(toldBy(cursor.message()));
@@ -149,20 +149,20 @@ TEST_F(MessageCursorTest, whereTooManyChunksOverlapItGoesByStepsAndFindsTheSame)
   std::minstd_rand random(6);
   Reader::Options options;
   options.cacheBytes = 1000;
-  const std::vector<Told> messages = shuffled(300, 300, random);
+  const std::vector<Expected> messages = shuffled(300, 300, random);
   const auto reader = written(messages, 9, options);
   EXPECT_EQ(readByCursor(*reader), inOrder(messages));
 }
 
 TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
-  const std::vector<Told> messages = someMessages(100);
+  const std::vector<Expected> messages = someMessages(100);
   const std::uint64_t inside = [&] {
     const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
     return chunk.offset + chunk.length - 5;
   }();
   flipByte(inside);
   const auto reader = test::open(file_);
-  std::vector<Told> read;
+  std::vector<Expected> read;
   std::vector<std::int64_t> lost;
   for (MessageCursor cursor(*reader, kAll); cursor.next();) {
     if (cursor.readable()) {
@@ -172,7 +172,7 @@ TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
       EXPECT_EQ(cursor.position().channelId, messages[lost.size() + 39].channelId);
     }
   }
-  std::vector<Told> expected = messages;
+  std::vector<Expected> expected = messages;
   expected.erase(expected.begin() + 40, expected.begin() + 50);
   EXPECT_EQ(read, expected);
   ASSERT_THAT(lost, SizeIs(10));
@@ -183,28 +183,28 @@ TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
 
 TEST_F(MessageCursorTest, ofADamagedChunkThatOverlapsOthersNothingElseIsMissing) {
   std::minstd_rand random(7);
-  const std::vector<Told> messages = shuffled(100, 15, random);
+  const std::vector<Expected> messages = shuffled(100, 15, random);
   const std::uint64_t inside = [&] {
     const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
     return chunk.offset + chunk.length - 5;
   }();
   flipByte(inside);
   const auto reader = test::open(file_);
-  std::vector<Told> expected = messages;
+  std::vector<Expected> expected = messages;
   expected.erase(expected.begin() + 40, expected.begin() + 50);
   EXPECT_EQ(readByCursor(*reader), inOrder(expected));
 }
 
 // Nothing guards the times in a chunk's head; what lies before the place reached comes too late.
 TEST_F(MessageCursorTest, aChunkWhoseHeadLiesAboutItsEndLosesNothing) {
-  const std::vector<Told> messages = someMessages(100);
+  const std::vector<Expected> messages = someMessages(100);
   const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
   std::string bytes = readBytes(file_).substr(0, test::open(file_)->chunks().back().offset);
   const std::size_t end = chunk.offset + 9 + 8;
   for (std::size_t i = 0; i < 8; ++i) bytes[end + i] = bytes[end - 8 + i];  // as its start
   writeBytes(file_, bytes);
   const auto reader = test::open(file_);
-  std::vector<Told> expected = messages;
+  std::vector<Expected> expected = messages;
   expected.resize(90);
   EXPECT_EQ(readByCursor(*reader), expected);
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
 using namespace logplayer::mcap;
@@ -25,7 +25,7 @@ class RepairTest : public testing::Test {
     auto writer = Writer::create(whole_, options);
     ASSERT_TRUE(writer);
     addChannels(**writer, 3);
-    for (const Told& message : messages_) write(**writer, message);
+    for (const Expected& message : messages_) write(**writer, message);
     ASSERT_TRUE((*writer)->attach({at(1), at(2), "notes", "text/plain", "some"}));
     ASSERT_TRUE((*writer)->addMetadata({"m", {{"a", "b"}}}));
     ASSERT_TRUE((*writer)->close());
@@ -33,9 +33,9 @@ class RepairTest : public testing::Test {
     chunks_ = test::open(whole_)->chunks();
   }
   /// All messages but those in some chunk, given its number.
-  std::vector<Told> without(std::size_t chunk) const {
-    std::vector<Told> left;
-    for (const Told& message : messages_) {
+  std::vector<Expected> without(std::size_t chunk) const {
+    std::vector<Expected> left;
+    for (const Expected& message : messages_) {
       const Instant time = at(message.time);
       if (time < chunks_[chunk].start || time > chunks_[chunk].end) left.push_back(message);
     }
@@ -46,7 +46,7 @@ class RepairTest : public testing::Test {
   std::filesystem::path whole_ = folder_ / "whole.mcap";
   std::filesystem::path broken_ = folder_ / "broken.mcap";
   std::filesystem::path repaired_ = folder_ / "repaired.mcap";
-  std::vector<Told> messages_ = someMessages(200);
+  std::vector<Expected> messages_ = someMessages(200);
   std::string bytes_;
   std::vector<Reader::ChunkInfo> chunks_;
 };
@@ -182,8 +182,8 @@ class MisfitTest : public RepairTest {
     ASSERT_EQ(swapped.size(), bytes_.size());
     writeBytes(broken_, swapped);
   }
-  static std::vector<Told> sorted(std::vector<Told> messages) {
-    std::ranges::sort(messages, {}, &Told::time);
+  static std::vector<Expected> sorted(std::vector<Expected> messages) {
+    std::ranges::sort(messages, {}, &Expected::time);
     return messages;
   }
 };
@@ -292,7 +292,7 @@ class MissingPartTest : public testing::TestWithParam<std::tuple<Compression, st
 
 TEST_P(MissingPartTest, costsOneChunk) {
   const auto [compression, missing] = GetParam();
-  const std::vector<Told> messages = someMessages(4000, 100);
+  const std::vector<Expected> messages = someMessages(4000, 100);
   Writer::Options options;
   options.compression = compression;
   options.chunkBytes = 100'000;
@@ -301,8 +301,8 @@ TEST_P(MissingPartTest, costsOneChunk) {
   const auto chunks = test::open(folder_ / "whole.mcap")->chunks();
   ASSERT_GE(chunks.size(), 4U);
   ASSERT_GT(chunks[1].length, missing + 2000);
-  std::vector<Told> left;
-  for (const Told& message : messages) {
+  std::vector<Expected> left;
+  for (const Expected& message : messages) {
     if (at(message.time) < chunks[1].start || chunks[1].end < at(message.time)) left.push_back(message);
   }
   writeBytes(folder_ / "broken.mcap",

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "robotlink/arcos/codec/CommandTable.h"
+#include "robotlink/arcos/codec/CommandCatalog.h"
 #include "tests/robotlink/arcos/HexBytes.h"
 
 namespace robotlink::arcos {
@@ -102,7 +102,7 @@ TEST(CommandTest, argumentsThatDoNotFitAreToldOf) {
 TEST(CommandTest, theTableNamesEveryCommandOnce) {
   std::set<int> numbers;
   std::set<std::string> names;
-  for (const CommandInfo& info : commandTable()) {
+  for (const CommandInfo& info : commandCatalog()) {
     EXPECT_TRUE(numbers.insert(info.id).second) << info.name;
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
     EXPECT_EQ(findCommand(info.id), &info);

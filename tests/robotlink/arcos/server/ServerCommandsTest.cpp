@@ -119,19 +119,19 @@ TEST_F(ServerCommandsTest, sonarsFireInTurnAndAreToldOnce) {
   robot.forget();
   robot.shots.clear();
   robot.drive(3.2);
-  int told = 0;
+  int reported = 0;
   std::set<int> numbers;
   for (const Sip& sip : robot.information()) {
     EXPECT_GE(sip.sonars.size(), 4U);
     EXPECT_LE(sip.sonars.size(), 6U);
     for (const auto& sonar : sip.sonars) {
-      ++told;
+      ++reported;
       numbers.insert(sonar.number);
       EXPECT_EQ(sonar.rangeMm, 1000 + 100 * sonar.number);
     }
   }
   EXPECT_THAT(numbers, SizeIs(16));
-  EXPECT_NEAR(told, 160, 4) << "each ten times in 3.2 s";
+  EXPECT_NEAR(reported, 160, 4) << "each ten times in 3.2 s";
   robot.send(CommandId::kSonar, 0);
   robot.run(0.1);
   robot.shots.clear();
@@ -360,14 +360,14 @@ TEST_F(ServerCommandsTest, itsStatusSaysOnlyWhatIsSo) {
   EXPECT_EQ(status().flags, 0U) << "neither a place on Earth nor an error of the odometry";
   robot.sensing.globalPosition = GlobalPosition{42.807191, -71.578661, 72.5};
   robot.sensing.odometryError = -0.002;
-  const auto told = status();
-  EXPECT_EQ(told.flags, SimulatorStatus::kHasGlobalPosition | SimulatorStatus::kHasOdometryError);
-  EXPECT_EQ(told.latitude1e7, 428071910);
-  EXPECT_EQ(told.longitude1e7, -715786610);
-  EXPECT_EQ(told.altitudeCm, 7250);
-  EXPECT_EQ(told.positionQuality, 100)
+  const auto reported = status();
+  EXPECT_EQ(reported.flags, SimulatorStatus::kHasGlobalPosition | SimulatorStatus::kHasOdometryError);
+  EXPECT_EQ(reported.latitude1e7, 428071910);
+  EXPECT_EQ(reported.longitude1e7, -715786610);
+  EXPECT_EQ(reported.altitudeCm, 7250);
+  EXPECT_EQ(reported.positionQuality, 100)
       << "clients take a hundredth of it for the dilution of precision; 0 is bad";
-  EXPECT_EQ(told.odometryErrorX1e7, -20000);
+  EXPECT_EQ(reported.odometryErrorX1e7, -20000);
 }
 
 TEST_F(ServerCommandsTest, withoutALaserItsCommandsAreIgnored) {

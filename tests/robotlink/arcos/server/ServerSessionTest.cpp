@@ -91,23 +91,23 @@ TEST_F(ServerSessionTest, configurationIsToldWithAndWithoutArgument) {
   robot.send(CommandId::kConfig);
   robot.send(CommandId::kConfig, 1);
   ASSERT_THAT(robot.of(Configuration::kId), SizeIs(2));
-  const auto told = decodeConfiguration(robot.received[0]);
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->type, "Pioneer");
-  EXPECT_EQ(told->subtype, "p3at-sh");
-  EXPECT_EQ(told->serialNumber, "SIM");
-  EXPECT_EQ(told->name, "MobileSim");
-  EXPECT_EQ(told->transVelTopMmS, 1500);
-  EXPECT_EQ(told->transVelMaxMmS, 750);
-  EXPECT_EQ(told->rotVelTopDegS, 300);
-  EXPECT_EQ(told->rotVelMaxDegS, 100);
-  EXPECT_EQ(told->transAccMmS2, 300);
-  EXPECT_EQ(told->rotDecelDegS2, 100);
-  EXPECT_EQ(told->sipCycleMs, 100);
-  EXPECT_EQ(told->watchdogMs, 2000);
-  EXPECT_EQ(told->ticksMm, 138);
-  EXPECT_NEAR(told->revCount, 31900, 100);
-  EXPECT_EQ(told->autoBaud, 2);
+  const auto reported = decodeConfiguration(robot.received[0]);
+  ASSERT_TRUE(reported);
+  EXPECT_EQ(reported->type, "Pioneer");
+  EXPECT_EQ(reported->subtype, "p3at-sh");
+  EXPECT_EQ(reported->serialNumber, "SIM");
+  EXPECT_EQ(reported->name, "MobileSim");
+  EXPECT_EQ(reported->transVelTopMmS, 1500);
+  EXPECT_EQ(reported->transVelMaxMmS, 750);
+  EXPECT_EQ(reported->rotVelTopDegS, 300);
+  EXPECT_EQ(reported->rotVelMaxDegS, 100);
+  EXPECT_EQ(reported->transAccMmS2, 300);
+  EXPECT_EQ(reported->rotDecelDegS2, 100);
+  EXPECT_EQ(reported->sipCycleMs, 100);
+  EXPECT_EQ(reported->watchdogMs, 2000);
+  EXPECT_EQ(reported->ticksMm, 138);
+  EXPECT_NEAR(reported->revCount, 31900, 100);
+  EXPECT_EQ(reported->autoBaud, 2);
 }
 
 TEST_F(ServerSessionTest, closeStopsEverythingAndANewHandshakeBeginsWithDefaults) {

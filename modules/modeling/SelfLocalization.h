@@ -23,14 +23,14 @@ inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
 /// The base of solutions of the task "self-localisation": sends the pose estimate, and draws and plots it. A
 /// derived class computes an estimate in execute() and passes it to tell(). Used by its process's thread; the
 /// context must outlive it.
-class SelfLocator : public robotlink::Solution {
+class SelfLocalization : public robotlink::Solution {
  public:
-  explicit SelfLocator(robotlink::SolutionContext& context)
+  explicit SelfLocalization(robotlink::SolutionContext& context)
       : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
 
  protected:
   /// Sends an estimate that is valid at `time`; call it once a frame. Costs little unless a key is on.
-  void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
+  void publish(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::RobotPose>();
     *package->mutable_timestamp() = time;
     robotlink::assign(*package->mutable_robot_in_field(), estimate.robotInField);

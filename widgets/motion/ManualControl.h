@@ -13,7 +13,7 @@ namespace widgets {
 /// that has a solution "obey" ("behavior" of four-legged robots, "driving" of those on wheels) in the robot's
 /// SolutionTables, and knows which solution to request for taking control and for returning it (the one that
 /// ran before). No I/O; not thread-safe.
-class TakeOver {
+class ManualControl {
  public:
   /// Name of the solution that obeys the user.
   static constexpr char kObey[] = "obey";
@@ -45,7 +45,7 @@ class TakeOver {
   /// The solution that ran before "obey".
   std::string former_;
   /// The solution that was requested; empty: none.
-  std::string wished_;
+  std::string requested_;
   /// Why the solution is unavailable or was refused.
   QString reason_;
 };

@@ -9,7 +9,7 @@ namespace logplayer {
 
 /// Takes the errors of a schema that is being built, and prints none of them. A file from anywhere may hold
 /// anything: that building fails is the answer.
-class Silence final : public google::protobuf::DescriptorPool::ErrorCollector {
+class SilentErrors final : public google::protobuf::DescriptorPool::ErrorCollector {
  public:
   void AddError(const std::string&, const std::string&, const google::protobuf::Message*, ErrorLocation,
                 const std::string&) override {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/Silence.h"
+#include "widgets/BaseSilence.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/PictureFile.h"
+#include "widgets/ViewPicture.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -14,7 +14,7 @@ namespace logplayer {
 bool fits(std::string_view path, std::string_view pattern);
 
 /// A selection of streams by patterns for their paths. A plain value.
-struct StreamChoice {
+struct StreamFilter {
   /// Empty: all streams.
   std::vector<std::string> include;
   /// Takes precedence over `include`.
@@ -22,7 +22,7 @@ struct StreamChoice {
 
   /// Whether a stream is selected.
   bool has(std::string_view path) const;
-  bool operator==(const StreamChoice&) const = default;
+  bool operator==(const StreamFilter&) const = default;
 };
 
 /// Whether a message is latched.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/base/StreamChoice.h"
+#include "logplayer/base/StreamFilter.h"
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ bool fits(std::string_view path, std::string_view pattern) {
   return pattern.find_first_not_of('*', next) == std::string_view::npos;
 }
 
-bool StreamChoice::has(std::string_view path) const {
+bool StreamFilter::has(std::string_view path) const {
   const auto fitsPath = [path](const std::string& pattern) { return fits(path, pattern); };
   return (include.empty() || std::any_of(include.begin(), include.end(), fitsPath)) &&
          std::none_of(exclude.begin(), exclude.end(), fitsPath);

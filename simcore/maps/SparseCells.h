@@ -8,7 +8,7 @@ namespace simcore {
 
 /// A sparse set of cells of a plane: bits in tiles of 8 x 8. Coordinates may be negative. Not thread-safe,
 /// not even for reading, because it caches the last tile.
-class CellSet {
+class SparseCells {
  public:
   /// Whether a cell is in the set. Constant time on average; fastest near the cell of the last call.
   bool contains(int x, int y) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/ProgramWishes.h"
+#include "app/core/program/ProgramOverrides.h"
 
 #include "robotlink/debugging/RequestKinds.h"
 
@@ -8,7 +8,7 @@ namespace app {
 using robotcontrol::KeyMode;
 using robotcontrol::Request;
 
-bool ProgramWishes::note(const Request& request) {
+bool ProgramOverrides::note(const Request& request) {
   if (!robotlink::kindOf(request).isOverride) return false;
   switch (request.what_case()) {
     case Request::kSetKey:
@@ -35,7 +35,7 @@ bool ProgramWishes::note(const Request& request) {
   }
 }
 
-void ProgramWishes::noteKey(const robotcontrol::SetKey& key) {
+void ProgramOverrides::noteKey(const robotcontrol::SetKey& key) {
   // What was to happen n times has happened.
   if (key.mode().kind() == KeyMode::OFF || key.mode().kind() == KeyMode::N_TIMES) {
     keys_.erase(key.name());
@@ -44,14 +44,14 @@ void ProgramWishes::noteKey(const robotcontrol::SetKey& key) {
   }
 }
 
-void ProgramWishes::noteParameters(const robotcontrol::SetParameters& wish) {
-  auto& values = parameters_[{wish.task(), wish.solution()}];
-  values.set_task(wish.task());
-  values.set_solution(wish.solution());
-  *values.mutable_value() = wish.value();
+void ProgramOverrides::noteParameters(const robotcontrol::SetParameters& details) {
+  auto& values = parameters_[{details.task(), details.solution()}];
+  values.set_task(details.task());
+  values.set_solution(details.solution());
+  *values.mutable_value() = details.value();
 }
 
-std::vector<Request> ProgramWishes::requests(const std::string& robot) const {
+std::vector<Request> ProgramOverrides::requests(const std::string& robot) const {
   std::vector<Request> all;
   Request request;
   request.set_robot(robot);

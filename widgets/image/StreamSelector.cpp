@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/image/StreamChoice.h"
+#include "widgets/image/StreamSelector.h"
 
 #include "robotlink/session/Session.h"
 
 namespace widgets {
 
-StreamChoice::StreamChoice(std::string type, QString choice, QWidget* parent)
+StreamSelector::StreamSelector(std::string type, QString choice, QWidget* parent)
     : QComboBox(parent), type_(std::move(type)), choice_(std::move(choice)) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(14);
@@ -13,7 +13,7 @@ StreamChoice::StreamChoice(std::string type, QString choice, QWidget* parent)
           [this] { setChoice(currentData().toString()); });
 }
 
-bool StreamChoice::refresh(robotlink::Session& session) {
+bool StreamSelector::refresh(robotlink::Session& session) {
   const auto& store = session.store();
   if (store.listVersion() == listVersion_ && session.selectedRobot() == listedRobot_) return false;
   listVersion_ = store.listVersion();
@@ -36,13 +36,13 @@ bool StreamChoice::refresh(robotlink::Session& session) {
   return true;
 }
 
-std::string StreamChoice::path(const robotlink::Session& session) const {
+std::string StreamSelector::path(const robotlink::Session& session) const {
   QString path = choice_;
   if (path.startsWith(QLatin1Char('*'))) path.replace(0, 1, QString::fromStdString(session.selectedRobot()));
   return path.toStdString();
 }
 
-void StreamChoice::setChoice(const QString& choice) {
+void StreamSelector::setChoice(const QString& choice) {
   if (choice.isEmpty()) return;
   choice_ = choice;
   listVersion_ = ~0ULL;  // lists the choice even if it does not exist

@@ -24,7 +24,7 @@ struct CommandInfo {
 };
 
 /// All known commands, sorted by id. Static data.
-std::span<const CommandInfo> commandTable();
+std::span<const CommandInfo> commandCatalog();
 /// Null if the command is unknown.
 const CommandInfo* findCommand(std::uint8_t id);
 const CommandInfo* findCommand(std::string_view name);

@@ -13,10 +13,10 @@ namespace modules {
 /// inside if there are walls on at least three of its four sides, and if no way as wide as the robot leads
 /// there from outside the map; unless such a way leads to the map's home, too, because maps of real buildings
 /// have gaps. Immutable; any thread.
-class FreeSpace {
+class ReachableSpace {
  public:
   /// `clearance` is the distance from walls that the robot's center needs, m.
-  FreeSpace(const DistanceMap& distances, const robotlink::GroundMap& map, double clearance);
+  ReachableSpace(const DistanceMap& distances, const robotlink::GroundMap& map, double clearance);
 
   bool empty() const { return cells_.empty(); }
   /// Square meters.

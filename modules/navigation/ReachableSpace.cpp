@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/navigation/FreeSpace.h"
+#include "modules/navigation/ReachableSpace.h"
 
 #include <algorithm>
 #include <array>
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> border(const GridFrame& frame, std::vector<std::uint8
 
 }  // namespace
 
-FreeSpace::FreeSpace(const DistanceMap& distances, const GroundMap& map, double clearance)
+ReachableSpace::ReachableSpace(const DistanceMap& distances, const GroundMap& map, double clearance)
     : frame_(distances.frame()), inside_(frame_.size(), kWall) {
   for (int row = 0; row < frame_.height; ++row)
     for (int column = 0; column < frame_.width; ++column)
@@ -95,16 +95,16 @@ FreeSpace::FreeSpace(const DistanceMap& distances, const GroundMap& map, double 
   }
 }
 
-double FreeSpace::area() const {
+double ReachableSpace::area() const {
   return static_cast<double>(cells_.size()) * frame_.cell * frame_.cell;
 }
 
-bool FreeSpace::contains(const Vector2& place) const {
+bool ReachableSpace::contains(const Vector2& place) const {
   const int column = frame_.column(place.x()), row = frame_.row(place.y());
   return frame_.contains(column, row) && inside_[frame_.index(column, row)] == kInside;
 }
 
-Pose2 FreeSpace::draw(robotlink::Random& random) const {
+Pose2 ReachableSpace::draw(robotlink::Random& random) const {
   const auto at = static_cast<int>(
       cells_[static_cast<std::size_t>(random.uniform() * static_cast<double>(cells_.size()))]);
   const Vector2 center = frame_.center(at % frame_.width, at / frame_.width);

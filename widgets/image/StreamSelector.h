@@ -13,11 +13,11 @@ namespace widgets {
 /// A combo box that selects a stream of one message type by its path: a certain one, or with "*" in place of
 /// the robot that of the session's selected robot. A stream that was chosen and does not exist (yet) stays
 /// chosen. GUI thread.
-class StreamChoice final : public QComboBox {
+class StreamSelector final : public QComboBox {
   Q_OBJECT
  public:
   /// `type`: full name of the message type. `choice`: the initial choice.
-  StreamChoice(std::string type, QString choice, QWidget* parent = nullptr);
+  StreamSelector(std::string type, QString choice, QWidget* parent = nullptr);
 
   /// Lists the session's streams; returns early while they are unchanged. True if the list, and so perhaps
   /// path(), changed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/arcos/codec/CommandTable.h"
+#include "robotlink/arcos/codec/CommandCatalog.h"
 
 #include <algorithm>
 #include <array>
@@ -191,7 +191,7 @@ constexpr auto kPlaces = [] {
 
 }  // namespace
 
-std::span<const CommandInfo> commandTable() {
+std::span<const CommandInfo> commandCatalog() {
   return kCommands;
 }
 

@@ -17,7 +17,7 @@ namespace app {
 /// made for this robot shall have again, after a reset, in another layout, at another place of a log: modes
 /// of debug keys, solutions, parameters, the color table, and what is recorded. What a layout cannot fulfill
 /// is kept for one that can. A plain value, the same for simulated, real and logged robots.
-class ProgramWishes {
+class ProgramOverrides {
  public:
   using TaskSolution = std::pair<std::string, std::string>;
 
@@ -41,7 +41,7 @@ class ProgramWishes {
 
  private:
   void noteKey(const robotcontrol::SetKey& key);
-  void noteParameters(const robotcontrol::SetParameters& wish);
+  void noteParameters(const robotcontrol::SetParameters& details);
 
   std::map<std::string, robotcontrol::KeyMode> keys_;  // by name
   std::map<std::string, std::string> solutions_;       // by task

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/base/Losses.h"
+#include "logplayer/base/DamageReport.h"
 
 namespace logplayer {
 
-std::vector<std::string> lossesOf(const std::filesystem::path& file, bool complete,
-                                  const std::vector<mcap::Damage>& damage) {
+std::vector<std::string> describeDamage(const std::filesystem::path& file, bool complete,
+                                        const std::vector<mcap::Damage>& damage) {
   constexpr std::size_t kMaxListed = 20;
   const std::string name = file.string() + ": ";
   std::vector<std::string> losses;

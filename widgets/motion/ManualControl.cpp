@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/motion/TakeOver.h"
+#include "widgets/motion/ManualControl.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -8,12 +8,12 @@ namespace widgets {
 namespace {
 
 QString translated(const char* source) {
-  return QCoreApplication::translate("TakeOver", source);
+  return QCoreApplication::translate("ManualControl", source);
 }
 
 bool obeys(const TaskEntry& task) {
   return std::any_of(task.solutions.begin(), task.solutions.end(),
-                     [](const auto& solution) { return solution.name == TakeOver::kObey; });
+                     [](const auto& solution) { return solution.name == ManualControl::kObey; });
 }
 
 /// The first task with a solution "obey"; if there is none, the first task that should have one. Null: none.
@@ -28,7 +28,7 @@ const TaskEntry* findTask(const std::vector<TaskEntry>& tasks) {
 
 }  // namespace
 
-void TakeOver::update(const std::vector<TaskEntry>& tasks) {
+void ManualControl::update(const std::vector<TaskEntry>& tasks) {
   const TaskEntry* task = findTask(tasks);
   if (task == nullptr) {
     *this = {};
@@ -41,10 +41,10 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
   if (former_.empty()) former_ = task->standard;
   const auto obey = std::find_if(task->solutions.begin(), task->solutions.end(),
                                  [](const auto& solution) { return solution.name == kObey; });
-  if (wished_ == active_) wished_.clear();
-  if (active_ == kObey && wished_.empty()) {
+  if (requested_ == active_) requested_.clear();
+  if (active_ == kObey && requested_.empty()) {
     state_ = State::kTaken;
-  } else if (!wished_.empty()) {
+  } else if (!requested_.empty()) {
     state_ = State::kSwitching;
   } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
     state_ = State::kUnavailable;
@@ -56,30 +56,30 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
   }
 }
 
-std::string TakeOver::begin(bool take) {
+std::string ManualControl::begin(bool take) {
   if (state_ == State::kUnknown || (take && state_ == State::kUnavailable)) return {};
   const std::string wanted = take ? kObey : former_;
   if (wanted.empty() || wanted == active_) return {};
-  wished_ = wanted;
+  requested_ = wanted;
   reason_.clear();
   state_ = State::kSwitching;
   return wanted;
 }
 
-void TakeOver::refused(const QString& reason) {
-  wished_.clear();
+void ManualControl::refused(const QString& reason) {
+  requested_.clear();
   reason_ = reason;
   state_ = active_ == kObey ? State::kTaken : State::kFree;
 }
 
-QString TakeOver::text() const {
+QString ManualControl::text() const {
   switch (state_) {
     case State::kUnknown:
       return translated("The robot has not told its behavior yet.");
     case State::kUnavailable:
       return translated("Cannot be taken over: %1").arg(reason_);
     case State::kSwitching:
-      return translated("Switching to %1…").arg(QString::fromStdString(wished_));
+      return translated("Switching to %1…").arg(QString::fromStdString(requested_));
     case State::kTaken:
       return translated("You steer the robot.");
     case State::kFree:
