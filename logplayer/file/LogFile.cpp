@@ -59,10 +59,10 @@ robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem:
                                                           const Options& options) {
   auto container = ContainerFile::of(file, options.progress);
   if (!container) return tl::unexpected(container.error());
-  mcap::Reader::Options options;
-  options.cacheBytes = options.cacheBytes;
-  options.progress = options.progress;
-  auto reader = mcap::Reader::open(container->path(), std::move(options));
+  mcap::Reader::Options reading;
+  reading.cacheBytes = options.cacheBytes;
+  reading.progress = options.progress;
+  auto reader = mcap::Reader::open(container->path(), std::move(reading));
   if (!reader) return tl::unexpected(reader.error());
   return of(file, std::move(*container), std::move(*reader));
 }

@@ -63,10 +63,10 @@ class ImportWriter {
     writer.opening_.push_back({options.robot + "/" + robotlink::streams::kProgram, {}, std::move(*setup)});
     if (options.colorTable)
       writer.opening_.push_back({options.robot + "/" + robotlink::kColorTable.name, {}, options.colorTable});
-    mcap::Writer::Options options;
-    options.compression = mcap::Compression::kZstd;
-    options.library = "RobotControl";
-    auto log = LogWriter::create(file, options);
+    mcap::Writer::Options writing;
+    writing.compression = mcap::Compression::kZstd;
+    writing.library = "RobotControl";
+    auto log = LogWriter::create(file, writing);
     if (!log) return tl::unexpected(std::move(log.error()));
     writer.log_ = std::move(*log);
     return writer;

@@ -39,7 +39,7 @@ class Avoidance : public robotlink::Solution {
       : debug_(context.debug()),
         clock_(context.clock()),
         limits_(limitsOf(context.robot().description)),
-        desired_(context.input(robotlink::kDriveRequest)),
+        desired_(context.input(robotlink::kBehaviorDrive)),
         request_(context.output(robotlink::kDriveRequest)) {}
 
  protected:
@@ -184,7 +184,7 @@ const robotlink::SolutionRegistration kVectorField =
     robotlink::SolutionBuilder<VectorFieldAvoidance>(
         "obstacle-avoidance", "vector-field",
         "Takes the open direction nearest to the wish, from a polar histogram of what was seen lately.")
-        .needs(robotlink::kDriveRequest)
+        .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -253,7 +253,7 @@ const robotlink::SolutionRegistration kDynamicWindow =
         "obstacle-avoidance", "dynamic-window",
         "Takes the velocity nearest to the wish that its motors can reach and from which it can brake in "
         "time.")
-        .needs(robotlink::kDriveRequest)
+        .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -274,7 +274,7 @@ const robotlink::SolutionRegistration kNone =
     robotlink::SolutionBuilder<NoAvoidance>("obstacle-avoidance", "none",
                                             "Passes wishes on whatever is in the way, within what the motors "
                                             "can do: for those who know what they do.")
-        .needs(robotlink::kDriveRequest)
+        .needs(robotlink::kBehaviorDrive)
         .yields(robotlink::kDriveRequest)
         .keys({&kSpeedKey});
 

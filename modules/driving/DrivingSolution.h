@@ -23,7 +23,7 @@ class DrivingSolution : public robotlink::Solution {
   explicit DrivingSolution(robotlink::SolutionContext& context)
       : debug_(context.debug()),
         clock_(context.clock()),
-        desired_(context.output(robotlink::kDriveRequest)) {}
+        desired_(context.output(robotlink::kBehaviorDrive)) {}
 
  protected:
   /// Sends a request; call it in every frame, because requests expire.

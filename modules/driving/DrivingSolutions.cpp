@@ -96,7 +96,7 @@ const robotlink::SolutionRegistration kWander =
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
-        .yields(robotlink::kDriveRequest)
+        .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey, &kDirectionKey})
         .parameters<robotcontrol::WanderParameters>();
 
@@ -208,7 +208,7 @@ const robotlink::SolutionRegistration kFollowPath =
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
-        .yields(robotlink::kDriveRequest)
+        .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
         .parameters<robotcontrol::FollowPathParameters>();
 
@@ -240,7 +240,7 @@ const robotlink::SolutionRegistration kObey =
         "driving", "obey",
         "Drives as a person asks for; stands until somebody does, and when he falls silent.")
         .uses(robotlink::kRemoteMotion)
-        .yields(robotlink::kDriveRequest)
+        .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey});
 
 class Halt final : public DrivingSolution {
@@ -250,7 +250,7 @@ class Halt final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kHalt = robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands.")
-                                                  .yields(robotlink::kDriveRequest)
+                                                  .yields(robotlink::kBehaviorDrive)
                                                   .keys({&kDrivingSpeedKey});
 
 }  // namespace

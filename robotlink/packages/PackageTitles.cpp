@@ -43,7 +43,7 @@ constexpr std::array kTitles{
     Title{kHeadRequest.name, "head requests"},
     Title{kMotionStatus.name, "the state of motion"},
     Title{kDrivePath.name, "a path"},
-    Title{kDriveRequest.name, "the behavior's drive requests"},
+    Title{kBehaviorDrive.name, "the behavior's drive requests"},
 };
 
 }  // namespace

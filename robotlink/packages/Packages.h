@@ -109,6 +109,6 @@ inline constexpr Package<robotcontrol::MotionStatus> kMotionStatus{"motion/statu
 /// The path to the goal that was planned.
 inline constexpr Package<robotcontrol::DrivePath> kDrivePath{"models/path"};
 /// The speeds that the behavior of a robot on wheels requests, before obstacle avoidance.
-inline constexpr Package<robotcontrol::DriveRequest> kDriveRequest{"behavior/drive"};
+inline constexpr Package<robotcontrol::DriveRequest> kBehaviorDrive{"behavior/drive"};
 
 }  // namespace robotlink

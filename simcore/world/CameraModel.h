@@ -10,12 +10,12 @@ namespace simcore {
 /// The darkening of an image towards its corners by the lens, as by the lens of a real Aibo. With r the
 /// distance from the center (1 in the corners), all light is multiplied by 1 - falloff * r^2, and red and
 /// green also by 1 - tint * r^2, which makes the corners bluish.
-struct LensShading {
+struct LensVignetting {
   /// From 0 to 1.
   double falloff = 0;
   /// From 0 to 1.
   double tint = 0;
-  bool operator==(const LensShading&) const = default;
+  bool operator==(const LensVignetting&) const = default;
 };
 
 /// A pinhole camera without distortion. It looks along the x-axis of its frame; y points to the left, z up.
@@ -28,7 +28,7 @@ struct CameraModel {
   /// Full opening angles, rad.
   double horizontalAngle = robotlink::radians(57.6);
   double verticalAngle = robotlink::radians(47.8);
-  LensShading vignetting = {};
+  LensVignetting vignetting = {};
 };
 
 /// The noise added to every channel of every pixel. It is computed from counters, so the same (seed, stream,

@@ -137,7 +137,7 @@ struct SensorDescription {
   /// Camera only (rate also for range sensors): rad, and Hz.
   double horizontalAngle = 0, verticalAngle = 0, rate = 0;
   /// Camera only.
-  LensShading vignetting;
+  LensVignetting vignetting;
   /// Sonar and laser only.
   RangeGeometry range;
 };

@@ -35,7 +35,7 @@ struct LabeledImage {
 struct Light {
   const char* name;
   simcore::Lighting lighting;
-  simcore::LensShading vignetting;
+  simcore::LensVignetting vignetting;
   double noise = 2.5;
 };
 

@@ -127,7 +127,7 @@ TEST(TrueClasses, areAllTheSameInAnotherLight) {
   options.world.blackout = true;
   Watched usual(options);
   options.world.lighting = {0.4, 0.5};
-  options.world.vignetting = simcore::LensShading{0.5, 0.2};
+  options.world.vignetting = simcore::LensVignetting{0.5, 0.2};
   Watched dim(options);
   for (Watched* watched : {&usual, &dim}) {
     watched->ask(kPath);

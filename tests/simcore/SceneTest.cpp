@@ -92,7 +92,7 @@ TEST_F(SceneTest, aCameraMayHaveVignetting) {
       "<robotcontrol:vignetting>0.4</robotcontrol:vignetting>"
       "<robotcontrol:vignetting_tint>0.1</robotcontrol:vignetting_tint>";
   for (const auto& [text, expected] :
-       {std::pair(std::string(), Vignetting()), std::pair(lens, Vignetting{0.4, 0.1})}) {
+       {std::pair(std::string(), LensVignetting()), std::pair(lens, LensVignetting{0.4, 0.1})}) {
     folder_.writeModel("small", replaced(kSmallModel, "<sensor name=\"touch\"", withCamera(text)));
     const auto scene = Scene::load(folder_.write("world.sdf", worldAround(include(""))));
     ASSERT_TRUE(scene) << describe(scene.error());

@@ -33,7 +33,7 @@ class SimulatedWorld {
     bool shadows = true;
     bool blackout = false;  ///< all images are black
     simcore::Lighting lighting = {};
-    std::optional<simcore::LensShading> vignetting = {};  ///< of all cameras, instead of their own
+    std::optional<simcore::LensVignetting> vignetting = {};  ///< of all cameras, instead of their own
     std::optional<double> imageNoise =
         {};                  ///< standard deviation, gray values; likewise, unless `noise` is off
     bool kinematic = false;  ///< robots on wheels are moved by their odometry instead of by forces

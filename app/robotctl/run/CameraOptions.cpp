@@ -41,7 +41,7 @@ void CameraOptions::applyTo(RunOptions& run) const {
   run.world.lighting = lighting;
   run.world.imageNoise = imageNoise;
   if (!vignetting.empty())
-    run.world.vignetting = simcore::LensShading{vignetting[0], vignetting.size() > 1 ? vignetting[1] : 0};
+    run.world.vignetting = simcore::LensVignetting{vignetting[0], vignetting.size() > 1 ? vignetting[1] : 0};
 }
 
 robotlink::Result<std::unique_ptr<LabeledImages>> CameraOptions::labeledImages() const {

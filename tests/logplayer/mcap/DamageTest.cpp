@@ -142,16 +142,16 @@ TEST_P(DamageTest, theSearchBehindDamageTellsHowFarItIsAndCanBeGivenUp) {
   writeBytes(file, bytes_.substr(0, cut));
   std::filesystem::resize_file(file, cut + (40U << 20U));
   int expected = 0;
-  Reader::Options options = options();
-  options.progress = [&](double share) {
+  Reader::Options chosen = options();
+  chosen.progress = [&](double share) {
     EXPECT_LE(share, 1);
     return ++expected != 5;
   };
-  const auto reader = Reader::open(file, options);
+  const auto reader = Reader::open(file, chosen);
   EXPECT_EQ(expected, 5);
   ASSERT_FALSE(reader);
   EXPECT_EQ(reader.error().id, "log.given-up");
-  EXPECT_EQ(test::open(file, options)->chunks().size(), chunks_.size() - 1);
+  EXPECT_EQ(test::open(file, chosen)->chunks().size(), chunks_.size() - 1);
   EXPECT_GT(expected, 12);
 }
 

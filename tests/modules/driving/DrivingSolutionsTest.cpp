@@ -35,36 +35,36 @@ TEST(Wander, drivesByWhatIsSeenAndStandsWhileNothingIs) {
   RollingRobot robot(world, {.start = {4, 3, 0}, .laser = false});
   OneSolution wander("driving", "wander");
   wander.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kBehaviorDrive)));
   for (int i = 0; i < 10; ++i) {
     robot.drive({});
     wander.pass();
     sense(wander, robot, false);
     wander.execute();
   }
-  EXPECT_NE(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)));
+  EXPECT_NE(DriveVelocity{}, velocityOf(wander.sent(robotlink::kBehaviorDrive)));
   EXPECT_THAT(wander.silentKeys(), IsEmpty());
   wander.pass(3);
   wander.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kDriveRequest)))
+  EXPECT_EQ(DriveVelocity{}, velocityOf(wander.sent(robotlink::kBehaviorDrive)))
       << "its sensors have fallen silent";
 }
 
 TEST(ObeyOnWheels, doesWhatAPersonAsksFor) {
   OneSolution obey("driving", "obey");
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kBehaviorDrive)));
   robotcontrol::RemoteMotion remote;
   remote.mutable_motion()->set_kind(robotcontrol::MotionRequest::WALK);
   remote.mutable_motion()->mutable_walk()->set_x(0.3);
   remote.mutable_motion()->mutable_walk()->set_rotation(-0.2);
   obey.set(robotlink::kRemoteMotion, remote);
   obey.execute();
-  EXPECT_EQ((DriveVelocity{0.3, -0.2}), velocityOf(obey.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ((DriveVelocity{0.3, -0.2}), velocityOf(obey.sent(robotlink::kBehaviorDrive)));
   remote.mutable_motion()->set_kind(robotcontrol::MotionRequest::STAND);
   obey.set(robotlink::kRemoteMotion, remote);
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kBehaviorDrive)));
   EXPECT_THAT(obey.silentKeys(), IsEmpty());
 }
 
@@ -76,18 +76,18 @@ TEST(ObeyOnWheels, standsWhenNobodyIsHeardAnyMore) {
   for (int i = 0; i < 40; ++i) {
     if (i % 10 == 0) obey.set(robotlink::kRemoteMotion, remote);
     obey.execute();
-    EXPECT_EQ((DriveVelocity{0.3, 0}), velocityOf(obey.sent(robotlink::kDriveRequest))) << i;
+    EXPECT_EQ((DriveVelocity{0.3, 0}), velocityOf(obey.sent(robotlink::kBehaviorDrive))) << i;
     obey.pass();
   }
   obey.pass(2);
   obey.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kBehaviorDrive)));
 }
 
 TEST(Halt, stands) {
   OneSolution halt("driving", "halt");
   halt.execute();
-  EXPECT_EQ(DriveVelocity{}, velocityOf(halt.sent(robotlink::kDriveRequest)));
+  EXPECT_EQ(DriveVelocity{}, velocityOf(halt.sent(robotlink::kBehaviorDrive)));
 }
 
 /// Follows a path along the room's length.
@@ -122,7 +122,7 @@ class FollowPathTest : public testing::Test {
       follow_.pass();
     }
   }
-  DriveVelocity desired() const { return velocityOf(follow_.sent(robotlink::kDriveRequest)); }
+  DriveVelocity desired() const { return velocityOf(follow_.sent(robotlink::kBehaviorDrive)); }
 
   FlatWorld world_;
   RollingRobot robot_;
@@ -179,7 +179,7 @@ class AvoidanceSolutionTest : public testing::TestWithParam<const char*> {
 
   void run(double seconds, double forward, double rotation) {
     for (const double end = robot_.time() + seconds; robot_.time() < end - 1e-6;) {
-      avoid_.set(robotlink::kDriveRequest, desired(avoid_, forward, rotation));
+      avoid_.set(robotlink::kBehaviorDrive, desired(avoid_, forward, rotation));
       robotcontrol::DriveState state = driveState(robot_);
       change(state);
       sense(avoid_, robot_, true);
@@ -207,7 +207,7 @@ TEST_P(AvoidanceSolutionTest, drivesAsWishedButNotIntoAWall) {
 
 TEST_P(AvoidanceSolutionTest, blindItStandsAndSaysSoOnce) {
   for (int i = 0; i < 20; ++i) {
-    avoid_.set(robotlink::kDriveRequest, desired(avoid_, 0.4, 0));
+    avoid_.set(robotlink::kBehaviorDrive, desired(avoid_, 0.4, 0));
     avoid_.set(robotlink::kDriveState, driveState(robot_));
     avoid_.execute();
     avoid_.pass();
@@ -256,10 +256,10 @@ INSTANTIATE_TEST_SUITE_P(Seeing, AvoidanceSolutionTest, testing::Values("vector-
 
 TEST(NoAvoidance, passesWishesOnWithinWhatTheMotorsCan) {
   OneSolution none("obstacle-avoidance", "none");
-  none.set(robotlink::kDriveRequest, desired(none, 9, 0));
+  none.set(robotlink::kBehaviorDrive, desired(none, 9, 0));
   double last = 0;
   for (int i = 0; i < 60; ++i) {
-    none.set(robotlink::kDriveRequest, desired(none, 9, 0));
+    none.set(robotlink::kBehaviorDrive, desired(none, 9, 0));
     none.execute();
     none.pass();
     const double now = velocityOf(none.sent(robotlink::kDriveRequest)).forward;
