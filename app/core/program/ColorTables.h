@@ -12,15 +12,16 @@ class ColorTable;
 
 namespace app {
 
-/// A color table's file as a robot's program takes it (Request.set_color_table), with the names of its
-/// classes and its whole path as its source: a .c64, or a table of another team that can be imported
-/// (colortool::importTable). Errors name the file.
+/// Reads the file of a color table, a .c64 or a format of another team that colortool::importTable() knows,
+/// into the message that a robot's program takes (Request.set_color_table). The names of the classes are
+/// included; the source is the absolute path of the file. Errors name the file.
 robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
     const std::filesystem::path& file);
 
-/// What the source of a table begins with that a log held for its robot.
+/// The beginning of ColorTable.source for tables that were read from a log.
 inline constexpr char kOfTheLog[] = "of the log";
-/// A table that is in a log, with a source that says so.
+/// Returns a copy of a logged table whose source begins with kOfTheLog, so that users see where it is from. A
+/// source that begins so already is kept.
 robotcontrol::ColorTable colorTableOfLog(const robotcontrol::ColorTable& logged);
 
 }  // namespace app

@@ -7,8 +7,8 @@ namespace app {
 
 using RealDuration = Pace::RealTime::duration;
 
-/// What is due later than this is not waited for by anybody; a gap in a log may be any number of years.
-constexpr double kFarAway = 1e8;  // s
+/// Limits the seconds until an instant is due, so that they fit the clock: a gap in a log may be many years.
+constexpr double kFarAway = 1e8;
 
 void Pace::restart(RealTime now, robotlink::Instant time) {
   start_ = now;

@@ -7,30 +7,34 @@
 
 namespace app {
 
-/// Says when in real time an instant of a platform is due, at a speed. A plain value: the real time is passed
-/// in.
+/// Computes when, in real time, an instant of a platform is due at a given speed. A plain value without a
+/// clock of its own: the real time is passed in.
 ///
-/// Who falls behind by more than kMaxLag does not catch up: after a breakpoint has stopped the world, or a
-/// program was too slow for its speed, it goes on from where it is, without a jump.
+/// A platform that is late by more than kMaxLag does not catch up. After a breakpoint, or while a program is
+/// too slow for the speed, it continues from where it is, without a jump.
 class Pace {
  public:
   using RealTime = std::chrono::steady_clock::time_point;
+  /// The largest lag that is made up for.
   static constexpr std::chrono::milliseconds kMaxLag{200};
 
-  /// Times real time; 0 is as fast as possible. Takes effect with the next restart().
+  /// The speed in times real time; 0 means as fast as possible. Call restart() afterwards, or past instants
+  /// are judged by the new speed.
   void setSpeed(double speed) { speed_ = speed; }
   double speed() const { return speed_; }
 
-  /// It is `time` on the platform now.
+  /// Makes `time` due at `now`; later instants are measured from there.
   void restart(RealTime now, robotlink::Instant time);
+  /// The real time at which an instant is due; in the past if the speed is 0.
   RealTime due(robotlink::Instant time) const;
-  /// Before a step to `time` is made: restarts if that is much too late.
+  /// Call before a step to `time`: restarts there if the step is late by more than kMaxLag.
   void forgetLag(RealTime now, robotlink::Instant time);
-  /// Which instant of the platform is due at `now`.
+  /// The instant of the platform that is due at `now`.
   robotlink::Instant timeAt(RealTime now) const;
 
  private:
   double speed_ = 1;
+  /// startTime_ is due at start_.
   RealTime start_;
   robotlink::Instant startTime_;
 };

@@ -11,41 +11,49 @@
 
 namespace app {
 
-/// A thread that does jobs in the order in which they came, and between them makes steps when they are due.
-/// Jobs go first: what a person asks for is done between two steps.
+/// A thread that executes jobs in the order in which they were posted and, between them, makes steps when
+/// these are due. Jobs take precedence, so a request of the user is applied between two steps.
 ///
-/// The functions of `Work` are called in this thread only; what they use must outlive it.
+/// The functions of `Work` are called in this thread only; what they refer to must outlive this object.
 class PacedThread {
  public:
   using Clock = std::chrono::steady_clock;
   using Job = std::function<void()>;
+  /// What the thread does besides jobs.
   struct Work {
-    /// When the next step is to be made; nothing: not before a job has changed that. Asked after each step
-    /// and each job.
+    /// When the next step is due; nothing: no step until a job changes that. Called again after each step and
+    /// each job.
     std::function<std::optional<Clock::time_point>()> due;
+    /// Makes one step.
     std::function<void()> step;
-    std::function<void()> end;  ///< the thread's last call
+    /// The last call in the thread; may be empty.
+    std::function<void()> end;
   };
 
   explicit PacedThread(Work work);
-  /// Waits for the job or step that is being done; jobs that still wait are dropped.
+  /// Waits for the job or step that is in progress. Jobs that were not started are dropped.
   ~PacedThread();
   PacedThread(const PacedThread&) = delete;
   PacedThread& operator=(const PacedThread&) = delete;
 
-  /// Any thread; never waits.
+  /// Enqueues a job. Any thread; never blocks for long. The queue is unbounded.
   void post(Job job);
 
  private:
+  /// The thread's function.
   void runLoop();
+  /// Executes all waiting jobs, with `lock` released during each. Returns false when the thread is to end.
   bool doJobs(std::unique_lock<std::mutex>& lock);
 
   const Work work_;
-  std::mutex mutex_;  // protects jobs_ and quit_
+  /// Protects jobs_ and quit_.
+  std::mutex mutex_;
+  /// Notified when a job is posted or the thread is to end.
   std::condition_variable wakeUp_;
   std::deque<Job> jobs_;
   bool quit_ = false;
-  std::thread thread_;  // last: it uses the others
+  /// The last member, since the thread uses the others.
+  std::thread thread_;
 };
 
 }  // namespace app

@@ -21,48 +21,63 @@ namespace app {
 
 class PlatformFeed;
 
-/// Whose time a platform goes by, and so what can be done with it.
+/// The kind of time that a platform goes by. It decides how users can control the platform.
 enum class PlatformTime : std::uint8_t {
-  kSimulated,  ///< it can be paused, stepped, set back and sped up
-  kLogged,     ///< it can be played and jumped in
-  kReal        ///< it goes on by itself
+  /// Simulated time: can be paused, stepped, reset and sped up.
+  kSimulated,
+  /// The time line of logs: can be played and jumped in.
+  kLogged,
+  /// Real time: cannot be controlled.
+  kReal
 };
 
-/// A kind of platform that the workbench can open: it registers itself with one line (PlatformRegistration),
-/// and nothing else needs to know of it.
+/// A kind of platform that the workbench can open, such as "simulation". It registers itself with one static
+/// PlatformRegistration; nothing else has to know that the kind exists. A plain value.
 struct PlatformAdapter {
-  const char* name;     ///< "simulation"
-  const char* sources;  ///< what it opens, for people: "a world (.sdf, .world) or a map (.map)"
+  /// A unique name: "simulation".
+  const char* name;
+  /// What it opens, for users: "a world (.sdf, .world) or a map (.map)".
+  const char* sources;
+  /// The kind of time of its platforms.
   PlatformTime time;
-  bool severalSources = false;  ///< it can have more than one, on one time line
-  /// Whether it opens this file or address; of several adapters the one that was asked first by `order`.
+  /// Whether one platform can have several sources, which share a time line.
+  bool severalSources = false;
+  /// Whether it opens this file or address. Several adapters may; then the one with the lowest `order` does.
   bool (*opens)(const std::string& source);
+  /// The rank in which adapters are asked, lowest first.
   int order = 0;
 };
 
-/// All adapters, by their order; filled before main(), read-only after.
+/// Returns all adapters, sorted by their order. They are registered before main() and do not change later.
 const std::vector<PlatformAdapter>& platformAdapters();
-/// The first adapter that opens it; null: none does.
+/// Returns the first adapter that opens a file or address; null if none does.
 const PlatformAdapter* adapterFor(const std::string& source);
 
+/// Registers an adapter when it is constructed, which must be before main(): define one as a static constant.
 struct PlatformRegistration {
   explicit PlatformRegistration(PlatformAdapter adapter);
 };
 
-/// What is there for a platform that is being opened. What it refers to must outlive the platform.
+/// What a platform needs from the workbench when it is made. Session and recorder must outlive the platform.
 struct PlatformContext {
+  /// The session to which the platform publishes.
   robotlink::Session& session;
+  /// The recorder that gets what a log may contain.
   logplayer::Recorder& recorder;
-  /// Where the same sources were open before: what a person chose for their robots, by the robots' names.
+  /// The user's overrides, by robot, from the last time the same sources were open; otherwise empty.
   std::map<std::string, ProgramOverrides> overrides = {};
 };
 
-/// A platform that is to be opened.
+/// A platform that is to be opened, as a value that can be passed to the platform's thread.
 struct PlatformOpening {
   using Made = tl::expected<std::unique_ptr<PlatformFeed>, robotlink::Errors>;
 
-  std::string adapter;               ///< its name
-  std::vector<std::string> sources;  ///< files, or an address
+  /// The name of its PlatformAdapter.
+  std::string adapter;
+  /// Files, or one address. Equal adapters and sources mean the same platform, whose overrides are kept.
+  std::vector<std::string> sources;
+  /// Makes the platform, or returns all reasons why that is impossible. Called once, in the platform's
+  /// thread.
   std::function<Made(const PlatformContext& context)> make;
 };
 

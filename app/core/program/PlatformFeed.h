@@ -25,17 +25,25 @@ struct RobotDescription;
 
 namespace app {
 
-/// What runs in the workbench: for its window.
+/// A description of the platform that runs in the workbench, for its window. A plain value; the default says
+/// that nothing is loaded.
 struct LoadedPlatform {
-  std::string adapter;               ///< the name of its PlatformAdapter; empty: nothing is loaded
-  std::optional<PlatformTime> time;  ///< nothing: nothing is loaded
-  std::vector<std::string> sources;  ///< the scene's file, the logs' files, the robot's address
-  /// For the window's title: "field2002", "game.mcap", "tcp://localhost:8101"; empty if nothing is loaded.
+  /// The name of its PlatformAdapter; empty if nothing is loaded.
+  std::string adapter;
+  /// Unset if nothing is loaded.
+  std::optional<PlatformTime> time;
+  /// The scene's file, the logs' files, or the robot's address.
+  std::vector<std::string> sources;
+  /// The title of the window: "field2002", "game.mcap", "tcp://localhost:8101"; empty if nothing is loaded.
   std::string title;
+  /// The robots with their descriptions, by name.
   std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> robots;
+  /// Null if the world has no field.
   std::shared_ptr<const robotlink::FieldDescription> field;
-  std::filesystem::path layout;  ///< empty: the one in the log, or none
-  /// What a person chose for the programs before, and they cannot fulfill in this layout; a sentence each.
+  /// The layout file of the (first) robot's program; empty if there is none, or if a log's own layout is
+  /// used.
+  std::filesystem::path layout;
+  /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
 
   const std::string& name() const { return title; }
@@ -44,60 +52,72 @@ struct LoadedPlatform {
   bool isReal() const { return time == PlatformTime::kReal; }
 };
 
-/// A platform with its robots' programs as the workbench runs it: feeds a session with what happens, at a
-/// speed, and fulfils requests. One thread, that of PlatformThread.
+/// A platform with the programs of its robots, as the workbench runs it: publishes to a session, goes at the
+/// speed that the user chose, and fulfills requests. PlatformThread owns it and calls it in its thread only;
+/// exceptions are noted. Derived classes are registered as PlatformAdapters.
 class PlatformFeed {
  public:
-  enum class Answer { kHere, kByProgram };  ///< who answers a request that was accepted
-  /// How time goes, for a platform that takes the place of this one.
+  /// How an accepted request is answered: by the caller of fulfil(), or by the robot's program in its debug
+  /// queue.
+  enum class Answer { kHere, kByProgram };
+  /// The state of playback that a platform inherits from the one that it replaces.
   struct Going {
     bool running = false;
+    /// Times real time; 0 means as fast as possible.
     double speed = 1;
   };
 
   virtual ~PlatformFeed() = default;
 
-  /// From here on it tells what happens; first, everything that there is to show now.
+  /// Called once, when the session belongs to this platform: publishes the current state. From then on
+  /// everything is published as it happens.
   virtual void begin() = 0;
-  /// As PacedThread::Work.
+  /// The real time of the next step, as for PacedThread::Work; nothing while it is paused.
   virtual std::optional<PacedThread::Clock::time_point> due() = 0;
+  /// Makes the step that is due.
   virtual void step() = 0;
 
-  /// Does it, or hands it to whoever does it: by the table of requests (robotlink/debugging/RequestKinds.h).
+  /// Fulfills a request or passes it to the program; the table of requests
+  /// (robotlink/debugging/RequestKinds.h) says who is responsible. Fails with the reason if the request is
+  /// refused.
   robotlink::Result<Answer> fulfil(const robotcontrol::Request& request);
-  /// Starts the programs anew in another layout; if that is not possible, all goes on as before.
+  /// Restarts the programs in another layout. If that is impossible, the errors say why, and the programs
+  /// that run continue.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
+  /// Describes what runs now.
   virtual LoadedPlatform describe() const = 0;
-  /// Stops a real robot from any thread, whatever this one waits for. Null: what runs here stands while this
-  /// thread is held up.
+  /// The switch that stops a real robot from any thread, even while this one is blocked. Null for platforms
+  /// without one: simulated and logged robots stand still while this thread is blocked.
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
-  /// Whether it runs, how fast, where it is.
+  /// Publishes whether the platform runs, how fast, and where it is.
   virtual void publishStatus() = 0;
 
-  // While another platform of the same adapter takes its place.
-  /// Gives up what the other one may need, too, before it is known whether that one can be run. False: it
-  /// cannot go on after that, and has to be ended first.
+  // The following four are for the replacement of this platform by another one of the same adapter.
+  /// Releases what the other platform may need, such as ports, before it is known whether that one can be
+  /// run. Returns false if this platform cannot continue afterwards and has to be ended first.
   virtual bool makeWay() { return true; }
-  /// It goes on after makeWay(), as the other one cannot be run.
+  /// Undoes makeWay(), since the other platform cannot be run.
   virtual robotlink::Errors goOn() { return {}; }
+  /// The state of playback, for the platform that replaces this one.
   virtual Going going() const { return {}; }
+  /// Continues at the state of playback of the platform that this one replaces.
   virtual void inheritPlayback(const Going&) {}
-  /// What a person chose for the robots' programs, by the robots' names.
+  /// The user's overrides, by robot. Empty where the adapter does not keep them for a later opening.
   virtual std::map<std::string, ProgramOverrides> overrides() const { return {}; }
 
-  /// One that has this log beside what this one has, and goes on where this one stands. Refused where no log
-  /// is open.
+  /// Makes a platform that has one more log and stands where this one stands; `offset` is added to the times
+  /// of that log. Fails if no log is open. This platform does not change.
   virtual PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                         const logplayer::LogFile::Progress& progress) const;
-  /// A line to a robot that was lost is opened again at once; where there is none nothing happens.
+  /// Retries a lost connection to a robot at once; without one this has no effect.
   virtual void connectNow() {}
 
  protected:
-  /// To a robot: its program, or its platform.
+  /// Passes a request to a robot: its program or its platform. Fails if it is refused.
   virtual robotlink::Result<void> requestRobot(const robotcontrol::Request& request) = 0;
-  /// What only a simulation can do.
+  /// Fulfills requests that only a simulation can fulfill; by default they are refused.
   virtual robotlink::Result<void> requestSimulation(const robotcontrol::Request& request);
-  /// What only a log that is played can do.
+  /// Fulfills requests that only a log can fulfill; by default they are refused.
   virtual robotlink::Result<void> requestReplay(const robotcontrol::Request& request);
 };
 

@@ -16,38 +16,46 @@ class RobotProgram;
 
 namespace app {
 
+/// How the processes of the programs are executed: in turn, or in parallel.
 enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
-/// The word for it in the set-up of a logged program: "lockstep" or "threads".
+/// The name that is logged in ProgramSetup.executor: "lockstep" or "threads".
 const char* nameOf(ExecutorKind kind);
 
-/// Runs the programs of the robots of one world with their platforms: one process after the other in lockstep
-/// with the world, or each process in a thread of its own, while its owner steps the platforms. One thread at
-/// a time; whoever is told of trouble is told in the processes' threads.
+/// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
+/// process in turn in the caller's thread, or each process in a thread of its own, with the platforms stepped
+/// by the caller. One thread at a time; with threads, `trouble` is called in the threads of the processes.
 class ProgramExecutor {
  public:
+  /// The settings of an executor.
   struct Options {
     ExecutorKind kind = ExecutorKind::kLockstep;
-    std::function<void()> advance = [] {};  ///< moves the world on by one step
-    /// What is wrong with a process: "was stopped because it threw: ...".
+    /// Advances the world by one step, between actuation and sensing.
+    std::function<void()> advance = [] {};
+    /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
+    /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
   };
   explicit ProgramExecutor(Options options);
+  /// Stops the threads of all processes and waits for them.
   ~ProgramExecutor();
 
   ExecutorKind kind() const { return options_.kind; }
-  /// Platforms and programs must outlive it.
+  /// Adds a robot before start(). Platform and program must outlive this object.
   void add(robotlink::Platform& platform, robotlink::RobotProgram& program);
-  /// Once, when all are added.
+  /// Starts the threads, if there are any; to be called once, after all add().
   void start();
-  /// The platforms move their actuators, the world moves on, the platforms send their sensors; in lockstep,
-  /// all processes that this lets run, run.
+  /// Makes one step: the platforms actuate, the world advances, the platforms send their sensor data. In
+  /// lockstep, all processes that can run do so first.
   void step();
 
  private:
+  /// A step with threads: the platforms' part only.
   void stepPlatforms();
 
   const Options options_;
-  std::vector<robotlink::Platform*> platforms_;  // with threads
+  /// Only with threads; the lockstep executor has its own list.
+  std::vector<robotlink::Platform*> platforms_;
+  /// One of the two is null, depending on the kind.
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
 };

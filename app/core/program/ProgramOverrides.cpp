@@ -21,7 +21,7 @@ bool ProgramOverrides::note(const Request& request) {
       noteParameters(request.set_parameters());
       return true;
     case Request::kSetColorTable:
-      // One without cells takes back the one that was sent.
+      // A table without cells removes the one that was sent.
       colorTable_ = request.set_color_table().table().cells().empty()
                         ? nullptr
                         : std::make_shared<const robotcontrol::ColorTable>(request.set_color_table().table());
@@ -36,7 +36,7 @@ bool ProgramOverrides::note(const Request& request) {
 }
 
 void ProgramOverrides::noteKey(const robotcontrol::SetKey& key) {
-  // What was to happen n times has happened.
+  // Off is the default; and "n times" was over when the program ended.
   if (key.mode().kind() == KeyMode::OFF || key.mode().kind() == KeyMode::N_TIMES) {
     keys_.erase(key.name());
   } else {
@@ -69,8 +69,8 @@ std::vector<Request> ProgramOverrides::requests(const std::string& robot) const 
       all.push_back(request);
     }
   };
-  // Before solutions: these may read them when they are made. Those of the active solution need it to be
-  // chosen.
+  // Parameters of a named solution come before the choice of solutions, which may read them when they are
+  // constructed. Parameters of the active solution come after it.
   addParameters(false);
   for (const auto& [task, solution] : solutions_) {
     request.mutable_select_solution()->set_task(task);

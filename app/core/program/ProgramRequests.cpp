@@ -12,15 +12,16 @@ using robotcontrol::Request;
 
 namespace {
 
+/// How many requests may be open.
 constexpr std::size_t kMaxOpen = 1000;
-/// Ids of what is asked anew on behalf of a person; sessions count from 1.
+/// Marks the ids of requests that are made here on behalf of the user; sessions count from 1.
 constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63U;
 
 bool isOwn(const Request& request) {
   return (request.id() & kOwnIds) != 0;
 }
 
-/// What was chosen, for a sentence; empty: nothing that a person would miss.
+/// What the user chose by a request, for a sentence about its loss; empty if nobody would miss it.
 std::string choiceOf(const Request& request) {
   const robotlink::RequestKind& kind = robotlink::kindOf(request);
   return kind.choice != nullptr ? kind.choice(request) : std::string();
@@ -31,7 +32,7 @@ std::string choiceOf(const Request& request) {
 std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program) {
   const std::lock_guard lock(mutex_);
   preview_.reset();
-  // What was told to be accepted is among the wishes.
+  // Requests whose acceptance was reported are among the overrides already.
   std::deque<Open> asked = std::exchange(open_, {});
   std::erase_if(asked, [](const Open& open) { return open.reported || isOwn(open.request); });
   std::vector<std::string> lost;
@@ -52,8 +53,6 @@ void ProgramRequests::addOwn(Request request) {
   open_.push_back({std::move(request)});
 }
 
-/// So that a color that is painted or a slider that is dragged in a pause does not leave a heap of old values
-/// behind.
 bool ProgramRequests::replacesLast(const Request& request) const {
   return !open_.empty() && open_.back().reported && !open_.back().handed &&
          robotlink::setTheSame(open_.back().request, request);
@@ -73,7 +72,8 @@ void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
     if (open.handed) continue;
     if (!give(open.request)) break;
     open.handed = true;
-    if (open.request.id() == 0) overrides_.note(open.request);  // Nobody will know the answer.
+    // Without an id no result will come.
+    if (open.request.id() == 0) overrides_.note(open.request);
   }
   std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }

@@ -22,50 +22,66 @@ class RobotProgram;
 
 namespace app {
 
-/// The requests to one robot's program, over all the programs that are made for the robot: those that wait
-/// until they are handed to it, those that it has not answered yet, and what was accepted and shall hold for
-/// the next program, too.
+/// The requests to one robot's program, across all programs that are made for the robot: a queue of requests
+/// that have no answer yet, and the overrides that follow from the accepted ones and are applied to the next
+/// program, too.
 ///
-/// ask(), hand() and answered() may be called from any thread; the others while no process of the program
-/// runs.
+/// ask(), hand(), answered() and overrides() may be called from any thread. begin() and answersToCome() may
+/// be called only while no process of the program runs; ran() only by the thread that calls these.
 class ProgramRequests {
  public:
+  /// `overrides` are those of earlier programs of this robot.
   explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {})
       : robot_(std::move(robot)), overrides_(std::move(overrides)) {}
 
-  /// A program was made that has not run yet, in the place of the one before, if there was one: hand() gives
-  /// it what a person chose so far, and what was asked and not yet answered. Returns a sentence for each
-  /// choice that this program cannot fulfill.
+  /// To be called with each new program before it runs. Enqueues requests for the overrides so far, followed
+  /// by the requests that the previous program did not answer; hand() passes them on. Returns a sentence for
+  /// each override that this program cannot fulfill.
   std::vector<std::string> begin(robotlink::RobotProgram& program);
-  /// False: too many wait already.
+  /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
+  /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);
-  /// Gives the program what it was not handed yet, in order, until it takes no more; the rest waits for the
-  /// next time. `give` must not call this object.
+  /// Passes the requests that the program has not got yet to `give`, in order, until that returns false; the
+  /// others wait for the next call. `give` must not call this object.
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);
-  /// The program has told this.
+  /// Looks for results in a debug queue of the program: these requests are done, and what was accepted
+  /// becomes an override.
   void answered(const robotcontrol::DebugQueue& queue);
-  /// The program has run: what it would do is to be found anew.
+  /// To be called when the program has run, since its state no longer is that of the preview.
   void ran() { preview_.reset(); }
-  /// The answers that it will give in its next frames, if they were not given yet; null: there are none.
+  /// Returns the results that the program will give in its next frames, each only once over all calls; null
+  /// if there are none. Lets a paused simulation answer at once.
   std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program,
                                                                 robotlink::Instant now);
 
+  /// A copy of the overrides so far.
   ProgramOverrides overrides() const;
 
  private:
+  /// A request that the program has not answered.
   struct Open {
     robotcontrol::Request request;
-    bool handed = false;     // to the program
-    bool reported = false;   // its answer, before the program gave it
-    bool previewed = false;  // by the present preview
+    /// The program has got it.
+    bool handed = false;
+    /// Its result was returned by answersToCome().
+    bool reported = false;
+    /// It was added to the present preview.
+    bool previewed = false;
   };
+  /// Whether a request makes the last one in the queue pointless, so that dragging a slider in a pause does
+  /// not fill the queue.
   bool replacesLast(const robotcontrol::Request& request) const;
+  /// Enqueues a request on behalf of the user, with an id that no session uses.
   void addOwn(robotcontrol::Request request);
 
   const std::string robot_;
+  /// Used only while no process runs; unset if the program has run since.
   std::optional<robotlink::RequestPreview> preview_;
-  mutable std::mutex mutex_;  // protects what follows
-  std::deque<Open> open_;     // in the order in which they were asked
+  /// Protects the members below.
+  mutable std::mutex mutex_;
+  /// In the order of ask().
+  std::deque<Open> open_;
+  /// Counts the ids that addOwn() assigned.
   std::uint64_t ownRequests_ = 0;
   ProgramOverrides overrides_;
 };

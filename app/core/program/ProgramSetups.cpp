@@ -14,7 +14,8 @@ using robotcontrol::ProgramSetup;
 
 namespace {
 
-using Choices = std::map<std::string, std::string>;  // task -> solution
+/// Maps task to solution.
+using Choices = std::map<std::string, std::string>;
 
 /// "layouts/compact.yaml" if it is below the resources, else its whole path.
 std::string nameOf(const std::filesystem::path& file) {
@@ -23,7 +24,7 @@ std::string nameOf(const std::filesystem::path& file) {
   return (shipped ? relative : file).generic_string();
 }
 
-/// Without a file nothing is filled in.
+/// Fills in name and text of a file; an empty path leaves both empty.
 void fill(ProgramSetup::File& to, const std::filesystem::path& file) {
   if (file.empty()) return;
   to.set_name(nameOf(file));
@@ -53,18 +54,20 @@ void assign(ProgramSetup& setup, const Choices& choices) {
   }
 }
 
-/// The layout's own, without what was chosen instead when the program was made.
+/// The solutions in the text of the setup's layout, without those that were chosen instead.
 Choices defaultsOf(const ProgramSetup& setup) {
   const auto layout = robotlink::parseLayout(setup.layout().text(), setup.layout().name());
   return layout ? solutionsOf(*layout) : Choices{};
 }
 
+/// Adds the packages that a process offers to the program, except those for debugging.
 void addOffered(ProgramSetup& setup, const robotlink::Process& process) {
   for (const robotlink::AnySender* sender : process.senders()) {
     if (!sender->package().starts_with("debug/")) setup.add_offered(sender->package());
   }
 }
 
+/// Keeps in the setup only the solutions that differ from the layout's.
 bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& table) {
   const Choices before = solutionsOf(setup);
   const Choices defaults = defaultsOf(setup);
@@ -82,6 +85,7 @@ bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& tab
   return true;
 }
 
+/// Only solutions that the setup knows are updated.
 bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& reported) {
   for (auto& values : *setup.mutable_parameters()) {
     if (values.task() != reported.task() || values.solution() != reported.solution()) continue;

@@ -16,25 +16,31 @@ class RobotProgram;
 
 namespace app {
 
-/// What a robot's program is made of: files that are read for it, as texts, because they may have changed
-/// when a log is opened.
+/// The files that a robot's program is made of. A log keeps them as texts, since they may have changed by the
+/// time when it is opened.
 struct ProgramFiles {
   std::filesystem::path layout;
-  std::filesystem::path description;  ///< of the robot
-  std::filesystem::path field;        ///< empty: its program knows none
-  std::string executor;               ///< "lockstep" or "threads"
+  /// The robot description.
+  std::filesystem::path description;
+  /// Empty if the program knows no field.
+  std::filesystem::path field;
+  /// As nameOf(ExecutorKind) gives it: "lockstep" or "threads".
+  std::string executor;
 };
 
-/// A layout with other solutions than its own for some tasks, by their names.
+/// Reads a layout and chooses other solutions than its own for some tasks (`solutions` maps task to
+/// solution). Neither names of tasks nor of solutions are checked. Fails like robotlink::readLayout().
 tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
     const std::filesystem::path& file, const std::map<std::string, std::string>& solutions);
 
-/// The set-up of a program that has not run yet. A file that cannot be read any more has no text.
+/// Returns the setup of a program as it is recorded in logs: the texts of its files, solutions, parameters,
+/// and the packages that come from platform and debug process. Call it before the program runs. A file that
+/// cannot be read gets no text.
 robotcontrol::ProgramSetup programSetup(const robotlink::RobotProgram& program,
                                         const robotlink::Platform& platform, const ProgramFiles& files);
 
-/// Takes over what a message of the program says of its solutions and parameters; whether anything has
-/// changed.
+/// Updates a setup from a message of the program about its solutions or parameters. Returns whether the setup
+/// has changed.
 bool follow(robotcontrol::ProgramSetup& setup, const robotcontrol::DebugMessage& message);
 
 }  // namespace app

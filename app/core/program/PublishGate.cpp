@@ -44,8 +44,8 @@ void PublishGate::pass(std::function<void()> push) {
   push();
 }
 
-/// What belongs to frames whose end is not among it belongs to none here: after a jump these are the newest
-/// of each stream.
+// Messages of frames whose end is missing are recorded outside of frames: after a jump, a replay publishes
+// the newest message of each stream, of whatever frame.
 void PublishGate::record(std::vector<robotlink::StreamMessage> frame) {
   if (recorder_ == nullptr) return;
   std::set<std::pair<std::string, std::uint64_t>> whole;

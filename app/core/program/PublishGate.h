@@ -23,52 +23,66 @@ struct GroundMap;
 
 namespace app {
 
-/// A text in a robot's log. `level`: a foxglove::Log::Level.
+/// Returns a message for a robot's log. `source` is the name that users see beside the text, `level` a
+/// foxglove::Log::Level.
 robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source,
                                      robotlink::Instant time, int level, const std::string& text);
 
-/// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back:
-/// a run tells things while it is being made, when the session still belongs to another one that goes on if
-/// that fails.
+/// The gate through which a run publishes to the session. While it is closed, as at first, it keeps messages
+/// back: a run publishes while it is being made, when the session still belongs to another run, which
+/// continues if that fails.
 ///
-/// A recorder may be told the same (that of a simulation taps the run itself, at full rate): each time that
-/// the outlet is opened with something kept back is another telling, for which it begins a new file.
+/// A replay also passes its messages to a recorder here; it begins a new file whenever the gate is opened
+/// with messages kept back, since these come from another place in the log. (A simulation taps the run
+/// itself, at full rate: RecordingTap.)
 ///
 /// Any thread. Session and recorder must outlive it.
 class PublishGate {
  public:
+  /// `recorder` may be null: nothing is recorded here.
   explicit PublishGate(robotlink::Session& session, logplayer::Recorder* recorder = nullptr)
       : session_(session), recorder_(recorder) {}
 
+  /// Publishes what was kept back, in order, and from now on everything at once.
   void open();
+  /// Keeps back what is published from now on.
   void close();
-  /// Forgets what it keeps back.
+  /// Drops what is kept back.
   void discard();
 
+  /// Publishes one message.
   void publish(robotlink::StreamMessage message);
-  /// What belongs together.
+  /// Publishes messages that the session keeps or drops as a whole.
   void publishFrame(std::vector<robotlink::StreamMessage> frame);
+  /// Publishes the contents of a debug queue.
   void publishQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
-  /// In the robot's log.
+  /// Publishes an error in the robot's log.
   void publishError(const std::string& robot, const std::string& source, robotlink::Instant time,
                     const std::string& text);
-  /// `level`: a foxglove::Log::Level.
+  /// Publishes a text in the robot's log; see textMessage().
   void publishText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
                    const std::string& text);
-  /// What is to be known about the map that the robot drives by, as texts.
+  /// Publishes the notes of the robot's map in its log: as warnings if the map was read incompletely,
+  /// otherwise as information.
   void publishMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
-  /// That something is wrong with a process.
+  /// Publishes a problem of a process as an error in the robot's log, at the time of the process.
   void publishTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 
  private:
+  /// Calls `push`, now or when the gate is opened.
   void pass(std::function<void()> push);
+  /// Adds a frame to the recorder, if there is one.
   void record(std::vector<robotlink::StreamMessage> frame);
+  /// Adds the frames of a debug queue to the recorder while that is active.
   void recordQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
 
   robotlink::Session& session_;
-  logplayer::Recorder* recorder_;  // null: there is none
-  std::mutex mutex_;               // protects the following
+  /// Null if nothing is recorded here.
+  logplayer::Recorder* recorder_;
+  /// Protects open_ and kept_.
+  std::mutex mutex_;
   bool open_ = false;
+  /// What open() will call.
   std::vector<std::function<void()>> kept_;
 };
 

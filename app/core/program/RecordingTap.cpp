@@ -21,17 +21,21 @@ using robotlink::StreamMessage;
 
 namespace {
 
+/// The name of the platform as a process in logs.
 constexpr char kPlatform[] = "platform";
 
-/// What the senders of one process have sent in its present frame. Used by that process's thread only.
+/// The messages that the senders of one process have sent in its current frame. Only used in the thread of
+/// that process.
 struct TappedFrame {
   std::string robot;
   std::string process;
   std::vector<StreamMessage> messages;
-  std::set<std::string> paths;  ///< that are recorded here, and therefore nowhere else
+  /// The streams that are recorded by taps. Debug queues may contain them, too; they are skipped there.
+  std::set<std::string> paths;
 };
 
-/// The tap keeps the frame alive, however long the sender lives.
+/// Taps all senders of a process except those of packages for debugging. The taps share ownership of the
+/// frame, since the senders may outlive the program.
 void tapSenders(const robotlink::Process& process, const std::shared_ptr<TappedFrame>& frame,
                 const logplayer::Recorder& recorder) {
   for (robotlink::AnySender* sender : process.senders()) {
@@ -54,7 +58,7 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
   return {robot + "/" + robotlink::streams::kFrames + process, time, std::move(info), process, number};
 }
 
-/// Whether something in it is to be known also while nothing is recorded.
+/// Whether a debug queue contains latched messages, which the recorder needs even while it does not record.
 bool recordsLatched(const DebugQueue& queue) {
   return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
     return message.has_keys() || message.has_solutions() || message.has_processes() ||
@@ -68,11 +72,14 @@ struct RecordingTap::Robot {
   std::string name;
   robotlink::Platform* platform = nullptr;
   robotlink::RobotProgram* program = nullptr;
-  std::set<std::string> asked;  // packages that the program tells
+  /// The packages that the program was requested to publish.
+  std::set<std::string> asked;
+  /// What the platform sends.
   std::shared_ptr<TappedFrame> sensors = std::make_shared<TappedFrame>();
-  std::shared_ptr<TappedFrame> overrides = std::make_shared<TappedFrame>();  // of the debug process
+  /// What the debug process sends on behalf of the user.
+  std::shared_ptr<TappedFrame> overrides = std::make_shared<TappedFrame>();
 
-  // The debug process's thread.
+  // Only in the debug process's thread:
   robotcontrol::ProgramSetup setup;
   robotlink::Instant lastTime;
 
@@ -80,6 +87,7 @@ struct RecordingTap::Robot {
     return {name + "/" + robotlink::streams::kProgram, time,
             std::make_shared<robotcontrol::ProgramSetup>(setup)};
   }
+  /// The packages of the program that the recorder wants now.
   std::set<std::string> wanted(const logplayer::Recorder& recorder) const {
     std::set<std::string> packages;
     for (const std::string& package : program->yieldedPackages()) {
@@ -134,7 +142,8 @@ void RecordingTap::askForPackages() {
     request.mutable_record_packages();
     for (const std::string& package : packages) request.mutable_record_packages()->add_packages(package);
     if (!robot->program->debugProcess().request(request))
-      return;  // Too many requests wait: the next step tries again.
+      // Too many requests are waiting: try again at the next step.
+      return;
     robot->asked = std::move(packages);
   }
   demand_ = demand;
@@ -173,7 +182,8 @@ void RecordingTap::add(const std::string& name, const std::shared_ptr<const Debu
       std::erase_if(frame, [robot](const StreamMessage& message) {
         return robot->sensors->paths.contains(message.path) || robot->overrides->paths.contains(message.path);
       });
-      if (own && !frame.empty()) {  // What was sent in this frame was so before its end.
+      // Insert what the debug process sent in this frame before the frame's end.
+      if (own && !frame.empty()) {
         auto overrides = std::exchange(robot->overrides->messages, {});
         frame.insert(frame.end() - 1, std::make_move_iterator(overrides.begin()),
                      std::make_move_iterator(overrides.end()));

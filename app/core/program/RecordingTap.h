@@ -19,12 +19,12 @@ class RobotProgram;
 
 namespace app {
 
-/// Hands all that the robots of one run tell to a recorder, in complete frames: debug queues, taken apart;
-/// what the platform and the debug process send, tapped at their senders at full rate; requests, when they
-/// are handed in; and what the programs are made of. While nothing is recorded it costs one look at a flag
-/// for each package, but what holds until told anew is always handed on.
+/// Passes everything that a log may contain from the robots of one run to a recorder, in complete frames: the
+/// messages of debug queues; the packages of the platform and of the debug process, tapped at their senders
+/// at full rate; requests, when a program gets them; and the setups of the programs. While nothing is
+/// recorded, this costs one look at a flag for each package; only latched messages are still passed on.
 ///
-/// Made for one run; the recorder must outlive the run's platforms and programs.
+/// One object for one run. The recorder must outlive the platforms and programs of the run.
 class RecordingTap {
  public:
   explicit RecordingTap(logplayer::Recorder& recorder) : recorder_(recorder) {}
@@ -32,38 +32,44 @@ class RecordingTap {
   RecordingTap(const RecordingTap&) = delete;
   RecordingTap& operator=(const RecordingTap&) = delete;
 
-  // While no process runs.
-  /// All programs before are gone.
+  // Only while no process runs:
+  /// Forgets all robots. To be called when their programs have ended.
   void clear() { robots_.clear(); }
-  /// The platforms' clocks start anew.
+  /// To be called when the platforms' clocks start anew.
   void restart() { recorder_.restart(); }
-  /// A program that has not run yet, on a platform that was not tapped before, or in the place of the one
-  /// that ran there. Tells its set-up and has the program tell what is to be recorded from its first frame
-  /// on.
+  /// Attaches the program of a robot before it runs. A robot that is attached already must have the same
+  /// platform; the new program then replaces the previous one. Records the setup, and lets the program
+  /// publish the packages that the recorder wants from its first frame on.
   void attach(const std::string& robot, robotlink::Platform& platform, robotlink::RobotProgram& program,
               robotcontrol::ProgramSetup setup);
 
-  // The thread that steps the platforms.
-  /// Before a step: asks the programs for what the recorder wants, if that has changed.
+  // Only in the thread that steps the platforms:
+  /// Before a step: requests the packages that the recorder wants, if that has changed.
   void askForPackages();
-  /// After a step: a platform's frame is complete.
+  /// After a step: records what the platforms have sent in it as one frame each.
   void endStep();
-  /// A request that was handed to a robot's program just now.
+  /// Records a request that a program has just got.
   void handedIn(const robotcontrol::Request& request);
-  /// What belongs to no robot's program: the scene, transforms, the state of the simulation.
+  /// Records a message that belongs to no robot's program: the scene, transforms, the state of the
+  /// simulation.
   void world(robotlink::StreamMessage message);
+  /// Whether the recorder wants a stream, so that others need not be made.
   bool wants(const std::string& path) const { return recorder_.wants(path); }
 
-  // The thread of the robot's debug process.
+  // Only in the thread of the robot's debug process:
+  /// Records a debug queue of a robot, and the setup again if solutions or parameters have changed.
   void add(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
 
  private:
+  /// An attached program with the frames that are being collected.
   struct Robot;
+  /// Returns null if no such robot is attached.
   Robot* find(const std::string& name) const;
 
   logplayer::Recorder& recorder_;
   std::vector<std::shared_ptr<Robot>> robots_;
-  std::uint64_t demand_ = 0;  // of the recorder, that was asked for
+  /// The Recorder::demand() for which packages were last requested.
+  std::uint64_t demand_ = 0;
 };
 
 }  // namespace app

@@ -24,7 +24,7 @@ std::filesystem::path parameterFolder(const RobotDescription& robot) {
 }
 
 std::filesystem::path fieldFile(const std::string& name) {
-  // A name, not a path to somewhere else.
+  // Only the file name counts, so that a field cannot lead to another folder.
   if (name.empty()) return {};
   return robotlink::resource("fields/" + std::filesystem::path(name).filename().string() + ".yaml");
 }

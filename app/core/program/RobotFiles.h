@@ -15,21 +15,25 @@ struct RobotUse;
 
 namespace app {
 
-// Where the resources keep what belongs to a kind of robot or to a field.
+// The resource files of a kind of robot ("p3at") or of a field ("2002"). The functions that return a path do
+// not check whether the file exists; those that read fail with all errors, each with its position in the
+// file.
 
-/// resources/robots/<kind>.yaml
+/// Returns resources/robots/<kind>.yaml.
 std::filesystem::path descriptionFile(const std::string& kind);
-/// The process layout that such robots have unless a person chooses another one.
+/// Returns the default process layout of such robots.
 std::filesystem::path layoutFile(const robotlink::RobotDescription& robot);
-/// The folder of the parameters of its solutions.
+/// Returns the folder of the parameter files of its solutions.
 std::filesystem::path parameterFolder(const robotlink::RobotDescription& robot);
-/// resources/fields/<name>.yaml; empty where there is no name.
+/// Returns resources/fields/<name>.yaml; an empty path for an empty name. Folders in the name are ignored.
 std::filesystem::path fieldFile(const std::string& name);
 
+/// Reads the description of a kind of robot.
 tl::expected<std::shared_ptr<const robotlink::RobotDescription>, robotlink::Errors> readRobot(
     const std::string& kind);
+/// Reads where such robots are used: their field and teams.
 tl::expected<robotlink::RobotUse, robotlink::Errors> readUse(const std::string& kind);
-/// Without a file a field that has nothing: no goals, no lines, no colors.
+/// Reads a field. For an empty path the result is a field without goals, lines and colors, not null.
 tl::expected<std::shared_ptr<const robotlink::FieldDescription>, robotlink::Errors> readField(
     const std::filesystem::path& file);
 

@@ -18,7 +18,7 @@ using robotlink::Errors;
 
 namespace {
 
-/// Calls it and says in words how long that took.
+/// Calls a function and returns how long that took, as a text: "1.2 ms".
 template <typename Call>
 std::string timeTaken(Call call) {
   const auto begin = std::chrono::steady_clock::now();
@@ -47,7 +47,7 @@ RobotHost::~RobotHost() {
   if (platform_) platform_->shutDown();
 }
 
-// ---- Its program
+// ---- The program
 
 tl::expected<RobotHost::Candidate, Errors> RobotHost::make(std::unique_ptr<robotlink::Platform> platform,
                                                            const std::filesystem::path& file,
@@ -132,7 +132,7 @@ std::shared_ptr<const robotcontrol::DebugQueue> RobotHost::answersToCome() {
   return requests_.answersToCome(*program_, platform_->clock().now());
 }
 
-// ---- What it reports
+// ---- Reports
 
 void RobotHost::reportPlatform() {
   for (const std::string& text : platform_->takeReports()) {

@@ -29,36 +29,45 @@ namespace app {
 
 class RecordingTap;
 
-/// What a robot is, wherever it is: in a simulation, at the end of a line, or in a log.
+/// What a robot is, independent of whether it is simulated, real or logged. A plain value.
 struct HostedRobot {
-  std::string name;  ///< "red1"
-  std::string team;  ///< empty: it plays in none
+  /// A name such as "red1".
+  std::string name;
+  /// Empty if it plays in none.
+  std::string team;
+  /// Not null.
   std::shared_ptr<const robotlink::RobotDescription> description;
-  std::shared_ptr<const robotlink::FieldDescription>
-      field;  ///< not null; that of nothing where there is none
-  std::shared_ptr<const robotlink::GroundMap> map = nullptr;  ///< null: it knows none
-  std::filesystem::path fieldFile = {};                       ///< empty: there is none
+  /// Not null; without a field, one that has no goals, lines and colors.
+  std::shared_ptr<const robotlink::FieldDescription> field;
+  /// The map by which it drives; null if it knows none.
+  std::shared_ptr<const robotlink::GroundMap> map = nullptr;
+  /// The file of `field`; empty if there is none.
+  std::filesystem::path fieldFile = {};
 };
 
-/// One robot: what it is, the platform that it is on, the program that runs there, what a person chose for
-/// all its programs, and the tap of the recorder. It outlives the programs, which are made anew by resets and
-/// in other layouts.
+/// Runs the program of one robot. It holds what the robot is, its platform, the current program, the user's
+/// overrides and the recorder's tap. It outlives the programs, which are replaced on each reset and change of
+/// layout.
 ///
-/// One thread at a time; listeners are called in the program's threads. The tap must outlive it.
+/// One thread at a time; listeners are called in the threads of the program. The tap must outlive it.
 class RobotHost {
  public:
+  /// Functions that are called with what the robot publishes; each may be empty.
   struct Listeners {
+    /// Called with each debug queue, in the thread of the debug process.
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
-    /// A process was stopped, starves, or could not get its priority.
+    /// Called if a process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
-    /// What its platform has to say of being set up and shut down, a sentence each.
+    /// Called with sentences about the platform being set up, in the owner's thread.
     std::function<void(const std::string& robot, const std::string& text)> platform = {};
   };
-  /// A program that has not run yet, and what it was made for.
+  /// A program that has not run yet, for adopt().
   struct Candidate {
-    std::unique_ptr<robotlink::Platform> platform;  ///< null: the robot's platform stays
+    /// Null if the robot keeps its platform.
+    std::unique_ptr<robotlink::Platform> platform;
     std::unique_ptr<robotlink::RobotProgram> program;
+    /// The file of its layout.
     std::filesystem::path layout;
 
     Candidate();
@@ -67,8 +76,9 @@ class RobotHost {
     ~Candidate();
   };
 
-  /// `tap` may be null: nothing is recorded. `wishes`: what a person chose for this robot before.
+  /// `tap` may be null: nothing is recorded. `overrides` are what the user chose for this robot before.
   RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramOverrides overrides = {});
+  /// Ends the program and shuts the platform down.
   ~RobotHost();
   RobotHost(const RobotHost&) = delete;
   RobotHost& operator=(const RobotHost&) = delete;
@@ -78,49 +88,58 @@ class RobotHost {
   const robotlink::RobotDescription& description() const { return *robot_.description; }
   /// Null before the first adopt().
   robotlink::Platform* platform() const { return platform_.get(); }
-  /// The file of the layout that its program was made from last.
+  /// The file of the layout of the last adopted program.
   const std::filesystem::path& layout() const { return layout_; }
 
-  /// A program in a layout, for this platform, or, if that is null, for the one that the robot has. What runs
-  /// now goes on.
+  /// Makes a program in a layout for this platform, or, if that is null, for the one that the robot has. If
+  /// the program cannot be made, the program that runs continues.
   tl::expected<Candidate, robotlink::Errors> make(std::unique_ptr<robotlink::Platform> platform,
                                                   const std::filesystem::path& file,
                                                   const robotlink::Layout& layout);
-  /// It takes the place of the program before, which has to be stopped.
+  /// Replaces program and, if it has one, platform by those of the candidate. The previous program must be
+  /// stopped; the previous platform is shut down.
   void adopt(Candidate candidate);
-  /// Sets the platform up, if it is a new one, and puts both into an executor that has not begun. Returns a
-  /// sentence for each of the person's choices that this program cannot fulfill.
+  /// Initializes the platform, if it is new, and adds platform and program to an executor that has not
+  /// started. Returns a sentence for each override that this program cannot fulfill.
   std::vector<std::string> begin(ProgramExecutor& executor);
-  /// The program ends; its processes must not run any more. The platform stays.
+  /// Ends the program, whose processes must not be running in an executor any more. The platform stays.
   void stop();
 
-  /// Hands a request to the program, or STOP and what concerns the base to the platform.
+  /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if the
+  /// platform refuses or if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
-  /// Before a step: hands the program what was asked since the last one.
+  /// To be called before each step: passes the requests since the last step to the program.
   void enqueueRequests();
-  /// After a step.
+  /// To be called after each step: passes what the platform reports to the listener.
   void reportPlatform();
-  /// The answers that the program will give in its next frames, if they were not given yet; null: there are
-  /// none. Only in lockstep.
+  /// The results that the program will give in its next frames, each only once; null if there are none. Only
+  /// in lockstep, between steps.
   std::shared_ptr<const robotcontrol::DebugQueue> answersToCome();
+  /// What the user chose for this robot so far.
   ProgramOverrides overrides() const { return requests_.overrides(); }
 
-  /// Whether the process is one of its program's or its platform.
+  /// Whether a process is the platform or belongs to the program.
   bool owns(const robotlink::Process& process) const;
+  /// Passes a problem of a process to the listener, as a sentence: "Process <name> <text>".
   void reportTrouble(const robotlink::Process& process, const std::string& text) const;
 
  private:
+  /// Attaches the recorder's tap to the program.
   void record(ExecutorKind executor);
+  /// Initializes the platform once, and reports how long that took.
   void setUp();
+  /// Has the platform fulfill a request.
   robotlink::Result<void> requestPlatform(const robotcontrol::Request& request);
 
   const HostedRobot robot_;
   const Listeners listeners_;
   RecordingTap* const tap_;
-  ProgramRequests requests_;  // to all its programs
+  /// Requests to all its programs, one after the other, and the overrides that follow from them.
+  ProgramRequests requests_;
   std::unique_ptr<robotlink::Platform> platform_;
   std::unique_ptr<robotlink::RobotProgram> program_;
   std::filesystem::path layout_;
+  /// Whether initialize() was called for platform_.
   bool platformIsSetUp_ = false;
 };
 

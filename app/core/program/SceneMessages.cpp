@@ -18,7 +18,7 @@ robotlink::Instant now(const simcore::Simulation& simulation) {
   return robotlink::Instant(simulation.time());
 }
 
-/// "red1" for the body "red1/legFL2", if that is one of the movable models; else empty.
+/// Returns "red1" for the body "red1/legFL2" if that is a movable model; otherwise an empty text.
 std::string modelOf(const std::string& body, const std::vector<std::string>& movable) {
   for (const std::string& model : movable) {
     if (body == model || body.rfind(model + "/", 0) == 0) return model;
@@ -26,7 +26,8 @@ std::string modelOf(const std::string& body, const std::vector<std::string>& mov
   return {};
 }
 
-/// A body's frame. The ground frame of a robot has the robot's own name, so bodies wear a prefix.
+/// The name of a body's frame. Bodies have a prefix, since the frame on the ground below a robot has the
+/// robot's own name.
 std::string frameOf(const std::string& body) {
   return body == "world" ? kFieldFrame : "body:" + body;
 }
@@ -55,6 +56,7 @@ void addTransform(foxglove::FrameTransforms& to, const std::string& child, const
   transform.mutable_rotation()->Swap(message.mutable_orientation());
 }
 
+/// The frame on the ground at a pose, z up.
 robotlink::Pose3 onGround(const robotlink::Pose2& pose) {
   robotlink::Pose3 result = robotlink::Pose3::Identity();
   result.translate(robotlink::Vector3(pose.x, pose.y, 0));

@@ -23,19 +23,19 @@ class Simulation;
 
 namespace app {
 
-/// The stream "scene": the shapes of a simulated world, one entity a visual, each in the frame of its body.
-/// What belongs to a model that can be moved names it in its metadata ("model").
+/// Returns the message of the stream "scene": the shapes of a simulated world, one entity for each visual, in
+/// the frame of its body. Entities of a model that can be moved name it in their metadata ("model").
 std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation);
 
-/// The stream "transforms": where all bodies are in the field, and for each robot the frame of its name on
-/// the ground below it.
+/// Returns the message of the stream "transforms": the poses of all bodies in the field's frame, and for each
+/// robot a frame of its name on the ground below it.
 std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore::Simulation& simulation);
 
-/// The stream "map".
+/// Returns the message of the stream "map".
 std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map,
                                                           robotlink::Instant now);
 
-/// Models that a person may move: the robots, and the ball.
+/// The names of the models that the user may move: all robots, and the model "ball" if there is one.
 std::vector<std::string> movableModels(const simcore::Simulation& simulation);
 
 }  // namespace app

@@ -15,6 +15,7 @@ using robotlink::TaskCatalog;
 
 namespace {
 
+/// Names in a sentence: "a, b, c".
 std::string joined(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -31,6 +32,7 @@ std::set<std::string> tasksOf(const std::vector<const Layout*>& layouts) {
   return tasks;
 }
 
+/// `known`: some layout could have the task. `tasks`: those that these layouts have.
 Error noTask(const std::string& task, bool known, const std::set<std::string>& tasks) {
   const std::string head =
       known ? "no robot here has the task '" + task + "' in its layout" : "there is no task '" + task + "'";

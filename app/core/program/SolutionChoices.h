@@ -14,8 +14,9 @@ struct TaskCatalog;
 
 namespace app {
 
-/// What is wrong with the solutions that a person chose by their tasks: tasks and solutions that do not
-/// exist, and tasks that none of the layouts has. Empty: all of them mean something in at least one layout.
+/// Checks the solutions that the user chose (task to solution) for robots with these layouts. Returns an
+/// error for each task or solution that does not exist and for each task that none of the layouts has; empty
+/// if every choice has an effect in at least one layout.
 robotlink::Errors checkSolutions(const std::map<std::string, std::string>& solutions,
                                  const robotlink::TaskCatalog& catalog,
                                  const std::vector<const robotlink::Layout*>& layouts);

@@ -7,20 +7,21 @@
 
 namespace app {
 
-/// STOP of a real robot, for whoever cannot wait until the thread that steps its program has time: that one
-/// may be waiting for a program that hangs. Any thread; it waits for nothing. Outlives the robot that it
-/// stops, as its owner forgets() that.
+/// Engages STOP on a real robot without waiting for the thread that steps its platform, which may be blocked
+/// by a program that hangs. Any thread; engage() waits for nothing but another call. May outlive the robot,
+/// whose owner calls forget().
 class StopSwitch {
  public:
-  /// `act` is called in any thread.
+  /// `act` may be called in any thread and must not block.
   StopSwitch(std::string robot, std::function<void(bool engaged)> act)
       : robot_(std::move(robot)), act_(std::move(act)) {}
 
+  /// Has no effect for other robots than the one of the constructor.
   void engage(const std::string& robot, bool engaged) {
     const std::lock_guard lock(mutex_);
     if (act_ && robot == robot_) act_(engaged);
   }
-  /// The robot is gone: nothing is stopped any more.
+  /// The robot is gone; later calls of engage() have no effect.
   void forget() {
     const std::lock_guard lock(mutex_);
     act_ = {};
@@ -28,7 +29,8 @@ class StopSwitch {
 
  private:
   const std::string robot_;
-  std::mutex mutex_;  // protects act_
+  /// Protects act_.
+  std::mutex mutex_;
   std::function<void(bool)> act_;
 };
 

@@ -6,25 +6,29 @@
 
 namespace app {
 
-/// Decides which of a sender's texts are shown: kBurst at once, afterwards kPerSecond; the others are
-/// counted, and their number is to be shown once a second. A plain value: the time is passed in.
+/// Limits the rate at which the texts of one sender are shown: kBurst at once, then kPerSecond. The others
+/// are counted, and the count is to be shown once a second. A token bucket; a plain value, to which the time
+/// is passed.
 class TextLimit {
  public:
   using RealTime = std::chrono::steady_clock::time_point;
   static constexpr int kBurst = 20;
   static constexpr int kPerSecond = 5;
 
-  /// Whether one more text may be shown.
+  /// Whether one more text may be shown; counts it otherwise.
   bool admit(RealTime now);
-  /// How many were not shown since the last answer other than 0, at most once a second.
+  /// How many texts were suppressed since the last result other than 0; 0 if that is less than a second ago.
   std::uint64_t takeSuppressed(RealTime now);
-  /// Of all time.
+  /// How many texts were suppressed in all.
   std::uint64_t suppressed() const { return suppressed_; }
 
  private:
+  /// How many texts may be shown at refilled_.
   double tokens_ = kBurst;
   RealTime refilled_;
-  RealTime counted_;  ///< when the first text was suppressed of those that are not yet told
+  /// When the first of the unreported suppressed texts came.
+  RealTime counted_;
+  /// Suppressed in all, and of these returned by takeSuppressed().
   std::uint64_t suppressed_ = 0, reported_ = 0;
 };
 
