@@ -8,7 +8,9 @@
 namespace app {
 namespace {
 
-constexpr int kMaxKept = 2000;  // packets between two calls of takePackets()
+/// The largest number of packets between two calls of takePackets().
+constexpr int kMaxKept = 2000;
+/// Limits the memory if packets arrive faster than any line carries them.
 constexpr std::size_t kMaxSamples = 20000;
 
 }  // namespace
@@ -56,7 +58,7 @@ void LinkMeter::forgetOld(robotlink::Instant now) {
 
 void LinkMeter::fill(robotcontrol::LinkStatus& status, robotlink::Instant now) {
   forgetOld(now);
-  // Shortly after the beginning the window is not yet full.
+  // Shortly after the first packet the window is not full yet.
   const double span = samples_.empty() ? 1
                                        : std::clamp(robotlink::seconds(now - samples_.front().time), 0.5,
                                                     robotlink::seconds(kWindow));

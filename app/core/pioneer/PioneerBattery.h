@@ -5,19 +5,23 @@
 
 namespace app {
 
-/// The lead batteries of a Pioneer, three of 7.2 Ah: they last for about ten hours of standing, three of
-/// driving. Linear between full and empty, with a drop under load; figures are typical ones of such
-/// batteries.
+/// A model of a Pioneer's lead-acid batteries, three of 7.2 Ah, for simulated ones. Full ones last for about
+/// ten hours of standing, or two of driving at 1 m/s. The voltage is linear in the charge and drops under
+/// load; the figures are typical of such batteries. A plain value, full at first.
 class PioneerBattery {
  public:
+  /// Consumes what a robot needs in a time span; `speed` in m/s, of either sign.
   void discharge(bool motorsOn, double speed, robotlink::Duration passed);
 
-  double voltage() const;                    ///< V, at the terminals
-  double charge() const { return charge_; }  ///< 0 to 1
+  /// The voltage at the terminals, V.
+  double voltage() const;
+  /// The remaining share of the capacity, 0 to 1.
+  double charge() const { return charge_; }
 
  private:
   double charge_ = 1;
-  double current_ = 0;  ///< A
+  /// The current of the last discharge(), A.
+  double current_ = 0;
 };
 
 }  // namespace app

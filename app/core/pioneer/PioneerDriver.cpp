@@ -17,11 +17,13 @@ using robotlink::Instant;
 
 namespace {
 
+/// After this time without a byte, a partial packet is dropped.
 constexpr Duration kPartialLimit = std::chrono::milliseconds(100);
-constexpr Duration kRepeat = std::chrono::milliseconds(500);  // of a speed that does not change, as ARIA does
+/// Interval in which unchanged speeds are repeated, as ARIA does.
+constexpr Duration kRepeat = std::chrono::milliseconds(500);
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(500);
 
-/// Bytes that a person wants sent: whole packets and nothing else.
+/// Splits bytes that the user wants to send; they must be whole packets and nothing else.
 robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes) {
   arcos::PacketParser parser;
   parser.push({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
@@ -39,7 +41,7 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
   return packets;
 }
 
-/// As ARIA decides it: such robots answer to the commands of simulators.
+/// Decides as ARIA does whether a robot is simulated and so understands the commands of simulators.
 bool isSimulator(const arcos::ClientSession& session) {
   const auto* identity = session.identity();
   const auto* configuration = session.configuration();
@@ -47,7 +49,7 @@ bool isSimulator(const arcos::ClientSession& session) {
          (configuration != nullptr && configuration->serialNumber == "SIM");
 }
 
-/// " MobileSim (p3at-sh)", if it has told.
+/// Returns " MobileSim (p3at-sh)", or an empty text before the robot has reported its identity.
 std::string nameOf(const arcos::ClientSession& session) {
   const auto* identity = session.identity();
   return identity != nullptr ? " " + identity->name + " (" + identity->subclass + ")" : std::string();
@@ -128,7 +130,8 @@ void PioneerDriver::setOtherClient(const std::string& address, Instant now) {
     session_.open(now);
   } else {
     session_.close(now);
-    session_.takeOutgoing();  // The line is the other's.
+    // Drop the closing packets: the line belongs to the other client now.
+    session_.takeOutgoing();
   }
 }
 
@@ -157,7 +160,7 @@ void PioneerDriver::use(const arcos::Packet& packet, Instant now) {
 // ---- To the robot
 
 void PioneerDriver::command(CommandId id, int argument, Instant now) {
-  // Without a connection there is nobody to obey; what holds is said when there is one again.
+  // Without a connection the command is dropped; becomeConnected() sends what is still valid.
   if (session_.isConnected()) (void)session_.send(arcos::command(id, argument), now);
 }
 
@@ -205,7 +208,6 @@ void PioneerDriver::startLaser(Instant now) {
   command(CommandId::kLegacyLaserEnable, 2, now);
 }
 
-/// As the program's newest request says, as long as it is fresh.
 void PioneerDriver::drive(Instant now) {
   const robotcontrol::DriveRequest* request = request_.get();
   if (request != nullptr && request_.isNew()) requestCame_ = now;

@@ -22,85 +22,118 @@ class ControlDrive;
 
 namespace app {
 
-/// The driver of a Pioneer: the part of a platform that speaks ARCOS with it, whether it is real or
-/// simulated. Sends drive/state, range/sonar, range/laser, link/status and, on request, link/packets; drives
-/// as drive/request wants.
+/// The driver of a Pioneer: the part of a platform that speaks ARCOS with the robot, real or simulated. It
+/// sends the packages drive/state, range/sonar, range/laser, link/status and, on request, link/packets, and
+/// drives as the package drive/request asks.
 ///
-/// A program that says nothing for kSilence is told of as stopped, and the robot stands: it never goes on
-/// with what a program that hangs wanted last. While STOP is engaged the motors are off. Whether they are
-/// switched on when the robot is connected is for the owner to say: a real robot waits for a person.
+/// If the program sends no request for kSilence, the robot stops, so that it never continues with the last
+/// request of a program that hangs. While STOP is engaged, the motors are off. The owner decides whether the
+/// motors are switched on at each connection: those of a real robot wait for the user.
 ///
-/// The owner moves the packets; now and then are those of the platform's clock. One thread.
+/// The owner moves the packets between this object and the line. All times are those of the platform's clock.
+/// One thread.
 class PioneerDriver {
  public:
+  /// How long a drive request is valid.
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
 
+  /// Fixed settings of a driver.
   struct Options {
-    std::string address;    ///< for people
-    bool motorsOn = false;  ///< as soon as it is connected
-    /// Ask a simulator for its laser. That of a real robot has a line of its own, which nobody reads here.
+    /// The robot's address for users.
+    std::string address;
+    /// Whether the motors are switched on when the robot is connected.
+    bool motorsOn = false;
+    /// Whether a simulator is asked for laser scans. The laser of a real robot has a line of its own, which
+    /// is not read here.
     bool laser = true;
   };
 
-  /// Both must outlive it.
+  /// Requests a connection at once. Platform and description must outlive this object.
   PioneerDriver(robotlink::Process& platform, std::string robot,
                 const robotlink::RobotDescription& description, Options options);
 
-  // The line: its owner opens it when wanted, and says how that went.
+  /// Whether the line should be open.
   bool wantsLine() const { return session_.wantsLink(); }
-  /// It cannot go on before lineOpened().
+  /// Whether the connection can continue only after lineOpened().
   bool waitsForLine() const {
     return session_.state() == robotlink::arcos::ClientSession::State::kWaitingForLink;
   }
+  /// The owner has opened the line.
   void lineOpened(robotlink::Instant now);
+  /// The line could not be opened, or broke.
   void lineLost(const robotlink::Error& why, robotlink::Instant now);
+  /// Processes bytes from the line.
   void take(std::span<const std::uint8_t> bytes, robotlink::Instant now);
+  /// Processes a packet from a robot that is reached without a line.
   void take(const robotlink::arcos::Packet& packet, robotlink::Instant now);
-  /// Of a connection between the robot and somebody else, who drives it meanwhile: this driver only listens.
+  /// Processes a packet between the robot and another client, which drives the robot meanwhile. Nothing is
+  /// sent.
   void overhear(const robotlink::arcos::Packet& packet, bool fromRobot, robotlink::Instant now);
-  /// Who that is; empty: nobody, and this driver connects again.
+  /// Sets the address of another client that drives the robot. This driver then closes its connection and
+  /// only listens; when the address is empty again, it reconnects.
   void setOtherClient(const std::string& address, robotlink::Instant now);
 
-  /// Does what program, persons and time want. What goes to the robot is in takeOutgoing() then.
+  /// Sends commands as the program, STOP and time require; to be called every cycle. The packets are then in
+  /// takeOutgoing().
   void actuate(bool stopEngaged, robotlink::Instant now);
+  /// Removes and returns the packets for the robot.
   std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now);
-  /// Sends the packages of what came.
+  /// Sends packages with what was received since the last call.
   void sendPackages(robotlink::Instant now);
-  /// What a person is to be told of setting the robot up, since the last call; empty: nothing.
+  /// Removes and returns a sentence for the user about the last connection; empty if there is nothing new.
   std::string takeReport() { return std::exchange(report_, {}); }
-  /// Tries again at once where it waits before it does.
+  /// Ends the pause between two attempts to connect.
   void connectNow(robotlink::Instant now) { session_.connectNow(now); }
-  /// Ends the connection in good order: motors off, CLOSE.
+  /// Ends the connection properly: motors off, then CLOSE.
   void end(robotlink::Instant now) { session_.close(now); }
 
+  /// Fulfills a request of the user for the base: motors, sonars, odometry, packets. Fails if the robot is
+  /// not connected, if STOP forbids the motors, or if bytes that are to be sent are no packets.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details, robotlink::Instant now);
-  /// A layout may need some of them or none: Platform::onRequest().
+  /// All senders. A layout may need some of them or none; see Platform::onRequest().
   std::vector<robotlink::AnySender*> senders();
   const robotlink::arcos::ClientSession& session() const { return session_; }
 
  private:
+  /// Takes data for packages from a packet of the robot.
   void use(const robotlink::arcos::Packet& packet, robotlink::Instant now);
+  /// Reacts if the connection was established or lost since the last call.
   void followConnection(robotlink::Instant now);
+  /// Sets the robot up after connecting: sonars, laser, motors.
   void becomeConnected(robotlink::Instant now);
+  /// Requests the scans of a simulated laser.
   void startLaser(robotlink::Instant now);
+  /// Sends speeds if they have changed or are to be repeated, and a stop command once when the request
+  /// expires.
   void drive(robotlink::Instant now);
+  /// Sends a command if the robot is connected, otherwise nothing.
   void command(robotlink::arcos::CommandId id, int argument, robotlink::Instant now);
+  /// Sends link/status.
   void sendStatus(robotlink::Instant now);
 
   const Options options_;
   const robotlink::RobotDescription& description_;
   PioneerPackages packages_;
   robotlink::arcos::ClientSession session_;
+  /// For bytes from the line, and for those of the session.
   robotlink::arcos::PacketParser parser_, outgoingParser_;
   LinkMeter meter_;
+  /// Whether the user wants the motors on, apart from STOP.
   bool motorsWanted_;
+  /// Empty if no other client drives the robot.
   std::string otherClient_;
+  /// For takeReport().
   std::string report_;
+  /// The times of the last event of each kind.
   robotlink::Instant lineOpened_, lastBytes_, requestCame_, commandSent_, statusSent_;
-  int speedMmS_ = 0, rotationDegS_ = 0;  // as commanded last
+  /// The speeds that were last commanded, mm/s and degrees/s; valid while driving_.
+  int speedMmS_ = 0, rotationDegS_ = 0;
+  /// As of the last actuate(): whether the robot is connected, whether STOP is engaged, and whether the last
+  /// command made it drive.
   bool connected_ = false, held_ = false, driving_ = false;
 
-  std::shared_ptr<const robotcontrol::DriveState> state_;  // new ones, until they are sent
+  /// Received data that was not sent yet; null if there is none.
+  std::shared_ptr<const robotcontrol::DriveState> state_;
   std::shared_ptr<const robotcontrol::SonarReadings> sonars_;
   std::shared_ptr<const foxglove::LaserScan> laser_;
   robotlink::Sender<robotcontrol::DriveState> stateSender_;

@@ -15,7 +15,8 @@ namespace {
 constexpr std::chrono::milliseconds kStep{10};
 constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
 
-/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+/// Whether a source is an address: "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+/// Names of existing files are none.
 bool isAddress(const std::string& source) {
   if (source.starts_with("tcp://") || source.starts_with("serial://")) return true;
   std::error_code ignored;
@@ -31,7 +32,7 @@ const PlatformRegistration kPioneerRegistration{
 }  // namespace
 
 PlatformOpening PioneerFeed::opening(PioneerOptions options) {
-  // One way to write it, so that the same robot is recognized; what is no address is refused by create().
+  // Addresses are normalized so that the same robot is recognized. An invalid one is refused by create().
   if (const auto url = robotlink::arcos::parseUrl(options.url))
     options.url = robotlink::arcos::toString(*url);
   return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
@@ -75,7 +76,8 @@ void PioneerFeed::begin() {
 void PioneerFeed::step() {
   run_->step();
   const auto real = Clock::now();
-  due_ = std::max(due_ + kStep, real);  // What was missed is not made up for.
+  // Missed steps are not made up for.
+  due_ = std::max(due_ + kStep, real);
   if (real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
 }
 

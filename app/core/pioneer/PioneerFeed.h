@@ -11,13 +11,18 @@
 
 namespace app {
 
-/// A PioneerRun in the workbench: tells a session what the robot and its program say, and a recorder. Both
-/// must outlive it.
+/// A PioneerRun in the workbench: a platform in real time, stepped every 10 ms, that publishes to a session
+/// what the robot and its program send. The run itself passes to the recorder what a log may contain. Session
+/// and recorder must outlive it.
 class PioneerFeed final : public PlatformFeed {
  public:
+  /// The name of its PlatformAdapter.
   static constexpr const char* kAdapter = "pioneer";
 
+  /// Returns the opening of a robot for PlatformThread. The robot's overrides are those of the last time it
+  /// was open.
   static PlatformOpening opening(PioneerOptions options);
+  /// Makes the run. Fails if the program cannot be run; whether the robot can be reached does not matter.
   static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(PioneerOptions options,
                                                                               robotlink::Session& session,
                                                                               logplayer::Recorder& recorder);
@@ -29,13 +34,14 @@ class PioneerFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
-  /// A robot has one client, and the other platform may want the same one.
+  /// Returns false: a robot has only one client, so this connection must end before the other platform
+  /// connects.
   bool makeWay() override { return false; }
   std::map<std::string, ProgramOverrides> overrides() const override;
   void connectNow() override { run_->connectNow(); }
 
  protected:
-  /// STOP acts whatever the program does.
+  /// STOP and requests for the base go to the platform, whatever the program does.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
 
  private:
@@ -43,11 +49,14 @@ class PioneerFeed final : public PlatformFeed {
 
   PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : outlet_(session), recorder_(recorder) {}
+  /// Listeners that publish.
   PioneerRun::Listeners listeners();
 
+  /// Publishes to the session from begin() on.
   PublishGate outlet_;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
+  /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;
 };
 

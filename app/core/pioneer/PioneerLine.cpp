@@ -53,7 +53,6 @@ void PioneerLine::close() {
   wanted_ = false;
 }
 
-/// False: the thread shall end.
 bool PioneerLine::waitUntilWanted() {
   std::unique_lock lock(mutex_);
   wakeUp_.wait(lock, [this] { return wanted_ || quit_; });
@@ -79,7 +78,6 @@ void PioneerLine::run() {
   }
 }
 
-/// Until the line is lost or is not wanted any more.
 void PioneerLine::serve(arcos::ByteStream& stream) {
   std::array<std::uint8_t, 4096> buffer{};
   while (wanted()) {
@@ -88,7 +86,8 @@ void PioneerLine::serve(arcos::ByteStream& stream) {
     if (*count > 0) report(Bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count)));
     if (!writeWaiting(stream)) return;
   }
-  writeWaiting(stream);  // What ends the connection in good order.
+  // Send what ends the connection properly.
+  writeWaiting(stream);
 }
 
 void PioneerLine::lose(const robotlink::Error& why) {

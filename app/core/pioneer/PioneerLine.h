@@ -19,58 +19,72 @@ class ByteStream;
 
 namespace app {
 
-/// The line to a real robot: opened, read and written in a thread of its own. When it is opened is for its
-/// owner to say.
+/// The line to a real robot, TCP or serial: opened, read and written in a thread of its own. The owner
+/// decides when it is opened.
 ///
-/// Any thread may call; none of the functions waits, but for the destructor, while a line is being opened.
-/// Memory is bounded: what nobody takes is dropped, and so is what the robot does not take. The clock must
-/// outlive it.
+/// Any thread may call. Only the destructor may block, while the line is being opened (up to 3 s). Memory is
+/// bounded: received data that is not taken is dropped, and so is what the robot does not accept. The clock
+/// must outlive it.
 class PioneerLine {
  public:
   using Bytes = std::vector<std::uint8_t>;
+  /// The line is open.
   struct Opened {};
+  /// The line could not be opened, or broke.
   struct Lost {
     robotlink::Error why;
   };
-  /// In their order, each with when it came.
+  /// What happened on the line, and when.
   struct Event {
     std::variant<Opened, Bytes, Lost> what;
     robotlink::Instant time;
   };
 
+  /// `url` as arcos::parseUrl() reads it; the line stays closed until open().
   PioneerLine(std::string url, const robotlink::Clock& clock);
-  /// Sends what still waits, for a short time.
+  /// Sends what is waiting, then closes the line.
   ~PioneerLine();
   PioneerLine(const PioneerLine&) = delete;
   PioneerLine& operator=(const PioneerLine&) = delete;
 
   const std::string& url() const { return url_; }
+  /// Removes and returns the events so far, in order.
   std::vector<Event> take() { return events_.drain(); }
-  /// Bytes for the robot; dropped while the line is not open.
+  /// Enqueues bytes for the robot; drops them while the line is not open.
   void send(Bytes bytes);
-  /// Opens it, if it is not open; an Opened or a Lost comes of it.
+  /// Opens the line if it is not open. Either an Opened or a Lost follows.
   void open();
-  /// Closes it, after what waits was sent. No event comes of it.
+  /// Closes the line after sending what is waiting. No event follows.
   void close();
 
  private:
+  /// The thread's function.
   void run();
+  /// Reads and writes until the line breaks or is to be closed.
   void serve(robotlink::arcos::ByteStream& stream);
+  /// Sends the enqueued bytes. Returns false if the line broke.
   bool writeWaiting(robotlink::arcos::ByteStream& stream);
+  /// Stops wanting the line and reports that it was lost.
   void lose(const robotlink::Error& why);
+  /// Enqueues an event with the current time.
   void report(std::variant<Opened, Bytes, Lost> what);
+  /// Blocks until the line is to be opened. Returns false if the thread is to end.
   bool waitUntilWanted();
+  /// Whether the line should be open.
   bool wanted();
 
   const std::string url_;
   const robotlink::Clock& clock_;
   robotlink::BoundedQueue<Event> events_;
   robotlink::BoundedQueue<Bytes> outgoing_;
+  /// Whether send() accepts bytes.
   std::atomic<bool> open_{false};
-  std::mutex mutex_;  // protects wanted_ and quit_
+  /// Protects wanted_ and quit_.
+  std::mutex mutex_;
   std::condition_variable wakeUp_;
   bool wanted_ = false, quit_ = false;
-  std::thread thread_;  // last: it uses the others
+  /// The last member, since the thread uses the others.
+  std::thread thread_;
 };
 
 }  // namespace app

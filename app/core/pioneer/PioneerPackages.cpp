@@ -12,9 +12,11 @@ using robotlink::arcos::LaserPacket;
 using robotlink::arcos::RobotState;
 using robotlink::arcos::StandardInformation;
 
-constexpr double kMeter = 1000;  // mm
-// More between two packets is no way that it has gone: its client has set the robot's odometry.
-constexpr double kMaxStep = 1.0;  // m
+/// Millimeters in a meter.
+constexpr double kMeter = 1000;
+// The largest plausible motion between two packets, m and rad. With a larger one the robot's client has set
+// the odometry, which is no motion.
+constexpr double kMaxStep = 1.0;
 constexpr double kMaxTurn = robotlink::radians(90.0);
 
 robotcontrol::DriveState::Charging chargingOf(const RobotState& state) {

@@ -15,40 +15,47 @@
 
 namespace app {
 
-/// Turns what a Pioneer says over its line into packages: the state of its base, the readings of its sonars
-/// and its laser. The description says where its sensors are. One thread.
+/// Converts the packets of a Pioneer to packages: the state of its base and the readings of its sonars and
+/// laser, in SI units, radians and the robot's frame. The robot description says where the sensors are. One
+/// thread.
 class PioneerPackages {
  public:
+  /// The description must outlive this object. `robot` is the frame of laser scans.
   PioneerPackages(std::string robot, const robotlink::RobotDescription& description);
 
-  /// What kind of Pioneer it says to be: the units of its packets.
+  /// Sets the model that the robot reports in its handshake; the units of its packets depend on it.
   void setSubclass(const std::string& subclass);
-  /// How many bumper segments it has, as its configuration says.
+  /// Sets the numbers of bumper segments that the robot reports in its configuration.
   void setBumpers(int front, int rear);
-  /// Whatever comes next is of another connection: the odometry goes on from where it was.
+  /// To be called when a connection ends. The odometry of the next connection continues that of this one.
   void restart();
-  /// The odometry is to begin at 0 again; it is for the owner to tell the robot, if it shall know.
+  /// Sets the odometry to 0. The robot's own odometry does not change.
   void resetOdometry();
 
+  /// Returns the state of the base, with the odometry over all connections.
   std::shared_ptr<const robotcontrol::DriveState> state(
       const robotlink::arcos::StandardInformation& information, robotlink::Instant now);
-  /// Of the packet that state() was asked for last. Null if there are none in it, as in those that come while
-  /// the sonars are off.
+  /// Returns the sonar readings in the packet for which state() was called last. Null if it has none, as
+  /// while the sonars are off, or if the description has no sonars.
   std::shared_ptr<const robotcontrol::SonarReadings> sonars(
       const robotlink::arcos::StandardInformation& information, robotlink::Instant now) const;
-  /// A part of a scan: the whole of it once the last part has come, else null.
+  /// Adds a part of a laser scan. Returns the whole scan with its last part; otherwise null.
   std::shared_ptr<const foxglove::LaserScan> laser(const robotlink::arcos::LaserPacket& part,
                                                    robotlink::Instant now);
 
  private:
+  /// Adds the motion since the last packet to odometry_.
   void followOdometry();
 
   const std::string robot_;
   const robotlink::RobotDescription& description_;
   int frontBumpers_ = 0, rearBumpers_ = 0;
-  robotlink::arcos::StateDecoder decoder_;  // of this connection
-  std::optional<robotlink::Pose2> last_;    // by the robot's own odometry, in this connection
-  robotlink::Pose2 odometry_;               // over all connections
+  /// Its state belongs to this connection.
+  robotlink::arcos::StateDecoder decoder_;
+  /// The last pose by the robot's own odometry; unset at the beginning of a connection.
+  std::optional<robotlink::Pose2> last_;
+  /// The pose over all connections.
+  robotlink::Pose2 odometry_;
   robotlink::arcos::LaserScanAssembler assembler_;
 };
 

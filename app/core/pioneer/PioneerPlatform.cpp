@@ -4,7 +4,7 @@
 namespace app {
 namespace {
 
-/// By what kind of event it is.
+/// Combines lambdas to one visitor for std::visit().
 template <typename... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

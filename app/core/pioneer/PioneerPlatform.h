@@ -10,41 +10,47 @@
 
 namespace app {
 
-/// The platform of a Pioneer at the far end of a line: a real one, or one of another simulator. Its time is
-/// real time.
+/// The platform of a Pioneer at the other end of a line: a real robot, or one of another simulator. Its time
+/// is real time.
 ///
-/// Its owner lets it run a frame some hundred times a second; what came over the line meanwhile is taken
-/// then. As long as it does so the robot is kept from stopping by itself; a workbench that hangs lets it
-/// stop.
+/// The owner lets it run about a hundred frames per second, each of which processes what has arrived over the
+/// line. While it does, the robot's watchdog is kept from stopping the robot; if the workbench hangs, the
+/// robot stops. Clock and description must outlive it.
 class PioneerPlatform final : public robotlink::Platform {
  public:
+  /// `options.address` is the URL of the line. The connection is made by actuate().
   PioneerPlatform(const robotlink::Clock& clock, std::string robot,
                   const robotlink::RobotDescription& description, PioneerDriver::Options options);
   ~PioneerPlatform() override;
 
-  /// Ends the connection in good order: motors off, CLOSE.
+  /// Ends the connection properly: motors off, then CLOSE.
   void shutDown() override;
+  /// Processes what has arrived, then sends commands; opens and closes the line as the connection requires.
   void actuate() override;
-  /// Stops the robot at once, by the line's own thread: whoever steps this may be held up by a program that
-  /// hangs.
+  /// Sends the stop commands at once, without waiting for actuate(), since the thread that steps this
+  /// platform may be blocked by a program that hangs. Any thread.
   void engageStop(bool engaged) override;
   bool stopEngaged() const override { return stopEngaged_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override {
     return driver_.control(details, clock().now());
   }
-  /// Does not wait any longer before it tries to connect again.
+  /// Ends the pause between two attempts to connect.
   void connectNow() { driver_.connectNow(clock().now()); }
   const PioneerDriver& driver() const { return driver_; }
 
  protected:
+  /// Sends the packages.
   void execute() override;
 
  private:
+  /// Passes the events of the line to the driver.
   void takeEvents();
+  /// Passes the driver's packets to the line.
   void sendWaiting();
 
   std::atomic<bool> stopEngaged_{false};
+  /// Whether shutDown() was called, which acts only once.
   bool shutDown_ = false;
   PioneerDriver driver_;
   PioneerLine line_;

@@ -34,7 +34,8 @@ tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOpti
                                                                      logplayer::Recorder* recorder) {
   const auto url = robotlink::arcos::parseUrl(options.url);
   if (!url) return tl::unexpected(Errors{url.error()});
-  options.url = robotlink::arcos::toString(*url);  // one way to write it, whichever it was given in
+  // Normalized, so that the same robot always has the same address.
+  options.url = robotlink::arcos::toString(*url);
   auto run = std::unique_ptr<PioneerRun>(new PioneerRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;

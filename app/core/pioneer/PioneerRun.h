@@ -28,46 +28,57 @@ namespace app {
 
 class RecordingTap;
 
-/// A robot at the far end of a line, and what runs on it. Paths are files.
+/// The robot at the other end of a line and the program that runs for it here. A plain value.
 struct PioneerOptions {
-  std::string url;                    ///< "tcp://localhost:8101", "serial:///dev/ttyUSB0?baud=9600"
-  std::string robot = "p3at1";        ///< what it is called here
-  std::string kind = "p3at";          ///< which resources/robots/<kind>.yaml it is
-  std::filesystem::path layout = {};  ///< empty: that of its kind
-  std::filesystem::path map = {};     ///< of where it drives; empty: it knows none
-  std::map<std::string, std::string> solutions =
-      {};                           ///< task -> solution at the start, instead of the layout's
-  bool motorsOn = false;            ///< as soon as it is connected
-  ProgramOverrides overrides = {};  ///< what a person chose for it while it was connected before
+  /// "tcp://localhost:8101" or "serial:///dev/ttyUSB0?baud=9600".
+  std::string url;
+  /// The robot's name in the workbench.
+  std::string robot = "p3at1";
+  /// The kind of robot, whose description is resources/robots/<kind>.yaml.
+  std::string kind = "p3at";
+  /// The file of the process layout; empty: that of its kind.
+  std::filesystem::path layout = {};
+  /// The file of the map by which it drives; empty if it knows none.
+  std::filesystem::path map = {};
+  /// Maps tasks to the solutions at the start, instead of the layout's.
+  std::map<std::string, std::string> solutions = {};
+  /// Whether the motors are switched on when the robot is connected.
+  bool motorsOn = false;
+  /// What the user chose for this robot when it was connected before.
+  ProgramOverrides overrides = {};
 };
 
-/// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its
-/// processes, in real time.
+/// A Pioneer at the other end of a line together with its program, which runs here in real time: each process
+/// in a thread of its own.
 ///
-/// Stepped by its caller some hundred times a second. Built as a whole or refused with all reasons; that the
-/// robot does not answer is no reason: the line is opened again and again, and link/status says how that
-/// goes. One thread at a time; listeners are called in the processes' threads.
+/// The caller steps it about a hundred times per second. It is made as a whole or refused with all reasons. A
+/// robot that does not answer is no such reason: the line is opened again and again, and the stream
+/// link/status reports the progress. One thread at a time; listeners are called in the threads of the
+/// processes.
 class PioneerRun {
  public:
   using Listeners = RobotHost::Listeners;
 
-  /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
+  /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
   static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(
       PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
+  /// Ends the program and the connection.
   ~PioneerRun();
 
+  /// One step of the platform: requests, commands, sensor data.
   void step();
-  /// Starts the program anew in another layout while the robot stays connected. If that is not possible, all
-  /// goes on as before. What a person chose stays so where the layout has it.
+  /// Restarts the program in another layout while the robot stays connected. If that is impossible, the
+  /// program that runs continues. The user's overrides are kept as far as the layout permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
-  /// What of the choices the program that runs now cannot fulfill, a sentence each.
+  /// The overrides that the present program cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
-  /// Hands a request to the program, or STOP and what concerns the base to the platform.
+  /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if it
+  /// is for another robot or is refused.
   robotlink::Result<void> request(const robotcontrol::Request& request);
-  /// A connection that was lost is sought again at once; the program goes on.
+  /// Retries a lost connection at once; the program continues.
   void connectNow() { platform_->connectNow(); }
 
-  /// Stops the robot whatever the other threads do; not null.
+  /// Stops the robot from any thread; not null.
   std::shared_ptr<StopSwitch> stopSwitch() const { return stopSwitch_; }
 
   const PioneerOptions& options() const { return options_; }
@@ -77,22 +88,30 @@ class PioneerRun {
   const PioneerPlatform& platform() const { return *platform_; }
   const HostedRobot& robot() const { return robot_->robot(); }
   ProgramOverrides overrides() const { return robot_->overrides(); }
+  /// Null if the robot knows no map.
   std::shared_ptr<const robotlink::GroundMap> map() const { return robot().map; }
 
  private:
   PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder);
+  /// Makes and starts everything; to be called once.
   robotlink::Errors load();
+  /// Reads description, field and map, and makes the host.
   robotlink::Errors describeRobot();
+  /// Makes a program in a layout; `platform` is null if that of the robot stays.
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
       std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  /// Adopts a program and starts its threads.
   void start(RobotHost::Candidate program);
+  /// Ends the threads and the program.
   void stop();
 
   PioneerOptions options_;
   Listeners listeners_;
   robotlink::SteadyClock clock_;
-  std::unique_ptr<RecordingTap> tap_;    // null: there is no recorder
-  PioneerPlatform* platform_ = nullptr;  // the robot's
+  /// Null if nothing is recorded.
+  std::unique_ptr<RecordingTap> tap_;
+  /// Owned by robot_, or by a candidate before that is adopted.
+  PioneerPlatform* platform_ = nullptr;
   std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;
