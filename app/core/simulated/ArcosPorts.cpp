@@ -12,7 +12,7 @@ namespace {
 namespace request = robotlink::arcos::simulator_request;
 using Clock = std::chrono::steady_clock;
 
-/// What a client wrote, without what would disturb a terminal.
+/// A text of a client without characters that would disturb a terminal.
 std::string printable(std::string text) {
   for (char& character : text) {
     if (static_cast<unsigned char>(character) < ' ' || character == '\x7F') character = ' ';
@@ -77,7 +77,8 @@ std::string ArcosPorts::warning() const {
 
 void ArcosPorts::clientCame(std::size_t robot, const std::string& address) {
   SimulatedPioneer& pioneer = *world_.pioneers()[robot];
-  pioneer.clientGone(world_.clock().now());  // the program that runs here, if there is one
+  // This disconnects the program that runs here, if there is one.
+  pioneer.clientGone(world_.clock().now());
   pioneer.setOutsideClient(address);
   log(robot, "connected from " + address);
 }
@@ -115,7 +116,7 @@ void ArcosPorts::fulfilRequests(std::size_t robot) {
       log(robot, "its client asks the simulation to end");
       exit_ = exit->status;
     } else if (const auto* map = std::get_if<request::LoadMap>(&details)) {
-      // A world stays what it was opened with; a client that asks for the same map has what it wants.
+      // The map of a running world does not change; a client that asks for the same one has what it wants.
       const std::filesystem::path present = world_.simulation().scene().file();
       const bool same = std::filesystem::path(map->file).filename() == present.filename();
       if (!same)

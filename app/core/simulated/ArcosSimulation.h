@@ -12,35 +12,44 @@
 
 namespace app {
 
-/// A world of Pioneers without programs of their own, driven by whoever connects to their ports: what
-/// `robotctl sim --arcos` runs. No thread of its own; stepped by one.
+/// A world of Pioneers without programs of their own, which are driven by whoever connects to their ports.
+/// `robotctl sim --arcos` runs it. It has no thread of its own; one thread steps it.
 class ArcosSimulation {
  public:
+  /// What is simulated, and how fast.
   struct Options {
+    /// An SDFormat file or a map.
     std::filesystem::path scene;
+    /// Robots in addition to those of the scene.
     simcore::RobotsToAdd robots;
     SimulatedWorld::Options world;
     ArcosPorts::Options ports;
-    double speed = 1;                     ///< times real time; 0: as fast as possible
-    simcore::LoadProgress progress = {};  ///< of the scene; may give up its loading
+    /// Times real time; 0 means as fast as possible.
+    double speed = 1;
+    /// Called while the scene is loaded; can cancel that.
+    simcore::LoadProgress progress = {};
   };
-  /// How well it kept to real time.
+  /// How well the simulation keeps up with real time.
   struct Punctuality {
-    robotlink::Duration latest{};  ///< by how much a step was late at most
-    robotlink::Duration lost{};    ///< real time that was given up because steps took too long
+    /// The largest delay of a step.
+    robotlink::Duration latest{};
+    /// Real time that was given up because steps took too long, in all.
+    robotlink::Duration lost{};
   };
 
+  /// Loads the scene and opens the ports. Fails with all reasons if that is impossible. `teller` is called
+  /// with lines for the user.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
       Options options, ArcosPorts::Log teller = {});
 
-  /// The same of a scene that was loaded before; the options' file and robots do not count then.
+  /// The same for a scene that was loaded before; file and robots of the options are ignored.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
       std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log teller = {});
 
-  /// Waits until the next step is due, moving packets meanwhile, and makes it.
+  /// Waits until the next step is due, moving packets meanwhile, then makes it.
   void step();
-  /// Until that instant of the simulation, or until `stop` says so, which is asked before each step, or a
-  /// client ends it.
+  /// Steps until an instant of the simulation, until `stop` returns true (it is called before each step), or
+  /// until a client ends the simulation.
   void run(robotlink::Instant end, const std::function<bool()>& stop = {});
 
   SimulatedWorld& world() { return *world_; }
@@ -52,12 +61,15 @@ class ArcosSimulation {
 
  private:
   explicit ArcosSimulation(Options options) : options_(std::move(options)) {}
+  /// Measures how late a step is, and gives up the time that cannot be made up for.
   void keepTime(std::chrono::steady_clock::time_point now, robotlink::Instant time);
 
   Options options_;
   std::unique_ptr<SimulatedWorld> world_;
-  std::unique_ptr<ArcosPorts> ports_;  // uses the world
+  /// Declared after the world, which it uses.
+  std::unique_ptr<ArcosPorts> ports_;
   Pace pace_;
+  /// Whether pace_ was started, by the first step.
   bool paced_ = false;
   Punctuality punctuality_;
 };

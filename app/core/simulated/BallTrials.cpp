@@ -12,14 +12,17 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr double kClearOfRobot = 0.3;  // m, from the robot's center
+/// The least distance of the ball from the robot's center, m.
+constexpr double kClearOfRobot = 0.3;
 
+/// The pose of a model in the field's frame.
 Pose2 poseOf(const SimulatedRun& run, const std::string& model) {
   const auto pose = run.world().simulation().modelPose(model);
   return pose ? robotlink::groundPose(*pose) : Pose2{};
 }
 
-/// Places that are refused (in a wall, off the field) are tried again elsewhere.
+/// Places the ball at random. Places that the simulation refuses (in a wall, off the field) are replaced by
+/// others; fails after many of them.
 bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, Vector2& ball) {
   robotlink::Random random(seed, 0xBA11);
   const Pose2 robot = poseOf(run, run.robots().front());
@@ -33,7 +36,7 @@ bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, 
   return false;
 }
 
-/// Nothing: it was stopped.
+/// Plays a trial whose ball is placed. Nothing if it was canceled.
 std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& trials,
                                          BallTrials::Trial trial) {
   const robotlink::Clock& clock = run.world().clock();
@@ -56,7 +59,8 @@ std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& tr
 
 tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play() const {
   RunOptions options = run;
-  options.kickOffs = false;  // Each trial begins with a placed ball, and ends soon after the first touch.
+  // Each trial starts with a placed ball and ends soon after the first touch.
+  options.kickOffs = false;
   auto made = SimulatedRun::create(std::move(options), {});
   if (!made) return tl::unexpected(made.error());
   SimulatedRun& simulated = **made;

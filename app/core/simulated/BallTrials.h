@@ -8,27 +8,42 @@
 
 namespace app {
 
-/// The same game from many starts: the ball anywhere within a radius of the first robot, on the field and
-/// clear of the robot, by seed. Tells whether and when the robot touched it.
+/// Repeated trials of whether a robot finds the ball: each one resets the simulation with its own seed and
+/// places the ball at random within a radius of the first robot, on the field and clear of the robot. The
+/// result says whether and when the ball was touched. Deterministic for given options.
 struct BallTrials {
+  /// One trial and its result.
   struct Trial {
     std::uint64_t seed = 0;
-    robotlink::Vector2 ball;  ///< m, in the field
+    /// Where the ball was placed, in the field's frame, m.
+    robotlink::Vector2 ball;
     bool touched = false;
-    double touchedAfter = 0;  ///< s, simulated
-    double moved = 0;         ///< m, how far the ball got
-    bool fell = false;        ///< the robot lay at the end
+    /// Simulated time from the start to the first touch, s; 0 without one.
+    double touchedAfter = 0;
+    /// Distance from the ball's start to its end, m.
+    double moved = 0;
+    /// Whether the robot was no longer upright at the end.
+    bool fell = false;
   };
+  /// The simulation. Kick-offs are switched off.
   RunOptions run;
+  /// The seed of the first trial; each further one has the next number.
   std::uint64_t firstSeed = 1;
+  /// How many trials are played.
   int count = 20;
-  double radius = 1.5;                        ///< m
-  double seconds = 60;                        ///< a trial's limit, simulated
-  double afterTouch = 2;                      ///< s, simulated, to see where the ball goes
-  std::function<void(const Trial&)> onTrial;  ///< progress
-  std::function<bool()>
-      stop;  ///< asked often; true: the trial that is played and those behind it are left out
+  /// The largest distance of the ball from the robot, m.
+  double radius = 1.5;
+  /// The end of a trial without a touch, simulated s.
+  double seconds = 60;
+  /// How long a trial continues after the first touch, simulated s.
+  double afterTouch = 2;
+  /// Called after each trial; may be empty.
+  std::function<void(const Trial&)> onTrial;
+  /// Called before each step; true cancels the current trial and those that remain. May be empty.
+  std::function<bool()> stop;
 
+  /// Plays the trials and returns those that were finished. Fails if the simulation cannot be run, has no
+  /// robot, or has no place for the ball.
   tl::expected<std::vector<Trial>, robotlink::Errors> play() const;
 };
 

@@ -12,16 +12,20 @@ namespace {
 using robotlink::FieldDescription;
 using robotlink::kPi;
 
-constexpr double kLineHeight = 0.0005;  // above the surface, so that lines and surface do not flicker
+/// Thickness of the lines above the surface, m, so that the two do not flicker.
+constexpr double kLineHeight = 0.0005;
+/// The number of straight pieces of the center circle.
 constexpr int kCirclePieces = 24;
+/// Thickness of the goals' panels and of the floor, m.
 constexpr double kGoalPanel = 0.02;
 constexpr double kFloorDepth = 0.02;
 
+/// Where a shape is in the field's frame; m, rad.
 struct Pose {
   double x = 0, y = 0, z = 0, yaw = 0;
 };
 
-/// Writes solids and pictures one after another into one static link.
+/// Writes all shapes into one static link.
 class ModelWriter {
  public:
   ModelWriter(const FieldDescription& field, const std::string& name) : field_(field), name_(name) {}
@@ -47,9 +51,10 @@ class ModelWriter {
   }
 
  private:
-  /// Without "-0", which differs from "0" to a text comparison only.
+  /// Turns "-0" into "0", which is the same but for text comparisons.
   static double tidy(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
 
+  /// Writes a visual or a collision; `rest` is what follows the geometry.
   void shape(const char* element, const std::string& name, const Pose& pose, const std::string& geometry,
              const std::string& rest) {
     text_ += fmt::format(
@@ -58,6 +63,7 @@ class ModelWriter {
         element, name, tidy(pose.x), tidy(pose.y), tidy(pose.z), tidy(pose.yaw), geometry, rest);
   }
 
+  /// Writes a shape that can only be seen.
   void picture(const std::string& name, const Pose& pose, const std::string& geometry,
                const std::string& color, bool shadow = true) {
     const std::string casts = shadow ? "" : "<cast_shadows>false</cast_shadows>";
@@ -71,6 +77,7 @@ class ModelWriter {
     return fmt::format("<cylinder><radius>{:.6g}</radius><length>{:.6g}</length></cylinder>", radius, length);
   }
 
+  /// Writes a shape that can be seen and touched.
   void solid(const std::string& name, const Pose& pose, const std::string& geometry,
              const std::string& color) {
     shape("collision", name, pose, geometry, "");
@@ -86,7 +93,7 @@ class ModelWriter {
     text_ += "    </robotcontrol:palette>\n";
   }
 
-  /// The other team stands opposite.
+  /// Writes where the robots of each team stand at the kick-off; the teams are opposite each other.
   void homes() {
     for (const auto& [team, turn] : {std::pair("red", 0.0), std::pair("blue", kPi)}) {
       for (const robotlink::Pose2& place : field_.kickOff) {
@@ -111,6 +118,7 @@ class ModelWriter {
             field_.surroundingsColor, false);
   }
 
+  /// Writes a field line, `length` along x and `width` along y before it is turned by the yaw.
   void line(const std::string& name, const Pose& pose, double length, double width) {
     picture("line_" + name, {pose.x, pose.y, kLineHeight / 2, pose.yaw}, box(length, width, kLineHeight),
             field_.lineColor, false);
@@ -134,6 +142,7 @@ class ModelWriter {
     circle();
   }
 
+  /// The lines around a field without walls.
   void boundary() {
     const double w = field_.lineWidth, x = field_.goalLineX() - w / 2, y = field_.touchLineY() - w / 2;
     for (const double side : {-1.0, 1.0}) {
@@ -172,7 +181,8 @@ class ModelWriter {
     }
   }
 
-  /// A triangle as two boxes along its long side: the deeper one fills the corner that the first leaves.
+  /// Writes each corner triangle as two boxes along its long side; the deeper one fills the corner that the
+  /// first one leaves.
   void corners() {
     if (field_.cornerTriangleSide <= 0) return;
     const double height = field_.cornerTriangleSide / std::sqrt(2);  // over the long side

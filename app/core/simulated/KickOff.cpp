@@ -41,7 +41,7 @@ void KickOff::restart() {
 std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
   for (const auto& goal : field_->goals) {
     const double direction = goal.x < 0 ? -1 : 1;
-    // All of the ball has crossed the line.
+    // The whole ball must have crossed the line.
     const double beyond = direction * (ball.x() - goal.x) - field_->ballRadius;
     const bool inside = beyond > 0 && beyond < field_->goalDepth &&
                         std::abs(ball.y()) < 0.5 * field_->goalWidth && ball.z() < field_->goalHeight;
@@ -78,20 +78,21 @@ std::optional<std::string> KickOff::whilePlaying(const Vector3& ball) {
 }
 
 std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
-  if (!scorer(ball) && onField(ball)) {  // A person brought it back.
+  // The user brought it back.
+  if (!scorer(ball) && onField(ball)) {
     outSince_.reset();
     return std::nullopt;
   }
   if (simulation_.time() - *outSince_ < kPause) return std::nullopt;
   placeRobots();
-  // Who stands in the middle and could not be put elsewhere moves on some time.
+  // If a robot in the middle could not be put elsewhere, try again at the next step.
   if (!simulation_.placeModel(ball_, {})) return std::nullopt;
   outSince_.reset();
   return "Kick-off: the ball is in the middle again, and the robots are where they started.";
 }
 
 void KickOff::placeRobots() {
-  // One may stand where another belongs, and goes away in the first round.
+  // A robot that stands where another one belongs leaves in the first round, so the second one succeeds.
   for (int round = 0; round < 2; ++round) {
     for (const Robot& robot : robots_) (void)simulation_.placeModel(robot.name, robot.start);
   }

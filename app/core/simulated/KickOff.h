@@ -16,50 +16,56 @@ class Simulation;
 
 namespace app {
 
-/// Does what people do around a field until there is a referee: counts the goals, and a moment after a goal
-/// puts the ball back to the middle and the robots to where they stood at the start. A ball that left the
-/// field comes back, too.
+/// Stands in for a referee: counts goals and, some time after a goal or after the ball has left the field,
+/// puts the ball back to the center and the robots to where they stood at the start.
 ///
-/// Where the goals are is up to the field's description. Decides by the state of the simulation alone, so
-/// that a run stays reproducible. The simulation must outlive it; its thread.
+/// The field description says where the goals are. Decisions depend on the state of the simulation only, so a
+/// run stays reproducible. Used in the simulation's thread; the simulation must outlive it.
 class KickOff {
  public:
-  /// How long the ball stays in the goal, simulated.
+  /// Simulated time from the goal to the kick-off.
   static constexpr robotlink::Duration kPause = std::chrono::seconds(2);
 
-  /// Null if the scene shows no field or has no ball. The robots stand where they start.
+  /// Returns null if the scene has no field or no ball. The present poses of the robots are their starts.
   static std::unique_ptr<KickOff> create(std::shared_ptr<const robotlink::FieldDescription> field,
                                          simcore::Simulation& simulation);
 
-  /// To be called after each step of the world. Returns a sentence for people if something happened.
+  /// To be called after each step of the world. Returns a sentence for the user if something happened.
   std::optional<std::string> step();
-  /// Forgets everything, after the simulation was reset.
+  /// To be called after a reset of the simulation: sets the score to 0.
   void restart();
 
-  /// How many goals each team scored, by its name.
+  /// Goals by the name of the team that scored.
   const std::map<std::string, int>& goals() const { return goals_; }
 
  private:
+  /// A robot and where it starts.
   struct Robot {
     std::string name;
     robotlink::Pose2 start;
   };
 
   KickOff(std::shared_ptr<const robotlink::FieldDescription> field, simcore::Simulation& simulation);
-  /// The team that scored, if the ball is in a goal.
+  /// Returns the team that scored if the ball is in a goal.
   std::optional<std::string> scorer(const robotlink::Vector3& ball) const;
+  /// Whether the ball is on the field, with some margin.
   bool onField(const robotlink::Vector3& ball) const;
+  /// The score in words.
   std::string score() const;
+  /// The two phases of step().
   std::optional<std::string> whilePlaying(const robotlink::Vector3& ball);
   std::optional<std::string> whileWaiting(const robotlink::Vector3& ball);
+  /// Puts all robots back to where they started, as far as there is room.
   void placeRobots();
 
   std::shared_ptr<const robotlink::FieldDescription> field_;
   simcore::Simulation& simulation_;
+  /// The name of the ball's model.
   std::string ball_;
   std::vector<Robot> robots_;
   std::map<std::string, int> goals_;
-  std::optional<robotlink::Duration> outSince_;  // by the simulation's time; none: the ball is in play
+  /// The simulation's time when the ball left play; unset while it is in play.
+  std::optional<robotlink::Duration> outSince_;
 };
 
 }  // namespace app

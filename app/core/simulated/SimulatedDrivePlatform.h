@@ -8,32 +8,37 @@ namespace app {
 
 class SimulatedPioneer;
 
-/// The platform of a simulated robot on wheels: the same driver that a real one has speaks ARCOS with the
-/// simulated microcontroller, packet by packet, without a line between them. While a client from outside
-/// drives the robot through its port, the driver listens. The world must outlive it.
+/// The platform of a simulated Pioneer. The driver of real ones speaks ARCOS with the simulated
+/// microcontroller, packet by packet, without a line in between. While an external client drives the robot
+/// through its port, the driver only listens. World and description must outlive it.
 class SimulatedDrivePlatform final : public SimulatedPlatform {
  public:
-  /// Fails if the simulated robot has no drive.
+  /// Fails if the simulated robot has no microcontroller.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
-  /// Only now the driver takes the microcontroller over: another platform may have driven the robot until it
-  /// was known that this one can be run.
+  /// Takes the microcontroller over. Not done earlier, since another platform may drive the robot until it is
+  /// known that this one can be run.
   void initialize() override;
+  /// Stops listening to the packets of external clients.
   void shutDown() override;
+  /// Passes the driver's packets to the microcontroller, unless an external client drives the robot.
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
  protected:
+  /// Passes the microcontroller's packets to the driver, and sends the packages.
   void execute() override;
 
  private:
   SimulatedDrivePlatform(SimulatedWorld& world, SimulatedPioneer& pioneer, std::string robot,
                          const robotlink::RobotDescription& description);
 
+  /// Owned by the world.
   SimulatedPioneer& pioneer_;
   PioneerDriver driver_;
+  /// Whether the listener of pioneer_ is this platform's.
   bool listens_ = false;
 };
 

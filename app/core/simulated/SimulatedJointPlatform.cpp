@@ -13,9 +13,10 @@ using robotlink::Blocking;
 
 namespace {
 
-/// Share of the torque that a stopped robot's joints hold with: enough not to collapse, too little to pinch.
+/// Share of the torque with which joints hold during STOP: enough not to collapse, too little to pinch.
 constexpr double kStoppedTorque = 0.3;
 
+/// Returns the index of the port with a path; -1 if there is none.
 template <typename Ports>
 int indexOf(const Ports& ports, const std::string& path) {
   for (std::size_t i = 0; i < ports.size(); ++i) {
@@ -155,7 +156,6 @@ void SimulatedJointPlatform::alwaysSendClasses(LabeledListener listener) {
   labeledListener_ = std::move(listener);
 }
 
-/// Those of the image that was rendered last.
 void SimulatedJointPlatform::sendClasses(const foxglove::RawImage& image) {
   auto classes = std::make_shared<foxglove::RawImage>();
   robotlink::assign(*classes, world().trueClasses().view(), clock().now(), image.frame_id());

@@ -12,12 +12,12 @@
 
 namespace app {
 
-/// The platform of a simulated robot that moves by joints: sends its sensors' readings as packages and turns
-/// its servos as requested.
+/// The platform of a simulated robot that moves by joints: sends the readings of its sensors as packages, and
+/// sets its servos to the requested angles.
 ///
-/// Readings come every SimulatedWorld::kStep, images at the camera's rate. While STOP is engaged the joints
-/// hold where they are with little torque. The true classes of an image (TrueClasses) are found only while
-/// somebody receives them or is to be told of them. The world must outlive it.
+/// Readings are sent every SimulatedWorld::kStep, images at the rate of the camera. While STOP is engaged,
+/// the joints hold their angles with little torque. The true classes of an image (TrueClasses) are computed
+/// only if a receiver or listener needs them. The world must outlive it.
 class SimulatedJointPlatform final : public SimulatedPlatform {
  public:
   /// Fails if the simulated robot lacks a joint of the description.
@@ -26,34 +26,49 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
 
   void alwaysSendClasses(LabeledListener listener) override;
 
+  /// Sets the servos to the latest request, or holds still while STOP is engaged.
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return {&classes_}; }
 
  protected:
+  /// Sends the readings, and images that are due.
   void execute() override;
 
  private:
+  /// A joint of the description with the indices of its ports in the simulation.
   struct Joint {
     std::string name;
     std::size_t sensor = 0;
     std::size_t servo = 0;
+    /// The angle in the last step, rad, for the velocity; NaN before the first step.
     double lastAngle = 0;
   };
   SimulatedJointPlatform(SimulatedWorld& world, std::string robot);
+  /// Finds the ports of the joints.
   robotlink::Result<void> bindJoints(const robotlink::RobotDescription& description);
+  /// Finds cameras, paw contacts, accelerometer and distance sensor, as far as the robot has them.
   void bindSensors();
+  /// Requests the current angles with little torque, once per STOP.
   void holdStill();
+  /// Sends joints/states, with angles in rad and velocities in rad/s.
   void sendJoints();
+  /// Sends the readings of the body's sensors.
   void sendBody();
+  /// Sends the images of cameras that are due, with their true classes if these are wanted.
   void sendImages();
+  /// Sends the true classes of the image that was rendered last.
   void sendClasses(const foxglove::RawImage& image);
 
+  /// In the order of the description, which is that of JointRequest.positions.
   std::vector<Joint> joints_;
+  /// Indices of sensors in the simulation; -1 if there is none.
   std::vector<std::size_t> cameras_;
   std::vector<std::size_t> contacts_;
   int accelerometer_ = -1;
   int distance_ = -1;
+  /// Whether holdStill() has acted since STOP was engaged.
   bool holding_ = false;
+  /// See alwaysSendClasses().
   bool classesAlways_ = false;
   LabeledListener labeledListener_;
 

@@ -18,12 +18,13 @@ using robotlink::arcos::WheelCommand;
 
 namespace {
 
+/// The largest number of requests between two calls of takeRequests(); further ones are dropped.
 constexpr std::size_t kMaxRequests = 64;
 constexpr std::size_t kMaxBumpers = 5;
-/// Beyond this nothing of what the encoders could miscount is plausible.
+/// Tire errors beyond this are not plausible.
 constexpr double kMaxTyreError = 0.02;
 
-/// The same on every machine.
+/// A hash of a robot's name that is the same on every computer, as std::hash is not.
 std::uint64_t streamOf(const std::string& name) {
   std::uint64_t stream = 0;
   for (const char character : name)
@@ -31,7 +32,7 @@ std::uint64_t streamOf(const std::string& name) {
   return stream;
 }
 
-/// The index of the port with this path in any list of them.
+/// Returns the index of the port with this path in a list of ports.
 template <typename List>
 std::optional<std::size_t> find(const List& list, const std::string& path) {
   const auto found = std::ranges::find_if(list, [&](const auto& port) { return port.info.path == path; });
@@ -71,8 +72,9 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
     if (ranges[i].kind == simcore::RangeSensor::Kind::kSonar) ports.sonars.emplace_back(i);
     if (ranges[i].kind == simcore::RangeSensor::Kind::kLaser && !ports.laser) ports.laser = i;
   }
-  ports.sonars.resize(static_cast<std::size_t>(settings.sonars));  // numbered as the model has them
-  // The microcontroller says that it has what it has.
+  // The numbers of the sonars are those of the model; missing ones are unset.
+  ports.sonars.resize(static_cast<std::size_t>(settings.sonars));
+  // The microcontroller reports the sensors that the model has.
   settings.motion.track = drive->track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
   settings.rearBumpers = static_cast<int>(ports.rearBumpers.size());
@@ -123,7 +125,8 @@ void SimulatedPioneer::reset(std::uint64_t seed) {
   battery_ = {};
   session_.robotReset();
   start_ = truePose();
-  driveOn_ = true;  // as the simulation begins
+  // The simulation's reset has switched the drive on.
+  driveOn_ = true;
 }
 
 void SimulatedPioneer::step(Instant now) {
@@ -190,7 +193,8 @@ std::span<const double> SimulatedPioneer::laser() {
 
 void SimulatedPioneer::fulfilRequests() {
   namespace request = robotlink::arcos::simulator_request;
-  std::optional<robotlink::Pose2> target;  // Of many the last one counts: to place a robot is not cheap.
+  // Only the last of several poses counts, since placing a robot is expensive.
+  std::optional<robotlink::Pose2> target;
   for (auto& details : session_.takeRequests()) {
     if (const auto* pose = std::get_if<request::SetPose>(&details)) {
       target = pose->pose;

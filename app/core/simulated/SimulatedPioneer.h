@@ -16,22 +16,23 @@ class Simulation;
 
 namespace app {
 
-/// A Pioneer of a simulation with its microcontroller: what the simulated robot senses goes to it, what it
-/// says goes to the wheels.
+/// A simulated Pioneer's microcontroller: its inputs are the sensors of the simulated robot, its outputs the
+/// wheels.
 ///
-/// One client at a time, whose packets go in and out as values: a program that runs here, or one that came
-/// through the robot's TCP port (ArcosPorts), before which the first one steps back. The simulation must
-/// outlive it; one thread at a time.
+/// It has one client at a time, with which it exchanges packets as values: a program that runs here, or an
+/// external one at the robot's TCP port (ArcosPorts), to which the other one gives way. One thread at a time;
+/// the simulation must outlive it.
 class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
  public:
-  /// The controller that a model's drive names to have this microcontroller.
+  /// The name of this controller in a model's drive.
   static constexpr const char* kController = "arcos";
 
+  /// Settings of a simulated Pioneer.
   struct Options {
+    /// What the microcontroller is; create() adapts it to the sensors of the model.
     robotlink::arcos::ServerSettings settings;
-    /// Standard deviation of the shares by which each side's tires are larger or smaller than the encoders'
-    /// ticks suppose. They are drawn once, from the seed and the robot's name: the odometry errs as that of a
-    /// real robot does.
+    /// Standard deviation of the relative error of the tires' size on each side. The errors are drawn once,
+    /// from the seed and the robot's name, so that the odometry drifts as that of a real robot does.
     double tireError = 0.003;
     std::uint64_t seed = 1;
   };
@@ -41,33 +42,35 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
                                                                      std::string robot, Options options);
   const std::string& robot() const { return robot_; }
 
-  /// After each step of the world; tells the wheels what to do in the next one.
+  /// To be called after each step of the physics; sets the wheels' speeds for the next one.
   void step(robotlink::Instant now);
-  /// The simulation was reset, and its time with it. A client stays connected; the robot stands, its odometry
-  /// is 0.
+  /// To be called after a reset of the simulation and its time. A client stays connected; the robot stops,
+  /// and its odometry is 0.
   void reset(std::uint64_t seed);
 
-  /// From and to whoever is its client now.
+  /// Processes a packet of the present client.
   void take(const robotlink::arcos::Packet& packet, robotlink::Instant now);
+  /// Removes and returns the packets for the present client.
   std::vector<robotlink::arcos::Packet> takeOutgoing();
-  /// The present client is gone; the robot stops and waits for the next one.
+  /// Ends the connection of the present client: the robot stops and waits for the next one.
   void clientGone(robotlink::Instant now);
 
-  /// STOP: its stop button is held; the motors are off, whatever any client says.
+  /// STOP: while the stop button is held, the motors are off, whatever clients request.
   void setStopButton(bool held) { stopButton_ = held; }
 
-  /// While a client is connected from outside (its address, else empty), the program that runs here only
-  /// listens.
+  /// Sets the address of an external client, empty if there is none. While there is one, the program that
+  /// runs here only listens.
   void setOutsideClient(const std::string& address) { outsideClient_ = address; }
   const std::string& outsideClient() const { return outsideClient_; }
-  /// Is told of every packet that goes between the robot and the client from outside.
+  /// Called with every packet between the robot and an external client.
   using Listener =
       std::function<void(const robotlink::arcos::Packet& packet, bool fromRobot, robotlink::Instant now)>;
   void setListener(Listener listener) { listener_ = std::move(listener); }
 
   const robotlink::arcos::ServerSession& session() const { return session_; }
-  /// What clients asked of the simulator that concerns more than this robot: messages, exit, maps.
+  /// Removes and returns what clients requested of the simulator beyond this robot: messages, exit, maps.
   std::vector<robotlink::arcos::SimulatorRequest> takeRequests();
+  /// Reports the outcome of a requested map to the client.
   void mapLoaded(const std::string& file, bool loaded, bool byUser) {
     session_.mapLoaded(file, loaded, byUser);
   }
@@ -75,22 +78,33 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
  private:
   struct Ports;
   SimulatedPioneer(simcore::Simulation& simulation, std::string robot, Options options, Ports ports);
+  /// Measures with a sonar, m. Called by the session.
   double sonar(int number) override;
+  /// Measures a laser scan, m. Called by the session.
   std::span<const double> laser() override;
+  /// Reads all sensors that the microcontroller has.
   robotlink::arcos::RobotSensing sense();
+  /// Adds the ground truth, which simulators publish on request.
   void senseTruth(robotlink::arcos::RobotSensing& sensing) const;
+  /// Reads the bumper segments as bits.
   void readBumpers(robotlink::arcos::RobotSensing& sensing) const;
+  /// Draws the errors of the tires.
   void drawTires();
+  /// Fulfills requests to place the robot; keeps the others for takeRequests().
   void fulfilRequests();
+  /// Places the robot; if there is no room, the client gets a message.
   void place(const robotlink::Pose2& pose);
+  /// The robot's pose in the field's frame.
   robotlink::Pose2 truePose() const;
 
-  /// The indices of what the simulation calls its ports.
+  /// Indices of the robot's ports in the simulation.
   struct Ports {
     std::size_t drive = 0;
     std::optional<std::size_t> gyroscope;
-    std::vector<std::size_t> frontBumpers, rearBumpers;  ///< from left to right
-    std::vector<std::optional<std::size_t>> sonars;      ///< by number
+    /// From left to right, as they are numbered.
+    std::vector<std::size_t> frontBumpers, rearBumpers;
+    /// In the order of their numbers; unset for sonars that the model lacks.
+    std::vector<std::optional<std::size_t>> sonars;
     std::optional<std::size_t> laser;
   };
 
@@ -100,17 +114,23 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   const Ports ports_;
   robotlink::arcos::ServerSession session_;
   PioneerBattery battery_;
+  /// Where the robot was at the start; a client can put it back there.
   robotlink::Pose2 start_;
-  double leftTire_ = 1, rightTire_ = 1;  ///< what the encoders count for a meter
+  /// The distance that the encoders count per meter.
+  double leftTire_ = 1, rightTire_ = 1;
+  /// Whether the drive in the simulation is switched on.
   bool driveOn_ = true;
   bool stopButton_ = false;
   std::string outsideClient_;
   Listener listener_;
+  /// For takeRequests().
   std::vector<robotlink::arcos::SimulatorRequest> requests_;
+  /// The memory of laser scans.
   std::vector<double> scan_;
-  robotlink::Instant now_;  ///< of the simulation
-  robotlink::Duration
-      timeBefore_{};  ///< of the simulation's before it was reset: the session's time never goes back
+  /// The simulation's time of the last step.
+  robotlink::Instant now_;
+  /// The sum of the simulation's times before resets, since the session's time must not go back.
+  robotlink::Duration timeBefore_{};
 };
 
 }  // namespace app

@@ -20,21 +20,23 @@ class OracleWorld;
 
 namespace app {
 
-/// The platform of one robot of a simulated world, whatever it moves by: sends its sensors' readings as
-/// packages, and what is truly so, and moves it as requested. The world must outlive it.
+/// The platform of one robot of a simulated world, whatever it moves by: sends the readings of its sensors
+/// and the ground truth (oracle/world) as packages, and moves it as requested. The world must outlive it.
 class SimulatedPlatform : public robotlink::Platform {
  public:
-  /// One for what the robot moves by: joints (SimulatedJointPlatform), wheels that a microcontroller turns
-  /// (SimulatedDrivePlatform), or wheels that obey the program directly (SimulatedWheelPlatform).
-  /// Fails if the simulated robot lacks what its description names.
+  /// Makes the platform that fits what the robot moves by: joints (SimulatedJointPlatform), wheels with a
+  /// microcontroller (SimulatedDrivePlatform), or wheels without one (SimulatedWheelPlatform). Fails if the
+  /// simulated robot lacks what its description names. The description must outlive the platform.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
+  /// Called with an image and its true classes.
   using LabeledListener =
       std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
-  /// Robots with a camera send the true classes with every image from now on, whether or not somebody
-  /// receives them; the listener, which may be empty, is told of both.
+  /// Makes a robot with cameras send the true classes with every image from now on, even without a receiver.
+  /// The listener may be empty.
   virtual void alwaysSendClasses(LabeledListener listener) { (void)listener; }
+  /// Refused by default, since the robot has no wheels.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
@@ -44,6 +46,7 @@ class SimulatedPlatform : public robotlink::Platform {
   SimulatedPlatform(SimulatedWorld& world, std::string robot);
   SimulatedWorld& world() const { return world_; }
   const std::string& robot() const { return robot_; }
+  /// Sends oracle/world: the true poses of the robot, the ball and the other robots in the field's frame.
   void sendOracle();
 
  private:

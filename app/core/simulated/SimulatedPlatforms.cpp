@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which platform a simulated robot has.
+// SimulatedPlatform::create(): the choice of a simulated robot's platform. It is in a source of its own since
+// the platforms include SimulatedPlatform.h.
 #include "app/core/simulated/SimulatedDrivePlatform.h"
 #include "app/core/simulated/SimulatedJointPlatform.h"
 #include "app/core/simulated/SimulatedWheelPlatform.h"

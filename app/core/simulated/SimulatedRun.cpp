@@ -29,7 +29,7 @@ using robotlink::Errors;
 
 namespace {
 
-/// Every so many steps it is recorded where all bodies are: about 30 times a second.
+/// Number of steps between recorded transforms: about 30 per second.
 constexpr int kTransformsEvery = 4;
 
 }  // namespace
@@ -80,12 +80,12 @@ Errors SimulatedRun::load() {
   return {};
 }
 
-/// A layout that cannot be read says so when its program is made.
 Errors SimulatedRun::checkChosenSolutions() const {
   if (options_.solutions.empty()) return {};
   std::vector<robotlink::Layout> layouts;
   for (const auto& robot : robots_) {
     auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
+    // The error is reported when its program is made.
     if (!layout) return {};
     layouts.push_back(std::move(*layout));
   }
@@ -109,7 +109,8 @@ Errors SimulatedRun::describeRobots() {
     robotlink::RobotUse use;
   };
   std::map<std::string, Kind> kinds;
-  std::string field = scene.field();  // else one that a robot knows by its description
+  // Without a field in the scene, the first one that a robot's description names.
+  std::string field = scene.field();
   for (const auto& robot : scene.robots()) {
     if (kinds.contains(robot.description)) continue;
     auto description = readRobot(robot.description);
@@ -229,7 +230,7 @@ void SimulatedRun::watchGame() {
   const auto text = kickOff_->step();
   if (!text) return;
   if (listeners_.game) listeners_.game(world_->clock().now(), *text);
-  // The game belongs to no robot; a log keeps texts with one.
+  // The game belongs to no robot, but texts in a log must; the first one stands for it.
   if (tap_ && !robots_.empty()) {
     tap_->world(
         textMessage(robots_.front()->name(), "game", world_->clock().now(), foxglove::Log::INFO, *text));
@@ -237,10 +238,10 @@ void SimulatedRun::watchGame() {
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
-  // Whether the programs can be made anew is tried before anything is given up: a file may have been broken
-  // meanwhile.
+  // Try to make the programs before anything is given up: a file may have been broken meanwhile.
   if (auto tried = makePrograms(options_.layouts); !tried) return tried.error();
-  stopPrograms();  // Their processes must not read a clock that jumps.
+  // Their processes must not read a clock that jumps.
+  stopPrograms();
   world_->reset(seed);
   if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;
@@ -251,7 +252,6 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   return {};
 }
 
-/// Why robots of this kind cannot be run in a layout; nothing if they can.
 Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
   auto read = readLayoutWith(layout, options_.solutions);
   if (!read) return read.error();

@@ -33,127 +33,163 @@ namespace app {
 
 class RecordingTap;
 
-/// What a run is made of. Paths are files; defaults are those of the resources.
+/// What a simulated run consists of. Paths are files; defaults come from the resources.
 struct RunOptions {
+  /// An SDFormat file or a map (.map).
   std::filesystem::path scene;
-  std::filesystem::path layout;  ///< of all robots; empty: that of their kind
-  /// By what kind of robot it is ("ers210"); kinds without one have the layout of their description.
+  /// The layout of all robots; empty: chosen by kind.
+  std::filesystem::path layout;
+  /// Layouts by kind of robot ("ers210"); kinds without one have the layout of their description.
   std::map<std::string, std::filesystem::path> layouts = {};
   SimulatedWorld::Options world;
-  std::optional<simcore::RobotsToAdd> robots = {};  ///< beside those of the scene; not given: a map has one
-  /// TCP ports at which programs outside find the robots on wheels.
+  /// Robots in addition to those of the scene. Unset: one for a map, otherwise none.
+  std::optional<simcore::RobotsToAdd> robots = {};
+  /// TCP ports at which other programs find the Pioneers; unset: none.
   std::optional<ArcosPorts::Options> ports = {};
   ExecutorKind executor = ExecutorKind::kLockstep;
-  std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
-  /// After a goal the ball comes back to the middle and the robots to their places; see KickOff.
+  /// Maps tasks to the solutions at the start, instead of the layout's.
+  std::map<std::string, std::string> solutions;
+  /// Whether ball and robots are put back after a goal; see KickOff.
   bool kickOffs = true;
-  simcore::LoadProgress progress = {};  ///< of the scene; may give up its loading
-  bool classImages =
-      false;  ///< the true classes are sent with all images, whether or not somebody asks for them
+  /// Called while the scene is loaded; can cancel that.
+  simcore::LoadProgress progress = {};
+  /// Whether the true classes are sent with all images, even without a receiver.
+  bool classImages = false;
 };
 
-/// The teams that robots can be added to: "both", "red" or "blue".
+/// Returns the teams that robots are added to: "red", "blue", or both for any other name.
 std::vector<std::string> teamsNamed(const std::string& name);
 
-/// A simulated world with the programs of all its robots, stepped by its caller.
+/// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
+/// refused with all reasons.
 ///
-/// Built as a whole or refused with all reasons. One thread at a time; listeners are called in that thread by
-/// the lockstep executor, and in the processes' threads by the other one.
+/// One thread at a time. Listeners are called in that thread in lockstep, and in the threads of the processes
+/// otherwise.
 class SimulatedRun {
  public:
+  /// Functions that are called with what happens; each may be empty.
   struct Listeners {
+    /// Called with each debug queue of a robot.
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
-    /// A process was stopped, starves, or could not get its priority.
+    /// Called if a process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
-    /// An image with its true classes (oracle/classes); while it is set these are found for all images.
+    /// Called with each image and its true classes (oracle/classes). While it is set, these are computed for
+    /// all images.
     std::function<void(const std::string& robot, const foxglove::RawImage& image,
                        const foxglove::RawImage& classes)>
         labeled = {};
-    /// What programs outside did at the robots' ports, a line each.
+    /// Called with a line about what other programs did at the robots' ports.
     std::function<void(const std::string& text)> ports = {};
-    /// A goal, a kick-off: a sentence each.
+    /// Called with a sentence about a goal or a kick-off.
     std::function<void(robotlink::Instant time, const std::string& text)> game = {};
-    /// What a robot's platform has to say of being set up and shut down, a sentence each.
+    /// Called with sentences about a robot's platform being set up.
     std::function<void(const std::string& robot, const std::string& text)> platform = {};
   };
 
-  /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
+  /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
   static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(
       RunOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
+  /// Ends the programs.
   ~SimulatedRun();
 
-  /// One step of the platforms, and of all processes that it lets run.
+  /// Makes one step of the world, its platforms, and all processes that can run then.
   void step();
-  /// While no step is made, in lockstep: tells the listener of queues what the programs will answer in their
-  /// next frames to what they were asked and have not answered, with the tables and parameters that follow
-  /// from it. Neither the programs nor what is recorded know of it, so that a run is the same however long it
-  /// is paused.
+  /// To be called while the simulation is paused, in lockstep: passes the results of open requests, which the
+  /// programs will give in their next frames, to the listener of queues, together with the tables and
+  /// parameters that follow from them. Neither the programs nor the recording are affected, so a run does not
+  /// depend on how long it is paused.
   void publishComingAnswers();
-  /// World and programs as they were at the start, with another seed; what a person chose for the programs
-  /// stays as it is. If the programs cannot be made anew, all goes on as before.
+  /// Puts world and programs back to the start, with another seed. The user's overrides are kept. If the
+  /// programs cannot be made again, everything continues as before.
   robotlink::Errors reset(std::uint64_t seed);
-  /// Starts the programs anew in another layout, while the world stays as it is: those of the robots of all
-  /// kinds that can be run in it. If there are none, all goes on as before. What a person chose stays so
-  /// where the layout has it.
+  /// Restarts the programs of all kinds of robots that can be run in a layout; the world continues. If there
+  /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
+  /// permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
-  /// What of the choices the programs that run now cannot fulfill, a sentence each.
+  /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
   SimulatedWorld& world() { return *world_; }
   const SimulatedWorld& world() const { return *world_; }
   const RunOptions& options() const { return options_; }
+  /// The names of the robots, in the order of the scene.
   std::vector<std::string> robots() const;
+  /// Returns null if there is no such robot.
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
+  /// Not null; its name is empty if there is no field.
   std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
-  /// Null: this is no game on a field, or nobody brings the ball back.
+  /// Null without a field or a ball, or if kick-offs are switched off.
   const KickOff* game() const { return kickOff_.get(); }
-  /// The file of the layout in which the first robot's program runs.
+  /// The layout file of the first robot's program; empty without robots.
   std::filesystem::path layout() const;
 
-  /// Opens the ports that the options ask for, if they are not open; closes them, so that another run can
-  /// have them.
+  /// Opens the ports of the options if they are not open. Fails if that is impossible.
   robotlink::Result<void> openPorts();
+  /// Closes the ports, so that another run can open them.
   void closePorts() { ports_.reset(); }
-  /// Null: programs outside cannot drive the robots.
+  /// Null if other programs cannot drive the robots.
   const ArcosPorts* ports() const { return ports_.get(); }
-  std::shared_ptr<const robotlink::GroundMap> map() const;  ///< that the world was made from; null: from none
-  /// Hands a request to a robot's program, or STOP and what concerns its base to its platform. Fails if there
-  /// is no such robot or its queue is full.
+  /// The map that the world was made from; null if it was made from a scene without one.
+  std::shared_ptr<const robotlink::GroundMap> map() const;
+  /// Enqueues a request for a robot's program, or has the robot's platform fulfill it (STOP, motors, sonars).
+  /// Fails if there is no such robot or the request is refused.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// The robots for which STOP is engaged.
   std::vector<std::string> stoppedRobots() const;
 
  private:
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
+  /// Makes and starts everything; to be called once.
   robotlink::Errors load();
+  /// Reads descriptions and field, and makes the hosts.
   robotlink::Errors describeRobots();
+  /// Checks the solutions of the options against the layouts.
   robotlink::Errors checkChosenSolutions() const;
+  /// Layout files by kind of robot.
   using Layouts = std::map<std::string, std::filesystem::path>;
-  using Candidates = std::vector<RobotHost::Candidate>;  // one for each robot
+  /// One program for each robot.
+  using Candidates = std::vector<RobotHost::Candidate>;
+  /// The layout file for a robot: the chosen one of its kind, otherwise the default.
   std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
+  /// Makes programs for all robots without touching those that run.
   tl::expected<Candidates, robotlink::Errors> makePrograms(const Layouts& layouts);
+  /// Returns why robots of a kind cannot be run in a layout; nothing if they can.
   robotlink::Errors whyNot(const std::string& kind, const std::filesystem::path& layout);
+  /// Makes a new platform and a program for one robot. STOP stays as it is.
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(RobotHost& robot,
                                                                     const std::filesystem::path& file,
                                                                     const robotlink::Layout& layout);
+  /// Returns null if there is no such robot.
   RobotHost* find(const std::string& robot) const;
+  /// Replaces all programs and their executor.
   void startPrograms(Candidates candidates);
+  /// Records map and scene.
   void recordWorld();
+  /// Records what a step has published, and transforms at their rate.
   void recordStep();
+  /// Ends all programs and their executor.
   void stopPrograms();
+  /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
+  /// Lets the referee act, and reports goals and kick-offs.
   void watchGame();
 
   RunOptions options_;
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
-  std::unique_ptr<KickOff> kickOff_;   // null: see game()
-  std::unique_ptr<ArcosPorts> ports_;  // null: there are none
-  std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
+  /// Null if there is none; see game().
+  std::unique_ptr<KickOff> kickOff_;
+  /// Null if they are closed. Declared after the world, which it uses.
+  std::unique_ptr<ArcosPorts> ports_;
+  /// Null if nothing is recorded.
+  std::unique_ptr<RecordingTap> tap_;
   std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
+  /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
+  /// The last member, since it uses platforms and programs.
   std::unique_ptr<ProgramExecutor> executor_;
 };
 

@@ -16,7 +16,7 @@ using simcore::RangeSensor;
 
 namespace {
 
-/// When it is due next, without drifting; what was missed is not made up for.
+/// Returns the next instant of a period without drift. Missed instants are skipped.
 Instant dueAfter(Instant due, robotlink::Duration period, Instant now) {
   return std::max(due + period, now);
 }
@@ -96,7 +96,6 @@ void SimulatedWheelPlatform::actuate() {
   world().simulation().requestWheelSpeeds(drive_, forward_ - rim, forward_ + rim);
 }
 
-/// By one step, no faster than the robot can.
 void SimulatedWheelPlatform::approach(double forward, double rotation) {
   const auto& drive = *description_.drive;
   const double step = robotlink::seconds(SimulatedWorld::kStep);
@@ -137,7 +136,7 @@ void SimulatedWheelPlatform::execute() {
   sendOracle();
 }
 
-/// As encoders count: what slips is not noticed.
+// As encoders count: slip is not noticed.
 void SimulatedWheelPlatform::followOdometry() {
   const simcore::WheelState& wheels = world().simulation().wheelState(drive_);
   const double left = wheels.leftTravel - std::exchange(leftTravel_, wheels.leftTravel);

@@ -12,31 +12,37 @@
 
 namespace app {
 
-/// The platform of a simulated robot on wheels whose motors obey the program directly: no microcontroller
-/// stands between them, as it does in a Pioneer (SimulatedDrivePlatform).
+/// The platform of a simulated robot on wheels without a microcontroller between program and motors;
+/// SimulatedDrivePlatform is for Pioneers, which have one.
 ///
-/// Sends drive/state ten times a second, range/laser and range/sonar at their sensors' rates, and drives as
-/// drive/request wants, within the speeds and accelerations of its description. A program that says nothing
-/// for kSilence leaves the robot standing; while STOP is engaged it stands, too. Sensors are found by their
-/// kind, whatever they are called. The world must outlive it.
+/// It sends drive/state ten times per second, range/laser and range/sonar at the rates of the sensors, and
+/// drives as drive/request asks, within the speeds and accelerations of the description. If the program sends
+/// no request for kSilence, or STOP is engaged, the robot stands. Sensors are found by their kind, whatever
+/// their names. World and description must outlive it.
 class SimulatedWheelPlatform final : public SimulatedPlatform {
  public:
+  /// Period of drive/state, and of range sensors that have no rate of their own.
   static constexpr robotlink::Duration kCycle = std::chrono::milliseconds(100);
+  /// How long a drive request is valid.
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
 
-  /// Fails if the simulated robot lacks the drive, laser or sonars that its description names.
+  /// Fails if the simulated robot lacks the drive, laser or sonars of the description.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
+  /// Sets the wheels' speeds as requested.
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return {&state_, &sonar_, &laser_}; }
+  /// Switches motors and sonars, and resets the odometry. Fails for packets, and for motors while STOP is
+  /// engaged.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
 
  protected:
+  /// Sends the readings that are due.
   void execute() override;
 
  private:
-  /// A range sensor of the simulation, and when it measures next.
+  /// A range sensor: its index in the simulation, and when it measures next.
   struct Ranger {
     std::size_t port = 0;
     robotlink::Duration period{};
@@ -44,26 +50,38 @@ class SimulatedWheelPlatform final : public SimulatedPlatform {
   };
   SimulatedWheelPlatform(SimulatedWorld& world, std::string robot,
                          const robotlink::RobotDescription& description);
+  /// Finds drive and sensors in the simulation.
   robotlink::Result<void> bind();
+  /// The error that the model lacks something that the description names.
   robotlink::Error lacks(const std::string& what) const;
+  /// A range sensor that measures at once.
   Ranger rangerAt(std::size_t port) const;
+  /// Changes forward_ and rotation_ towards these speeds by one step, within the accelerations of the
+  /// description.
   void approach(double forward, double rotation);
+  /// Adds the motion of the last step to odometry_.
   void followOdometry();
   void sendState();
   void sendSonars();
   void sendLaser();
 
   const robotlink::RobotDescription& description_;
+  /// Index of the drive in the simulation.
   std::size_t drive_ = 0;
   std::optional<std::size_t> gyroscope_;
   std::optional<Ranger> laserRanger_;
-  std::vector<Ranger> sonarRangers_;  // by number
+  /// Indexed by the number of the sonar.
+  std::vector<Ranger> sonarRangers_;
+  /// The memory of laser scans.
   std::vector<double> scan_;
 
   bool motorsOn_ = true, sonarsOn_ = true;
-  double forward_ = 0, rotation_ = 0;  // m/s, rad/s, that the wheels are told
+  /// Speeds that are sent to the wheels, m/s and rad/s.
+  double forward_ = 0, rotation_ = 0;
   robotlink::Instant requestCame_, stateDue_;
-  double leftTravel_ = 0, rightTravel_ = 0;  // m, at the last step
+  /// Distances that the wheels had rolled at the last step, m.
+  double leftTravel_ = 0, rightTravel_ = 0;
+  /// The pose according to the encoders, since the platform was made or the odometry was reset.
   robotlink::Pose2 odometry_;
 
   robotlink::Sender<robotcontrol::DriveState> state_;

@@ -11,7 +11,7 @@ namespace {
 
 using robotlink::Duration;
 
-/// Adds the real time from its making to its end.
+/// Adds the real time between its construction and destruction to a sum.
 class CostMeter {
  public:
   explicit CostMeter(Duration& sum) : sum_(sum) {}
@@ -24,6 +24,7 @@ class CostMeter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Hashes all bytes but the last few that do not fill a word.
 std::uint64_t hashOf(const std::vector<std::uint8_t>& bytes) {
   std::uint64_t hash = bytes.size();
   for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) {
@@ -35,7 +36,7 @@ std::uint64_t hashOf(const std::vector<std::uint8_t>& bytes) {
   return hash;
 }
 
-/// Black in YCbCr 4:2:2.
+/// Makes an image in YCbCr 4:2:2 black.
 void blacken(robotlink::Image& image) {
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
 }

@@ -19,40 +19,53 @@
 
 namespace app {
 
-/// A simulation with a clock, with cameras that render, and with the microcontrollers of its robots on
-/// wheels: what the platforms of all simulated robots share.
+/// What the platforms of all robots of a simulation share: the simulation, its clock, the rendering of its
+/// cameras, and the microcontrollers of its Pioneers.
 ///
-/// Moves in steps of kStep, two of the physics. One thread at a time; the clock may be read by any.
+/// It moves in steps of kStep, each of two steps of the physics. One thread at a time; the clock may be read
+/// by any.
 class SimulatedWorld {
  public:
+  /// The period of sensors and actuators.
   static constexpr robotlink::Duration kStep = 2 * simcore::Simulation::kStep;
 
+  /// Settings of a world.
   struct Options {
     std::uint64_t seed = 1;
+    /// Whether sensors and odometry have errors.
     bool noise = true;
     bool shadows = true;
-    bool blackout = false;  ///< all images are black
+    /// Whether all images are black.
+    bool blackout = false;
     simcore::Lighting lighting = {};
-    std::optional<simcore::LensVignetting> vignetting = {};  ///< of all cameras, instead of their own
-    std::optional<double> imageNoise =
-        {};                  ///< standard deviation, gray values; likewise, unless `noise` is off
-    bool kinematic = false;  ///< robots on wheels are moved by their odometry instead of by forces
-    SimulatedPioneer::Options pioneers = {};  ///< of all of them; seed and odometry's errors are the world's
+    /// The vignetting of all cameras, instead of their own.
+    std::optional<simcore::LensVignetting> vignetting = {};
+    /// Standard deviation of the noise of all images, in gray values, instead of the cameras' own. Ignored if
+    /// `noise` is off.
+    std::optional<double> imageNoise = {};
+    /// Whether robots on wheels are moved by their odometry instead of by forces.
+    bool kinematic = false;
+    /// Settings of all Pioneers. Their seed is that of the world; without `noise` they have no tire errors.
+    SimulatedPioneer::Options pioneers = {};
   };
-  /// What it did and what that cost, in real time.
+  /// What the world has done since the last reset, and the real time that it took.
   struct Costs {
-    std::uint64_t steps = 0;  ///< of the physics
+    /// Steps of the physics.
+    std::uint64_t steps = 0;
     std::uint64_t images = 0;
     robotlink::Duration physics{};
     robotlink::Duration rendering{};
-    robotlink::Duration pioneers{};  ///< microcontrollers and what they measure
+    /// The microcontrollers, including their measurements.
+    robotlink::Duration pioneers{};
   };
 
+  /// Fails if the simulation or a microcontroller cannot be made.
   static robotlink::Result<std::unique_ptr<SimulatedWorld>> create(
       std::shared_ptr<const simcore::Scene> scene, Options options);
 
+  /// Advances physics, clock and microcontrollers by kStep.
   void advance();
-  /// Back to the start, with another seed; the clock starts at 0 again.
+  /// Puts everything back to the start, with another seed. The clock starts at 0 again; the lighting stays.
   void reset(std::uint64_t seed);
 
   const robotlink::Clock& clock() const { return clock_; }
@@ -61,26 +74,29 @@ class SimulatedWorld {
   const Options& options() const { return options_; }
   const Costs& costs() const { return costs_; }
 
-  /// Those of all robots whose drive has such a microcontroller, in the order of the scene.
+  /// The microcontrollers of all robots whose drive names SimulatedPioneer::kController, in the order of the
+  /// scene.
   std::span<const std::unique_ptr<SimulatedPioneer>> pioneers() const { return pioneers_; }
-  /// Null if that robot has none.
+  /// Returns null if the robot has none.
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
-  /// Whether a camera takes an image at this step.
+  /// Whether a camera (by its index) takes an image at this step.
   bool imageDue(std::size_t camera) const;
-  /// That image, YCbCr 4:2:2; valid until the next call.
+  /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call.
   const robotlink::Image& render(std::size_t camera);
-  /// What the image that was rendered last truly shows: TrueClasses. Valid until the next call.
+  /// The true classes of the image that was rendered last; see TrueClasses. Valid until the next call.
   const robotlink::Image& trueClasses();
 
-  /// From the next image on; stays when the world is reset. Fails where a value is out of its range.
+  /// Changes the light from the next image on; a reset does not change it back. Fails if a value is out of
+  /// range.
   robotlink::Result<void> setLighting(const simcore::Lighting& lighting);
 
-  /// A hash over the states after all steps and over all images since the start.
+  /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }
 
  private:
   SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
+  /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
   void mixIntoDigest(std::uint64_t value);
 
@@ -88,10 +104,13 @@ class SimulatedWorld {
   robotlink::ManualClock clock_;
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
-  std::unique_ptr<simcore::CameraRenderer> renderer_;  ///< null: there are no cameras
+  /// Null if there are no cameras.
+  std::unique_ptr<simcore::CameraRenderer> renderer_;
   TrueClasses trueClasses_;
+  /// The memory of render() and trueClasses().
   robotlink::Image image_, classes_;
-  std::uint64_t posesRendered_ = ~std::uint64_t{0};  ///< the physics step whose poses the renderer has
+  /// The step of the physics whose poses the renderer has.
+  std::uint64_t posesRendered_ = ~std::uint64_t{0};
   std::uint64_t digest_ = 0;
   Costs costs_;
 };

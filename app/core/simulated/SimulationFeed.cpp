@@ -18,6 +18,7 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
+/// Whether a source is a file that can be simulated, by its extension.
 bool isWorld(const std::string& source) {
   const auto extension = std::filesystem::path(source).extension();
   return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
@@ -123,7 +124,6 @@ void SimulationFeed::step() {
   publishAnswers();
 }
 
-/// While it is paused there are no frames in which the programs could answer.
 void SimulationFeed::publishAnswers() {
   if (!running_ && stepsWanted_ == 0) run_->publishComingAnswers();
 }

@@ -15,34 +15,42 @@ class ControlSimulation;
 
 namespace app {
 
-/// A SimulatedRun in the workbench: stepped at a chosen speed, it tells a session what happens in the world
-/// and what the programs say, and a recorder. Both must outlive it.
+/// A SimulatedRun in the workbench: stepped at the speed that the user chose, it publishes to a session what
+/// happens in the world and what the programs send. The run itself passes to the recorder what a log may
+/// contain. Session and recorder must outlive it.
 class SimulationFeed final : public PlatformFeed {
  public:
+  /// The name of its PlatformAdapter.
   static constexpr const char* kAdapter = "simulation";
 
-  /// `choices` is given the options with which it runs, whenever they change, in the platform's thread.
+  /// Called in the platform's thread with the options of the run, at the start and whenever they change.
   using Choices = std::function<void(const RunOptions& options)>;
+  /// Returns the opening of a scene for PlatformThread.
   static PlatformOpening opening(RunOptions options, Choices choices = {});
+  /// Makes the run, paused. Fails with all reasons if that is impossible.
   static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
       RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices = {});
 
-  // Another simulation may want the same ports before it is known that it can be run.
+  /// Closes the ports, since another simulation may need them before it is known that it can be run.
   bool makeWay() override;
+  /// Opens the ports again. Fails if another program has opened one meanwhile.
   robotlink::Errors goOn() override;
   Going going() const override { return {running_, pace_.speed()}; }
   void inheritPlayback(const Going& before) override;
 
+  /// Publishes scene, map, transforms, status, notes of the map, and the addresses of the ports.
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
+  /// Makes one step; publishes transforms and status at their rates, or at once after a single step.
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
 
  protected:
-  /// STOP acts even while the simulation is paused, and requests to programs are answered then, too.
+  /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  /// Controls the simulation, places models, or changes the light.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
@@ -50,27 +58,42 @@ class SimulationFeed final : public PlatformFeed {
 
   SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : outlet_(session), recorder_(recorder) {}
+  /// Listeners that publish.
   SimulatedRun::Listeners listeners();
+  /// Publishes a text about the ports in the log of the first robot.
   void publishPorts(const std::string& text, int level);
+  /// Publishes a text about the game in the log of the first robot.
   void publishGame(const std::string& text);
+  /// The simulation's time.
   robotlink::Instant now() const { return run_->world().clock().now(); }
+  /// Makes the present instant due now.
   void restartPace() { pace_.restart(Clock::now(), now()); }
+  /// Starts, pauses, steps or resets the simulation, or sets its speed.
   robotlink::Result<void> control(const robotcontrol::ControlSimulation& control);
+  /// Resets the run with the same seed, and publishes the scene again.
   robotlink::Result<void> reset();
+  /// While the simulation is paused, publishes results that the programs would give in their next frames.
   void publishAnswers();
+  /// Publishes the overrides that the present programs cannot fulfill as warnings.
   void publishLostOverrides();
+  /// Publishes map, scene, transforms and status.
   void publishScene();
   void publishTransforms();
 
+  /// Publishes to the session from begin() on.
   PublishGate outlet_;
   logplayer::Recorder& recorder_;
   Choices choices_;
   std::unique_ptr<SimulatedRun> run_;
   bool running_ = false;
+  /// Single steps that were requested and not made yet.
   int stepsWanted_ = 0;
   Pace pace_;
+  /// When transforms and status were last published.
   Clock::time_point lastTransforms_, lastStatus_;
+  /// The simulation's time at lastStatus_, for measuring the speed.
   robotlink::Instant lastStatusTime_;
+  /// Times real time, since the status before.
   double measuredSpeed_ = 0;
 };
 

@@ -7,6 +7,7 @@
 namespace app {
 namespace {
 
+/// The class of a surface by the name of its color, or else by the color itself.
 std::uint8_t classOf(const simcore::RenderInstance& surface, const colortool::ColorClasses& classes) {
   if (const std::uint8_t named = classes.index(surface.colorName); named != TrueClasses::kBackground)
     return named;

@@ -14,28 +14,32 @@ struct RenderScene;
 
 namespace app {
 
-/// The true color classes of a simulated scene, for images of classes (the package oracle/classes) that
-/// color tables are scored against. Classes have the numbers of colortool's preset "2002". A pixel is of the
-/// class that its surface's color has the name of in the scene's palette ("orange", however it looks there),
-/// or else of the one that is shown in that very color, in light or shadow. On all other surfaces, and on
-/// the background, it is kBackground.
+/// The true color classes of the surfaces of a simulated scene. Images of classes (the package
+/// oracle/classes) are made from it, against which color tables are scored. The numbers are those of
+/// colortool's preset "2002".
 ///
-/// A camera's image is in YCbCr 4:2:2: two neighbors share their chroma. Where they are of different
-/// classes, their color is of neither, and both are kIgnored. A plain value.
+/// The class of a surface is the one with the name of the surface's color in the scene's palette ("orange"),
+/// or else the one whose display color is that very color; light and shadow do not matter. All other
+/// surfaces, and the background, are kBackground.
+///
+/// A camera's image is in YCbCr 4:2:2, so two neighbors share their chroma. Where they are of different
+/// classes, their color is that of neither, and both are kIgnored. A plain value.
 class TrueClasses {
  public:
+  /// No class: any other surface, or none.
   static constexpr std::uint8_t kBackground = 0;
+  /// A pixel that does not count.
   static constexpr std::uint8_t kIgnored = 255;
 
-  /// What the numbers stand for.
+  /// The names of the numbers.
   static colortool::ColorClasses classes();
 
   explicit TrueClasses(const simcore::RenderScene& scene);
 
-  /// By instance of the scene.
+  /// The class of each instance of the scene, by its index.
   std::span<const std::uint8_t> ofInstances() const { return ofInstances_; }
 
-  /// A kMono8 image of an even width.
+  /// Sets pairs of pixels of different classes to kIgnored, in a kMono8 image of even width.
   static void ignoreMixedPairs(robotlink::Image& classes);
 
  private:
