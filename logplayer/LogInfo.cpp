@@ -65,7 +65,7 @@ Result<void> describeStreams(LogFile& log, const LogFile::Progress& progress, Lo
     givenUp = progress && !progress(kOpeningShareOfInfo + (1 - kOpeningShareOfInfo) * share);
     return !givenUp;
   });
-  if (givenUp) return robotlink::failure("log.given-up", "given up");
+  if (givenUp) return robotlink::failure("log.given-up", "canceled");
   for (const LogFile::Stream& stream : streams) count(stream, info);
   info.begin = log.begin();
   info.end = log.end();

@@ -9,20 +9,21 @@ using robotlink::TaskRegistration;
 
 const TaskRegistration kSegmentation("segmentation",
                                      "Finds the areas of the field's colors in the camera's image.");
-const TaskRegistration kCameraPose("camera-pose", "Tells where the camera was when it took the image.");
+const TaskRegistration kCameraPose("camera-pose", "Determines where the camera was when it took the image.");
 const TaskRegistration kBallPercept("ball-percept",
                                     "Finds the ball in the image, and its place on the ground.");
 const TaskRegistration kLandmarkPercepts("landmark-percepts", "Finds beacons and goals in the image.");
 const TaskRegistration kRobotPercepts("robot-percepts", "Finds other robots in the image.");
-const TaskRegistration kBallModel("ball-model", "Tells where the ball is, seen or not, and how it rolls.");
+const TaskRegistration kBallModel("ball-model",
+                                  "Estimates where the ball is, seen or not, and how it rolls.");
 const TaskRegistration kSelfLocalization("self-localisation",
-                                         "Tells where the robot is on the field, or in the building.");
-const TaskRegistration kPlayersModel("players-model", "Tells where the other robots are on the field.");
+                                         "Estimates where the robot is on the field, or in the building.");
+const TaskRegistration kPlayersModel("players-model", "Estimates where the other robots are on the field.");
 const TaskRegistration kBehavior("behavior", "Decides what the robot does: where it goes, looks and kicks.");
-const TaskRegistration kPathPlanning("path-planning", "Plans the way to the goal that a person set.");
+const TaskRegistration kPathPlanning("path-planning", "Plans the path to the goal that the user set.");
 const TaskRegistration kDriving("driving", "Decides where a robot on wheels goes.");
-const TaskRegistration kObstacleAvoidance(
-    "obstacle-avoidance", "Drives as is wished where that is safe, and around what is in the way.");
+const TaskRegistration kObstacleAvoidance("obstacle-avoidance",
+                                          "Drives as desired where that is safe, and around obstacles.");
 const TaskRegistration kHeadControl("head-control", "Turns the head to where the behavior wants it to look.");
 const TaskRegistration kMotion("motion", "Moves the joints: stands, walks, kicks and gets up.");
 

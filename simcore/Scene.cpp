@@ -87,7 +87,7 @@ class Progress {
   /// Whether to go on: nothing is wrong yet, and nobody has given up.
   bool reached(double share) const {
     if (errors_.empty() && report_ && !report_(share))
-      errors_.push_back({"scene.given-up", "the opening was given up", {}, {}});
+      errors_.push_back({"scene.given-up", "opening was canceled", {}, {}});
     return errors_.empty();
   }
 
@@ -131,7 +131,7 @@ std::shared_ptr<const ModelDescription> readRobot(Draft& draft, const std::strin
   if (!errors.empty()) return nullptr;
   if (!type->robot.empty() && !type->isStatic) return type;
   errors.push_back(
-      {"scene.no-robot", "'" + name + "' is no robot that could be added", {name}, {file.string(), 0, 0}});
+      {"scene.no-robot", "'" + name + "' is not a robot that can be added", {name}, {file.string(), 0, 0}});
   return nullptr;
 }
 

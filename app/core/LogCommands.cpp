@@ -55,7 +55,7 @@ class Logs {
 Result<std::int32_t> wholeCount(double value) {
   constexpr double kMax = std::numeric_limits<std::int32_t>::max();
   if (value == 0 || std::trunc(value) != value || std::abs(value) > kMax) {
-    return failure("log.count", "the count must be a whole number, not 0; negative counts go backwards");
+    return failure("log.count", "the count must be a whole number other than 0; negative counts go backward");
   }
   return static_cast<std::int32_t>(value);
 }
@@ -80,46 +80,45 @@ std::string logNamed(const std::string& name, const ReplayStatus& status) {
 
 void addOpening(CommandTable& commands, const Logs& logs) {
   commands.add({"log.open",
-                "Opens a log file, paused at its first image; what ran before ends",
-                {{"file", Type::kText, "an MCAP file, or a log of an older format"}},
+                "Opens a log file, paused at its first image; closes what was open",
+                {{"file", Type::kText, "an MCAP file, or a log in an older format"}},
                 [logs](const Values& values) -> Result<void> {
                   logs.workbench().openLogs({{text(values, 0)}});
                   return {};
                 }});
-  commands.add(
-      {"log.add",
-       "Opens one more log file on the same time line",
-       {{"file", Type::kText, "a log file"},
-        {"offset", Type::kNumber,
-         "seconds that are added to its times; 0: it begins with the first log unless their times overlap"}},
-       [logs](const Values& values) -> Result<void> {
-         logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
-         return {};
-       }});
+  commands.add({"log.add",
+                "Adds a log file to the timeline",
+                {{"file", Type::kText, "a log file"},
+                 {"offset", Type::kNumber,
+                  "seconds to add to its times; 0: it starts with the first log unless their times overlap"}},
+                [logs](const Values& values) -> Result<void> {
+                  logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
+                  return {};
+                }});
   commands.add({"log.cancel",
-                "Gives up opening a log, map or scene; what ran before goes on",
+                "Cancels opening a log, map or scene; what ran before continues",
                 {},
                 [logs](const Values&) -> Result<void> {
                   logs.workbench().cancelOpening();
                   return {};
                 }});
-  commands.add({"log.close", "Closes the logs that are open", {}, [logs](const Values&) -> Result<void> {
+  commands.add({"log.close", "Closes the open logs", {}, [logs](const Values&) -> Result<void> {
                   if (auto status = logs.status(); !status) return tl::unexpected(status.error());
                   logs.workbench().close();
                   return {};
                 }});
-  commands.add({"log.offset",
-                "Shifts one of the open logs on the time line",
-                {{"file", Type::kText, "an open log file"},
-                 {"offset", Type::kNumber, "seconds that are added to its times"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto status = logs.status();
-                  if (!status) return tl::unexpected(status.error());
-                  ControlReplay control;
-                  control.add_offsets()->set_log(logNamed(text(values, 0), **status));
-                  control.mutable_offsets(0)->set_offset(robotlink::fromSeconds(number(values, 1)).count());
-                  return logs.control(control);
-                }});
+  commands.add(
+      {"log.offset",
+       "Shifts one of the open logs on the timeline",
+       {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds to add to its times"}},
+       [logs](const Values& values) -> Result<void> {
+         const auto status = logs.status();
+         if (!status) return tl::unexpected(status.error());
+         ControlReplay control;
+         control.add_offsets()->set_log(logNamed(text(values, 0), **status));
+         control.mutable_offsets(0)->set_offset(robotlink::fromSeconds(number(values, 1)).count());
+         return logs.control(control);
+       }});
 }
 
 void addPlaying(CommandTable& commands, const Logs& logs) {
@@ -149,14 +148,14 @@ void addPlaying(CommandTable& commands, const Logs& logs) {
                     return logs.control(control);
                   }});
   };
-  option("log.loop", "Plays again and again, all of the log or the selected range", "off pauses at the end",
+  option("log.loop", "Loops the whole log or the selected range", "off pauses at the end",
          &ControlReplay::set_loop);
-  option("log.skip-gaps", "Goes on at once where nothing was logged for more than a second",
-         "off waits as long", &ControlReplay::set_skip_gaps);
+  option("log.skip-gaps", "Skips gaps of more than a second in the log", "off plays them at normal speed",
+         &ControlReplay::set_skip_gaps);
   commands.add(
       {"log.range",
-       "Selects a range, for example to be played in a loop; equal times select none",
-       {{"from", Type::kNumber, "seconds since the begin"}, {"to", Type::kNumber, "seconds since the begin"}},
+       "Selects a range, for example to loop it; equal times clear the selection",
+       {{"from", Type::kNumber, "seconds since the start"}, {"to", Type::kNumber, "seconds since the start"}},
        [logs](const Values& values) -> Result<void> {
          const auto status = logs.status();
          if (!status) return tl::unexpected(status.error());
@@ -171,8 +170,8 @@ void addPlaying(CommandTable& commands, const Logs& logs) {
 
 void addStepping(CommandTable& commands, const Logs& logs) {
   commands.add({"log.step",
-                "Pauses the log and goes on by frames of the chosen process",
-                {{"count", Type::kNumber, "how many; negative: backwards"}},
+                "Pauses the log and steps by frames of the chosen process",
+                {{"count", Type::kNumber, "how many; negative: backward"}},
                 [logs](const Values& values) -> Result<void> {
                   const auto count = wholeCount(number(values, 0));
                   if (!count) return tl::unexpected(count.error());
@@ -182,9 +181,9 @@ void addStepping(CommandTable& commands, const Logs& logs) {
                   return logs.control(control);
                 }});
   commands.add({"log.step-message",
-                "Pauses the log and goes on to messages of a stream",
+                "Pauses the log and steps by messages of a stream",
                 {{"stream", Type::kText, "its path: red1/camera/image"},
-                 {"count", Type::kNumber, "how many; negative: backwards"}},
+                 {"count", Type::kNumber, "how many; negative: backward"}},
                 [logs](const Values& values) -> Result<void> {
                   const auto count = wholeCount(number(values, 1));
                   if (!count) return tl::unexpected(count.error());
@@ -207,7 +206,7 @@ void addStepping(CommandTable& commands, const Logs& logs) {
 void addJumping(CommandTable& commands, const Logs& logs) {
   commands.add({"log.jump",
                 "Jumps to a time of the log",
-                {{"seconds", Type::kNumber, "since the begin"}},
+                {{"seconds", Type::kNumber, "since the start"}},
                 [logs](const Values& values) -> Result<void> {
                   const auto status = logs.status();
                   if (!status) return tl::unexpected(status.error());
@@ -225,7 +224,7 @@ void addJumping(CommandTable& commands, const Logs& logs) {
                   constexpr double kMax = 9e15;  // above that, not every whole number is a double
                   const double frame = number(values, 0);
                   if (!(frame >= 0 && frame <= kMax) || std::trunc(frame) != frame) {
-                    return failure("log.frame", "the number of a frame must be a whole number, 0 or more");
+                    return failure("log.frame", "a frame number must be a whole number, 0 or more");
                   }
                   ControlReplay control;
                   control.set_action(ControlReplay::JUMP_TO_FRAME);
@@ -271,8 +270,8 @@ void addProgram(CommandTable& commands, const Logs& logs) {
         {"source", Type::kText, "logged, recomputed or automatic"}},
        [logs](const Values& values) { return choosePackage(logs, text(values, 0), text(values, 1)); }});
   commands.add({"log.layout",
-                "Starts the program that runs on the log anew in another process layout, by its path or the "
-                "name of a shipped one",
+                "Restarts the program on the log in another process layout, given by its path or the name of "
+                "a shipped one",
                 {{"layout", Type::kText, "a layout file"}},
                 [logs](const Values& values) -> Result<void> {
                   if (const auto status = logs.status(); !status) return tl::unexpected(status.error());

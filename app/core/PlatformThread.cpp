@@ -81,8 +81,8 @@ void PlatformThread::addLog(std::filesystem::path file, robotlink::Duration offs
                             logplayer::LogFile::Progress progress, LoadHandler handler) {
   postOther(
       [this, file = std::move(file), offset, progress = std::move(progress), handler = std::move(handler)] {
-        PlatformOpening::Made feed = tl::unexpected(
-            robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}});
+        PlatformOpening::Made feed =
+            tl::unexpected(robotlink::Errors{{"replay.none", "no log is open to add this one to", {}, {}}});
         if (feed_) feed = feed_->withLog(file, offset, progress);
         if (!feed) {
           handler(tl::unexpected(feed.error()));
@@ -97,7 +97,7 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) 
   postOther([this, file = std::move(file), handler = std::move(handler)] {
     robotlink::Errors errors{
         {"platform.none",
-         "nothing runs that could use a layout; open a scene or a log, or connect a robot first",
+         "nothing is running that uses a layout; open a scene or a log, or connect a robot first",
          {},
          {}}};
     if (feed_) errors = feed_->setLayout(file);
@@ -143,7 +143,8 @@ void PlatformThread::request(const robotcontrol::Request& request) {
 
 void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids) {
   robotlink::Result<PlatformFeed::Answer> done = robotlink::failure(
-      "platform.none", "nothing runs that could do this; open a scene or a log, or connect a robot first");
+      "platform.none",
+      "nothing is running that can do this; open a scene or a log, or connect a robot first");
   if (feed_) done = feed_->fulfil(request);
   if (done && *done == PlatformFeed::Answer::kByProgram) return;
   for (const std::uint64_t id : ids) {

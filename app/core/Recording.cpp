@@ -90,7 +90,7 @@ std::filesystem::path Recording::folder() const {
 Result<void> Recording::setFolder(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
-    return robotlink::failure("recording.folder", "this is no folder that recordings could go into",
+    return robotlink::failure("recording.folder", "recordings cannot be written to this folder",
                               {folder.string(), 0, 0}, {folder.string()});
   }
   settings_.set(kFolder, std::filesystem::absolute(folder, error).string());
@@ -101,8 +101,8 @@ Result<void> Recording::setFolder(const std::filesystem::path& folder) {
 Result<void> Recording::bookmark(const std::string& text, robotlink::Instant time) {
   const robotcontrol::RecordingStatus status = recorder_.status();
   if (!status.recording() && status.kept_bytes() == 0) {
-    return robotlink::failure(
-        "recording.none", "nothing is being recorded or kept that could be marked; start a recording first");
+    return robotlink::failure("recording.none",
+                              "nothing is being recorded or kept in memory; start a recording first");
   }
   auto event = std::make_shared<foxglove::Event>();
   robotlink::assign(*event->mutable_start_time(), time);

@@ -44,22 +44,22 @@ void addActions(CommandTable& commands, Workbench& workbench) {
                   return act(workbench, running ? ControlRecording::STOP : ControlRecording::START);
                 }});
   commands.add({"recording.save-last",
-                "Saves the last seconds that are kept in memory into a new file",
+                "Saves the last seconds, which are kept in memory, to a new file",
                 {},
                 [&workbench](const Values&) { return act(workbench, ControlRecording::SAVE_LAST); }});
   commands.add({"recording.save-last-file",
-                "Saves the last seconds that are kept in memory into a file",
+                "Saves the last seconds, which are kept in memory, to a file",
                 {{"file", Type::kText, "a log file that does not exist yet"}},
                 [&workbench](const Values& values) {
                   return act(workbench, ControlRecording::SAVE_LAST, text(values, 0));
                 }});
-  commands.add(
-      {"recording.bookmark",
-       "Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark",
-       {{"text", Type::kText, "what is to be seen there"}},
-       [&workbench](const Values& values) {
-         return workbench.recording().bookmark(text(values, 0), workbench.session().timeline().shown());
-       }});
+  commands.add({"recording.bookmark",
+                "Marks the shown instant in the recording; without one, saves the last seconds with the mark",
+                {{"text", Type::kText, "what happens there"}},
+                [&workbench](const Values& values) {
+                  return workbench.recording().bookmark(text(values, 0),
+                                                        workbench.session().timeline().shown());
+                }});
 }
 
 Result<void> chooseImages(Recording& recording, const std::string& coding) {
@@ -86,9 +86,8 @@ Result<void> chooseCompression(Recording& recording, const std::string& compress
   } else if (compression == "zstd") {
     control.set_compression(ControlRecording::ZSTD);
   } else {
-    return failure("recording.compression",
-                   "files are compressed by none, lz4 or zstd, not by \"" + compression + "\"", {},
-                   {compression});
+    return failure("recording.compression", "compression is none, lz4 or zstd, not \"" + compression + "\"",
+                   {}, {compression});
   }
   return recording.control(control);
 }
@@ -102,11 +101,11 @@ Result<void> chooseStreams(Recording& recording, const std::string& selection) {
 }
 
 void addChoices(CommandTable& commands, Recording& recording) {
-  commands.add({"recording.streams",
-                "Chooses what is recorded; nothing is all that a replay needs",
-                {{"selection", Type::kText,
-                  "paths with * for any text between commas, - before what is left out: red1/*,-*/log"}},
-                [&recording](const Values& values) { return chooseStreams(recording, text(values, 0)); }});
+  commands.add(
+      {"recording.streams",
+       "Chooses what is recorded; empty: all that a replay needs",
+       {{"selection", Type::kText, "comma-separated paths; * matches any text, - excludes: red1/*,-*/log"}},
+       [&recording](const Values& values) { return chooseStreams(recording, text(values, 0)); }});
   commands.add({"recording.images",
                 "Chooses how images are recorded",
                 {{"coding", Type::kText, "as-is, jpeg or png"}},
@@ -117,7 +116,7 @@ void addChoices(CommandTable& commands, Recording& recording) {
        {{"compression", Type::kText, "none, lz4 or zstd"}},
        [&recording](const Values& values) { return chooseCompression(recording, text(values, 0)); }});
   commands.add({"recording.keep",
-                "Keeps the last seconds in memory, to be saved when something has happened; 0 keeps nothing",
+                "Keeps the last seconds in memory, to save them when something happens; 0 keeps nothing",
                 {{"seconds", Type::kNumber, "0 to 3600"}},
                 [&recording](const Values& values) {
                   ControlRecording control;
@@ -125,8 +124,8 @@ void addChoices(CommandTable& commands, Recording& recording) {
                   return recording.control(control);
                 }});
   commands.add({"recording.trigger",
-                "Saves the last seconds when something is told in a stream; nothing: never by itself",
-                {{"stream", Type::kText, "its path, with * for any text: red1/plots/ball-model/*"}},
+                "Saves the last seconds when a message arrives on a stream; empty: never",
+                {{"stream", Type::kText, "its path; * matches any text: red1/plots/ball-model/*"}},
                 [&recording](const Values& values) {
                   ControlRecording control;
                   control.set_trigger(text(values, 0));

@@ -98,13 +98,12 @@ void addForAll(CommandTable& commands, Workbench& workbench) {
                  {"layout", Type::kText, "a layout file or the name of a shipped one; empty: the Pioneer's"},
                  {"map", Type::kText, "a map (.map) of where it drives; empty: none"}},
                 [&workbench](const Values& values) { return connect(workbench, values); }});
-  commands.add(
-      {"robot.connect-now",
-       "Tries to connect the robot again at once, where it waits before it does; its program goes on",
-       {},
-       [&workbench](const Values&) { return workbench.connectNow(); }});
+  commands.add({"robot.connect-now",
+                "Reconnects to the robot now instead of after a pause; its program keeps running",
+                {},
+                [&workbench](const Values&) { return workbench.connectNow(); }});
   commands.add({"robot.select",
-                "Chooses the robot that toolbars and views talk about",
+                "Selects the robot that toolbars and views show",
                 {{"robot", Type::kText, "its name"}},
                 [&workbench](const Values& values) { return select(workbench, text(values, 0)); }});
   commands.add(
@@ -138,11 +137,11 @@ void addForProgram(CommandTable& commands, Workbench& workbench) {
                   return ask(workbench, std::move(request));
                 }});
   commands.add({"robot.color-table",
-                "Gives the selected robot's program a color table, which it uses from its next image on",
+                "Sends a color table to the selected robot's program, which uses it from its next image on",
                 {{"file", Type::kText, "a color table: .c64, or another team's"}},
                 [&workbench](const Values& values) { return setColorTable(workbench, text(values, 0)); }});
   commands.add({"robot.no-color-table",
-                "Lets the selected robot's program find colors as it does without a table",
+                "Switches the selected robot's program back to its built-in color table",
                 {},
                 [&workbench](const Values&) {
                   Request request;
@@ -153,7 +152,7 @@ void addForProgram(CommandTable& commands, Workbench& workbench) {
 
 void addForDrive(CommandTable& commands, Workbench& workbench) {
   commands.add({"robot.goal",
-                "Sends the selected robot, if it is one on wheels, to a place",
+                "Sends the selected robot to a place, if it has wheels",
                 {{"x", Type::kNumber, "m, in the map's frame"}, {"y", Type::kNumber, "m"}},
                 [&workbench](const Values& values) {
                   Request request;
@@ -162,7 +161,7 @@ void addForDrive(CommandTable& commands, Workbench& workbench) {
                   request.mutable_set_goal()->set_any_heading(true);
                   return ask(workbench, std::move(request));
                 }});
-  commands.add({"robot.no-goal", "The selected robot shall go nowhere", {}, [&workbench](const Values&) {
+  commands.add({"robot.no-goal", "Cancels the selected robot's goal", {}, [&workbench](const Values&) {
                   Request request;
                   request.mutable_set_goal()->set_cancelled(true);
                   return ask(workbench, std::move(request));

@@ -280,10 +280,10 @@ void Workbench::addSimulationCommands() {
   const auto action = [this](const char* name, const char* help, Control::Action what) {
     commands_.add({name, help, {}, [this, what](const Values&) { return control(what); }});
   };
-  action("simulation.start", "Lets the simulation run", Control::START);
+  action("simulation.start", "Runs the simulation", Control::START);
   action("simulation.pause", "Pauses the simulation", Control::PAUSE);
-  action("simulation.step", "Makes one step of 8 ms", Control::STEP);
-  action("simulation.reset", "Puts everything back to the start", Control::RESET);
+  action("simulation.step", "Steps the simulation by 8 ms", Control::STEP);
+  action("simulation.reset", "Resets everything to the start", Control::RESET);
   commands_.add({"simulation.speed",
                  "Sets how many times real time the simulation runs; 0 is as fast as possible",
                  {{"speed", CommandTable::Type::kNumber, "times real time, 0 to 100"}},
@@ -296,7 +296,7 @@ void Workbench::addSimulationCommands() {
                    return control(Control::UNCHANGED, speed);
                  }});
   commands_.add({"simulation.light",
-                 "Changes the light that cameras see; 1 0 is that of the scene",
+                 "Changes the light that cameras see; 1 0 is the scene's own",
                  {{"brightness", CommandTable::Type::kNumber, "times the scene's, 0 to 10"},
                   {"warmth", CommandTable::Type::kNumber, "-1 (bluish) to 1 (reddish)"}},
                  [this](const Values& values) -> robotlink::Result<void> {
@@ -319,14 +319,14 @@ void Workbench::addSimulationCommands() {
                  }});
   commands_.add(
       {"simulation.setup",
-       "Opens a scene or a map with robots put into it",
+       "Opens a scene or a map and adds robots to it",
        {{"scene", CommandTable::Type::kText,
          "an SDFormat file, a map (.map), or the name of a shipped scene"},
         {"kind", CommandTable::Type::kText,
-         "of the robots that are put into it: p3at, ers210, or another that has a model"},
+         "of the robots to add: p3at, ers210, or another one that has a model"},
         {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
         {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
-        {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
+        {"port", CommandTable::Type::kNumber, "at which external programs reach the first one; 0: none"},
         {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"},
         {"teams", CommandTable::Type::kText, "that robots of the kind ers210 play in: both, red or blue"}},
        [this](const Values& values) { return setUp(values); }});
@@ -362,14 +362,14 @@ robotlink::Result<void> Workbench::setUp(const Values& values) {
 }
 
 void Workbench::addLayoutCommand() {
-  commands_.add(
-      {"layout.open",
-       "Starts the robots' programs anew in another process layout, by its path or the name of a shipped one",
-       {{"layout", CommandTable::Type::kText, "a layout file"}},
-       [this](const Values& values) -> robotlink::Result<void> {
-         setLayout(layoutNamed(std::get<std::string>(values[0])));
-         return {};
-       }});
+  commands_.add({"layout.open",
+                 "Restarts the robots' programs in another process layout, given by its path or the name of "
+                 "a shipped one",
+                 {{"layout", CommandTable::Type::kText, "a layout file"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   setLayout(layoutNamed(std::get<std::string>(values[0])));
+                   return {};
+                 }});
 }
 
 }  // namespace app

@@ -37,11 +37,10 @@ void MainWindow::createMaximizing() {
   // The maximized view is restored before places are read, so that all views keep their places.
   connect(docks_, &ViewDocks::placesWanted, maximizedView_, &MaximizedView::restore);
   auto* menu = qobject_cast<QMenu*>(perspectiveMenu_->parent());
-  auto* action = new QAction(tr("&Maximize view, and back"), this);
+  auto* action = new QAction(tr("&Maximize or restore view"), this);
   action->setObjectName(QStringLiteral("maximizeView"));
   action->setShortcut(Qt::Key_F11);
-  action->setToolTip(
-      tr("Gives all the room to the view with the focus or under the mouse; again: all as it was"));
+  action->setToolTip(tr("Maximizes the view with the focus or under the mouse; again: restores the layout"));
   connect(action, &QAction::triggered, maximizedView_, &MaximizedView::toggle);
   addAction(action);
   if (menu != nullptr) menu->insertAction(perspectiveMenu_->menuAction(), action);

@@ -103,10 +103,10 @@ void MainWindow::addEditingKeys() {
                              kDoneShownMs);
   };
   const auto undo = [this, report] {
-    report(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back"));
+    report(undoOrder_->undo(), tr("Last change undone"), tr("Nothing to undo"));
   };
   const auto redo = [this, report] {
-    report(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again"));
+    report(undoOrder_->redo(), tr("Change redone"), tr("Nothing to redo"));
   };
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo"), {}, undo, false, true});
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo"), {}, redo, false, true});
@@ -125,7 +125,8 @@ void MainWindow::saveWork() {
   auto& files = widgets::colorFiles(context_);
   widgets::openLogs(context_).saveBookmarks();
   if (!files.changed()) {
-    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the color table"), kDoneShownMs);
+    statusBar()->showMessage(tr("Everything is saved: bookmarks and the color table's samples"),
+                             kDoneShownMs);
   } else if (widgets::saveSamples(files, this)) {
     statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())),
                              kDoneShownMs);
@@ -138,12 +139,12 @@ bool MainWindow::mayReplace(const QString& command) {
   if (!replaces(command) || loaded == nullptr || !files.changed()) return true;
   const QString name = QString::fromStdString(loaded->name());
   QMessageBox box(QMessageBox::Warning, tr("Unsaved samples"),
-                  tr("You have painted samples of colors that are not saved, and are about to close %1.")
+                  tr("Your color samples are not saved, and you are about to close %1.")
                       .arg(name.isEmpty() ? tr("what is open") : name),
                   QMessageBox::Save | QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("unsavedWork"));
   box.setInformativeText(tr("Save them first? They stay in the color views either way."));
-  auto* goOn = box.addButton(tr("Go on without saving"), QMessageBox::DestructiveRole);
+  auto* goOn = box.addButton(tr("Continue without saving"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
   if (box.clickedButton() == goOn) return true;

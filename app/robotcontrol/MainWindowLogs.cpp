@@ -55,7 +55,7 @@ void MainWindow::addBookmarkCommand() {
     }
     const double seconds = std::get<double>(values[0]);
     if (!(seconds >= 0 && seconds <= robotlink::seconds(open->replay().end() - open->replay().begin()))) {
-      return robotlink::failure("log.time", "the log does not last that long; choose a time within it");
+      return robotlink::failure("log.time", "the log is not that long; choose a time within it");
     }
     open->addBookmarkAt(open->replay().begin() + robotlink::fromSeconds(seconds),
                         QString::fromStdString(std::get<std::string>(values[1])));
@@ -63,8 +63,8 @@ void MainWindow::addBookmarkCommand() {
   };
   workbench_.commands().add(
       {"log.bookmark",
-       "Marks a moment of the log",
-       {{"seconds", Type::kNumber, "since the begin"}, {"text", Type::kText, "what is to be remembered"}},
+       "Adds a bookmark to the log",
+       {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}},
        run});
 }
 

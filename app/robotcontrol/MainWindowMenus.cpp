@@ -73,7 +73,7 @@ void MainWindow::addViewCommand() {
     return {};
   };
   workbench_.commands().add({"view.show",
-                             "Brings a view to the front, and opens it if it is not open",
+                             "Brings a view to the front and opens it if needed",
                              {{"view", Type::kText, "its name: image, field, packets, ..."}},
                              show});
 }
@@ -99,8 +99,8 @@ void MainWindow::createRobotMenus() {
                                    [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));
   none->setToolTip(
-      tr("The selected robot's program makes a color table of the field's colors, as it does until it is "
-         "given one"));
+      tr("The selected robot's program makes a color table from the field's colors, as it does before one is "
+         "sent"));
   robot->setToolTipsVisible(true);
   toolBar_->colorTableButton().menu()->addActions({table, none});
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
@@ -142,7 +142,7 @@ void MainWindow::createWindowMenu() {
 void MainWindow::createAppearanceMenu(QMenu& menu) {
   QMenu* appearance = menu.addMenu(tr("&Appearance"));
   auto* group = new QActionGroup(appearance);
-  const std::pair<QString, Appearance> choices[] = {{tr("Like the &system"), Appearance::kSystem},
+  const std::pair<QString, Appearance> choices[] = {{tr("Same as the &system"), Appearance::kSystem},
                                                     {tr("&Light"), Appearance::kLight},
                                                     {tr("&Dark"), Appearance::kDark}};
   for (const auto& [text, choice] : choices) {

@@ -58,26 +58,26 @@ void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.files, helpOnFiles());
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
-  app.add_option("--robots", arguments.robots, "Simulated robots that are put into the world (a map: 1)")
+  app.add_option("--robots", arguments.robots, "Simulated robots to add to the world (a map: 1)")
       ->check(CLI::Range(0, 100));
   app.add_option("--robot", arguments.robot,
                  "Their model: " + modelNames() + " (those of the world, if it has any; else " +
                      simcore::RobotsToAdd{}.model + ")");
-  app.add_option("--teams", arguments.teams, "The teams that they play in, if they do: both, red or blue")
+  app.add_option("--teams", arguments.teams, "Their teams, if they play: both, red or blue")
       ->check(CLI::IsMember({"both", "red", "blue"}))
       ->capture_default_str();
   app.add_flag("--kinematic", arguments.kinematic,
                "Simulated robots on wheels are moved by their odometry, without forces");
-  app.add_option("--arcos", arguments.port,
-                 "Programs find the first simulated robot that speaks ARCOS at this TCP port, the next at "
-                 "the next one")
+  app.add_option(
+         "--arcos", arguments.port,
+         "The first simulated robot that speaks ARCOS listens at this TCP port, the next at the next one")
       ->check(CLI::Range(1, 65435));
-  app.add_option("--map", arguments.map, "The map of where a real robot drives");
-  app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
+  app.add_option("--map", arguments.map, "Map of where a real robot drives");
+  app.add_option("--seed", arguments.seed, "Seed of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
   app.add_option("--perspective", arguments.perspective,
                  "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; "
-                 "for a map or a real robot Drive, for logs Log, unless you say so");
+                 "by default Drive for a map or a real robot, Log for logs");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();

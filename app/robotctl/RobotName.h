@@ -10,7 +10,7 @@ namespace app {
 /// A validator for options with the name of a robot: returns an error message, or an empty text.
 inline std::string robotName(const std::string& name) {
   if (logplayer::isRobotName(name)) return {};
-  return "'" + name + "' is no name for a robot; take letters, digits, '-', '_' and '.'";
+  return "'" + name + "' is not a robot name; use letters, digits, '-', '_' and '.'";
 }
 
 }  // namespace app

@@ -33,11 +33,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.footer(
-      "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\n"
-      "If a signal ends it before it is done, 128 and the signal's number (130 after Ctrl-C); files are "
-      "then\n"
-      "complete or not there.\n"
-      "'robotctl COMMAND --help' tells more.");
+      "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\nIf a signal ends it before it is "
+      "done, 128 and the signal's number (130 after Ctrl-C); files are then\ncomplete or absent.\n'robotctl "
+      "COMMAND --help' shows its options.");
   int status = kDone;
   addSimCommand(app, status);
   addLayoutCommand(app, status);

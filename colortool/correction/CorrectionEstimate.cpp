@@ -217,7 +217,8 @@ void estimateLines(Camera& camera, const Camera& reference, std::vector<std::str
     note += std::string(i == 0 ? ", " : "; ") + kChannels[i] + formatted(" x %.2f", line.gain) +
             formatted(" %+.1f", line.offset);
   }
-  if (classes.size() < kMinClasses) note += " (with strokes of three classes in both, gains could be told)";
+  if (classes.size() < kMinClasses)
+    note += " (with strokes of three classes in both, gains can be estimated)";
   notes.push_back(note + ".");
 }
 

@@ -314,7 +314,7 @@ class Reader {
     const auto format = head.is_object() ? head.find("format") : head.end();
     if (format == head.end() || *format != kFormat)
       return robotlink::failure("samples.format",
-                                "this is no file of samples: its first line does not say so", {file_, 1, 0});
+                                "this is not a samples file: its first line does not say so", {file_, 1, 0});
     const auto version = head.find("version");
     if (version == head.end() || !version->is_number_integer() || *version < 1)
       return robotlink::failure("samples.version",
@@ -335,7 +335,7 @@ class Reader {
       if (!object.is_object()) throw Wrong("a line holds one JSON object");
       take(object);
     } catch (const Json::parse_error& error) {
-      problem(number, "this is no JSON", static_cast<int>(error.byte));
+      problem(number, "this is not JSON", static_cast<int>(error.byte));
     } catch (const Json::exception&) {
       problem(number, "a number is too large", 0);
     } catch (const Wrong& wrong) {

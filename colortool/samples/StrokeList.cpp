@@ -102,8 +102,8 @@ class StrokeListParser {
     const char* end = field.text.data() + field.text.size();
     const auto [stopped, error] = std::from_chars(field.text.data(), end, value);
     if (error == std::errc() && stopped == end && std::isfinite(value)) return value;
-    wrong(field.column, "'" + std::string(field.text) + "' is no number; " + std::string(kColumns[column]) +
-                            " is wanted here");
+    wrong(field.column, "'" + std::string(field.text) + "' is not a number; " +
+                            std::string(kColumns[column]) + " is expected here");
     return std::nullopt;
   }
 

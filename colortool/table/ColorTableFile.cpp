@@ -28,7 +28,7 @@ void appendLength(std::string& to, std::size_t length) {
 
 tl::unexpected<robotlink::Error> wrong(const std::string& file, std::size_t offset, const std::string& what) {
   return robotlink::failure("color-table.c64",
-                            "this is no .c64 color table: at byte " + std::to_string(offset) + " " + what,
+                            "this is not a .c64 color table: at byte " + std::to_string(offset) + " " + what,
                             {file, 0, 0});
 }
 

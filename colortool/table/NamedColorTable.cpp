@@ -49,14 +49,14 @@ class NamedTableParser {
     ++line_;
     if (line_ == 1) {
       if (trimmed(text) != kFirstLine)
-        wrong(fmt::format("this is no file of color classes: its first line must be '{}'", kFirstLine));
+        wrong(fmt::format("this is not a file of color classes: its first line must be '{}'", kFirstLine));
       return;
     }
     text = trimmed(text);
     if (text.empty()) return;
     const std::size_t space = text.find_last_of(" \t");
     const auto shown = space == std::string_view::npos ? std::nullopt : color(text.substr(space + 1));
-    if (!shown) return wrong("a class is wanted here: its name and its color, as in 'orange #ff6900'");
+    if (!shown) return wrong("a class is expected here: its name and its color, as in 'orange #ff6900'");
     add(std::string(trimmed(text.substr(0, space))), *shown);
   }
   bool goesOn() const { return errors_.size() < kMaxErrors && (line_ != 1 || errors_.empty()); }
@@ -70,7 +70,7 @@ class NamedTableParser {
  private:
   void add(std::string name, robotlink::Rgb shown) {
     if (std::string problem = classNameProblem(name); !problem.empty()) return wrong(std::move(problem));
-    if (!names_.insert(name).second) return wrong("the class '" + name + "' stands here a second time");
+    if (!names_.insert(name).second) return wrong("the class '" + name + "' appears here a second time");
     if (classes_.size() == ColorTableFile::kMaxClasses)
       return wrong(fmt::format("there are more than {} classes", ColorTableFile::kMaxClasses));
     classes_.push_back({std::move(name), shown});

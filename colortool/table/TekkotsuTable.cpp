@@ -61,9 +61,9 @@ class Scanner {
 
 tl::unexpected<robotlink::Error> wrongTekkotsu(const std::string& file, std::size_t offset,
                                                const std::string& what) {
-  return robotlink::failure("color-table.tekkotsu",
-                            fmt::format("this is no threshold map of Tekkotsu: at byte {} {}", offset, what),
-                            {file, 0, 0});
+  return robotlink::failure(
+      "color-table.tekkotsu",
+      fmt::format("this is not a threshold map of Tekkotsu: at byte {} {}", offset, what), {file, 0, 0});
 }
 
 /// The line at an offset, without its end; empty if it is too long.
@@ -90,9 +90,9 @@ class ColorsParser {
     const bool open = scanner.sign('(');
     const auto red = scanner.number(255), green = scanner.number(255), blue = scanner.number(255);
     if (!open || !red || !green || !blue || !scanner.sign(')'))
-      return wrongTekkotsu("the class's color is wanted after its number, as in (255 128 0)");
+      return wrongTekkotsu("the class's color is expected after its number, as in (255 128 0)");
     auto name = scanner.quoted();
-    if (!name) return wrongTekkotsu("the class's name is wanted after its color, in quotes");
+    if (!name) return wrongTekkotsu("the class's name is expected after its color, in quotes");
     const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
     add(*index, {std::move(*name), {byte(*red), byte(*green), byte(*blue)}});
   }
@@ -120,9 +120,9 @@ class ColorsParser {
     }
     const auto sameName = [&](const auto& one) { return one.second.name == color.name; };
     if (std::ranges::any_of(colors_, sameName))
-      return wrongTekkotsu("'" + color.name + "' stands here a second time");
+      return wrongTekkotsu("'" + color.name + "' appears here a second time");
     if (!colors_.emplace(index, std::move(color)).second)
-      wrongTekkotsu(fmt::format("class {} stands here a second time", index));
+      wrongTekkotsu(fmt::format("class {} appears here a second time", index));
   }
   void wrongTekkotsu(std::string text) {
     errors_.push_back({"color-table.tekkotsu-colors", std::move(text), {}, {file_, std::max(line_, 1), 0}});
@@ -141,11 +141,11 @@ bool isTekkotsuMap(std::string_view bytes) {
 }
 
 Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& file) {
-  if (!isTekkotsuMap(bytes)) return wrongTekkotsu(file, 0, "the line TMAP is wanted");
+  if (!isTekkotsuMap(bytes)) return wrongTekkotsu(file, 0, "the line TMAP is expected");
   std::size_t at = kMagic.size();
   const auto type = lineAt(bytes, at);
   if (!type || type->substr(0, kType.size()) != kType)
-    return wrongTekkotsu(file, at, "the line that says YUV is wanted; other color spaces are not read");
+    return wrongTekkotsu(file, at, "the line that says YUV is expected; other color spaces are not read");
   at += type->size() + 1;
   const auto sizes = lineAt(bytes, at);
   CellGrid grid;
@@ -153,7 +153,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   for (int& side : grid.sides) {
     const auto number = scanner.number(CellGrid::kMaxCells);
     if (!number || !CellGrid::fits(*number))
-      return wrongTekkotsu(file, at, "three numbers of cells are wanted: powers of two up to 128");
+      return wrongTekkotsu(file, at, "three numbers of cells are expected: powers of two up to 128");
     side = *number;
   }
   if (!scanner.done()) return wrongTekkotsu(file, at, "something follows the numbers of cells");
@@ -161,7 +161,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   const std::size_t cells = CellGrid::count(grid.sides);
   if (bytes.size() - at != cells) {
     return wrongTekkotsu(file, at,
-                         fmt::format("{} cells are wanted, {} x {} x {}, but {} bytes follow", cells,
+                         fmt::format("{} cells are expected, {} x {} x {}, but {} bytes follow", cells,
                                      grid.sides[0], grid.sides[1], grid.sides[2], bytes.size() - at));
   }
   grid.classes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.end());

@@ -87,8 +87,7 @@ Result<void> LogWriter::Implementation::writeMessage(const StreamMessage& messag
   if (!message.value->SerializeToString(&buffer)) {
     return robotlink::failure("log.message",
                               "a message of " + message.path +
-                                  " is larger than the 2 GiB that a package may have; "
-                                  "leave this stream out",
+                                  " is larger than the 2 GiB that a package may have; exclude this stream",
                               {}, {message.path});
   }
   mcap::Message record;

@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 using robotlink::Result;
 
 tl::unexpected<robotlink::Error> existsAlready(const fs::path& file) {
-  return robotlink::failure(
-      "file.exists", "there is such a file already; name another one, or have it overwritten (--force)",
-      {file.string(), 0, 0});
+  return robotlink::failure("file.exists",
+                            "this file already exists; choose another name, or overwrite it (--force)",
+                            {file.string(), 0, 0});
 }
 
 tl::unexpected<robotlink::Error> ioFailure(const std::string& action, const fs::path& file,

@@ -38,7 +38,7 @@ robotlink::Result<robotcontrol::StreamSelection> readSelection(std::string_view 
     if (pattern.empty() || pattern.find_first_of(" \t") != std::string::npos) {
       return robotlink::failure(
           "selection.pattern",
-          "'" + std::string(part) + "' is no stream's path; write them like red1/*,-*/transforms", {},
+          "'" + std::string(part) + "' is not a stream path; write it like red1/*,-*/transforms", {},
           {std::string(part)});
     }
     *(excluded ? selection.add_exclude() : selection.add_include()) = pattern;

@@ -60,7 +60,8 @@ robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::p
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-    const std::string reason = descriptor < 0 || errno != 0 ? std::strerror(errno) : "it is no regular file";
+    const std::string reason =
+        descriptor < 0 || errno != 0 ? std::strerror(errno) : "it is not a regular file";
     if (descriptor >= 0) ::close(descriptor);
     return robotlink::failure("log.open", "the log cannot be opened: " + reason, {file.string(), 0, 0});
   }

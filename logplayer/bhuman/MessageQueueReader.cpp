@@ -117,8 +117,8 @@ std::optional<QueueMessage> MessageQueueReader::next() {
     const std::uint64_t found = endOfDamage();
     const std::string bytes = std::to_string(found - position_) + " bytes";
     addDamage(position_, found == bytes_.size()
-                             ? "the last " + bytes + " are no whole message and were left out"
-                             : bytes + " that are no messages were left out");
+                             ? "the last " + bytes + " are not a whole message and were left out"
+                             : bytes + " that are not messages were left out");
     position_ = found;
   }
   finish();
@@ -171,7 +171,7 @@ void MessageQueueReader::finish() {
   finished_ = true;
   if (position_ < bytes_.size())
     addDamage(position_, "the last " + std::to_string(bytes_.size() - position_) +
-                             " bytes are no whole message and were left out");
+                             " bytes are not a whole message and were left out");
   position_ = bytes_.size();
   if (statedBytes_ == -1 && statedMessages_ == -1) return;  // the log was written directly to the disk
   if (bytes_.size() >= kFileHeader && statedBytes_ != static_cast<std::int64_t>(bytes_.size() - kFileHeader))

@@ -35,7 +35,7 @@ robotlink::Result<ImportReport> importQueue(ByteSource& bytes, const std::string
     ++report.messages;
     if (auto added = converter.add(*message); !added) return tl::unexpected(std::move(added.error()));
     const double done = static_cast<double>(reader.position()) / static_cast<double>(bytes.size());
-    if (progress && !progress(done)) return robotlink::failure("log.given-up", "the import was given up");
+    if (progress && !progress(done)) return robotlink::failure("log.given-up", "the import was canceled");
   }
   if (auto finished = converter.finish(); !finished) return tl::unexpected(std::move(finished.error()));
   report.imported = converter.imported();

@@ -27,7 +27,7 @@ constexpr std::uint64_t kUnitsPerProgress = 256;
 constexpr std::size_t kCacheBytes = 64U << 20U;  // for all inputs together
 
 tl::unexpected<robotlink::Error> givenUp() {
-  return robotlink::failure("log.given-up", "given up; nothing was written");
+  return robotlink::failure("log.given-up", "canceled; nothing was written");
 }
 
 struct Input {
@@ -129,7 +129,7 @@ Result<void> Rewriting::openInputs() {
         (statistics.messageStart + wanted.offset).time_since_epoch().count() < 0) {
       return robotlink::failure("log.offset",
                                 "with an offset of " + std::to_string(robotlink::seconds(wanted.offset)) +
-                                    " s it would begin before time 0; move the other logs on instead",
+                                    " s it would begin before time 0; shift the other logs forward instead",
                                 {wanted.file.string(), 0, 0});
     }
     inputs_.push_back(std::move(input));
@@ -165,7 +165,7 @@ Result<void> Rewriting::join() {
     std::stable_sort(inputs_.begin(), inputs_.end(),
                      [&](const auto& a, const auto& b) { return part(*a).begin() < part(*b).begin(); });
   } else if (options_.joining == Joining::kConcatenate) {
-    return robotlink::failure("log.join", "the logs cannot be put behind each other: " + why,
+    return robotlink::failure("log.join", "the logs cannot be joined one after another: " + why,
                               {parts.back()->source.file().string(), 0, 0});
   } else {
     whyBeside_ = why;
@@ -380,19 +380,19 @@ void Rewriting::conclude() {
     to.insert(to.end(), from.begin(), from.end());
   };
   if (!whyBeside_.empty() && !report_.renamed.empty()) {
-    report_.notes.push_back("the logs stand beside each other, because " + whyBeside_);
+    report_.notes.push_back("the logs were merged in parallel, because " + whyBeside_);
   }
   for (const auto& input : inputs_) {
     append(report_.notes, input->source.notes());
     if (!input->copier->foreign().empty()) {
       report_.notes.push_back(input->source.file().string() + ": times and names within the messages of " +
-                              input->copier->foreign() + " stay as they were, as they are no Protobuf");
+                              input->copier->foreign() + " stay as they were, as they are not Protobuf");
     }
     append(report_.losses, input->source.losses());
     if (input->copier->unchanged() == 0) continue;
-    report_.losses.push_back(
-        input->source.file().string() + ": " + std::to_string(input->copier->unchanged()) +
-        " messages make no sense by their schemas; times and names in them stay as they were");
+    report_.losses.push_back(input->source.file().string() + ": " +
+                             std::to_string(input->copier->unchanged()) +
+                             " messages do not fit their schemas; times and names in them stay as they were");
   }
 }
 

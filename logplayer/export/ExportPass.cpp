@@ -41,7 +41,7 @@ Result<Unread> forEachMessage(const std::shared_ptr<LogFile>& log, const std::ve
     const double here =
         length > 0 ? std::clamp(robotlink::seconds(message->time - from) / length, 0.0, 1.0) : 1;
     if (!options.progress(share.from + (share.to - share.from) * here)) {
-      return robotlink::failure("log.given-up", "given up");
+      return robotlink::failure("log.given-up", "canceled");
     }
   }
   return cursor.unread();

@@ -195,7 +195,8 @@ Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const s
   if (!done) return tl::unexpected(done.error());
   noteUnread(*done, report);
   for (const auto& [stream, count] : failed) {
-    report.losses.push_back(plural(count, "message") + " of " + stream + " cannot be said in JSON; left out");
+    report.losses.push_back(plural(count, "message") + " of " + stream +
+                            " cannot be expressed in JSON; left out");
   }
   noteDamage(*log, report);
   return report;

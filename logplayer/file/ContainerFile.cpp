@@ -19,8 +19,8 @@ robotlink::Error named(robotlink::Error error, const std::filesystem::path& log,
   if (error.where.file != (folder / kName).string()) return error;
   const std::string reason = error.arguments.empty() ? error.text : error.arguments.front();
   return {"log.temporary",
-          "it is of an older format, and a copy in MCAP is made of it to read it, which failed in " +
-              folder.parent_path().string() + ": " + reason + "; TMPDIR names another place for it",
+          "logs of older formats are converted to MCAP for reading, which failed in " +
+              folder.parent_path().string() + ": " + reason + "; set TMPDIR to another place",
           {reason},
           {log.string(), 0, 0}};
 }

@@ -128,16 +128,15 @@ Result<ImportReport> importLog(const std::filesystem::path& from, const std::fil
     return robotlink::failure(
         "import.robot",
         "'" + options.robot +
-            "' is no name for a robot; take letters, digits, '-', '_' and '.', as in nao or red-1",
+            "' is not a robot name; use letters, digits, '-', '_' and '.', as in nao or red-1",
         {}, {options.robot});
   }
   const auto bytes = bhuman::openFile(from);
   if (!bytes) return tl::unexpected(bytes.error());
   if (!bhuman::MessageQueueReader::recognizes(**bytes))
-    return robotlink::failure(
-        "log.unknown-format",
-        "this is no log that can be imported: it does not begin with a message queue of B-Human's",
-        {from.string(), 0, 0});
+    return robotlink::failure("log.unknown-format",
+                              "this log cannot be imported: it does not begin with a B-Human message queue",
+                              {from.string(), 0, 0});
   Result<ImportReport> report;
   {
     auto writer = ImportWriter::create(to, options);

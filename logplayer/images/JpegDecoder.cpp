@@ -70,7 +70,7 @@ class Decoder {
 tl::unexpected<robotlink::Error> refused(const Decoder& decoder) {
   const std::string text = decoder.text();
   return robotlink::failure("image.jpeg",
-                            "this is no JPEG image that can be read: " + (text.empty() ? "no header" : text));
+                            "this is not a readable JPEG image: " + (text.empty() ? "no header" : text));
 }
 
 /// An error if the image is too large to be decoded.

@@ -24,7 +24,7 @@ struct PngImage : png_image {
 };
 
 tl::unexpected<robotlink::Error> refused(const PngImage& png) {
-  return robotlink::failure("image.png", "this is no PNG image that can be read: " + png.text());
+  return robotlink::failure("image.png", "this is not a readable PNG image: " + png.text());
 }
 
 }  // namespace

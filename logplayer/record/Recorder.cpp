@@ -324,17 +324,15 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
     const std::lock_guard lock(mutex);
     if (ring.duration() == robotlink::Duration::zero()) {
       return robotlink::failure("recording.nothing-kept",
-                                "no seconds are kept in memory that could be saved; choose how many first");
+                                "nothing is kept in memory to save; choose how many seconds first");
     }
     if (!live) {
       return robotlink::failure(
           "recording.nothing-kept",
-          "what comes from a log is in its file already, and is not kept in memory; cut "
-          "a range out of the log instead");
+          "a log is not kept in memory, as it is a file already; cut a range out of it instead");
     }
     if (ring.empty()) {
-      return robotlink::failure("recording.nothing-kept",
-                                "nothing was told yet that could be saved; let the robot run");
+      return robotlink::failure("recording.nothing-kept", "nothing was published yet; let the robot run");
     }
     contents = ring.contents();
   }

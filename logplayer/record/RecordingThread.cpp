@@ -180,7 +180,7 @@ void RecordingThread::warnOfDropped() {
   }
   if (dropped == warnedOf_) return;
   options_.warn("The disk does not keep up with the recording: " + std::to_string(dropped - warnedOf_) +
-                " messages were left out, the largest first; record fewer streams, or images as JPEG");
+                " messages were dropped, the largest first; record fewer streams, or images as JPEG");
   warnedOf_ = dropped;
 }
 

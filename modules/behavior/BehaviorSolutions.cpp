@@ -26,7 +26,7 @@ const DebugKey kStateKey{"behavior/state",
 const DebugKey kTargetKey{
     "behavior/target",
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
-const DebugKey kSpeedKey{"behavior/speed", "The walking speeds that are asked for"};
+const DebugKey kSpeedKey{"behavior/speed", "The requested walking speeds"};
 
 /// Sends the requests for body and head.
 class Behavior : public robotlink::Solution {
@@ -245,7 +245,7 @@ class Obey final : public Behavior {
 
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<Obey>("behavior", "obey",
-                                     "Does nothing but what a person asks for; stands until somebody does.")
+                                     "Does only what the user requests; stands until then.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)

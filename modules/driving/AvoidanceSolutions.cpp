@@ -27,7 +27,7 @@ const DebugKey kWindowKey{"obstacle-avoidance/window",
                           "The arcs of the velocities that it could choose (green, red where it could not "
                           "brake) (drawn around the robot)"};
 const DebugKey kSpeedKey{"obstacle-avoidance/speed",
-                         "The speeds and rotations that are wished, requested and driven (plots)"};
+                         "The desired, requested and driven speeds and rotations (plots)"};
 
 /// After this time a request has expired, s.
 constexpr double kRequestOutdated = 1.0;
@@ -183,7 +183,7 @@ class VectorFieldAvoidance final : public SeeingAvoidance {
 const robotlink::SolutionRegistration kVectorField =
     robotlink::SolutionBuilder<VectorFieldAvoidance>(
         "obstacle-avoidance", "vector-field",
-        "Takes the open direction nearest to the wish, from a polar histogram of what was seen lately.")
+        "Takes the open direction nearest to the desired one, from a polar histogram of recent readings.")
         .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
@@ -251,8 +251,8 @@ class DynamicWindowAvoidance final : public SeeingAvoidance {
 const robotlink::SolutionRegistration kDynamicWindow =
     robotlink::SolutionBuilder<DynamicWindowAvoidance>(
         "obstacle-avoidance", "dynamic-window",
-        "Takes the velocity nearest to the wish that its motors can reach and from which it can brake in "
-        "time.")
+        "Takes the velocity nearest to the desired one that its motors can reach and from which it can brake "
+        "in time.")
         .needs(robotlink::kBehaviorDrive)
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
@@ -271,9 +271,9 @@ class NoAvoidance final : public Avoidance {
 };
 
 const robotlink::SolutionRegistration kNone =
-    robotlink::SolutionBuilder<NoAvoidance>("obstacle-avoidance", "none",
-                                            "Passes wishes on whatever is in the way, within what the motors "
-                                            "can do: for those who know what they do.")
+    robotlink::SolutionBuilder<NoAvoidance>(
+        "obstacle-avoidance", "none",
+        "Passes desired velocities on whatever is in the way, within what the motors can do: for experts.")
         .needs(robotlink::kBehaviorDrive)
         .yields(robotlink::kDriveRequest)
         .keys({&kSpeedKey});

@@ -70,9 +70,9 @@ void DriveSensing::update(double requested) {
 }
 
 std::string DriveSensing::whyNot() const {
-  if (!drive_ || odometry_.empty()) return "the robot has not told its odometry yet";
+  if (!drive_ || odometry_.empty()) return "the robot has not reported its odometry yet";
   if (!memory_.newest()) return "neither sonars nor laser have measured anything yet: are they switched on?";
-  return "sonars, laser or odometry have told nothing for a second";
+  return "sonars, laser or odometry have reported nothing for a second";
 }
 
 /// Segments are numbered from left to right at either end.

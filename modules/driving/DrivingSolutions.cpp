@@ -91,8 +91,8 @@ class Wander final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kWander =
-    robotlink::SolutionBuilder<Wander>(
-        "driving", "wander", "Drives about by what sonars and laser see, to where it has not been for long.")
+    robotlink::SolutionBuilder<Wander>("driving", "wander",
+                                       "Wanders by sonars and laser to where it has not been for a while.")
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -202,7 +202,7 @@ class FollowPath final : public DrivingSolution {
 const robotlink::SolutionRegistration kFollowPath =
     robotlink::SolutionBuilder<FollowPath>(
         "driving", "follow-path",
-        "Follows the path to the goal that a person set; wanders while it does not know where it is.")
+        "Follows the path to the goal that the user set; wanders while it does not know where it is.")
         .needs(robotlink::kDrivePath)
         .needs(robotlink::kRobotPose)
         .needs(robotlink::kDriveState)
@@ -237,8 +237,7 @@ class ObeyOnWheels final : public DrivingSolution {
 
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<ObeyOnWheels>(
-        "driving", "obey",
-        "Drives as a person asks for; stands until somebody does, and when he falls silent.")
+        "driving", "obey", "Drives as the user requests; stands until then, and when requests stop.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey});

@@ -20,7 +20,7 @@ using robotlink::Pose2;
 
 const DebugKey kBallKey{
     "ball-model/ball",
-    "Where the ball is believed to be, how sure that is, and where it rolls (drawn around the robot)"};
+    "The ball's estimated position, its certainty, and where it rolls (drawn around the robot)"};
 const DebugKey kPositionKey{"ball-model/position",
                             "Place of the ball in the robot's frame, and its deviation"};
 const DebugKey kAgeKey{"ball-model/age", "Seconds since the ball was seen"};

@@ -14,7 +14,7 @@ namespace {
 using robotlink::DebugKey;
 
 const DebugKey kPlayersKey{"players-model/players",
-                           "Where the other robots are believed to be (drawn on the field)"};
+                           "The estimated positions of the other robots (drawn on the field)"};
 const DebugKey kCountKey{"players-model/count", "How many other robots are known"};
 
 /// Sends the players, and draws them.

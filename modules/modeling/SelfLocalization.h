@@ -13,7 +13,7 @@ namespace modules {
 // Debug keys shared by all solutions of the task. Inline, so that they are defined in every file that
 // registers a solution.
 inline const robotlink::DebugKey kLocatorPoseKey{
-    "self-localisation/pose", "Where the robot believes to be, and how sure that is (drawn on the field)"};
+    "self-localisation/pose", "The robot's estimated pose, and its certainty (drawn on the field)"};
 inline const robotlink::DebugKey kLocatorParticlesKey{
     "self-localisation/particles",
     "The poses that the filter weighs against each other (drawn on the field)"};

@@ -12,9 +12,10 @@
 namespace modules {
 namespace {
 
-const robotlink::DebugKey kAnglesKey{"head-control/angles", "Tilt and pan, wanted and reached (plots, rad)"};
+const robotlink::DebugKey kAnglesKey{"head-control/angles",
+                                     "Tilt and pan, requested and reached (plots, rad)"};
 const robotlink::DebugKey kStateKey{"head-control/state",
-                                    "0 still, 1 at the ball, 2 searching it, 3 looking around (plot)"};
+                                    "0 still, 1 at the ball, 2 searching for it, 3 looking around (plot)"};
 const robotlink::DebugKey kGazeKey{
     "head-control/gaze",
     "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
@@ -163,16 +164,14 @@ robotlink::SolutionDescription headSolution(const char* name, const char* help) 
       .template parameters<robotcontrol::HeadControlParameters>();
 }
 
-const robotlink::SolutionRegistration kSearchAndTrack = headSolution<SearchAndTrack>(
-    "search-and-track",
-    "Looks at the ball as long as it is known, searches it in two sweeps, far and "
-    "near, when it is lost, and obeys the other "
-    "head modes.");
+const robotlink::SolutionRegistration kSearchAndTrack =
+    headSolution<SearchAndTrack>("search-and-track",
+                                 "Looks at the ball as long as it is known, searches for it in two sweeps, "
+                                 "far and near, when it is lost, and obeys the other head modes.");
 const robotlink::SolutionRegistration kLookAround =
     headSolution<LookAround>("look-around",
-                             "Sweeps from side to side at the height of beacons and goals whatever is asked "
-                             "for, except for given angles: for tests "
-                             "of localization.");
+                             "Sweeps from side to side at the height of beacons and goals whatever is "
+                             "requested, except for given angles: for tests of localization.");
 
 }  // namespace
 }  // namespace modules

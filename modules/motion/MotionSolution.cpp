@@ -18,15 +18,15 @@ using robotlink::Level;
 
 namespace {
 
-const robotlink::DebugKey kSpeedKey{
-    "motion/speed", "The requested speed and that which the gait goes at (plots x, y, rotation)"};
+const robotlink::DebugKey kSpeedKey{"motion/speed",
+                                    "The requested speed and that of the gait (plots x, y, rotation)"};
 const robotlink::DebugKey kPhaseKey{"motion/phase", "The phase of the gait's cycle, 0 to 1 (plot)"};
 const robotlink::DebugKey kUprightKey{"motion/upright", "How upright the robot feels, 1 is level (plot)"};
 const robotlink::DebugKey kJointsKey{"motion/joint-errors",
                                      "How far each leg's joints are from what was requested (plots, rad)"};
 const robotlink::DebugKey kPawsKey{
     "motion/paws",
-    "Where the paws shall be, those on the ground filled, with their step vectors (drawn around the robot)"};
+    "Where the paws should be, those on the ground filled, with their step vectors (drawn around the robot)"};
 const robotlink::DebugKey kOdometryKey{"motion/odometry",
                                        "Dead reckoning since the program started (plots x, y, heading)"};
 

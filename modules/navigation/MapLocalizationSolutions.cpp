@@ -23,7 +23,7 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 const DebugKey kRaysKey{"self-localisation/rays",
-                        "What was measured, seen from where the robot believes to be (drawn on the field)"};
+                        "Measurements, as seen from the robot's estimated pose (drawn on the field)"};
 const DebugKey kFilterKey{
     "self-localisation/filter",
     "Share of the measurements that the pose explains, and the number of particles (plots)"};
@@ -170,7 +170,7 @@ class MonteCarloLocalization final : public SelfLocalization {
 const robotlink::SolutionRegistration kMonteCarlo =
     robotlink::SolutionBuilder<MonteCarloLocalization>(
         "self-localisation", "monte-carlo",
-        "A particle filter over odometry and what laser or sonars measure in the map; begins anywhere.")
+        "A particle filter over odometry and what laser or sonars measure in the map; starts anywhere.")
         .needs(robotlink::kDriveState)
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
@@ -190,7 +190,7 @@ class WheelLocalization final : public SelfLocalization {
       home_ = home->pose;
     else
       debug_.text(Level::kWarning, "self-localisation",
-                  "there is no map with a home to reckon from: the robot is taken to have begun at 0, 0");
+                  "there is no map with a home to start from: the robot is assumed to have started at 0, 0");
   }
 
   void execute() override {

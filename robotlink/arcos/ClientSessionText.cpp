@@ -73,7 +73,7 @@ std::string ClientSession::describe() const {
       return "waits for the robot's configuration and standard information";
     case State::kConnected:
       return "connected to " + identity_->name + " (" + identity_->robotClass + ", " + identity_->subclass +
-             ")" + (configured_ ? "" : "; the robot has not told its configuration");
+             ")" + (configured_ ? "" : "; the robot has not reported its configuration");
     case State::kFailed:
       return "has given up" + after;
   }

@@ -144,7 +144,7 @@ class Parser {
   void parseCount(std::string_view text, Promise& promise) {
     const auto value = numberOf(trimmed(text));
     if (!value || !(*value >= 0 && *value <= 1e15))
-      return note(line_, "this is no number of lines or points: they are counted");
+      return note(line_, "this is not a number of lines or points: they are counted");
     promise.line = promise.line == 0 ? line_ : promise.line;
     promise.count += *value;
   }
@@ -170,7 +170,7 @@ class Parser {
     if (std::ranges::find(kIntros, line) != std::end(kIntros)) return;
     stopped_ = true;
     fail(1, "map.no-map",
-         "this is no map of the kinds 2D-Map to 2D-Map-Ex4: its first line must say which of them it is");
+         "this is not a map of the kinds 2D-Map to 2D-Map-Ex4: its first line must say which of them it is");
   }
 
   /// Reads the numbers of a data line; returns false, after adding an error, unless there are exactly
@@ -285,7 +285,8 @@ class Parser {
     const bool known =
         numbers[0] && numbers[1] && std::abs(*numbers[0]) <= 90 && std::abs(*numbers[1]) <= 180;
     if (!known)
-      return note(line_, "the origin is no latitude and longitude in degrees: the map is not georeferenced");
+      return note(line_,
+                  "the origin is not a latitude and longitude in degrees: the map is not georeferenced");
     const double altitude = numbers[2].value_or(0);
     map_.origin = GlobalPosition{*numbers[0], *numbers[1], std::abs(altitude) < 1e5 ? altitude : 0};
   }
@@ -295,7 +296,7 @@ class Parser {
     if (value && *value >= kFinestMm && *value <= kCoarsestMm) {
       map_.resolution = *value / 1000;
     } else {
-      note(line_, "the resolution is no number of 1 to 1000 mm: 20 mm are taken for it");
+      note(line_, "the resolution is not a number from 1 to 1000 mm: 20 mm is used instead");
     }
   }
 

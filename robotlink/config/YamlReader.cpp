@@ -90,7 +90,7 @@ struct Converter {
     }
     const std::string& name = key.Scalar();
     if (!node) {
-      errors.push_back({"yaml.duplicate-key", "'" + name + "' stands here twice", {name}, where});
+      errors.push_back({"yaml.duplicate-key", "'" + name + "' appears here twice", {name}, where});
       return;
     }
     map.entries.push_back({name, where, convert(*node, depth + 1)});

@@ -51,16 +51,17 @@ std::string wrongColorTable(const Request& request) {
 }
 
 std::string wrongGoal(const Request& request) {
-  return isFinite(request.set_goal().pose_in_field()) ? "" : "the goal's pose has values that are no numbers";
+  return isFinite(request.set_goal().pose_in_field()) ? ""
+                                                      : "the goal's pose has values that are not numbers";
 }
 
 std::string wrongPlace(const Request& request) {
   return isFinite(request.place_model().pose_in_field()) ? ""
-                                                         : "the place's pose has values that are no numbers";
+                                                         : "the place's pose has values that are not numbers";
 }
 
 std::string wrongSpeed(const Request& request) {
-  return std::isnan(request.control_simulation().speed()) ? "the speed is no number" : "";
+  return std::isnan(request.control_simulation().speed()) ? "the speed is not a number" : "";
 }
 
 // ---- What a request sets
@@ -145,7 +146,7 @@ std::string wrongWith(const robotcontrol::ColorTable& table) {
   const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
   if (!std::ranges::all_of(table.cells(), known))
     return "cells of the color table have classes without a name";
-  return isFinite(table.correction()) ? "" : "the color table's correction has values that are no numbers";
+  return isFinite(table.correction()) ? "" : "the color table's correction has values that are not numbers";
 }
 
 bool setTheSame(const Request& a, const Request& b) {

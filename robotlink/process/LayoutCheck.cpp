@@ -65,7 +65,8 @@ void Checker::checkDebugProcesses() {
   const Layout::Process* first = index_.debugProcess();
   if (first == nullptr) {
     add({layout_.file, 0, 0}, "no-debug-process",
-        "no process collects what the others tell; add '- {name: debug, debug: true, period_ms: 16}'", {});
+        "no process collects the others' debug messages; add '- {name: debug, debug: true, period_ms: 16}'",
+        {});
   }
   for (const Layout::Process& process : layout_.processes) {
     if (!process.debug || &process == first) continue;

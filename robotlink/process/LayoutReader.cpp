@@ -20,7 +20,7 @@ bool isPlainName(const std::string& name) {
 
 void checkName(const YamlNode& node, const std::string& name) {
   if (node.empty() || isPlainName(name)) return;
-  node.fail("layout.name", "'" + name + "' is no name: use lower-case letters, digits and '-'", {name});
+  node.fail("layout.name", "'" + name + "' is not a name: use lowercase letters, digits and '-'", {name});
 }
 
 Layout::Task readTask(const YamlNode& node) {

@@ -5,7 +5,7 @@ namespace robotlink {
 
 Result<void> Platform::control(const robotcontrol::ControlDrive& details) {
   (void)details;
-  return robotlink::failure("platform.no-drive", "this robot has no wheels that this could be asked of");
+  return robotlink::failure("platform.no-drive", "this robot has no wheels, which this needs");
 }
 
 void Platform::report(std::string text) {

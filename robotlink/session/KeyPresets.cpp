@@ -100,11 +100,11 @@ Result<KeyTable> KeyPresets::load(const std::string& name) const {
     auto& entry = *table.add_keys();
     entry.set_name(key);
     if (modeFromJson(value, *entry.mutable_mode())) continue;
-    return failure("preset.mode",
-                   "the key " + key +
-                       " needs a \"mode\" (always, n-times, every-n, every-ms) and, but for always, "
-                       "a number \"n\"",
-                   {file->string(), 0, 0}, {key});
+    return failure(
+        "preset.mode",
+        "the key " + key +
+            " needs a \"mode\" (always, n-times, every-n, every-ms) and, except for always, a number \"n\"",
+        {file->string(), 0, 0}, {key});
   }
   return table;
 }

@@ -224,8 +224,7 @@ std::optional<fs::path> SceneFiles::addModel(const std::string& name, const fs::
   const bool isName = !name.empty() && name.find('/') == std::string::npos && name != "." && name != "..";
   const auto model = isName ? resolve("model://" + name, scene) : std::nullopt;
   if (!model) {
-    fail(errors, scene, 0, "scene.unknown-model",
-         "there is no model '" + name + "' of which robots could be added");
+    fail(errors, scene, 0, "scene.unknown-model", "there is no model '" + name + "' to add robots of");
     return std::nullopt;
   }
   readModel(*this, *model, {scene.string(), 0, 0}, spec, errors);

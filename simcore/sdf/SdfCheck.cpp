@@ -192,7 +192,7 @@ void checkSdfTree(const tinyxml2::XMLDocument& document, const std::string& file
   if (root == nullptr || std::string_view(root->Name()) != "sdf") {
     const int line = root != nullptr ? root->GetLineNum() : 1;
     errors.push_back(
-        {"scene.no-sdf", "this is no SDFormat file: its root is not <sdf>", {}, {file, line, 0}});
+        {"scene.no-sdf", "this is not an SDFormat file: its root is not <sdf>", {}, {file, line, 0}});
     return;
   }
   const std::string_view version = root->Attribute("version") != nullptr ? root->Attribute("version") : "";

@@ -67,7 +67,7 @@ class NameChecker {
       if (std::ranges::find(elements, std::string_view(child->Name())) == elements.end()) continue;
       const std::string name = nameOf(*child);
       if (!name.empty() && !names.insert(name).second) {
-        fail(*child, "scene.duplicate-name", "the name '" + name + "' stands here twice");
+        fail(*child, "scene.duplicate-name", "the name '" + name + "' appears here twice");
       }
     }
   }
@@ -97,7 +97,7 @@ class NameChecker {
         fail(joint, "scene.joint", what + "no <" + end + ">");
       } else {
         fail(*element, "scene.joint",
-             what + "as its " + end + " '" + link + "', which is no link of the model");
+             what + "as its " + end + " '" + link + "', which is not a link of the model");
       }
     }
   }

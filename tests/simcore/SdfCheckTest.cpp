@@ -73,7 +73,7 @@ TEST_F(SdfCheck, onlyLimitsMayBeInfinite) {
 
 TEST_F(SdfCheck, jointsJoinLinksThatExist) {
   EXPECT_EQ(broken("<child>arm<", "<child>leg<"),
-            "m.sdf:21: the joint 'hip' has as its child 'leg', which is no link of the model");
+            "m.sdf:21: the joint 'hip' has as its child 'leg', which is not a link of the model");
   EXPECT_EQ(broken("<child>arm</child>", ""), "m.sdf:19: the joint 'hip' has no <child>");
   EXPECT_EQ(broken("<parent>foot<", "<parent>world<"), "");
   EXPECT_THAT(broken("<child>arm<", "<child>world<"), HasSubstr("'world', which is no link"));
@@ -82,9 +82,9 @@ TEST_F(SdfCheck, jointsJoinLinksThatExist) {
 
 TEST_F(SdfCheck, namesStandOnce) {
   EXPECT_THAT(broken("<link name=\"arm\">", "<link name=\"foot\">"),
-              StartsWith("m.sdf:13: the name 'foot' stands here twice"));
+              StartsWith("m.sdf:13: the name 'foot' appears here twice"));
   EXPECT_EQ(broken("<joint name=\"hip\"", "<joint name=\"foot\""),
-            "m.sdf:19: the name 'foot' stands here twice");
+            "m.sdf:19: the name 'foot' appears here twice");
 }
 
 TEST_F(SdfCheck, bodiesThatCannotBeAreRefused) {
@@ -100,7 +100,7 @@ TEST_F(SdfCheck, bodiesThatCannotBeAreRefused) {
 }
 
 TEST_F(SdfCheck, otherFilesAndVersionsAreRefused) {
-  EXPECT_EQ(errorsOf("<html/>"), "m.sdf:1: this is no SDFormat file: its root is not <sdf>");
+  EXPECT_EQ(errorsOf("<html/>"), "m.sdf:1: this is not an SDFormat file: its root is not <sdf>");
   EXPECT_EQ(broken("version=\"1.9\"", "version=\"3.7\""),
             "m.sdf:2: the version must be 1.9, or an older one down to 1.5");
   EXPECT_EQ(broken("version=\"1.9\"", "version=\"1.7\""), "");

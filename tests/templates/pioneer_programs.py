@@ -107,7 +107,7 @@ class Programs(ProgramsTestCase):
         self.assertLess(self.way("follow_path", ends), 0.25, "it does not come back")
         self.assertEqual(said["follow_path"].count("at "), 4)
         self.assertGreater(self.way("wander", ends), 1.5)
-        self.assertIn("all periods were held", said["concurrent"])
+        self.assertIn("all periods were met", said["concurrent"])
         self.assertGreater(self.way("convoy", ends), 1)
         self.assertLess(abs(distance(*ends["convoy"]) - 1.7), 0.5, "the second one does not follow")
         self.assertIn("3 of 3 met", said["meeting_point"])

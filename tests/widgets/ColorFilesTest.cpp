@@ -299,7 +299,7 @@ class ColorFilesTest : public QObject {
     at.stroke(1, 8, 7);
     at.files.keepNow();
     QTRY_VERIFY(!at.failed.isEmpty());
-    QVERIFY(at.failed[0].contains(QStringLiteral("cannot be kept")));
+    QVERIFY(at.failed[0].contains(QStringLiteral("cannot be backed up")));
   }
 
  private:

@@ -152,9 +152,9 @@ class ColorQualityViewTest : public QObject {
 
   void howFewStrokesTheFiguresStandOnIsSaidAndThatTheyCountAlike() {
     goodStrokes();
-    QTRY_VERIFY(note().contains(
-        QStringLiteral("Stands on 8 strokes, at least 2 of a class and 2 of the background")));
-    QVERIFY(note().contains(QStringLiteral("take the figures as a hint")));
+    QTRY_VERIFY(
+        note().contains(QStringLiteral("Based on 8 strokes, at least 2 of a class and 2 of the background")));
+    QVERIFY(note().contains(QStringLiteral("the figures are only a hint")));
     bench_->undoStack().undo();  // the second stroke of the background
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
     QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
@@ -164,7 +164,7 @@ class ColorQualityViewTest : public QObject {
     colortool::Samples one = colortool::quarterSamples();
     one.strokes.resize(1);
     bench_->change(QStringLiteral("One stroke"), std::move(one));
-    QTRY_VERIFY2(note().contains(QStringLiteral("Stands on 1 stroke,")), qPrintable(note()));
+    QTRY_VERIFY2(note().contains(QStringLiteral("Based on 1 stroke,")), qPrintable(note()));
   }
 
   void theTableThatItIsComparedWithIsScoredBesideIt() {

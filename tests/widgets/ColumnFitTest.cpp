@@ -29,7 +29,7 @@ struct Table {
 
   explicit Table(int width) {
     model.setHorizontalHeaderLabels(
-        {QStringLiteral("Stream"), QStringLiteral("Number of messages"), QStringLiteral("What it says")});
+        {QStringLiteral("Stream"), QStringLiteral("Number of messages"), QStringLiteral("Contents")});
     view.setModel(&model);
     view.verticalHeader()->hide();
     fit = new ColumnFit(view, {kName, kNumber, kText});

@@ -34,9 +34,9 @@ ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& benc
   ColorActions actions{
       makeAction(&view, "undo",
                  {undoName.constData(), actionText("Undo"),
-                  actionText("Takes the last change of the samples back"), QKeySequence::Undo}),
+                  actionText("Undoes the last change of the samples"), QKeySequence::Undo}),
       makeAction(&view, "redo",
-                 {redoName.constData(), actionText("Redo"), actionText("Does again what was taken back"),
+                 {redoName.constData(), actionText("Redo"), actionText("Redoes what was undone"),
                   QKeySequence(actionText("Ctrl+Shift+Z"))})};
   QObject::connect(actions.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   QObject::connect(actions.redo, &QAction::triggered, &stack, &QUndoStack::redo);

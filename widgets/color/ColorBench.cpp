@@ -155,7 +155,7 @@ void ColorBench::collect() {
   const bool there = std::ranges::any_of(
       collected_, [this](const CollectedFrame& each) { return each.frame->place() == frame_->place(); });
   if (!there && collect({frame_}) == 0)
-    Q_EMIT failed(tr("No more images can be put aside; remove some of the strip first (Delete)"));
+    Q_EMIT failed(tr("The strip is full; remove some images first (Delete)"));
 }
 
 std::size_t ColorBench::collect(const std::vector<ColorFramePtr>& frames) {

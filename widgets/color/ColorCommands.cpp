@@ -42,7 +42,7 @@ Result<void> nothingUnsaved(const ColorFiles& files) {
   if (!files.changed()) return {};
   return failure(
       "color.unsaved",
-      "the samples were changed; save them (color.save-as FILE) or give the changes up (color.discard)");
+      "the samples were changed; save them (color.save-as FILE) or discard the changes (color.discard)");
 }
 
 Result<void> discard(ColorFiles& files) {
@@ -87,7 +87,7 @@ Result<void> addStroke(ColorBench& bench, const Values& values) {
 
 Result<void> step(QUndoStack& stack, bool forth) {
   if (forth ? !stack.canRedo() : !stack.canUndo())
-    return failure("color.history", forth ? "there is nothing to do again" : "there is nothing to undo");
+    return failure("color.history", forth ? "there is nothing to redo" : "there is nothing to undo");
   forth ? stack.redo() : stack.undo();
   return {};
 }
@@ -154,10 +154,9 @@ class Commands {
 
 void addFileCommands(Commands& commands) {
   const CommandTable::Argument file{"file", Type::kText, "a .samples file"};
-  commands.add("color.new", "Begins the samples of a color table anew", {},
-               [](auto&, ColorFiles& files, auto&) {
-                 return nothingUnsaved(files).map([&files] { files.startAnew(); });
-               });
+  commands.add("color.new", "Starts new samples of a color table", {}, [](auto&, ColorFiles& files, auto&) {
+    return nothingUnsaved(files).map([&files] { files.startAnew(); });
+  });
   commands.add("color.open", "Opens the samples of a color table", {file},
                [](auto&, ColorFiles& files, const Values& values) {
                  return nothingUnsaved(files).and_then([&] { return files.open(text(values, 0)); });
@@ -166,11 +165,11 @@ void addFileCommands(Commands& commands) {
                [](auto&, ColorFiles& files, auto&) { return files.save(); });
   commands.add("color.save-as", "Saves the samples of the color table", {file},
                [](auto&, ColorFiles& files, const Values& values) { return files.saveAs(text(values, 0)); });
-  commands.add("color.discard", "Gives up what was not saved of the samples", {},
+  commands.add("color.discard", "Discards unsaved changes of the samples", {},
                [](auto&, ColorFiles& files, auto&) { return discard(files); });
   commands.add("color.merge", "Adds the samples of another file", {file},
                [](auto&, ColorFiles& files, const Values& values) { return files.merge(text(values, 0)); });
-  commands.add("color.open-pictures", "Puts pictures aside to be painted in, and shows the first",
+  commands.add("color.open-pictures", "Adds pictures to the strip and shows the first",
                {{"path", Type::kText, "a picture (.png, .jpg, .jpeg, .yuyv) or a folder of them"}},
                [](auto&, ColorFiles& files, const Values& values) -> Result<void> {
                  files.openPictures({text(values, 0)});
@@ -192,7 +191,7 @@ void addStrokeCommands(Commands& commands) {
       "color.class", "Chooses the class of the next stroke",
       {{"name", Type::kText, "of a class, or background"}},
       [](ColorBench& bench, auto&, const Values& values) { return chooseClass(bench, text(values, 0)); });
-  commands.add("color.must-not", "Says whether the next strokes must not be of the class",
+  commands.add("color.must-not", "Chooses whether the next strokes must not be of the class",
                {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
                  bench.setMustNotBe(std::get<bool>(values[0]));
                  return {};
@@ -204,15 +203,15 @@ void addStrokeCommands(Commands& commands) {
       "color.stroke", "Adds a disc of the color view's image to the samples",
       {{"x", Type::kNumber, "pixels"}, {"y", Type::kNumber, "pixels"}, {"radius", Type::kNumber, "pixels"}},
       [](ColorBench& bench, auto&, const Values& values) { return addStroke(bench, values); });
-  commands.add("color.undo", "Takes the last change of the samples back", {},
+  commands.add("color.undo", "Undoes the last change of the samples", {},
                [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), false); });
-  commands.add("color.redo", "Does again what was taken back", {},
+  commands.add("color.redo", "Redoes what was undone", {},
                [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), true); });
 }
 
 void addTableCommands(Commands& commands) {
   commands.add(
-      "color.preset", "Sets the classes; strokes stay with the class of their name",
+      "color.preset", "Sets the classes; strokes keep the class of their name",
       {{"name", Type::kText, "2002 or bhuman2009"}},
       [](ColorBench& bench, auto&, const Values& values) { return usePreset(bench, text(values, 0)); });
   commands.add(
@@ -224,14 +223,14 @@ void addTableCommands(Commands& commands) {
                [](ColorBench& bench, auto&, const Values& values) {
                  return setOption(bench, text(values, 0), number(values, 1));
                });
-  commands.add("color.send", "Gives the table to the selected robot's program", {},
+  commands.add("color.send", "Sends the table to the selected robot's program", {},
                [](ColorBench& bench, auto&, auto&) -> Result<void> {
                  if (bench.session().selectedRobot().empty())
                    return failure("color.no-robot", "there is no robot; open a scene or a log first");
                  bench.sender().send();
                  return {};
                });
-  commands.add("color.auto-send", "Says whether each new table goes to the robot at once",
+  commands.add("color.auto-send", "Chooses whether each new table is sent to the robot at once",
                {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
                  bench.sender().setAutoSend(std::get<bool>(values[0]));
                  return {};
@@ -240,8 +239,8 @@ void addTableCommands(Commands& commands) {
 
 /// The finder is a child of the bench.
 void addSearchCommands(Commands& commands, ColorFrameFinder* finder) {
-  commands.add("color.find-frames", "Looks for the images in which the table does most that is suspicious",
-               {}, [finder](auto&, auto&, auto&) { return finder->search(); });
+  commands.add("color.find-frames", "Searches for the images where the table looks most suspicious", {},
+               [finder](auto&, auto&, auto&) { return finder->search(); });
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ ColorFileActions::ColorFileActions(ColorFiles& files, QWidget* view)
 
 void ColorFileActions::createActions() {
   new_ = makeAction(view_, "file-new",
-                    {"colorNew", tr("New"), tr("Begins samples anew, with the classes of 2002")});
+                    {"colorNew", tr("New"), tr("Starts new samples, with the classes of 2002")});
   open_ = makeAction(view_, "open", {"colorOpen", tr("Open…"), tr("Opens samples from a file")});
   save_ = makeAction(view_, "save",
                      {"colorSave", tr("Save"), tr("Saves the samples to their file"), QKeySequence::Save});
@@ -121,7 +121,7 @@ void ColorFileActions::connectSignals() {
               tr("Writes the table to a .c64 file, with the names of its classes beside it")),
           &QAction::triggered, this, &ColorFileActions::exportTable);
   several_ = add("colorSeveral", "layers", tr("Exported cells may have &several classes"),
-                 tr("Where classes come close a cell of the exported table is of all of them"));
+                 tr("Where classes are close, an exported cell is of all of them"));
   several_->setCheckable(true);
   menu_->addSeparator();
   connect(add("colorImport", "open", tr("&Compare with table…"),

@@ -173,9 +173,8 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   remember(file);
   QString said = tr("Exported: %1").arg(pathText(file));
   if (packed.reducedCells > 0) {
-    said += tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
-               "format "
-               "has no room for more: %2")
+    said += tr("\nCells of several classes, one of them above %1, that keep only the best one, since the "
+               "format has no room for more: %2")
                 .arg(colortool::ColorTableFile::kMaxOfSeveral)
                 .arg(packed.reducedCells);
   }
@@ -208,13 +207,13 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
   recovery_ = std::make_unique<ColorRecovery>(folder, [this](const robotlink::Error& error) {
     const QString reason = QString::fromStdString(error.describe());
     QMetaObject::invokeMethod(
-        this, [this, reason] { fail(tr("Changes cannot be kept safe: %1").arg(reason)); },
+        this, [this, reason] { fail(tr("Changes cannot be backed up: %1").arg(reason)); },
         Qt::QueuedConnection);
   });
   auto left = recovery_->left();
   if (!left) return;
   if (!*left) {
-    fail(tr("Samples that were not saved could not be brought back: %1")
+    fail(tr("Unsaved samples could not be restored: %1")
              .arg(QString::fromStdString(left->error().describe())));
     return;
   }
@@ -222,10 +221,9 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
   bench_.setDocument(std::move((*left)->samples), true);
   kept_ = true;
   Q_EMIT titleChanged(title());
-  const QString said =
-      tr("The program ended without saving the last time. What was not saved came back: %1. Save the samples "
-         "to keep them.")
-          .arg(strokesText(strokes));
+  const QString said = tr("The program ended without saving last time. Unsaved samples were restored: %1. "
+                          "Save them to keep them.")
+                           .arg(strokesText(strokes));
   if ((*left)->problems.empty())
     report(said);
   else
@@ -252,14 +250,13 @@ void ColorFiles::takePictures() {
   pictures_.reset();
   if (!*read) return fail(QString::fromStdString(read->error().describe()));
   const auto& frames = read->value().frames;
-  if (frames.empty())
-    return fail(tr("No more images can be put aside; remove some of the strip first (Delete)"));
+  if (frames.empty()) return fail(tr("The strip is full; remove some images first (Delete)"));
   bench_.collect(frames);
   Q_EMIT bench_.frameWanted(frames.front());
-  QString said = tr("Pictures that can be painted in now: %1").arg(frames.size());
+  QString said = tr("Pictures added: %1").arg(frames.size());
   if (read->value().leftOut > 0)
-    said += tr("; there was no room for %1 more, remove some of the strip first (Delete)")
-                .arg(read->value().leftOut);
+    said +=
+        tr("; there was no room for %1 more, remove some images first (Delete)").arg(read->value().leftOut);
   if (read->value().problems.empty())
     report(said);
   else

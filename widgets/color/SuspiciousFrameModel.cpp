@@ -118,10 +118,10 @@ QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientati
       tr("Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones "
          "0.1, those of vast areas 0.02"),
       tr("Suspicious pixels of each class"),
-      tr("Pixels of colored areas that are too small to be things"),
-      tr("Pixels of small areas inside of a thing of another color"),
-      tr("Pixels of colored classes to which another class, or none, comes near"),
-      tr("Pixels of areas of one color that cover more of the image than things do")};
+      tr("Pixels of colored areas that are too small to be objects"),
+      tr("Pixels of small areas inside an object of another color"),
+      tr("Pixels of colored classes that are nearly of another class, or of none"),
+      tr("Pixels of areas of one color that cover more of the image than objects do")};
   if (role == Qt::DisplayRole) return titles[section];
   return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
 }

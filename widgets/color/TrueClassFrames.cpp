@@ -25,7 +25,7 @@ void TrueClassFrames::ask(const std::string& robot, bool on) {
   widgets::ask(bench_.session(), robot, std::move(request), this,
                [this](bool accepted, const QString& reason) {
                  if (!accepted && on_)
-                   Q_EMIT bench_.failed(tr("The true classes are not told: %1").arg(reason));
+                   Q_EMIT bench_.failed(tr("The true classes are not published: %1").arg(reason));
                });
 }
 

@@ -82,34 +82,36 @@ void BaseStateView::createActions() {
                       {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+N")});
   resetOdometry_ =
       makeAction(this, "reset",
-                 {"baseResetOdometry", tr("Odometry to 0"), tr("Here is the odometry's origin from now on")});
+                 {"baseResetOdometry", tr("Reset odometry"), tr("Makes this place the odometry's origin")});
   for (QAction* action : {motors_, sonar_}) action->setCheckable(true);
 }
 
 void BaseStateView::createRows() {
   base_ = new StateRows(tr("Base"), "baseRows", this);
-  base_->addText("baseAge", tr("How old this is"));
+  base_->addText("baseAge", tr("Age of this state"));
   battery_ = new BatteryGauge(base_);
   base_->addRow(tr("Battery"), tr("Below 11.5 V it is low, at 11 V robots switch themselves off"), battery_);
   base_->addText("baseBatteryWarning", tr("What the battery needs"));
   base_->addRow("baseMotorsState", tr("Motors"), tr("Whether the motors hold and turn the wheels"));
   base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
-  base_->addRow("baseStall", tr("Stall"), tr("Wheels that shall turn and do not"));
-  base_->addRow("baseBumpers", tr("Bumpers"), tr("Those that are pressed, from left to right"));
+  base_->addRow("baseStall", tr("Stall"), tr("Wheels that should turn but do not"));
+  base_->addRow("baseBumpers", tr("Bumpers"), tr("Pressed bumpers, from left to right"));
   base_->addRow("baseEmergency", tr("Emergency stop"),
                 tr("The button at the robot, and STOP of this workbench"));
-  base_->addRow("baseTemperature", tr("Temperature"), tr("Of the base's electronics"));
+  base_->addRow("baseTemperature", tr("Temperature"), tr("Temperature of the base's electronics"));
   base_->addRow("baseFaults", tr("Faults"), tr("Flags of its microcontroller"));
   motion_ = new StateRows(tr("Motion"), "motionRows", this);
-  motion_->addRow("baseOdometry", tr("Odometry"), tr("Where the wheels believe that it is: x, y, heading"));
-  motion_->addRow("baseAsked", tr("Asked for"), tr("What its program asked of the motors (drive/request)"));
+  motion_->addRow("baseOdometry", tr("Odometry"), tr("Pose by the wheels: x, y, heading"));
+  motion_->addRow("baseAsked", tr("Requested"),
+                  tr("What its program requested of the motors (drive/request)"));
   motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forwards, and counter-clockwise"));
   motion_->addRow("baseWheels", tr("Wheels"), tr("Speeds of the left and right wheels' rims"));
   link_ = new StateRows(tr("Line"), "linkRows", this);
   link_->addRow("linkState", tr("State"), tr("Whether packets come"));
-  link_->addRow("linkAddress", tr("Address"), tr("Of the robot; of a simulated one, where it listens"));
-  link_->addRow("linkRobot", tr("Robot"), tr("Name, class and subclass that it told in the handshake"));
-  link_->addRow("linkClient", tr("Client"), tr("Of a simulated robot: who drives it through its port"));
+  link_->addRow("linkAddress", tr("Address"),
+                tr("Address of the robot; of a simulated one, where it listens"));
+  link_->addRow("linkRobot", tr("Robot"), tr("Name, class and subclass from the handshake"));
+  link_->addRow("linkClient", tr("Client"), tr("Who drives a simulated robot through its port"));
   link_->addRow("linkPackets", tr("Packets"), tr("From the robot, over the last seconds"));
   link_->addRow("linkErrors", tr("Errors"),
                 tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
@@ -228,10 +230,10 @@ void BaseStateView::tick() {
 }
 
 void BaseStateView::showAge(std::optional<double> age) {
-  base_->set("baseAge",
-             age ? tr("The base has said nothing for %1 s: this is what it said last.").arg(*age, 0, 'f', 0)
-                 : QString(),
-             Meaning::kMuted);
+  base_->set(
+      "baseAge",
+      age ? tr("The base has been silent for %1 s: this is its last state.").arg(*age, 0, 'f', 0) : QString(),
+      Meaning::kMuted);
   base_->setStale(age.has_value());
   motion_->setStale(age.has_value());
 }
@@ -332,7 +334,7 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors",
                             "linkRoundTrip", "linkGap", "linkReconnects"})
       link_->set(row, {});
-    link_->set("linkState", tr("nothing is told of it"));
+    link_->set("linkState", tr("not reported"));
     return link_->set("linkText", {});
   }
   const LinkWords words = linkWords(*status, age);

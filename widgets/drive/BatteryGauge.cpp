@@ -48,7 +48,7 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
 }
 
 QString BatteryLevel::text() const {
-  if (state == State::kUnknown) return batteryText("not told");
+  if (state == State::kUnknown) return batteryText("unknown");
   const QString text = batteryText("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
   if (age) return batteryText("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
   return charging ? batteryText("%1, charging").arg(text) : text;

@@ -93,7 +93,7 @@ void ConnectDialog::createViews() {
   form->addRow(tr("&Map:"), createMap());
   form->addRow(tr("&Layout:"), createLayouts());
   state_ = new QLabel(this);
-  describe(*state_, {"connectState", tr("How the connection does"), {}});
+  describe(*state_, {"connectState", tr("State of the connection"), {}});
   state_->setWordWrap(true);
   state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -122,14 +122,14 @@ void ConnectDialog::createViews() {
   layout->addWidget(state_);
   layout->addWidget(progress_);
   layout->addWidget(buttons);
-  showState(tr("A line that is lost is opened again by itself."), false, false);
+  showState(tr("A lost line is reopened automatically."), false, false);
 }
 
 QWidget* ConnectDialog::createKinds() {
   auto* kinds = new QWidget(this);
   tcp_ = new QRadioButton(tr("&Network (TCP)"), kinds);
   describe(*tcp_, {"connectTcp", tr("Network (TCP)"),
-                   tr("A simulated robot, or one whose line a computer hands on")});
+                   tr("A simulated robot, or one whose line a computer forwards")});
   serial_ = new QRadioButton(tr("&Serial"), kinds);
   describe(*serial_, {"connectSerial", tr("Serial"), tr("A robot at a serial port of this computer")});
   QHBoxLayout* row = makeRow(kinds);
@@ -160,17 +160,17 @@ QWidget* ConnectDialog::createTcp() {
 QWidget* ConnectDialog::createSerial() {
   auto* page = new QWidget(this);
   port_ = new QComboBox(page);
-  describe(*port_, {"connectDevice", tr("Serial port"),
-                    tr("Those that this computer has; another one can be typed")});
+  describe(*port_,
+           {"connectDevice", tr("Serial port"), tr("Ports of this computer; another one can be typed")});
   port_->setEditable(true);
   port_->setInsertPolicy(QComboBox::NoInsert);
   port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* again = new QToolButton(page);
-  describe(*again, {"connectLookAgain", tr("Look again"), tr("Looks which serial ports there are")});
+  describe(*again, {"connectLookAgain", tr("Look again"), tr("Searches for serial ports")});
   again->setIcon(icon("refresh"));
   connect(again, &QToolButton::clicked, this, &ConnectDialog::listPorts);
   baud_ = new QComboBox(page);
-  describe(*baud_, {"connectBaud", tr("Baud"), tr("As the robot is set; Pioneers speak 9600 at first")});
+  describe(*baud_, {"connectBaud", tr("Baud"), tr("As set in the robot; Pioneers start with 9600")});
   for (const int rate : {9600, 19200, 38400, 57600, 115200}) baud_->addItem(QString::number(rate), rate);
   QHBoxLayout* row = makeRow(page);
   row->addWidget(port_, 1);
@@ -184,8 +184,8 @@ QWidget* ConnectDialog::createMap() {
   auto* widget = new QWidget(this);
   map_ = new QLineEdit(choices_.map, widget);
   describe(*map_,
-           {"connectMap", tr("Map"), tr("Of where the robot drives, to find itself in it; may be empty")});
-  map_->setPlaceholderText(tr("none: it does not find itself in a map"));
+           {"connectMap", tr("Map"), tr("Map of where the robot drives, for localization; may be empty")});
+  map_->setPlaceholderText(tr("none: no localization in a map"));
   map_->setClearButtonEnabled(true);
   auto* browse = new QToolButton(widget);
   describe(*browse, {"connectBrowse", tr("Choose a map"), tr("Chooses a .map file")});
@@ -246,7 +246,7 @@ void ConnectDialog::listPorts() {
   port_->setCurrentText(typed.isEmpty() && !ports.empty() ? QString::fromStdString(ports.front().device)
                                                           : typed);
   const int found = port_->findData(port_->currentText());
-  port_->setToolTip(found < 0 ? tr("Those that this computer has; another one can be typed")
+  port_->setToolTip(found < 0 ? tr("Ports of this computer; another one can be typed")
                               : port_->itemData(found, Qt::ToolTipRole).toString());
 }
 

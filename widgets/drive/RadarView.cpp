@@ -27,8 +27,7 @@ namespace {
 
 const ViewRegistration kRadarViewRegistration{
     {"radar", QT_TRANSLATE_NOOP("View", "Radar"),
-     QT_TRANSLATE_NOOP("View",
-                       "What sonars, laser and bumpers of a robot on wheels tell of its surroundings."),
+     QT_TRANSLATE_NOOP("View", "What sonars, laser and bumpers of a robot on wheels measure around it."),
      "radar", true, create<RadarView>}};
 
 const double kRadarZoomStep = std::sqrt(2.0);
@@ -47,10 +46,9 @@ RadarView::RadarView(ViewContext& context, QWidget* parent) : View(context, pare
 RadarView::~RadarView() = default;
 
 void RadarView::createActions() {
-  northUp_ =
-      makeAction(this, "north",
-                 {"radarNorthUp", tr("Like the map"),
-                  tr("Up is where the map's y-axis points; otherwise where the robot looks"), Qt::Key_N});
+  northUp_ = makeAction(this, "north",
+                        {"radarNorthUp", tr("Align with map"),
+                         tr("Up is the map's y-axis; otherwise the robot's heading"), Qt::Key_N});
   northUp_->setCheckable(true);
   zoomIn_ =
       makeAction(this, "zoom-in", {"radarZoomIn", tr("Zoom in"), tr("Shows less, larger"), Qt::Key_Plus});
@@ -60,9 +58,9 @@ void RadarView::createActions() {
                              {"radarDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   showDrawings_->setCheckable(true);
   copy_ = makeAction(this, "copy",
-                     {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+                     {"radarCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
   save_ = makeAction(this, "save",
-                     {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                     {"radarSave", tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
@@ -99,7 +97,7 @@ QWidget* RadarView::createToolRow() {
 QWidget* RadarView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "radarTime", tr("Time that is shown"));
-  state_ = addLabel(footer, "radarState", tr("Whether what is shown is old"));
+  state_ = addLabel(footer, "radarState", tr("Whether the data is old"));
   nearest_ = addLabel(footer, "radarNearest", tr("The nearest things, from sonar and laser"));
   footer->addStretch(1);
   cursor_ = addLabel(footer, "radarCursor", tr("Place under the cursor, seen from the robot"));
@@ -171,8 +169,8 @@ QString RadarView::hint(const std::string& robot, bool reported) const {
   const auto description = context().robots.find(robot);
   if (description != context().robots.end() && description->second && !description->second->drive)
     return tr("%1 has neither sonars nor a laser. Choose a robot on wheels.").arg(name);
-  return tr("Nothing heard yet of %1’s sonars and laser. Start the simulation, or switch the robot’s sonars "
-            "on.")
+  return tr("Nothing received yet from %1’s sonars and laser. Start the simulation, or switch the robot’s "
+            "sonars on.")
       .arg(name);
 }
 

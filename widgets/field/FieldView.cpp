@@ -81,9 +81,9 @@ void FieldView::createActions() {
   for (QAction* action : {move_, showTrails_, showDrawings_}) action->setCheckable(true);
   move_->setChecked(true);
   copy_ = makeAction(this, "copy",
-                     {"fieldCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+                     {"fieldCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
   save_ = makeAction(this, "save",
-                     {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                     {"fieldSave", tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
@@ -112,7 +112,7 @@ void FieldView::createViews() {
 QWidget* FieldView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("fieldRobot", row->parentWidget());
-  robots_->setToolTip(tr("Whose drawings are shown, and where it believes that it and the ball are"));
+  robots_->setToolTip(tr("Whose drawings and estimated poses are shown"));
   row->addWidget(robots_);
   row->addStretch(1);
   addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_,
@@ -123,7 +123,7 @@ QWidget* FieldView::createToolRow() {
 QWidget* FieldView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "fieldTime", tr("Time that is shown"));
-  state_ = addLabel(footer, "fieldState", tr("What of the picture is old"));
+  state_ = addLabel(footer, "fieldState", tr("Which drawings are old"));
   footer->addStretch(1);
   cursor_ = addLabel(footer, "fieldCursor", tr("Place under the cursor, in the field's frame"));
   zoom_ = addLabel(footer, "fieldZoom", tr("Scale"));

@@ -26,15 +26,15 @@ GoalSender::Aim aimAt(const FieldCanvas& canvas, double x, double y, int place) 
 
 GoalTool::GoalTool(QWidget& owner, FieldCanvas& canvas, robotlink::Session& session)
     : QObject(&owner), canvas_(canvas), session_(session) {
-  send_ = makeAction(&owner, "goal",
-                     {"fieldSend", tr("Send the robot"),
-                      tr("A click sends the robot there, dragging says where it shall look then; otherwise "
-                         "only with Control"),
-                      Qt::Key_G});
+  send_ = makeAction(
+      &owner, "goal",
+      {"fieldSend", tr("Send the robot"),
+       tr("A click sends the robot there, dragging sets its final heading; otherwise only with Control"),
+       Qt::Key_G});
   send_->setCheckable(true);
-  cancel_ = makeAction(
-      &owner, "cancel-goal",
-      {"fieldCancelGoal", tr("Cancel the goal"), tr("The robot goes nowhere any more"), Qt::Key_Escape});
+  cancel_ =
+      makeAction(&owner, "cancel-goal",
+                 {"fieldCancelGoal", tr("Cancel the goal"), tr("Cancels the robot's goal"), Qt::Key_Escape});
   connect(send_, &QAction::toggled, this, &GoalTool::show);
   connect(cancel_, &QAction::triggered, this, &GoalTool::cancelGoal);
   connectCanvas();

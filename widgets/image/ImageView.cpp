@@ -56,18 +56,19 @@ void ImageView::createActions() {
   zoomOut_ = makeAction(this, "zoom-out",
                         {"imageZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
-      this, "lock", {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
+      this, "lock",
+      {"imageFreeze", tr("Freeze"), tr("Freezes this image while the robot continues"), Qt::Key_H});
   showDrawings_ = makeAction(this, "layers",
                              {"imageDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   freeze_->setCheckable(true);
   showDrawings_->setCheckable(true);
   copy_ = makeAction(this, "copy",
-                     {"imageCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+                     {"imageCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
   copyImage_ = makeAction(
       this, "copy",
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
   save_ = makeAction(this, "save",
-                     {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                     {"imageSave", tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   saveImage_ = makeAction(this, "save",
                           {"imageSaveImage", tr("Save image only..."),

@@ -26,8 +26,8 @@ namespace {
 
 const ViewRegistration kDebugKeysViewRegistration{
     {"debug-keys", QT_TRANSLATE_NOOP("View", "Debug keys"),
-     QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
-     false, create<DebugKeysView>}};
+     QT_TRANSLATE_NOOP("View", "Switches what the robot's processes publish: drawings, images, plots."),
+     "keys", false, create<DebugKeysView>}};
 
 }  // namespace
 
@@ -43,7 +43,7 @@ DebugKeysView::DebugKeysView(ViewContext& context, QWidget* parent)
 
 void DebugKeysView::createActions() {
   activeOnly_ = makeAction(this, "filter",
-                           {"keysActiveOnly", tr("Only those that are on"),
+                           {"keysActiveOnly", tr("Only keys that are on"),
                             tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
   activeOnly_->setCheckable(true);
   allOff_ = makeAction(this, "clear",
@@ -52,8 +52,8 @@ void DebugKeysView::createActions() {
       makeAction(this, "save",
                  {"keysSavePreset", tr("Save preset"),
                   tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
-  removePreset_ = makeAction(
-      this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
+  removePreset_ =
+      makeAction(this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Deletes the named preset")});
 }
 
 void DebugKeysView::createViews() {
@@ -159,10 +159,10 @@ void DebugKeysView::showState() {
   if (session().selectedRobot().empty()) {
     hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   } else if (keys.empty()) {
-    hint_->setHint(tr("The robot has not told its debug keys yet. Start its program."));
+    hint_->setHint(tr("The robot has not reported its debug keys yet. Start its program."));
   } else {
     hint_->setHint(filter_->rowCount() > 0 ? QString()
-                                           : tr("No key is like that. Clear the search or the filter."));
+                                           : tr("No key matches. Clear the search or the filter."));
   }
 }
 

@@ -20,7 +20,7 @@ namespace {
 const ViewRegistration kBookmarksViewRegistration{
     {"bookmarks", QT_TRANSLATE_NOOP("View", "Bookmarks"),
      QT_TRANSLATE_NOOP("View",
-                       "Lists the bookmarks of the open logs; lets one jump to them, edit and remove them."),
+                       "Lists the bookmarks of the open logs; lets you jump to them, edit and remove them."),
      "bookmark", false, create<BookmarksView>}};
 
 }  // namespace
@@ -35,14 +35,14 @@ BookmarksView::BookmarksView(ViewContext& context, QWidget* parent)
 }
 
 void BookmarksView::createActions() {
-  add_ = makeAction(this, "bookmark", {"bookmarkAdd", tr("Bookmark"), tr("Marks this moment")});
+  add_ = makeAction(this, "bookmark", {"bookmarkAdd", tr("Bookmark"), tr("Adds a bookmark at this moment")});
   remove_ = makeAction(this, "remove",
                        {"bookmarkRemove", tr("Remove"), tr("Removes the chosen bookmark"), Qt::Key_Delete});
   undo_ = makeAction(
       this, "undo",
-      {"bookmarkUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+      {"bookmarkUndo", tr("Undo"), tr("Undoes the last change of the bookmarks"), QKeySequence::Undo});
   redo_ = makeAction(this, "redo",
-                     {"bookmarkRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+                     {"bookmarkRedo", tr("Redo"), tr("Redoes what was undone"), QKeySequence::Redo});
 }
 
 void BookmarksView::createViews() {

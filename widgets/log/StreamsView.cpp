@@ -41,9 +41,8 @@ void StreamsView::createViews() {
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
 
   table_ = new QTableView(this);
-  describe(*table_,
-           {"streamsTable", tr("Streams of the logs"),
-            tr("The check shows a stream in the time line; a double click lets its messages be stepped")});
+  describe(*table_, {"streamsTable", tr("Streams of the logs"),
+                     tr("The check shows a stream in the timeline; a double click steps its messages")});
   table_->setToolTip({});
   table_->setModel(filtered_);
   table_->setSortingEnabled(true);

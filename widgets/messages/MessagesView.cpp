@@ -34,7 +34,7 @@ namespace {
 
 const ViewRegistration kMessagesViewRegistration{
     {"messages", QT_TRANSLATE_NOOP("View", "Messages"),
-     QT_TRANSLATE_NOOP("View", "Shows what the robots say in words, with filters and a search."), "messages",
+     QT_TRANSLATE_NOOP("View", "Shows the robots' text messages, with filters and a search."), "messages",
      true, create<MessagesView>}};
 
 LogEntry logEntry(const robotlink::StreamMessage& message, const QString& robot, const foxglove::Log& log) {
@@ -85,7 +85,7 @@ void MessagesView::createActions() {
   follow_->setChecked(true);
   pause_ = makeAction(this, "pause",
                       {"messagesPause", tr("Pause"),
-                       tr("Stops taking messages in; they come when it goes on"), tr("Ctrl+T")});
+                       tr("Stops adding messages; they arrive when it continues"), tr("Ctrl+T")});
   pause_->setCheckable(true);
   copy_ = makeAction(this, "copy",
                      {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
@@ -101,13 +101,13 @@ void MessagesView::createFilters() {
                     level);
   }
   robot_ = new QComboBox(this);
-  describe(*robot_, {"messagesRobot", tr("Robot"), tr("Shows what one robot says, or all")});
+  describe(*robot_, {"messagesRobot", tr("Robot"), tr("Shows messages of one robot, or of all")});
   robot_->addItem(tr("all robots"), QString());
   robot_->hide();
   pattern_ = makeSearchField(
-      this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source holds this")});
+      this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source contains this")});
   search_ = makeSearchField(this, {"messagesSearch", tr("Search"),
-                                   tr("Goes to the next message that holds this; Enter for the next")});
+                                   tr("Goes to the next message that contains this; Enter for the next")});
 }
 
 QWidget* MessagesView::createBar() {
@@ -334,7 +334,7 @@ void MessagesView::showState() {
   if (all == 0) {
     hint_->setHint(logs_.replay().open()
                        ? tr("The log holds no messages.")
-                       : tr("No messages yet. They appear here when a robot's program says something."));
+                       : tr("No messages yet. They appear here when a robot's program logs something."));
   } else {
     hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.")
                               : QString());

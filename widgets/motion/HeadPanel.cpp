@@ -30,7 +30,7 @@ HeadPanel::HeadPanel(QWidget* parent) : QGroupBox(tr("Head"), parent) {
   layout->setVerticalSpacing(2);
   layout->setColumnStretch(1, 1);
   mode_ = new QComboBox(this);
-  describe(*mode_, {"headMode", tr("Head mode"), tr("What the head shall do while you steer")});
+  describe(*mode_, {"headMode", tr("Head mode"), tr("What the head does while you steer")});
   mode_->addItems({tr("look ahead"), tr("search ball"), tr("track ball"), tr("look around"), tr("angles")});
   layout->addWidget(new QLabel(tr("Mode"), this), 0, 0);
   layout->addWidget(mode_, 0, 1, 1, 2);

@@ -75,7 +75,7 @@ void ManualControl::refused(const QString& reason) {
 QString ManualControl::text() const {
   switch (state_) {
     case State::kUnknown:
-      return translated("The robot has not told its behavior yet.");
+      return translated("The robot has not reported its behavior yet.");
     case State::kUnavailable:
       return translated("Cannot be taken over: %1").arg(reason_);
     case State::kSwitching:

@@ -29,7 +29,7 @@ namespace {
 
 const ViewRegistration kMotionViewRegistration{
     {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
-     QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion",
+     QT_TRANSLATE_NOOP("View", "Takes over the robot and steers it by mouse, keys and gamepad."), "motion",
      false, create<MotionView>}};
 
 constexpr int kTurnSteps = 100;

@@ -22,9 +22,9 @@ void SpeedPanel::createTable() {
   auto* layout = static_cast<QGridLayout*>(this->layout());
   const QString columns[] = {tr("forwards\nmm/s"), tr("left\nmm/s"), tr("turn\nrad/s")};
   const QString rows[] = {tr("asked"), tr("true"), tr("believed")};
-  const QString tips[] = {tr("What you ask for"),
+  const QString tips[] = {tr("What you request"),
                           tr("How the robot moved in the last half second, as the simulator knows"),
-                          tr("What the robot says of itself (motion/status, drive/state)")};
+                          tr("What the robot reports (motion/status, drive/state)")};
   const char* names[] = {"speedAsked", "speedMeasured", "speedBelieved"};
   const char* axes[] = {"X", "Y", "Turn"};
   for (int column = 0; column < 3; ++column) {
@@ -52,14 +52,13 @@ void SpeedPanel::createTable() {
 
 void SpeedPanel::createLimits() {
   speed_ = new QDoubleSpinBox(this);
-  describe(*speed_, {"limitSpeed", tr("Greatest speed"), tr("The speed that full deflection means")});
+  describe(*speed_, {"limitSpeed", tr("Maximum speed"), tr("Speed at full deflection")});
   speed_->setRange(10, 1000);
   speed_->setDecimals(0);
   speed_->setSingleStep(10);
   speed_->setSuffix(tr(" mm/s"));
   rotation_ = new QDoubleSpinBox(this);
-  describe(*rotation_,
-           {"limitRotation", tr("Greatest turn"), tr("The speed of turning that full deflection means")});
+  describe(*rotation_, {"limitRotation", tr("Maximum turn"), tr("Turning speed at full deflection")});
   rotation_->setRange(0.1, 10);
   rotation_->setSingleStep(0.1);
   rotation_->setSuffix(tr(" rad/s"));

@@ -18,8 +18,7 @@ constexpr std::size_t kMaxBytes = 1024;  // damaged bytes may be longer than any
 }  // namespace
 
 PacketDetails::PacketDetails(QWidget* parent) : QTreeWidget(parent) {
-  describe(*this, {"packetDetails", tr("Packet"),
-                   tr("What the selected packet says, field by field, and its bytes")});
+  describe(*this, {"packetDetails", tr("Packet"), tr("The selected packet, field by field, and its bytes")});
   setColumnCount(3);
   setHeaderLabels({tr("Field"), tr("Value"), tr("Unit")});
   styleTree(*this);

@@ -36,9 +36,8 @@ namespace {
 
 const ViewRegistration kPacketInspectorRegistration{
     {"packets", QT_TRANSLATE_NOOP("View", "Packets"),
-     QT_TRANSLATE_NOOP(
-         "View",
-         "What goes over the line to a robot, decoded, both ways; records and repeats conversations."),
+     QT_TRANSLATE_NOOP("View",
+                       "Shows the decoded packets from and to a robot; saves and replays conversations."),
      "link-packets", false, create<PacketInspector>}};
 
 }  // namespace
@@ -55,14 +54,14 @@ PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
 }
 
 void PacketInspector::createActions() {
-  damaged_ = makeAction(this, "warning",
-                        {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"),
-                         tr("Ctrl+Shift+D")});
+  damaged_ = makeAction(
+      this, "warning",
+      {"packetsDamaged", tr("Damaged only"), tr("Shows only damaged packets"), tr("Ctrl+Shift+D")});
   follow_ = makeAction(this, "follow",
                        {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
   pause_ = makeAction(
       this, "pause",
-      {"packetsPause", tr("Pause"), tr("Stops taking packets in; they come when it goes on"), tr("Ctrl+T")});
+      {"packetsPause", tr("Pause"), tr("Stops adding packets; they arrive when it continues"), tr("Ctrl+T")});
   for (QAction* action : {damaged_, follow_, pause_}) action->setCheckable(true);
   follow_->setChecked(true);
   copy_ = makeAction(
@@ -76,16 +75,15 @@ void PacketInspector::createActions() {
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   open_ = makeAction(this, "open",
                      {"packetsOpen", tr("Open conversation..."),
-                      tr("Shows a .wire file, whose client's half can be said again")});
+                      tr("Opens a .wire file, whose client packets can be replayed")});
   goLive_ = makeAction(
       this, "close",
-      {"packetsLive", tr("Back to the line"), tr("Closes the file and shows what goes over the line now")});
+      {"packetsLive", tr("Back to the line"), tr("Closes the file and shows the line's current packets")});
 }
 
 void PacketInspector::createFilters() {
   from_ = new QComboBox(this);
-  describe(*from_,
-           {"packetsFrom", tr("Direction"), tr("Shows what the robot says, what it is told, or both")});
+  describe(*from_, {"packetsFrom", tr("Direction"), tr("Shows packets from the robot, to it, or both")});
   from_->addItem(tr("both ways"));
   from_->addItem(tr("from the robot"));
   from_->addItem(tr("to the robot"));
@@ -99,7 +97,7 @@ void PacketInspector::createFilters() {
   names_->setMenu(namesMenu_);
   text_ = makeSearchField(
       this, {"packetsText", tr("Filter"),
-             tr("Shows only packets whose name, text or bytes (as hexadecimal digits) hold this")});
+             tr("Shows only packets whose name, text or bytes (as hexadecimal digits) contain this")});
 }
 
 QWidget* PacketInspector::createBar() {
@@ -380,7 +378,7 @@ void PacketInspector::showState() {
   const int all = shownModel().rowCount(), shown = filter_->rowCount();
   QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all)
                              : counted(all, tr("1 packet"), tr("%1 packets"));
-  if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to be kept").arg(dropped_);
+  if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to keep").arg(dropped_);
   if (pause_->isChecked()) text += tr("; paused");
   state_->setText(text);
   const int hidden = filter_->hiddenNames().size();

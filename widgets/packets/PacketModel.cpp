@@ -101,7 +101,7 @@ QVariant PacketModel::headerData(int section, Qt::Orientation orientation, int r
     case kName:
       return tr("Name");
     case kSummary:
-      return tr("What it says");
+      return tr("Contents");
     default:
       return tr("Bytes");
   }

@@ -16,11 +16,11 @@ PacketReplayBar::PacketReplayBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("packetReplayBar"));
   createActions();
   progress_ = new QProgressBar(this);
-  describe(*progress_, {"packetReplayProgress", tr("How much was said"), {}});
+  describe(*progress_, {"packetReplayProgress", tr("Replay progress"), {}});
   progress_->setFormat(QStringLiteral("%v / %m"));
   progress_->setMaximumWidth(160);
   state_ = new QLabel(this);
-  describe(*state_, {"packetReplayState", tr("What is being said again"), {}});
+  describe(*state_, {"packetReplayState", tr("What is being replayed"), {}});
   state_->setTextFormat(Qt::PlainText);
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
@@ -33,17 +33,17 @@ PacketReplayBar::PacketReplayBar(QWidget* parent) : QWidget(parent) {
 }
 
 void PacketReplayBar::createActions() {
-  play_ = makeAction(
-      this, "play",
-      {"packetReplay", tr("Say it again"),
-       tr("Sends what the client said to the robot, at its times; goes on only while this view is seen"),
-       tr("Ctrl+Return")});
+  play_ = makeAction(this, "play",
+                     {"packetReplay", tr("Replay"),
+                      tr("Sends the client's packets to the robot, at their times; continues only while this "
+                         "view is visible"),
+                      tr("Ctrl+Return")});
   step_ =
       makeAction(this, "step",
                  {"packetReplayStep", tr("Next packet"), tr("Sends the client's next packet"), tr("Ctrl+.")});
-  cancel_ = makeAction(
-      this, "halt",
-      {"packetReplayCancel", tr("Stop saying it"), tr("Sends no more"), tr("Ctrl+Shift+Backspace")});
+  cancel_ =
+      makeAction(this, "halt",
+                 {"packetReplayCancel", tr("Stop replay"), tr("Stops sending"), tr("Ctrl+Shift+Backspace")});
   connect(play_, &QAction::triggered, this, [this] {
     if (replay_.state() == ConversationReplay::State::kStepping) {
       replay_.setStepping(false);
@@ -76,7 +76,7 @@ void PacketReplayBar::begin(bool stepping) {
   if (!source_) return;
   problem_.clear();
   replay_.begin(source_(), stepping);
-  if (replay_.count() == 0) problem_ = tr("There is nothing that a client said.");
+  if (replay_.count() == 0) problem_ = tr("There are no packets of a client.");
   showState();
 }
 
@@ -118,17 +118,17 @@ void PacketReplayBar::showState() {
   progress_->setValue(static_cast<int>(replay_.done()));
   const QString leftOut =
       replay_.leftOut() > 0
-          ? counted(replay_.leftOut(), tr(" (1 left out that would make or end a connection)"),
-                    tr(" (%1 left out that would make or end a connection)"))
+          ? counted(replay_.leftOut(), tr(" (1 left out that would open or close a connection)"),
+                    tr(" (%1 left out that would open or close a connection)"))
           : QString();
   QString text = problem_;
   if (text.isEmpty() && state == State::kRunning)
-    text = tr("%1 is being said to %2").arg(name_, robot_) + leftOut;
+    text = tr("Replaying %1 to %2").arg(name_, robot_) + leftOut;
   if (text.isEmpty() && state == State::kStepping)
     text = tr("%1, packet by packet, to %2").arg(name_, robot_) + leftOut;
   if (text.isEmpty() && replay_.count() > 0 && replay_.done() == replay_.count())
-    text = tr("All of it was said") + leftOut;
-  if (text.isEmpty() && source_ && robot_.isEmpty()) text = tr("Connect to a robot to say it to.");
+    text = tr("Replay finished") + leftOut;
+  if (text.isEmpty() && source_ && robot_.isEmpty()) text = tr("Connect to a robot to replay to.");
   state_->setText(text);
   state_->setToolTip(text);
 }

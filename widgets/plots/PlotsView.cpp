@@ -75,9 +75,9 @@ void PlotsView::createActions() {
   follow_->setCheckable(true);
   follow_->setChecked(true);
   pause_ = makeAction(this, "pause",
-                      {"plotsPause", tr("Pause"), tr("Holds the picture; nothing is lost"), tr("Ctrl+T")});
+                      {"plotsPause", tr("Pause"), tr("Freezes the plot; nothing is lost"), tr("Ctrl+T")});
   pause_->setCheckable(true);
-  fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all that the curves have"), tr("Ctrl+0")});
+  fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all points of the curves"), tr("Ctrl+0")});
   csv_ = makeAction(this, "save",
                     {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
@@ -87,7 +87,7 @@ void PlotsView::createActions() {
 void PlotsView::createTree() {
   treePanel_ = new QWidget(this);
   search_ = makeSearchField(
-      treePanel_, {"plotsSearch", tr("Search values"), tr("Shows the values whose path holds this")});
+      treePanel_, {"plotsSearch", tr("Search values"), tr("Shows the values whose path contains this")});
   tree_ = new QTreeView(treePanel_);
   styleTree(*tree_);
   describe(*tree_, {"plotsTree", tr("Values that can be plotted"),

@@ -36,7 +36,7 @@ QVariant ProcessTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && index.column() == kState) return node.state;
   if (role == Qt::ToolTipRole && index.column() == kMissed && node.missed() > 0) {
     return node.fallsBehind() ? tr("The process does not keep up: it waits for each package, and loses some")
-                              : tr("Replaced by newer ones before they were read, as the layout means it");
+                              : tr("Replaced by newer ones before they were read, as the layout intends");
   }
   if (role == Qt::ForegroundRole) {
     if (node.failed) return colorOf(Meaning::kBad, QGuiApplication::palette());

@@ -51,9 +51,9 @@ void ProcessesView::createActions() {
                  {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")});
   details_->setCheckable(true);
   details_->setChecked(true);
-  refresh_ =
-      makeAction(this, "refresh",
-                 {"processesRefresh", tr("Ask again"), tr("Asks the robot for its tables"), tr("Shift+F5")});
+  refresh_ = makeAction(
+      this, "refresh",
+      {"processesRefresh", tr("Refresh"), tr("Requests the robot's tables again"), tr("Shift+F5")});
 }
 
 void ProcessesView::createViews() {
@@ -135,7 +135,7 @@ void ProcessesView::showTables() {
     hint_->setHint(
         robot_.empty()
             ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-            : tr("The robot has not told its processes yet. Start its program."));
+            : tr("The robot has not reported its processes yet. Start its program."));
     return;
   }
   const auto* older = store.latest(path, message->time - kMeanOver);

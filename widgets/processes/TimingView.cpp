@@ -47,7 +47,7 @@ void TimingView::createActions() {
   measure_->setCheckable(true);
   measure_->setChecked(true);
   reset_ = makeAction(this, "reset",
-                      {"timingReset", tr("Reset"), tr("Begins the statistics anew"), tr("Ctrl+Backspace")});
+                      {"timingReset", tr("Reset"), tr("Restarts the statistics"), tr("Ctrl+Backspace")});
   copy_ =
       makeAction(this, "copy",
                  {"timingCopy", tr("Copy as CSV"), tr("Copies the whole table as CSV"), QKeySequence::Copy});

@@ -61,8 +61,9 @@ void SceneView::createActions() {
   wireFrame_ =
       makeAction(this, "wireframe",
                  {"sceneWireFrame", tr("Wire frame"), tr("Shows the edges of all triangles"), Qt::Key_W});
-  grid_ = makeAction(
-      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines each half meter beside the field"), Qt::Key_G});
+  grid_ =
+      makeAction(this, "grid",
+                 {"sceneGrid", tr("Grid"), tr("Shows lines every half meter beside the field"), Qt::Key_G});
   labels_ = makeAction(
       this, "labels",
       {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L});
@@ -76,9 +77,9 @@ void SceneView::createActions() {
   for (QAction* action : {wireFrame_, grid_, labels_, move_, showDrawings_}) action->setCheckable(true);
   for (QAction* action : {grid_, labels_, move_}) action->setChecked(true);
   copy_ = makeAction(this, "copy",
-                     {"sceneCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+                     {"sceneCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
   save_ = makeAction(this, "save",
-                     {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                     {"sceneSave", tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
@@ -90,15 +91,15 @@ void SceneView::createCameraActions() {
                           {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_A});
   behind_ = makeAction(this, "behind",
                        {"sceneBehind", tr("Over the shoulder"),
-                        tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_B});
+                        tr("Looks over the robot's shoulder and follows it"), Qt::Key_B});
   follow_ =
       makeAction(this, "follow",
                  {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F});
   for (QAction* action : {behind_, follow_}) action->setCheckable(true);
   follow_->setChecked(true);
   ride_.setMode(CameraRide::Mode::kBeside);
-  zoomIn_ = makeAction(this, "zoom-in", {"sceneZoomIn", tr("Zoom in"), tr("Goes nearer"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out", {"sceneZoomOut", tr("Zoom out"), tr("Goes away"), Qt::Key_Minus});
+  zoomIn_ = makeAction(this, "zoom-in", {"sceneZoomIn", tr("Zoom in"), tr("Moves closer"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out", {"sceneZoomOut", tr("Zoom out"), tr("Moves away"), Qt::Key_Minus});
 }
 
 void SceneView::createViews() {

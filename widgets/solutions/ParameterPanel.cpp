@@ -47,18 +47,18 @@ ParameterPanel::ParameterPanel(robotlink::Session& session, QWidget* parent)
 }
 
 void ParameterPanel::createActions() {
-  undoAction_ = makeAction(
-      this, "undo", {"parametersUndo", tr("Undo"), tr("Takes the last edit back"), QKeySequence::Undo});
-  redoAction_ = makeAction(this, "redo",
-                           {"parametersRedo", tr("Redo"), tr("Makes the edit again"), QKeySequence::Redo});
+  undoAction_ = makeAction(this, "undo",
+                           {"parametersUndo", tr("Undo"), tr("Undoes the last edit"), QKeySequence::Undo});
+  redoAction_ =
+      makeAction(this, "redo", {"parametersRedo", tr("Redo"), tr("Redoes the edit"), QKeySequence::Redo});
   reset_ = makeAction(this, "reset",
                       {"parametersReset", tr("Reset to default"),
-                       tr("Gives the current parameter, or group, its default"), tr("Ctrl+Backspace")});
-  resetAll_ = makeAction(this, "clear",
-                         {"parametersResetAll", tr("Reset all"), tr("Gives every parameter its default")});
+                       tr("Resets the current parameter, or group, to its default"), tr("Ctrl+Backspace")});
+  resetAll_ = makeAction(
+      this, "clear", {"parametersResetAll", tr("Reset all"), tr("Resets every parameter to its default")});
   refresh_ = makeAction(
       this, "refresh",
-      {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("Shift+F5")});
+      {"parametersRefresh", tr("Read again"), tr("Requests the robot's values again"), tr("Shift+F5")});
 }
 
 void ParameterPanel::createViews() {
@@ -140,7 +140,7 @@ void ParameterPanel::askForValues() {
   request.mutable_get_parameters()->set_task(task_);
   request.mutable_get_parameters()->set_solution(solution_);
   ask(session_, robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-    if (!accepted) say(tr("Not told: %1").arg(reason), true);
+    if (!accepted) say(tr("Not reported: %1").arg(reason), true);
   });
 }
 

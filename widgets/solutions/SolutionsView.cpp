@@ -117,7 +117,7 @@ void SolutionsView::tick() {
         model_.rowCount() > 0 ? QString()
         : robot.empty()
             ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-            : tr("The robot has not told its tasks yet. Start its program."));
+            : tr("The robot has not reported its tasks yet. Start its program."));
   }
   defaults_->setEnabled(model_.rowCount() > 0);
   parameters_->tick();

@@ -37,7 +37,7 @@ bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLine
 }  // namespace
 
 TimeLineCanvas::TimeLineCanvas(QWidget* parent) : QAbstractScrollArea(parent) {
-  describe(*this, {"timeLineCanvas", tr("Time line"), tr("The logs over time, with the play head")});
+  describe(*this, {"timeLineCanvas", tr("Timeline"), tr("The logs over time, with the playhead")});
   setToolTip({});
   setFocusPolicy(Qt::StrongFocus);
   setFrameShape(QFrame::NoFrame);
@@ -82,7 +82,7 @@ void TimeLineCanvas::setShown(Instant time) {
   if (held_.drag == Drag::kScrub || time == look_.shown) return;
   look_.shown = time;
   if (follow_) keepShownInSight();
-  setAccessibleDescription(tr("Play head at %1 s").arg(timeText(time - look_.origin)));
+  setAccessibleDescription(tr("Playhead at %1 s").arg(timeText(time - look_.origin)));
   viewport()->update();
 }
 

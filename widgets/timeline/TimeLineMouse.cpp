@@ -310,7 +310,7 @@ QLineEdit* TimeLineCanvas::openEditor(const char* name, const QRect& where, cons
 }
 
 QString TimeLineCanvas::timeToolTip(Instant time) const {
-  return tr("%1 s since the beginning (time stamp %2 s)")
+  return tr("%1 s since the beginning (timestamp %2 s)")
       .arg(timeText(time - look_.begin), timeText(time.time_since_epoch()));
 }
 
@@ -326,7 +326,7 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const TimeLineLayout all = layout();
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
-    return tr("%1<br>Drag: move the play head. Shift+drag: select a range. Wheel: zoom.")
+    return tr("%1<br>Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.")
         .arg(timeToolTip(timeAt(point)));
   }
   if (lane == nullptr) return {};
@@ -338,13 +338,13 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
     }
     if (point.x() >= look_.gutter) return tr("Double click: add a bookmark here. Drag: select a range.");
     if (of.showsOffset && offsetRect(lane->rect, look_).contains(point)) {
-      return tr("What is added to this log's times. Drag it, or double click and type.");
+      return tr("Offset of this log's times. Drag it, or double click and type.");
     }
     return of.log != nullptr ? QString::fromStdString(of.log->file).toHtmlEscaped() : QString();
   }
   if (lane->kind == Kind::kTexts) return saidNear(of, timeAt(point) - of.offset);
   if (lane->kind != Kind::kStream)
-    return tr("%1<br>Drag: move the play head.").arg(timeToolTip(timeAt(point)));
+    return tr("%1<br>Drag: move the playhead.").arg(timeToolTip(timeAt(point)));
   const auto* stream = of.log->find(lane->stream);
   if (stream == nullptr) return {};
   return QStringLiteral("<b>%1</b><br>%2<br>%3<br>%4")

@@ -27,10 +27,10 @@ using robotlink::Instant;
 namespace {
 
 const ViewRegistration kTimeLineViewRegistration{
-    {"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
+    {"time-line", QT_TRANSLATE_NOOP("View", "Timeline"),
      QT_TRANSLATE_NOOP("View",
-                       "Shows logs over time: images, messages, warnings, "
-                       "bookmarks; lets one jump, select, cut and export."),
+                       "Shows logs over time: images, messages, warnings, bookmarks; lets you jump, select, "
+                       "cut and export."),
      "time-line", false, create<TimeLineView>}};
 
 QString withKey(const QString& text, ReplayKey key) {
@@ -51,22 +51,23 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
 }
 
 void TimeLineView::createActions() {
-  bookmark_ = makeAction(this, "bookmark",
-                         {"timeLineBookmark", tr("Bookmark"),
-                          withKey(tr("Marks this moment, and lets you name it"), ReplayKey::kBookmark)});
+  bookmark_ =
+      makeAction(this, "bookmark",
+                 {"timeLineBookmark", tr("Bookmark"),
+                  withKey(tr("Adds a bookmark at this moment, and lets you name it"), ReplayKey::kBookmark)});
   undo_ = makeAction(
       this, "undo",
-      {"timeLineUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+      {"timeLineUndo", tr("Undo"), tr("Undoes the last change of the bookmarks"), QKeySequence::Undo});
   redo_ = makeAction(this, "redo",
-                     {"timeLineRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+                     {"timeLineRedo", tr("Redo"), tr("Redoes what was undone"), QKeySequence::Redo});
   zoomOut_ =
       makeAction(this, "zoom-out",
-                 {"timeLineZoomOut", tr("Zoom out"), tr("Shows more time (also: the wheel)"), Qt::Key_Minus});
+                 {"timeLineZoomOut", tr("Zoom out"), tr("Shows more time (also: wheel)"), Qt::Key_Minus});
   zoomIn_ = makeAction(
       this, "zoom-in",
       {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
   fit_ = makeAction(this, "fit", {"timeLineFit", tr("Fit"), tr("Shows all of the logs"), Qt::Key_F});
-  follow_ = makeAction(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the play head in sight")});
+  follow_ = makeAction(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the playhead in sight")});
   follow_->setCheckable(true);
   follow_->setChecked(true);
 }
@@ -77,7 +78,7 @@ void TimeLineView::createRangeActions() {
   export_ = makeAction(
       this, "export",
       {"rangeExport", tr("Export"), tr("Writes the selected range, or all, as images, a table or texts")});
-  clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Selects nothing (Esc)")});
+  clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Clears the selection (Esc)")});
   exportMenu_ = new QMenu(this);
   exportMenu_->setObjectName(QStringLiteral("exportMenu"));
   exportMenu_->addAction(tr("Images as &PNG…"), this, &TimeLineView::exportImages)
@@ -344,9 +345,9 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   const auto* stream = all.laneAt(at);
   auto& replay = logs_.replay();
   menu->addAction(bookmark_);
-  menu->addAction(withKey(tr("Range begins here"), ReplayKey::kRangeStart), this,
+  menu->addAction(withKey(tr("Start range here"), ReplayKey::kRangeStart), this,
                   [&replay] { replay.beginRangeHere(); });
-  menu->addAction(withKey(tr("Range ends here"), ReplayKey::kRangeEnd), this,
+  menu->addAction(withKey(tr("End range here"), ReplayKey::kRangeEnd), this,
                   [&replay] { replay.endRangeHere(); });
   menu->addActions({loop_, cut_, clear_});
   if (stream != nullptr && stream->kind == TimeLineLayout::Kind::kStream) {

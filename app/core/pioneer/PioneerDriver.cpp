@@ -32,12 +32,11 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
     if (auto* packet = std::get_if<arcos::Packet>(&*found)) {
       packets.push_back(std::move(*packet));
     } else {
-      return robotlink::failure("drive.packet", std::string("what is to be sent holds no packet: ") +
+      return robotlink::failure("drive.packet", std::string("the bytes to send hold no packet: ") +
                                                     arcos::describe(std::get<arcos::Damage>(*found).kind));
     }
   }
-  if (parser.isPartial())
-    return robotlink::failure("drive.packet", "what is to be sent ends within a packet");
+  if (parser.isPartial()) return robotlink::failure("drive.packet", "the bytes to send end within a packet");
   return packets;
 }
 

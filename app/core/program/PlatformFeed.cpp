@@ -30,8 +30,7 @@ Result<void> PlatformFeed::requestReplay(const robotcontrol::Request&) {
 
 PlatformOpening::Made PlatformFeed::withLog(const std::filesystem::path&, robotlink::Duration,
                                             const logplayer::LogFile::Progress&) const {
-  return tl::unexpected(
-      robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}});
+  return tl::unexpected(robotlink::Errors{{"replay.none", "no log is open to add this one to", {}, {}}});
 }
 
 }  // namespace app

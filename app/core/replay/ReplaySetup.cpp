@@ -122,9 +122,8 @@ tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, co
   if (setup || logged == nullptr) return setup;
   auto shipped = read(nullptr, robot, layoutFile);
   if (!shipped) return setup;  // What is wrong with the log is not all that is wrong.
-  shipped->notes.push_back(
-      "the program's set-up in the log cannot be used; shipped files are taken instead: " +
-      robotlink::describe(setup.error()));
+  shipped->notes.push_back("the program's setup in the log cannot be used; shipped files are used instead: " +
+                           robotlink::describe(setup.error()));
   return shipped;
 }
 

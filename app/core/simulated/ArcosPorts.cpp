@@ -25,9 +25,8 @@ std::string printable(std::string text) {
 robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& world, const Options& options,
                                                                 Log teller) {
   if (world.pioneers().empty()) {
-    return robotlink::failure(
-        "arcos.no-robot",
-        "there is no Pioneer in this world that a program could connect to; add some with --robots");
+    return robotlink::failure("arcos.no-robot",
+                              "there is no Pioneer in this world to connect to; add some with --robots");
   }
   std::unique_ptr<ArcosPorts> made(new ArcosPorts(world, options, std::move(teller)));
   auto ports =
@@ -59,7 +58,7 @@ void ArcosPorts::logSuppressed() {
     const std::uint64_t count = texts_[robot].takeSuppressed(now);
     if (count == 0 || !log_) continue;
     log_(world_.pioneers()[robot]->robot() + ": " + std::to_string(count) +
-         " more messages of its client are not shown, because there are too many");
+         " more messages from its client are not shown: there are too many");
   }
 }
 
@@ -72,7 +71,7 @@ std::string ArcosPorts::url(std::size_t robot) const {
 std::string ArcosPorts::warning() const {
   if (ports_->loopbackOnly()) return {};
   return "the robots can be driven from every machine that reaches " + options_.address +
-         ", and ARCOS knows no password; open them to this machine alone if that is not wanted";
+         ", and ARCOS has no password; to prevent this, open them to this machine only";
 }
 
 void ArcosPorts::clientCame(std::size_t robot, const std::string& address) {

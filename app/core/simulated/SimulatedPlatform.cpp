@@ -16,8 +16,7 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
 
 robotlink::Result<void> SimulatedPlatform::control(const robotcontrol::ControlDrive& details) {
   (void)details;
-  return robotlink::failure("platform.no-drive", robot_ + " has no wheels that this could be asked of", {},
-                            {robot_});
+  return robotlink::failure("platform.no-drive", robot_ + " has no wheels, which this needs", {}, {robot_});
 }
 
 void SimulatedPlatform::sendOracle() {

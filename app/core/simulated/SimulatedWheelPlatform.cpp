@@ -108,9 +108,8 @@ void SimulatedWheelPlatform::approach(double forward, double rotation) {
 
 robotlink::Result<void> SimulatedWheelPlatform::control(const robotcontrol::ControlDrive& details) {
   if (details.packets_size() > 0) {
-    return robotlink::failure("drive.no-controller",
-                              robot() + " has no microcontroller that packets could be sent to", {},
-                              {robot()});
+    return robotlink::failure("drive.no-controller", robot() + " has no microcontroller to send packets to",
+                              {}, {robot()});
   }
   if (details.has_motors()) {
     if (details.motors() && stopEngaged())

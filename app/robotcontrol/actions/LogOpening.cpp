@@ -37,7 +37,7 @@ void LogOpening::fillMenu(QMenu& menu) {
   open->setObjectName(QStringLiteral("openLog"));
   add_ = menu.addAction(tr("&Add log…"), this, [this] { ask(true); });
   add_->setObjectName(QStringLiteral("addLog"));
-  add_->setStatusTip(tr("Opens one more log on the same time line"));
+  add_->setStatusTip(tr("Adds a log to the timeline"));
   recentMenu_ = menu.addMenu(tr("&Recent logs"));
   recentMenu_->setObjectName(QStringLiteral("recentLogs"));
   recentMenu_->setToolTipsVisible(true);

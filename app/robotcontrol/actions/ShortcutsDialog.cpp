@@ -70,7 +70,7 @@ ShortcutsDialog::ShortcutsDialog(const WindowKeys& keys, QWidget* window) : QDia
   setObjectName(QStringLiteral("shortcutsDialog"));
   setWindowTitle(tr("Keyboard shortcuts"));
   auto* search = widgets::makeSearchField(
-      this, {"shortcutsSearch", tr("Search"), tr("Shows only what has these words in it")});
+      this, {"shortcutsSearch", tr("Search"), tr("Shows only entries that contain these words")});
   list_ = new QTreeWidget(this);
   list_->setObjectName(QStringLiteral("shortcutsList"));
   list_->setAccessibleName(tr("Keyboard shortcuts"));

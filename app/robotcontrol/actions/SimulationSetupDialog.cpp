@@ -98,22 +98,22 @@ void SimulationSetupDialog::createRobots() {
   for (const auto& robot : Workbench::simulatedRobots())
     kind_->addItem(QString::fromStdString(robot.title), QString::fromStdString(robot.name));
   kind_->setCurrentIndex(std::max(0, kind_->findData(QString::fromStdString(simcore::RobotsToAdd{}.model))));
-  kind_->setToolTip(tr("What kind of robots are put into the world, beside those that it has"));
+  kind_->setToolTip(tr("Kind of the robots to add to the world"));
   robots_ = new QSpinBox(group);
   robots_->setObjectName(QStringLiteral("setupRobots"));
   robots_->setRange(0, kMaxRobots);
   robots_->setSpecialValueText(tr("none"));
   robots_->setToolTip(
-      tr("At the home of a map or the places of the kick-off first, then where there is room"));
+      tr("Placed at the map's home or the kick-off positions first, then where there is room"));
   teams_ = new QComboBox(group);
   teams_->setObjectName(QStringLiteral("setupTeams"));
   teams_->addItem(tr("Both, as many in each"), QStringLiteral("both"));
   teams_->addItem(tr("Red"), QStringLiteral("red"));
   teams_->addItem(tr("Blue"), QStringLiteral("blue"));
-  teams_->setToolTip(tr("In which team the added robots play; the red one plays to the sky-blue goal"));
+  teams_->setToolTip(tr("Team of the added robots; red plays toward the sky-blue goal"));
   kinematic_ = new QCheckBox(tr("Moved by their odometry, without forces"), group);
   kinematic_->setObjectName(QStringLiteral("setupKinematic"));
-  kinematic_->setToolTip(tr("Cheaper, for many robots: nothing slips, and what is in the way stops them"));
+  kinematic_->setToolTip(tr("Faster with many robots: nothing slips, and obstacles stop them"));
   form->addRow(tr("Kind:"), kind_);
   form->addRow(tr("Add:"), robots_);
   form->addRow(tr("Teams:"), teams_);
@@ -124,22 +124,22 @@ void SimulationSetupDialog::createRobots() {
 }
 
 void SimulationSetupDialog::createPorts() {
-  auto* group = new QGroupBox(tr("Programs outside"), this);
+  auto* group = new QGroupBox(tr("External programs"), this);
   auto* form = new QFormLayout(group);
   ports_ = new QCheckBox(tr("Can drive the robots over ARCOS"), group);
   ports_->setObjectName(QStringLiteral("setupPorts"));
   ports_->setToolTip(
-      tr("Each robot with such a microcontroller has a TCP port; a program that is connected there drives it "
-         "instead of the one that runs here"));
+      tr("Each robot with an ARCOS microcontroller gets a TCP port; a program connected there drives it "
+         "instead of the one here"));
   port_ = new QSpinBox(group);
   port_->setObjectName(QStringLiteral("setupPort"));
   port_->setRange(1024, 65535 - kMaxRobots);
   port_->setValue(8101);
-  port_->setToolTip(tr("Of the first robot; the next one has the next port"));
+  port_->setToolTip(tr("Port of the first robot; the next robot has the next one"));
   network_ = new QCheckBox(tr("From other computers, too"), group);
   network_->setObjectName(QStringLiteral("setupNetwork"));
   network_->setToolTip(
-      tr("Anybody who reaches this computer can drive the robots then: ARCOS knows no password"));
+      tr("Anyone who can reach this computer can then drive the robots: ARCOS has no password"));
   form->addRow(ports_);
   form->addRow(tr("First port:"), port_);
   form->addRow(QString(), network_);
@@ -197,9 +197,9 @@ void SimulationSetupDialog::update() {
   buttons_->button(QDialogButtonBox::Open)->setEnabled(!scene_->currentText().trimmed().isEmpty());
   QString text;
   if (isMap(scene_->currentText().toStdString()) && !adds)
-    text = tr("A map has no robots of its own: none will be there.");
+    text = tr("A map has no robots of its own: there will be none.");
   if (ports_->isChecked() && network_->isChecked()) {
-    text = tr("Everybody who reaches this computer over the network will be able to drive these robots.");
+    text = tr("Anyone who can reach this computer over the network will be able to drive these robots.");
   }
   hint_->setText(text);
 }

@@ -66,10 +66,9 @@ StreamChooser::StreamChooser(const StreamSelection& selection, std::vector<std::
 
 void StreamChooser::createWidgets() {
   auto* layout = new QVBoxLayout(this);
-  auto* help = new QLabel(
-      tr("Streams by their paths, with * for any text, between commas; - before what is left out. Nothing "
-         "here is all that a replay needs. The program's set-up is always recorded."),
-      this);
+  auto* help = new QLabel(tr("Comma-separated stream paths; * matches any text, - excludes. Empty: all that "
+                             "a replay needs. The program's setup is always recorded."),
+                          this);
   help->setWordWrap(true);
   layout->addWidget(help);
   patterns_ = new QLineEdit(this);
@@ -86,7 +85,7 @@ void StreamChooser::createWidgets() {
   list_ = new QListWidget(this);
   list_->setObjectName(QStringLiteral("streamList"));
   list_->setAccessibleName(tr("Streams"));
-  list_->setToolTip(tr("The streams that there are now; those with a tick are recorded"));
+  list_->setToolTip(tr("Current streams; checked ones are recorded"));
   for (const std::string& path : streams_) list_->addItem(QString::fromStdString(path));
   layout->addWidget(list_, 1);
   buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);

@@ -73,7 +73,7 @@ void ColorTableButton::show(const robotcontrol::ColorTable& table) {
                                                 fontMetrics().averageCharWidth() * kMaxCharacters);
   setText(tr("Colors: %1").arg(name));
   QString tip = table.source() == robotlink::kBuiltInColorTable
-                    ? tr("The robot's program uses its built-in color table, made of the field's colors")
+                    ? tr("The robot's program uses its built-in color table, made from the field's colors")
                     : tr("The color table that the robot's program uses: %1").arg(source);
   if (!loaded.isEmpty()) tip += QLatin1Char('\n') + tr("loaded %1").arg(loaded);
   setToolTip(tip + QLatin1Char('\n') + tr("Click to use another one"));

@@ -57,20 +57,20 @@ void LightMenu::createPanel() {
   auto* grid = new QGridLayout(panel);
   brightness_ = createControl(*grid, {"lightBrightness",
                                       tr("Brightness"),
-                                      tr("How bright all light is, times that of the scene"),
+                                      tr("Brightness of all light, relative to the scene's"),
                                       0,
                                       10,
                                       3,
                                       {tr("0"), tr("1"), tr("2"), tr("3")}});
   brightness_.box->setSuffix(tr(" ×"));
-  warmth_ = createControl(*grid, {"lightWarmth",
-                                  tr("Warmth"),
-                                  tr("The color of all light: above 0 reddish as that of bulbs, below 0 "
-                                     "bluish as that of the sky"),
-                                  -1,
-                                  1,
-                                  1,
-                                  {tr("bluish"), tr("0"), tr("reddish")}});
+  warmth_ =
+      createControl(*grid, {"lightWarmth",
+                            tr("Warmth"),
+                            tr("Color of all light: above 0 reddish like bulbs, below 0 bluish like the sky"),
+                            -1,
+                            1,
+                            1,
+                            {tr("bluish"), tr("0"), tr("reddish")}});
   auto* action = new QWidgetAction(this);
   action->setDefaultWidget(panel);
   addAction(action);

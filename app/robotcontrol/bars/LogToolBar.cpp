@@ -65,9 +65,10 @@ void LogToolBar::createSteps() {
        });
   stop_ = make({"log.stop", "halt", tr("Stop"), tr("Pauses at the start of the log")}, run("log.stop"));
   make(ReplayKey::kFrameBack,
-       {"log.frameBack", "step-back", tr("Frame back"), tr("Back by one frame of the process")},
+       {"log.frameBack", "step-back", tr("Frame back"), tr("Back one frame of the process")},
        run("log.step", {-1.0}));
-  make(ReplayKey::kFrameOn, {"log.frameOn", "step", tr("Frame on"), tr("On by one frame of the process")},
+  make(ReplayKey::kFrameOn,
+       {"log.frameOn", "step", tr("Frame forward"), tr("Forward one frame of the process")},
        run("log.step", {1.0}));
   const auto message = [this](double count) {
     return [this, count] {
@@ -75,7 +76,7 @@ void LogToolBar::createSteps() {
     };
   };
   make(ReplayKey::kMessageBack, {"log.messageBack", "message-back", tr("Message back"), {}}, message(-1));
-  make(ReplayKey::kMessageOn, {"log.messageOn", "message-on", tr("Message on"), {}}, message(1));
+  make(ReplayKey::kMessageOn, {"log.messageOn", "message-on", tr("Message forward"), {}}, message(1));
 }
 
 void LogToolBar::createLongSteps() {
@@ -85,13 +86,14 @@ void LogToolBar::createLongSteps() {
   };
   const auto key = [&replay](ReplayKey what) { return [&replay, what] { widgets::press(what, replay); }; };
   make(ReplayKey::kTenFramesBack,
-       {"log.tenFramesBack", "step-back", tr("10 frames back"), tr("Back by ten frames of the process")},
+       {"log.tenFramesBack", "step-back", tr("10 frames back"), tr("Back ten frames of the process")},
        frames(-10));
   make(ReplayKey::kTenFramesOn,
-       {"log.tenFramesOn", "step", tr("10 frames on"), tr("On by ten frames of the process")}, frames(10));
-  make(ReplayKey::kSecondBack, {"log.secondBack", "step-back", tr("1 s back"), tr("Back by one second")},
+       {"log.tenFramesOn", "step", tr("10 frames forward"), tr("Forward ten frames of the process")},
+       frames(10));
+  make(ReplayKey::kSecondBack, {"log.secondBack", "step-back", tr("1 s back"), tr("Back one second")},
        key(ReplayKey::kSecondBack));
-  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s on"), tr("On by one second")},
+  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s on"), tr("Forward one second")},
        key(ReplayKey::kSecondOn));
   make(ReplayKey::kStart,
        {"log.toStart", "step-back", tr("To the start"), tr("Jumps to the start of the log")},
@@ -103,15 +105,15 @@ void LogToolBar::createLongSteps() {
 void LogToolBar::createRangeActions() {
   auto& replay = logs_.replay();
   make(ReplayKey::kRangeStart,
-       {"log.rangeStart", "grab", tr("Range begins here"), tr("Selects from the moment that is shown")},
+       {"log.rangeStart", "grab", tr("Start range here"), tr("Selects from the shown moment")},
        [&replay] { replay.beginRangeHere(); });
   make(ReplayKey::kRangeEnd,
-       {"log.rangeEnd", "grab", tr("Range ends here"), tr("Selects up to the moment that is shown")},
+       {"log.rangeEnd", "grab", tr("End range here"), tr("Selects up to the shown moment")},
        [&replay] { replay.endRangeHere(); });
-  clearRange_ = make({"log.clearRange", "clear", tr("Clear range"), tr("Selects nothing")},
+  clearRange_ = make({"log.clearRange", "clear", tr("Clear range"), tr("Clears the selection")},
                      [&replay] { replay.clearRange(); });
   make(ReplayKey::kBookmark,
-       {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Marks the moment that is shown")},
+       {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Adds a bookmark at the shown moment")},
        [this] { logs_.addBookmarkHere(); });
 }
 
@@ -123,21 +125,20 @@ void LogToolBar::createOptions() {
             [this, command](bool on) { actions_.run(QLatin1String(command), {on}); });
     return action;
   };
-  loop_ = option(
-      {"log.loop", "loop", tr("Loop"), tr("Plays again and again: the selected range, or all of the log")},
-      "log.loop");
-  timeStamps_ = make(
-      {"log.timeStamps", "timing", tr("Time stamps"),
-       tr("Shows times in all views as the messages bear them, instead of since the beginning of the log")},
-      [] {});
+  loop_ =
+      option({"log.loop", "loop", tr("Loop"), tr("Loops the selected range, or the whole log")}, "log.loop");
+  timeStamps_ =
+      make({"log.timeStamps", "timing", tr("Timestamps"),
+            tr("Shows the messages' own timestamps in all views, instead of times since the log's start")},
+           [] {});
   timeStamps_->setCheckable(true);
   connect(timeStamps_, &QAction::toggled, this, [this](bool on) {
     logs_.replay().setShowsTimeStamps(on);
     refresh();
   });
-  skipGaps_ = option({"log.skipGaps", "skip-gaps", tr("Skip gaps"),
-                      tr("Goes on at once where nothing was logged for more than a second")},
-                     "log.skip-gaps");
+  skipGaps_ = option(
+      {"log.skipGaps", "skip-gaps", tr("Skip gaps"), tr("Skips gaps of more than a second in the log")},
+      "log.skip-gaps");
 }
 
 void LogToolBar::createFields() {
@@ -154,17 +155,16 @@ void LogToolBar::createFields() {
     return edit;
   };
   time_ = field(11);
-  describe(time_, "logTime", tr("Time in seconds"),
-           tr("The time that is shown, in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and "
-              "-2 from here"));
+  describe(
+      time_, "logTime", tr("Time in seconds"),
+      tr("The shown time in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and -2 from here"));
   frame_ = field(7);
-  describe(frame_, "logFrame", tr("Frame"),
-           tr("The number of the frame that is shown. Type another one to jump there"));
+  describe(frame_, "logFrame", tr("Frame"), tr("The shown frame's number. Type another one to jump there"));
   end_ = new QLabel(this);
   describe(end_, "logEnd", tr("End of the log"), tr("The time of the log's end"));
   frames_ = new QLabel(this);
   describe(frames_, "logFrames", tr("Frames"),
-           tr("Which one it is, and how many frames of the process the log holds"));
+           tr("The shown frame, and how many frames of the process the log holds"));
   process_ = new QComboBox(this);
   describe(process_, "logProcess", tr("Process"), tr("The process whose frames are stepped and counted"));
   process_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -243,7 +243,7 @@ void LogToolBar::jumpToTypedTime() {
   const auto time = widgets::timeFromText(time_->text(), replay.shown() - origin);
   if (!time)
     return Q_EMIT logs_.failed(
-        tr("\"%1\" is no time; type seconds (12.5), minutes and seconds (1:02.5), or +2 and -2 from here.")
+        tr("\"%1\" is not a time; type seconds (12.5), minutes and seconds (1:02.5), or +2 and -2 from here.")
             .arg(time_->text()));
   replay.jumpTo(origin + *time);
   time_->clearFocus();
@@ -252,7 +252,7 @@ void LogToolBar::jumpToTypedTime() {
 void LogToolBar::jumpToTypedFrame() {
   bool ok = false;
   const double frame = static_cast<double>(frame_->text().trimmed().toULongLong(&ok));
-  if (!ok) return Q_EMIT logs_.failed(tr("\"%1\" is no number of a frame.").arg(frame_->text()));
+  if (!ok) return Q_EMIT logs_.failed(tr("\"%1\" is not a frame number.").arg(frame_->text()));
   actions_.run(QStringLiteral("log.jump-frame"), {frame});
   frame_->clearFocus();
 }
@@ -306,7 +306,7 @@ void LogToolBar::refreshTips() {
     keyed_.at(key)->setEnabled(!logs_.replay().steppedStream().empty());
   };
   tip(ReplayKey::kMessageBack, tr("Back to the last message of %1").arg(name));
-  tip(ReplayKey::kMessageOn, tr("On to the next message of %1").arg(name));
+  tip(ReplayKey::kMessageOn, tr("Forward to the next message of %1").arg(name));
 }
 
 void LogToolBar::refresh() {

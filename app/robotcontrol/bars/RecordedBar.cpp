@@ -49,7 +49,7 @@ void RecordedBar::createWidgets() {
     return button;
   };
   connect(add("recordedOpen", "time-line", tr("Open"),
-              tr("Opens the recording as a log, in place of what runs here")),
+              tr("Opens the recording as a log, instead of what runs here")),
           &QToolButton::clicked, this, &RecordedBar::open);
   connect(
       add("recordedFolder", "open", tr("Show in folder"), tr("Opens the folder that the recording is in")),
@@ -85,7 +85,7 @@ void RecordedBar::noticeRecording(const RecordingStatus& status) {
                                 .arg(QString::fromStdString(status.failure()));
   const int others = static_cast<int>(files_.size()) - 1;
   const QString more =
-      others > 0 ? tr(" (the last of %1 files: each reset begins a new one)").arg(others + 1) : QString();
+      others > 0 ? tr(" (the last of %1 files: each reset starts a new one)").arg(others + 1) : QString();
   const QString length = RecordingToolBar::lengthText(status);
   showFile(QString::fromStdString(files_.back()),
            tr("%1 %2 into %3").arg(how, length, QStringLiteral("%1")) + more);

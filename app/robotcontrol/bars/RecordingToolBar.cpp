@@ -72,9 +72,9 @@ void RecordingToolBar::createActions() {
   bookmark_->setObjectName(QStringLiteral("recording.bookmark"));
   bookmark_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+B")));
   bookmark_->setShortcutContext(Qt::ApplicationShortcut);
-  bookmark_->setToolTip(tr("Marks the instant that is shown in the recording; if none runs, saves the last "
-                           "seconds with the mark (%1)")
-                            .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
+  bookmark_->setToolTip(
+      tr("Marks the shown instant in the recording; without one, saves the last seconds with the mark (%1)")
+          .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
   connect(bookmark_, &QAction::triggered, this, &RecordingToolBar::bookmark);
   recordingActions_ = {record_, saveLast_, bookmark_};
 }
@@ -114,7 +114,7 @@ void RecordingToolBar::createMenu() {
   trigger_ =
       menu_->addAction(widgets::icon("follow"), tr("&Trigger…"), this, &RecordingToolBar::chooseTrigger);
   trigger_->setObjectName(QStringLiteral("recording.trigger"));
-  trigger_->setToolTip(tr("The last seconds are saved when something is told in a stream of your choice"));
+  trigger_->setToolTip(tr("Saves the last seconds when a message arrives on a stream you choose"));
   menu_->addSeparator();
   QAction* streams =
       menu_->addAction(widgets::icon("check-all"), tr("&Streams…"), this, &RecordingToolBar::chooseStreams);
@@ -122,8 +122,8 @@ void RecordingToolBar::createMenu() {
   streams->setToolTip(tr("What is recorded"));
   images_ = addChoices(tr("&Images"), "image", "recording.images",
                        {{tr("As they are"), QStringLiteral("as-is")},
-                        {tr("JPEG (small, with losses)"), QStringLiteral("jpeg")},
-                        {tr("PNG (without losses, slow)"), QStringLiteral("png")}});
+                        {tr("JPEG (small, lossy)"), QStringLiteral("jpeg")},
+                        {tr("PNG (lossless, slow)"), QStringLiteral("png")}});
   compression_ = addChoices(tr("&Compression"), "layers", "recording.compression",
                             {{tr("None"), QStringLiteral("none")},
                              {tr("LZ4 (fast)"), QStringLiteral("lz4")},
@@ -163,8 +163,7 @@ QString RecordingToolBar::statusText(const RecordingStatus& status) {
   if (status.keep_last() > 0 && status.kept_seconds() > 0)
     parts << tr("keeps %1 s").arg(std::floor(status.kept_seconds()), 0, 'f', 0);
   if (status.dropped_messages() > 0)
-    parts << widgets::counted(status.dropped_messages(), tr("1 message left out"),
-                              tr("%1 messages left out"));
+    parts << widgets::counted(status.dropped_messages(), tr("1 message dropped"), tr("%1 messages dropped"));
   if (parts.isEmpty()) return status.failure().empty() ? tr("not recording") : tr("recording failed");
   return parts.join(QStringLiteral("  "));
 }
@@ -199,7 +198,7 @@ void RecordingToolBar::refresh() {
   QStringList details;
   if (status.recording()) details << tr("Recording into %1").arg(QString::fromStdString(status.path()));
   if (status.dropped_messages() > 0) {
-    details << tr("The disk did not keep up: %1 were left out").arg(megabytes(status.dropped_bytes()));
+    details << tr("The disk did not keep up: %1 were dropped").arg(megabytes(status.dropped_bytes()));
   }
   if (!status.recording() && !status.path().empty())
     details << tr("Last: %1").arg(QString::fromStdString(status.path()));
@@ -237,9 +236,8 @@ void RecordingToolBar::chooseTrigger() {
   bool accepted = false;
   const QString chosen =
       QInputDialog::getItem(this, tr("Trigger"),
-                            tr("The last seconds are saved when something is told in this stream (* stands "
-                               "for any text). A debug key must be on to "
-                               "be told. Nothing: never by itself."),
+                            tr("Saves the last seconds when a message arrives on this stream (* matches any "
+                               "text). A debug key must be on to publish. Empty: never."),
                             streams, static_cast<int>(streams.indexOf(now)), true, &accepted);
   if (accepted) actions_.run(QStringLiteral("recording.trigger"), {chosen.trimmed().toStdString()});
 }
@@ -254,10 +252,9 @@ void RecordingToolBar::bookmark() {
   // The bookmark has the time of the key press; the dialog for its text may take longer.
   const robotlink::Instant time = workbench_.session().timeline().shown();
   bool accepted = false;
-  const QString text =
-      QInputDialog::getText(this, tr("Mark this instant"),
-                            tr("What is to be seen at %1 s:").arg(robotlink::seconds(time), 0, 'f', 3),
-                            QLineEdit::Normal, {}, &accepted);
+  const QString text = QInputDialog::getText(
+      this, tr("Mark this instant"), tr("What happens at %1 s:").arg(robotlink::seconds(time), 0, 'f', 3),
+      QLineEdit::Normal, {}, &accepted);
   if (!accepted) return;
   if (const auto done = workbench_.recording().bookmark(text.toStdString(), time); !done) {
     Q_EMIT actions_.refused(QString::fromStdString(done.error().text));

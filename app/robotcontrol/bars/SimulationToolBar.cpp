@@ -89,11 +89,11 @@ void SimulationToolBar::createActions() {
 }
 
 void SimulationToolBar::createBoxes() {
-  scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The scene that is simulated"));
+  scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The simulated scene"));
   layout_ =
       makeBox(this, "layoutBox", tr("Process layout"),
-              tr("Which process of the robot's program does which tasks; a change starts the program anew"));
-  robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars talk about"));
+              tr("Which process of the robot's program does which tasks; a change restarts the program"));
+  robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars show"));
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));

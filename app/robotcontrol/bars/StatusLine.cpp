@@ -32,14 +32,12 @@ QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int char
 StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
     : QObject(&bar),
       workbench_(workbench),
-      state_(addLabel(bar, "statusState", tr("What the simulation or the log does"), 10)),
-      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time that is shown, and its frame"),
-                     12)),
+      state_(addLabel(bar, "statusState", tr("State of the simulation or the log"), 10)),
+      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the shown time and frame"), 12)),
       speed_(addLabel(bar, "statusSpeed",
                       tr("How many times real time the simulation runs or the log is played"), 10)),
-      contacts_(addLabel(bar, "statusContacts", tr("How often a robot and the ball began to touch"), 16)),
-      dropped_(addLabel(bar, "statusDropped",
-                        tr("Messages that were lost because more came than could be taken in"), 12)) {}
+      contacts_(addLabel(bar, "statusContacts", tr("How often a robot has touched the ball"), 16)),
+      dropped_(addLabel(bar, "statusDropped", tr("Messages dropped because too many arrived"), 12)) {}
 
 void StatusLine::refresh() {
   auto& session = workbench_.session();

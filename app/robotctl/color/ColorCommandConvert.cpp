@@ -28,9 +28,8 @@ const TableFormatName* findFormat(const std::string& name) {
 /// Says what the new table lacks.
 int printImportLosses(const std::string& file, const colortool::ImportedTable& imported) {
   if (imported.mixedCells != 0)
-    std::cerr
-        << file << ": " << imported.mixedCells
-        << " cells were of several classes in the finer table; each is of the one that had most of it\n";
+    std::cerr << file << ": " << imported.mixedCells
+              << " cells had several classes in the finer table; each got the most frequent one\n";
   if (imported.reducedCells != 0)
     std::cerr
         << file << ": of " << imported.reducedCells
@@ -72,7 +71,7 @@ void addColorConvertCommand(CLI::App& color, int& status) {
   command->add_option("to", arguments->to, "The new table (.c64)")->required();
   std::vector<std::string> names;
   for (const TableFormatName& format : colortool::tableFormats()) names.emplace_back(format.name);
-  command->add_option("--format", arguments->format, "Of what it is a table, if that is not recognized")
+  command->add_option("--format", arguments->format, "Format of the table, if it is not recognized")
       ->check(CLI::IsMember(names));
   command->add_option("--colors", arguments->colors,
                       "tekkotsu: its classes (.col), if not those of the same name or alone beside it");

@@ -169,7 +169,7 @@ int evaluate(const EvaluateArguments& arguments) {
 void addColorEvaluateCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command =
-      color.add_subcommand("evaluate", "Compares what a color table makes of images with their labels");
+      color.add_subcommand("evaluate", "Compares a color table's classes in images with their labels");
   command->add_option("--table", arguments->table, "A color table (.c64)")->required();
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();
@@ -182,7 +182,7 @@ void addColorEvaluateCommand(CLI::App& color, int& status) {
                    "Names of the table's classes, in the order of their numbers, if not those beside it");
   command
       ->add_option("--label-classes", arguments->labelClasses,
-                   "The same for the labels, if they are numbered in another way; else --classes, the file "
+                   "Names of the labels' classes, if numbered differently; else --classes, the file "
                    "labels.classes among the labels, or the real log's")
       ->delimiter(',');
   command->add_flag("--json", arguments->json, "Prints JSON: fractions");

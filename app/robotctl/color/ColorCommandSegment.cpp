@@ -75,7 +75,7 @@ int segment(const SegmentArguments& arguments) {
 
 void addColorSegmentCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<SegmentArguments>();
-  CLI::App* command = color.add_subcommand("segment", "Writes what a color table makes of images, as PNG");
+  CLI::App* command = color.add_subcommand("segment", "Writes images classified by a color table, as PNG");
   command->add_option("--table", arguments->table, "A color table (.c64)")->required();
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();

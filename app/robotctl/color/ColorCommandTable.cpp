@@ -119,10 +119,10 @@ void addColorTableCommands(CLI::App& color, int& status) {
     command->callback([arguments, &status, run] { status = run(*arguments); });
     return command;
   };
-  CLI::App* infos = add("info", "Says how many cells of a color table are of which class", info);
+  CLI::App* infos = add("info", "Counts the cells of each class in a color table", info);
   infos->add_option("table", arguments->table, "A color table (.c64)")->required();
   infos->add_flag("--json", arguments->json, "Prints JSON");
-  CLI::App* differences = add("diff", "Says which cells of two color tables differ", diff);
+  CLI::App* differences = add("diff", "Lists the cells in which two color tables differ", diff);
   differences->add_option("before", arguments->table, "A color table (.c64)")->required();
   differences->add_option("after", arguments->other, "Another one")->required();
   differences->add_flag("--json", arguments->json, "Prints JSON");

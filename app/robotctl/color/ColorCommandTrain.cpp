@@ -165,31 +165,29 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   };
   number("--radius", settings.votes.radius, "How far a sample reaches in Cb and Cr: one standard deviation",
          CLI::Range(Votes::kMinRadius, Votes::kMaxRadius));
-  number("--y-weight", settings.votes.brightnessWeight,
-         "What a difference in Y counts against one in Cb or Cr",
+  number("--y-weight", settings.votes.brightnessWeight, "Weight of a difference in Y, relative to Cb or Cr",
          CLI::Range(Votes::kMinBrightnessWeight, 1.0));
   number("--rejection", settings.votes.rejection,
-         "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
+         "Votes that a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
-         "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
+         "Weight of a background sample, relative to one of a class", CLI::Range(0.0, 1.0));
   number("--shading", settings.votes.shading,
-         "What a sample says of its color in shadow and glare, as a share of its own vote",
+         "Vote of a sample for its color in shadow and glare, as a share of its own vote",
          CLI::Range(0.0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
-         "What colors of things need more where they are nearly gray, in votes of a sample",
-         CLI::NonNegativeNumber);
+         "Extra votes that colors of objects need where they are nearly gray", CLI::NonNegativeNumber);
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
-         "gauss: squared Mahalanobis distance from a class past which a color is not of it",
+         "gauss: squared Mahalanobis distance from a class beyond which a color is not of it",
          CLI::PositiveNumber);
-  number("--cost", settings.supportVectors.cost, "svm: what a sample on the wrong side costs",
+  number("--cost", settings.supportVectors.cost, "svm: cost of a sample on the wrong side",
          CLI::PositiveNumber);
-  number("--gamma", settings.supportVectors.gamma, "svm: of its radial basis functions", CLI::PositiveNumber);
+  number("--gamma", settings.supportVectors.gamma, "svm: gamma of its radial basis functions",
+         CLI::PositiveNumber);
   number("--reject-radius", settings.supportVectors.mostDistance,
          "svm: how far from a sample a class reaches at most", CLI::PositiveNumber);
   command.add_flag("!--keep-unsupported", settings.cleanUp.removeUnsupported,
-                   "Leaves cells that no sample speaks for in the table");
-  command.add_flag("!--keep-holes", settings.cleanUp.fillHoles,
-                   "Leaves holes in the middle of a class in the table");
+                   "Keeps cells that no sample supports");
+  command.add_flag("!--keep-holes", settings.cleanUp.fillHoles, "Keeps holes inside a class");
 }
 
 }  // namespace
@@ -198,10 +196,9 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<TrainArguments>();
   CLI::App* command =
       color.add_subcommand("train", "Makes a color table from strokes in images, or from samples");
-  CLI::Option* strokes = command->add_option(
-      "--strokes", arguments->strokes,
-      "CSV with the header image,class,x,y,radius; in pixels of the image at a width of 320; class "
-      "background is none of them");
+  CLI::Option* strokes = command->add_option("--strokes", arguments->strokes,
+                                             "CSV with the header image,class,x,y,radius; in pixels of the "
+                                             "image at a width of 320; class background means none of them");
   CLI::Option* images = command->add_option("--images", arguments->images,
                                             "The folder of the images (PNG, JPEG, .yuyv), or a log file");
   CLI::Option* samples = command->add_option("--samples", arguments->samples,
@@ -210,7 +207,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   images->needs(strokes);
   command->add_option("--out", arguments->out, "The color table (.c64)")->required();
   command->add_option("--save-samples", arguments->samplesOut,
-                      "Also writes what was learned from, for the workbench");
+                      "Also writes the samples it learned from, for the workbench");
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers; they are written beside the table");
   command
@@ -225,7 +222,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
       ->check(CLI::Range(0.0, 1.0));
   addSettings(*command, arguments->settings);
   CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,
-                                       "Learns as the samples' file says, whatever the options here are");
+                                       "Uses the options in the samples file instead of those given here");
   own->needs(samples);
   command->callback([arguments, strokes, samples, &status] {
     if (strokes->empty() && samples->empty())

@@ -44,7 +44,7 @@ int writeLog(logplayer::RewriteOptions& options, const std::string& to) {
   const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
   for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
-  if (report->concatenated) std::cout << "the logs were put behind each other, as parts of one\n";
+  if (report->concatenated) std::cout << "the logs were joined one after another, as parts of one\n";
   for (const std::string& note : report->notes) std::cout << note << "\n";
   std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(), counted(report->messages, "message").c_str(),
               counted(report->frames, "frame").c_str(), counted(report->bookmarks, "bookmark").c_str(),
@@ -104,8 +104,7 @@ int merge(CutArguments& arguments) {
 
 void addStreams(CLI::App& command, CutArguments& arguments) {
   command
-      .add_option("--streams", arguments.options.streams.include,
-                  "Only these; * stands for any text: 'red1/*'")
+      .add_option("--streams", arguments.options.streams.include, "Only these; * matches any text: 'red1/*'")
       ->allow_extra_args(false);
   command.add_option("--exclude", arguments.options.streams.exclude, "None of these")
       ->allow_extra_args(false);
@@ -119,7 +118,7 @@ void addFiles(CLI::App& command, CutArguments& arguments) {
 void addOutput(CLI::App& command, CutArguments& arguments) {
   command
       .add_option("--compression", arguments.options.compression,
-                  "Of the new file: none, lz4 or zstd (default)")
+                  "Compression of the new file: none, lz4 or zstd (default)")
       ->transform(CLI::CheckedTransformer(kCompressions).description("{none,lz4,zstd}"))
       ->type_name("TEXT");
   command.add_flag("--force", arguments.options.overwrite, "Overwrites a file of this name");
@@ -130,7 +129,7 @@ void addOutput(CLI::App& command, CutArguments& arguments) {
 void addLogCutCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<CutArguments>();
   CLI::App* command = log.add_subcommand(
-      "cut", "Copies a range of time, with what holds at its start, whole frames and bookmarks");
+      "cut", "Copies a time range, with what is latched at its start, whole frames and bookmarks");
   addFiles(*command, *arguments);
   arguments->range.addTo(*command);
   addStreams(*command, *arguments);
@@ -139,21 +138,20 @@ void addLogCutCommands(CLI::App& log, int& status) {
 
   arguments = std::make_shared<CutArguments>();
   command = log.add_subcommand("merge",
-                               "Puts several logs on one time line: parts of one log behind each other, "
-                               "others beside each other, where robots of equal "
-                               "names get -2, -3 behind theirs");
+                               "Merges several logs: parts of one log one after another, others in parallel, "
+                               "where robots with equal names get -2, -3 appended");
   command->add_option("files", arguments->files, "The logs to read, and last the MCAP file to write")
       ->required()
       ->expected(2, -1);
   auto& joining = arguments->options.joining;
   auto* concatenate = command->add_flag_callback(
       "--concatenate", [&joining] { joining = logplayer::Joining::kConcatenate; },
-      "Behind each other, or not at all; without it where times do not overlap and robots of equal names run "
-      "the same program");
+      "One after another, or not at all; the default where times do not overlap and robots with equal names "
+      "run the same program");
   command
       ->add_flag_callback(
           "--separate", [&joining] { joining = logplayer::Joining::kSeparate; },
-          "Beside each other in any case: robots of equal names get -2, -3 behind theirs")
+          "Always in parallel: robots with equal names get -2, -3 appended")
       ->excludes(concatenate);
   command->add_option("--offset", arguments->offsets, "FILE=SECONDS, added to the times of one of the logs")
       ->allow_extra_args(false);
@@ -168,11 +166,11 @@ void addLogCutCommands(CLI::App& log, int& status) {
   command->callback([arguments, &status] { status = cut(*arguments); });
 
   arguments = std::make_shared<CutArguments>();
-  command = log.add_subcommand("convert", "Writes a log anew, with other chunks or another compression");
+  command = log.add_subcommand("convert", "Rewrites a log with other chunks or another compression");
   addFiles(*command, *arguments);
   command
       ->add_option("--chunk-size", arguments->options.chunkBytes,
-                   "Bytes at which a chunk is complete, with k, M or G for units of 1024; frames stay whole")
+                   "Size of chunks in bytes, with k, M or G for units of 1024; frames stay whole")
       ->transform(CLI::AsSizeValue(false))
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30U).description("1 to 1G"));
   addOutput(*command, *arguments);

@@ -114,8 +114,8 @@ void addLogExportCommand(CLI::App& log, int& status) {
   command->add_option("--images", arguments->images,
                       "A folder for images, which are named by stream, time and frame");
   const std::string streams =
-      "a stream, or several with * for any text between commas and - before what is left out "
-      "('red1/*,-*/camera/*'), and the file; - is standard output";
+      "comma-separated streams, where * matches any text and - excludes ('red1/*,-*/camera/*'), and the "
+      "file; - is standard output";
   command->add_option("--csv", arguments->csv, "STREAMS OUT, a table: " + streams)->expected(2);
   command
       ->add_option("--json", arguments->json,
@@ -126,7 +126,7 @@ void addLogExportCommand(CLI::App& log, int& status) {
   arguments->range.addTo(*command);
   command
       ->add_option("--streams", arguments->streams.include,
-                   "Of images and texts only these; * stands for any text")
+                   "Of images and texts only these; * matches any text")
       ->allow_extra_args(false);
   command->add_option("--exclude", arguments->streams.exclude, "None of these")->allow_extra_args(false);
   command->add_flag("--force", arguments->force, "Overwrites files of these names");

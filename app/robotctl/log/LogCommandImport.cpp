@@ -58,7 +58,7 @@ int import(ImportArguments& arguments) {
     std::error_code error;
     const bool there = std::filesystem::is_regular_file(arguments.from, error);
     return printErrors({{"import.format",
-                         there ? "this is no log of an older format" : "there is no such file",
+                         there ? "this is not a log of an older format" : "there is no such file",
                          {},
                          {arguments.from, 0, 0}}});
   }
@@ -121,13 +121,13 @@ CLI::App* addImporter(CLI::App& log, const char* name, const char* help,
 void addLogImportCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ImportArguments>();
   CLI::App* command = addImporter(
-      log, "import", "Converts a log of an older format; says what was and was not understood", arguments);
+      log, "import", "Converts a log of an older format; reports what was and was not understood", arguments);
   command->add_option("--robot", arguments->options.robot, "The name that the robot gets")
       ->check(robotName)
       ->capture_default_str();
   command
       ->add_option("--color-table", arguments->colorTable,
-                   "A .c64 color table that goes into the log as the one in force")
+                   "A .c64 color table to store in the log as the one in use")
       ->check(CLI::ExistingFile);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->callback([arguments, &status] { status = withResources([&] { return import(*arguments); }); });

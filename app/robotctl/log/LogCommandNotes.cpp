@@ -83,7 +83,7 @@ int bookmarkFailed(const robotlink::Error& error) {
 int bookmark(const BookmarkArguments& arguments) {
   const bool changes = !arguments.add.empty() || !arguments.remove.empty();
   if (changes && arguments.file == "-") {
-    std::cerr << "robotctl log bookmark: what comes on standard input cannot be changed; name a file\n";
+    std::cerr << "robotctl log bookmark: standard input cannot be changed; name a file\n";
     return kUsage;
   }
   const auto input = LogInput::of(arguments.file);
@@ -158,7 +158,7 @@ void addLogNoteCommands(CLI::App& log, int& status) {
   command->add_option("file", marks->file, "A log file; to be listed also - for standard input")->required();
   auto* added =
       command->add_option("--add", marks->add, "The text of a new bookmark at --from, or from there --to");
-  command->add_option("--remove", marks->remove, "The text of those that go")->excludes(added);
+  command->add_option("--remove", marks->remove, "The text of those to remove")->excludes(added);
   marks->range.addTo(*command);
   command->add_flag("--json", marks->asJson, "Prints them as JSON");
   command->callback([marks, &status] { status = bookmark(*marks); });
@@ -168,19 +168,15 @@ void addLogNoteCommands(CLI::App& log, int& status) {
       log.add_subcommand("attachment", "Lists the attachments of a log, adds a file to it, or takes one out");
   command->add_option("file", arguments->file, "A log file; not to be changed also - for standard input")
       ->required();
-  auto* add =
-      command->add_option("--add", arguments->add, "A file that is attached")->check(CLI::ExistingFile);
-  command->add_option("--name", arguments->options.name, "What it is called there; else as the file")
-      ->needs(add);
+  auto* add = command->add_option("--add", arguments->add, "A file to attach")->check(CLI::ExistingFile);
+  command->add_option("--name", arguments->options.name, "Its name there; else the file's")->needs(add);
   command
       ->add_option("--media-type", arguments->options.mediaType,
-                   "Such as text/plain; else by the file's ending")
+                   "Such as text/plain; else by the file's extension")
       ->needs(add);
-  auto* extract =
-      command->add_option("--extract", arguments->extract, "The name of one that is written into a file")
-          ->excludes(add);
-  command->add_option("--output", arguments->output, "That file; else the attachment's name here")
-      ->needs(extract);
+  auto* extract = command->add_option("--extract", arguments->extract, "The name of one to write to a file")
+                      ->excludes(add);
+  command->add_option("--output", arguments->output, "That file; else the attachment's name")->needs(extract);
   command->add_flag("--force", arguments->force, "Overwrites a file of this name");
   command->add_flag("--json", arguments->asJson, "Prints them as JSON");
   command->callback([arguments, &status] { status = attachment(*arguments); });

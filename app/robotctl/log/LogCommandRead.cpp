@@ -52,7 +52,7 @@ Result<Findings> verify(const std::filesystem::path& path) {
   const auto reader = logplayer::mcap::Reader::open(container->path(), options);
   if (!reader) return tl::unexpected(reader.error());
   const auto readable = (*reader)->verify();
-  if (!readable) return robotlink::failure("log.given-up", "given up", {file, 0, 0});
+  if (!readable) return robotlink::failure("log.given-up", "canceled", {file, 0, 0});
   Findings findings;
   if (container->conversion() && !container->conversion()->damage.empty()) {
     findings.losses.push_back(file + ": " + container->conversion()->damage);
@@ -124,9 +124,9 @@ void addReader(CLI::App& log, int& status, const char* name, const char* help,
 }  // namespace
 
 void addLogReadCommands(CLI::App& log, int& status) {
-  addReader(log, status, "info",
-            "Says what logs hold: streams with counts, sizes and rates, time, robots, damage", describe);
-  addReader(log, status, "verify", "Reads all of logs and checks all checksums", verify);
+  addReader(log, status, "info", "Describes logs: streams with counts, sizes and rates, time, robots, damage",
+            describe);
+  addReader(log, status, "verify", "Reads logs completely and checks all checksums", verify);
 }
 
 }  // namespace app

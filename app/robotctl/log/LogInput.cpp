@@ -32,17 +32,17 @@ Result<void> copyInput(const std::filesystem::path& to) {
     pollfd ready{STDIN_FILENO, POLLIN, 0};
     const int count = ::poll(&ready, 1, kLookEveryMs);
     if (Interrupt::noted())
-      return robotlink::failure("log.given-up", "given up while standard input was read");
+      return robotlink::failure("log.given-up", "canceled while standard input was read");
     if (count == 0 || (count < 0 && errno == EINTR)) continue;
     const ssize_t bytes = ::read(STDIN_FILENO, buffer.data(), buffer.size());
     if (bytes < 0 && errno == EINTR) continue;
     if (bytes < 0) return failed("standard input cannot be read");
     if (bytes == 0) break;
     if (!file.write(buffer.data(), bytes))
-      return failed("standard input cannot be kept; TMPDIR names a place with more room");
+      return failed("standard input cannot be stored; set TMPDIR to a place with more room");
   }
   file.close();
-  if (!file) return failed("standard input cannot be kept; TMPDIR names a place with more room");
+  if (!file) return failed("standard input cannot be stored; set TMPDIR to a place with more room");
   return {};
 }
 

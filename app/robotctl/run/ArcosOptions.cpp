@@ -24,14 +24,12 @@ void ArcosOptions::addTo(CLI::App& command) {
   command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
       ->check(CLI::IsMember({"both", "red", "blue"}))
       ->capture_default_str();
-  arcos_ =
-      command
-          .add_option(
-              "--arcos", port,
-              "Opens the robots to programs by ARCOS: the first at this TCP port (8101), the next at the "
-              "next; runs in real time, without programs of its own")
-          ->expected(0, 1)
-          ->default_str("8101");
+  arcos_ = command
+               .add_option("--arcos", port,
+                           "Opens the robots to programs over ARCOS: the first at this TCP port (8101), the "
+                           "next at the next; runs in real time, without programs of its own")
+               ->expected(0, 1)
+               ->default_str("8101");
   command
       .add_option("--bind", address,
                   "The address to open them at; others than loopback open them to the network")

@@ -13,10 +13,9 @@ void CameraOptions::addTo(CLI::App& command) {
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   command
-      .add_option(
-          "--vignetting", vignetting,
-          "Share of the light that the corners of images lack, and share of red and green that they lack "
-          "besides (0), instead of the cameras' own")
+      .add_option("--vignetting", vignetting,
+                  "Share of light missing in the corners of images, and further share of red and green "
+                  "missing there (0), instead of the cameras' own")
       ->expected(1, 2)
       ->check(CLI::Range(0.0, 1.0));
   command
@@ -25,12 +24,12 @@ void CameraOptions::addTo(CLI::App& command) {
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(command.get_option("--no-noise"));
   command.add_flag("--class-images", classImages,
-                   "Sends the true classes of all images, as oracle/classes, for recordings");
+                   "Publishes the true classes of all images, as oracle/classes, for recordings");
   auto* folder =
       command.add_option("--labelled-images", labeledFolder,
                          "Writes images into DIR/images and their true classes into DIR/labels, for "
                          "robotctl color evaluate");
-  command.add_option("--images-every", labeledEvery, "Of these at most one of each robot in so many seconds")
+  command.add_option("--images-every", labeledEvery, "At most one of these per robot in this many seconds")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str()
       ->needs(folder);

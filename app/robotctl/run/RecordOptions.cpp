@@ -30,9 +30,8 @@ void RecordOptions::addTo(CLI::App& command) {
   auto* record = command.add_option("--record", file, "Records into this log file, which must not exist");
   command
       .add_option("--streams", streams,
-                  "What is recorded: paths with * for any text between commas, - before what is left out "
-                  "(red1/*,-*/log); all that a "
-                  "replay needs if it is not given")
+                  "What to record: comma-separated paths, * matches any text, - excludes (red1/*,-*/log); "
+                  "all that a replay needs if not given")
       ->check([](const std::string& text) {
         const auto read = logplayer::readSelection(text);
         return read ? std::string() : read.error().text;
@@ -42,7 +41,7 @@ void RecordOptions::addTo(CLI::App& command) {
       ->check(CLI::IsMember({"as-is", "jpeg", "png"}))
       ->capture_default_str()
       ->needs(record);
-  command.add_option("--compression", compression, "Of the log file: none, lz4 or zstd")
+  command.add_option("--compression", compression, "Compression of the log file: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str()
       ->needs(record);
@@ -77,7 +76,7 @@ int finishRecording(logplayer::Recorder& recorder) {
   std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed
             << std::setprecision(1) << 1e-6 * static_cast<double>(status.bytes()) << " MB";
   if (status.dropped_messages() > 0)
-    std::cerr << ", " << status.dropped_messages() << " messages were left out";
+    std::cerr << ", " << status.dropped_messages() << " messages were dropped";
   std::cerr << "\n";
   return status.dropped_messages() > 0 ? kDoneWithLosses : kDone;
 }

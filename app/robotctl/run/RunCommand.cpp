@@ -242,13 +242,13 @@ bool recomputesAnything(const ReplayRun& run) {
 /// Reports options to stderr that have no effect, and what would have one.
 void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
   if (run.robots().empty()) {
-    std::cerr << "warning: the log says of no robot of this program, so that nothing runs on it; 'robotctl "
-                 "log info' says what it holds\n";
+    std::cerr << "warning: the log names no robot known here, so nothing runs on it; 'robotctl log info' "
+                 "shows what it holds\n";
     return;
   }
   std::vector<std::string> unused = run.unusedSolutions();
   if ((!arguments.colorTable.empty() || !arguments.layout.empty()) && !recomputesAnything(run)) {
-    unused.emplace_back("nothing is recomputed, so that --color-table and --layout change nothing");
+    unused.emplace_back("nothing is recomputed, so --color-table and --layout change nothing");
   }
   for (const std::string& sentence : unused) std::cerr << "warning: " << sentence << "\n";
   if (unused.empty()) return;
@@ -362,16 +362,15 @@ void addRunCommand(CLI::App& app, int& status) {
       "--layout", arguments->layout,
       "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
-  command->add_option(
-      "--package", arguments->packages,
-      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
-      "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else whatever is "
-      "logged is as logged");
+  command->add_option("--package", arguments->packages,
+                      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
+                      "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else "
+                      "everything logged is used as logged");
   command->add_option("--color-table", arguments->colorTable, "A color table (.c64) instead of the log's");
   command->add_option(
       "--record", arguments->record,
       "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");
-  command->add_option("--compression", arguments->compression, "Of that log: none, lz4 or zstd")
+  command->add_option("--compression", arguments->compression, "Compression of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");

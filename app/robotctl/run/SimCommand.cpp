@@ -199,8 +199,8 @@ int runTrials(const SimArguments& arguments) {
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
       !arguments.solutions.empty()) {
-    std::cerr << "robotctl sim: with --arcos robots have no programs here; leave --trials, --record, "
-                 "--layout and --solution away\n";
+    std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, --layout "
+                 "and --solution\n";
     return kUsage;
   }
   ArcosRun run{
@@ -215,7 +215,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (!takeSolutions(arguments)) return kUsage;
   const bool threads = arguments.executor == "threads";
   if (arguments.trials > 0 && threads) {
-    std::cerr << "robotctl sim: trials are played in lockstep only; leave --executor away\n";
+    std::cerr << "robotctl sim: trials are played in lockstep only; omit --executor\n";
     return kUsage;
   }
   if (arguments.trials > 0 && !arguments.record.file.empty()) {
@@ -247,7 +247,7 @@ void addSimCommand(CLI::App& app, int& status) {
       sim->add_option("--seconds", arguments->seconds,
                       "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
           ->check(CLI::Range(0.0, 1e6));
-  sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")
+  sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
   sim->add_option("--layout", arguments->layout,
                   "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
@@ -258,13 +258,13 @@ void addSimCommand(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"lockstep", "threads"}))
       ->capture_default_str();
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
-  sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see nothing but black");
+  sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");
   auto* trials =
       sim->add_option(
              "--trials", arguments->trials,
              "Plays this many games with the ball at random places around the first robot; counts touches")
           ->check(CLI::Range(1, 100000));
-  sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
+  sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
       ->check(CLI::Range(0.4, 10.0))
       ->capture_default_str();
   auto* speed =
@@ -279,7 +279,7 @@ void addSimCommand(CLI::App& app, int& status) {
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
-  sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
+  sim->add_flag("--digest", arguments->digest, "Prints only a hash of everything that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
   sim->callback([arguments, seconds, speed, &status] {
     status = withResources([&] { return runSim(*arguments, seconds->count() > 0, speed->count() > 0); });

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kHeadBytes = 128;  // upper bound of the size of a chunk's head
 constexpr std::size_t kSomeChunks = 32;
-constexpr char kMisfit[] = "the summary does not fit the file; the file was looked through instead";
+constexpr char kMisfit[] = "the summary does not fit the file; the file was scanned instead";
 
 /// Whether the times of all messages of a chunk are within those of its section. A chunk that cannot be read
 /// does not contradict them.
@@ -54,7 +54,7 @@ bool findsMore(const Source& source, const FileIndex& scanned, const FileIndex& 
 }
 
 robotlink::Error givenUp(const Source& source) {
-  return {"log.given-up", "given up while it was looked through", {}, {source.file().string(), 0, 0}};
+  return {"log.given-up", "canceled while it was scanned", {}, {source.file().string(), 0, 0}};
 }
 
 }  // namespace

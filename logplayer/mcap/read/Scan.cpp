@@ -184,7 +184,7 @@ void Scanner::noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::u
   if (to - data < kZeros) data = to;
   if (data < to) {
     note(data, 0,
-         "the file goes on with " + std::to_string(to - data) +
+         "the file continues with " + std::to_string(to - data) +
              " bytes that are all 0: nothing was written there");
   }
   if (data > from) {
@@ -432,7 +432,7 @@ void Scanner::finish() {
     if (index_.channels.contains(channel)) continue;
     note(0, 0,
          std::to_string(messages) + " messages of channel " + std::to_string(channel) +
-             " cannot be understood: what it is, is lost");
+             " cannot be decoded: the channel's description is lost");
   }
   index_.complete = ended_ && index_.damage.empty();
 }

@@ -66,7 +66,7 @@ Result<void> Salvage::copyInto(Writer& writer) {
   for (std::size_t i = 0; i < index_.sections.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(index_.sections.size());
     if (options_.progress && !options_.progress(0.1 + 0.5 * done)) {
-      return failure("log.given-up", "the repair was given up");
+      return failure("log.given-up", "the repair was canceled");
     }
     if (Result<void> copied = copySection(i, writer); !copied) return copied;
   }
@@ -162,7 +162,7 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   if (progress) options.progress = [&](double share) { return progress(0.6 + 0.3 * share); };
   const auto reader = Reader::open(file, options);
   if (!reader) return tl::unexpected(reader.error());
-  if (!(*reader)->verify()) return failure("log.given-up", "the repair was given up");
+  if (!(*reader)->verify()) return failure("log.given-up", "the repair was canceled");
   Digest digest;
   bool goOn = true;
   (*reader)->readAll([&](const Message& message) {
@@ -172,7 +172,7 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
       goOn = progress(0.9 + 0.1 * std::min(1.0, share));
     return goOn;
   });
-  if (!goOn) return failure("log.given-up", "the repair was given up");
+  if (!goOn) return failure("log.given-up", "the repair was canceled");
   if ((*reader)->complete() && (*reader)->damage().empty() && digest == expected) return {};
   return failure("mcap.repair", "the repaired file does not read as it was written; is the disk in order?",
                  {file.string(), 0, 0});

@@ -10,7 +10,7 @@ namespace {
 using Type = ArgumentType;
 
 constexpr CommandInfo kCommands[] = {
-    {0, Type::kNone, "PULSE", "", "Tells that the client is alive; SYNC0 before a connection."},
+    {0, Type::kNone, "PULSE", "", "Signals that the client is alive; SYNC0 before a connection."},
     {1, Type::kUnsigned, "OPEN", "",
      "Starts the robot's servers and its information packets; SYNC1 before a connection."},
     {2, Type::kUnsigned, "CLOSE", "",

@@ -325,7 +325,8 @@ Packet toPacket(const Configuration& configuration) {
 
 Result<Configuration> decodeConfiguration(const Packet& packet) {
   if (packet.id != Configuration::kId) {
-    return failure("arcos.wrong-packet", "this is no configuration but packet " + std::to_string(packet.id));
+    return failure("arcos.wrong-packet",
+                   "this is not a configuration but packet " + std::to_string(packet.id));
   }
   Configuration configuration;
   FieldReader reader(packet.data);

@@ -263,7 +263,7 @@ Result<std::unique_ptr<RobotPorts>> RobotPorts::open(const Options& options) {
   if (error) {
     return failure("arcos.address",
                    "'" + options.address +
-                       "' is no address of this machine; write one like 127.0.0.1, or 0.0.0.0 for all",
+                       "' is not an address of this machine; write one like 127.0.0.1, or 0.0.0.0 for all",
                    {}, {options.address});
   }
   if (options.firstPort != 0 && options.firstPort + options.robots > 65536) {

@@ -163,7 +163,7 @@ TEST(RobotctlArcos, aClientMayEndTheSimulation) {
 
 TEST(RobotctlArcos, whatDoesNotGoTogetherIsSaid) {
   Robotctl robotctl({"sim", kRoom, "--arcos", "0", "--record", "x.mcap"});
-  EXPECT_THAT(robotctl.lineWith("--arcos"), HasSubstr("leave"));
+  EXPECT_THAT(robotctl.lineWith("--arcos"), HasSubstr("omit"));
   std::string printed;
   EXPECT_EQ(robotctl.finish(printed), 2);
 }

@@ -67,7 +67,7 @@ TEST_F(RobotctlColorTables, namesThatAreBrokenAreToldWithTheirLine) {
         "evaluate --table t.c64 --images images --labels labels"}) {
     const auto outcome = color(command);
     EXPECT_EQ(outcome.status, 1) << command;
-    EXPECT_THAT(outcome.errors, HasSubstr("t.c64.classes:2: a class is wanted here")) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("t.c64.classes:2: a class is expected here")) << command;
   }
   EXPECT_EQ(color("info t.c64 --classes 2002").status, 0) << "other names can be given";
   const auto twice = color("info t.c64 --classes orange,orange");

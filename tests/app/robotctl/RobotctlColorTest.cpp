@@ -103,7 +103,7 @@ TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
   std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n001.yuyv,orange,50,1,3\n";
   fails("train --strokes bad.csv --images images --out x.c64", "there is no image 001.yuyv");
   fails("train --strokes strokes.csv --images labels/none --out x.c64", "labels/none");
-  fails("evaluate --table strokes.csv --images images --labels labels", "this is no .c64 color table");
+  fails("evaluate --table strokes.csv --images images --labels labels", "this is not a .c64 color table");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.c64"));
   ASSERT_EQ(train().status, 0);
   fails("evaluate --table t.c64 --images images --labels images", "no image has labels here");

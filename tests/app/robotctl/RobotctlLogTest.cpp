@@ -197,7 +197,7 @@ TEST_F(RobotctlLog, twoCutsAreMergedIntoOneLog) {
   ASSERT_EQ(log("cut a.mcap c.mcap --from 2").status, 0);
   const Outcome outcome = log("merge b.mcap c.mcap out.mcap");
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.out, HasSubstr("behind each other"));
+  EXPECT_THAT(outcome.out, HasSubstr("one after another"));
   const json before = info("a.mcap"), after = info("out.mcap");
   for (const char* figure : {"robots", "messages", "frames", "begin", "end"})
     EXPECT_EQ(after.at(figure), before.at(figure)) << figure;
@@ -268,7 +268,7 @@ TEST_F(RobotctlLog, aRobotsNameIsOneWord) {
   for (const char* name : {"a/b", "''", "'red 1'", "'*'"}) {
     const Outcome outcome = log(std::string("import a.log b.mcap --robot ") + name);
     EXPECT_EQ(outcome.status, 2) << name;
-    EXPECT_THAT(outcome.errors, HasSubstr("is no name for a robot")) << name;
+    EXPECT_THAT(outcome.errors, HasSubstr("is not a robot name")) << name;
     EXPECT_EQ(
         runRobotctl(folder_.path(), std::string("run --platform tcp://localhost --robot ") + name).status, 2)
         << name;
@@ -288,7 +288,7 @@ TEST_F(RobotctlLog, logsOfOtherProgramsAreReadAsFarAsTheyCanBe) {
   // It can be played, and nothing runs on it.
   const Outcome played = runRobotctl(folder_.path(), "run --json --platform log:foreign.mcap");
   EXPECT_EQ(json::parse(played.out, nullptr, false).at("packages").size(), 0U) << played.errors;
-  EXPECT_THAT(played.errors, HasSubstr("says of no robot"));
+  EXPECT_THAT(played.errors, HasSubstr("names no robot"));
 }
 
 TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {

@@ -140,7 +140,7 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
   stack.clear();
   desk.window.statusBar()->clearMessage();
   QTest::keyClick(&widget, Qt::Key_S, Qt::ControlModifier);
-  if (!desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("All is saved")))
+  if (!desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("Everything is saved")))
     qFatal("%s: Ctrl+S saved nothing", name.constData());
 }
 

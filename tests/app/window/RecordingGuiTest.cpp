@@ -346,9 +346,9 @@ class RecordingGuiTest : public WindowTest {
     status.set_kept_seconds(7.7);
     status.set_dropped_messages(3);
     QCOMPARE(app::RecordingToolBar::statusText(status),
-             QStringLiteral("1:15  12.3 MB  keeps 7 s  3 messages left out"));
+             QStringLiteral("1:15  12.3 MB  keeps 7 s  3 messages dropped"));
     status.set_dropped_messages(1);
-    QVERIFY(app::RecordingToolBar::statusText(status).endsWith(QStringLiteral("1 message left out")));
+    QVERIFY(app::RecordingToolBar::statusText(status).endsWith(QStringLiteral("1 message dropped")));
     status = {};
     status.set_failure("the disk is full");
     QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("recording failed"));

@@ -116,7 +116,7 @@ TEST(SampleFile, whatContradictsItselfIsSaid) {
   EXPECT_NE(problemWith("\"width\":40", "\"width\":4000000").find("width"), std::string::npos);
   EXPECT_NE(problemWith("\"method\":\"votes\"", "\"method\":\"magic\"").find("magic"), std::string::npos);
   EXPECT_NE(problemWith("\"version\":1", "\"version\":2").find("version 2"), std::string::npos);
-  EXPECT_NE(problemWith("robotcontrol samples", "something else").find("no file of samples"),
+  EXPECT_NE(problemWith("robotcontrol samples", "something else").find("not a samples file"),
             std::string::npos);
 }
 

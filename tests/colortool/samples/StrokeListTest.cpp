@@ -25,7 +25,7 @@ TEST(StrokeList, allThatIsWrongIsToldWithItsPlace) {
   const auto errors = errorsOf(
       "image,class,x,y,radius\na.png,orange,ten,2,3\na.png,,1,2,3\na.png,orange,1,2,-3\na.png,orange\n");
   ASSERT_EQ(errors.size(), 4U);
-  EXPECT_EQ(errors[0].describe(), "strokes.csv:2:14: 'ten' is no number; x is wanted here");
+  EXPECT_EQ(errors[0].describe(), "strokes.csv:2:14: 'ten' is not a number; x is expected here");
   EXPECT_EQ(errors[1].where, (robotlink::FilePosition{"strokes.csv", 3, 7}));
   EXPECT_EQ(errors[2].where.column, 18);
   EXPECT_EQ(errors[3].where.line, 5);

@@ -83,11 +83,11 @@ TEST_F(NamedColorTableTest, brokenNamesAreToldWithTheirLines) {
   EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: this is no file of color classes"));
   name(std::string(kFirstLine) + "orange\ngreen #00ff00\nred #12345\ngreen #000000\nnone #000000\n#ff0000\n");
   const std::string all = refusal();
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is wanted here: its name and its color"));
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:4: a class is wanted here"));
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:5: the class 'green' stands here a second time"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is expected here: its name and its color"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:4: a class is expected here"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:5: the class 'green' appears here a second time"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:6: 'none' stands for pixels of no class"));
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:7: a class is wanted here"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:7: a class is expected here"));
   name(std::string(kFirstLine) + "green #00ff00\n");
   EXPECT_THAT(refusal(), HasSubstr("1 classes are named here, but the table has cells of class 2"));
   name(std::string(kFirstLine) + std::string(70'000, '\n'));

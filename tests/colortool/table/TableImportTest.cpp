@@ -135,7 +135,7 @@ TEST(TableImport, colorsAreFoundBesideTheirMap) {
   std::ofstream(folder / "map.col") << "1 (0 0 0) \"of the same name\"\n";
   EXPECT_EQ(firstName(), "of the same name");
   std::ofstream(folder / "map.col") << "1 (0 0 0)\n";
-  EXPECT_THAT(firstName(), HasSubstr("map.col:1: the class's name is wanted after its color"));
+  EXPECT_THAT(firstName(), HasSubstr("map.col:1: the class's name is expected after its color"));
   EXPECT_THAT(firstName({{}, folder / "no.col"}), HasSubstr("no.col"));
 }
 
@@ -182,8 +182,8 @@ TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
   EXPECT_THAT(importRefusal(std::string(k64 - 1, '\0')), HasSubstr("a table has these 262143 bytes"));
   EXPECT_THAT(importRefusal("", TableFormat::kUPenn), HasSubstr("UPennalizers has 262144 bytes, this has 0"));
   EXPECT_THAT(importRefusal("", TableFormat::kNUbots), HasSubstr("NUbots has 2097152 bytes, this has 0"));
-  EXPECT_THAT(importRefusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is wanted"));
-  EXPECT_THAT(importRefusal("", TableFormat::kC64), HasSubstr("this is no .c64 color table"));
+  EXPECT_THAT(importRefusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is expected"));
+  EXPECT_THAT(importRefusal("", TableFormat::kC64), HasSubstr("this is not a .c64 color table"));
   std::string bytes = bytes128(0);
   bytes[77777] = 11;
   EXPECT_THAT(importRefusal(bytes),
@@ -193,8 +193,9 @@ TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
 }
 
 TEST(TableImport, mapsThatLieAreRefusedWithTheirPlace) {
-  EXPECT_THAT(importRefusal("TMAP\n"), HasSubstr("at byte 5 the line that says YUV is wanted"));
-  EXPECT_THAT(importRefusal("TMAP\nHSV8\n1 1 1\nx"), HasSubstr("at byte 5 the line that says YUV is wanted"));
+  EXPECT_THAT(importRefusal("TMAP\n"), HasSubstr("at byte 5 the line that says YUV is expected"));
+  EXPECT_THAT(importRefusal("TMAP\nHSV8\n1 1 1\nx"),
+              HasSubstr("at byte 5 the line that says YUV is expected"));
   for (const char* sizes : {"16 64", "0 64 64", "-1 1 1", "16 63 64", "256 1 1", "4294967297 1 1", "a b c"})
     EXPECT_THAT(importRefusal(std::string("TMAP\nYUV8\n") + sizes + "\n"),
                 HasSubstr("at byte 10 three numbers of cells"))
@@ -202,7 +203,7 @@ TEST(TableImport, mapsThatLieAreRefusedWithTheirPlace) {
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 1 1"), HasSubstr("at byte 10 three numbers of cells"));
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 1 1 1\n"), HasSubstr("at byte 10 something follows"));
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\nx"),
-              HasSubstr("at byte 16 2 cells are wanted, 1 x 2 x 1, but 1 bytes follow"));
+              HasSubstr("at byte 16 2 cells are expected, 1 x 2 x 1, but 1 bytes follow"));
   EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\n\1\xF0"),
               HasSubstr("byte 17 is of class 240, but a .c64 numbers classes up to 127"));
 }
@@ -213,16 +214,13 @@ TEST(TableImport, brokenColorsAreToldWithTheirLines) {
       "2 (0 0 0) \"a\"\n1 (0 0 0) \"b\"\n3 (0 0 0) \"none\"\n3 (0 0 0) \"\"\n",
       "c");
   ASSERT_FALSE(colors);
-  EXPECT_EQ(robotlink::describe(colors.error()),
-            "c:1: a line begins with the number of its class, 0 to 255\n"
-            "c:2: the class's color is wanted after its number, as in (255 128 0)\n"
-            "c:3: the class's color is wanted after its number, as in (255 128 0)\n"
-            "c:4: the class's name is wanted after its color, in quotes\n"
-            "c:5: a line begins with the number of its class, 0 to 255\n"
-            "c:7: 'a' stands here a second time\n"
-            "c:8: class 1 stands here a second time\n"
-            "c:9: 'none' stands for pixels of no class and cannot be one\n"
-            "c:10: a class needs a name");
+  EXPECT_EQ(
+      robotlink::describe(colors.error()),
+      "c:1: a line begins with the number of its class, 0 to 255\nc:2: the class's color is expected after "
+      "its number, as in (255 128 0)\nc:3: the class's color is expected after its number, as in (255 128 "
+      "0)\nc:4: the class's name is expected after its color, in quotes\nc:5: a line begins with the number "
+      "of its class, 0 to 255\nc:7: 'a' appears here a second time\nc:8: class 1 appears here a second "
+      "time\nc:9: 'none' stands for pixels of no class and cannot be one\nc:10: a class needs a name");
   EXPECT_FALSE(colortool::parseTekkotsuColors("", "c"));
 }
 

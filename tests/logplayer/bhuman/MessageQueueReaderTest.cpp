@@ -82,7 +82,7 @@ TEST(MessageQueueReader, aLyingSizeCostsOneMessage) {
     file[joints + 1] = size;
     const Read read = readAll(file);
     EXPECT_EQ(read.ids, (std::vector<int>{1, 8, 2, 1, 3, 36, 2})) << int{size};
-    EXPECT_NE(read.damage.find("13: 184 bytes that are no messages were left out"), std::string::npos)
+    EXPECT_NE(read.damage.find("13: 184 bytes that are not messages were left out"), std::string::npos)
         << read.damage;
   }
 }

@@ -110,7 +110,7 @@ TEST_P(CorrectedImages, camerasAreMadeLikeOthers) {
 TEST_P(CorrectedImages, aCorrectionWithoutNumbersIsRefused) {
   robotcontrol::ColorTable table = correctedTable();
   table.mutable_correction()->set_luma_r4(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(robot_.setColorTable(table), "the color table's correction has values that are no numbers");
+  EXPECT_EQ(robot_.setColorTable(table), "the color table's correction has values that are not numbers");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CorrectedImages, testing::Values("whole-image", "scan-lines"));

@@ -213,7 +213,7 @@ TEST_F(ClientSessionTest, withoutAConfigurationItGoesOnAfterASecond) {
   EXPECT_EQ(pass(10ms), "");
   EXPECT_TRUE(session.isConnected());
   EXPECT_EQ(session.configuration(), nullptr);
-  EXPECT_NE(session.describe().find("has not told its configuration"), std::string::npos);
+  EXPECT_NE(session.describe().find("has not reported its configuration"), std::string::npos);
   answerConfiguration();
   EXPECT_TRUE(session.configuration());
 }

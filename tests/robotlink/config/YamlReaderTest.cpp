@@ -60,7 +60,7 @@ TEST(YamlReader, aKeyThatNobodyAskedForIsUnknown) {
 TEST(YamlReader, aKeyThatStandsTwiceIsRefused) {
   YamlReader yaml = reader("a: 1\na: 2\n");
   EXPECT_EQ(yaml.root().required<int>("a"), 1);
-  EXPECT_EQ(errorsOf(yaml), "robot.yaml:2:1: 'a' stands here twice");
+  EXPECT_EQ(errorsOf(yaml), "robot.yaml:2:1: 'a' appears here twice");
 }
 
 TEST(YamlReader, allErrorsAreReportedInTheOrderOfTheFile) {

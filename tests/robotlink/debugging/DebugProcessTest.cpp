@@ -53,7 +53,7 @@ TEST(DebugProcessTest, aColorTableThatNobodyUsesOrThatIsNoneIsRefused) {
   EXPECT_EQ("cells of the color table have classes without a name", robot.ask(request).reason());
   table.add_class_names("orange");
   table.mutable_correction()->mutable_cb()->set_gain(std::nan(""));
-  EXPECT_EQ("the color table's correction has values that are no numbers", robot.ask(request).reason());
+  EXPECT_EQ("the color table's correction has values that are not numbers", robot.ask(request).reason());
 }
 
 TEST(DebugProcessTest, eachRequestIsAnsweredExactlyOnceHoweverManyThereAre) {

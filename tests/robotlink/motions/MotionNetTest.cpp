@@ -68,12 +68,12 @@ TEST(MotionNetTest, whatOneFileAloneCannotTellIsCheckedHere) {
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\n1 2 1 8\n"),
             "nod.mof:3:1: the motion 'nod' must end in 'transition allMotions MOTION LABEL'");
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\nlabel start\n" + end),
-            "nod.mof:3:1: the label 'start' stands here a second time");
+            "nod.mof:3:1: the label 'start' appears here a second time");
   EXPECT_EQ(errorsOf("motion_id = nod\njoints = a z\nlabel start\n" + end),
             "nod.mof:2:1: the robot has no joint 'z'");
   EXPECT_EQ(errorsOf("motion_id = extern\nlabel start\n" + end),
-            "nod.mof:1:1: another file already is the motion 'extern'\n"
-            "nod.mof:2:1: the label 'start' stands here a second time");
+            "nod.mof:1:1: another file already is the motion 'extern'\nnod.mof:2:1: the label 'start' "
+            "appears here a second time");
 }
 
 TEST(MotionNetTest, withoutAnEntryTableNothingCanBePlayed) {

@@ -220,7 +220,8 @@ TEST(LayoutCheckTest, thereIsExactlyOneDebugProcessWithoutTasks) {
   const Errors errors = checkLayout(*none, catalog(), platform());
   ASSERT_EQ(1U, errors.size());
   EXPECT_EQ(
-      "l.yaml: no process collects what the others tell; add '- {name: debug, debug: true, period_ms: 16}'",
+      "l.yaml: no process collects the others' debug messages; add '- {name: debug, debug: true, period_ms: "
+      "16}'",
       errors[0].describe());
 }
 

@@ -153,7 +153,7 @@ class BaseStateViewTest : public QObject {
     QCOMPARE(child<QLabel>(*view, "baseMotorsState").palette().color(QPalette::WindowText), muted);
     QCOMPARE(child<QLabel>(*view, "baseOdometry").palette().color(QPalette::WindowText), muted);
     QCOMPARE(text(*view, "baseAge"),
-             QStringLiteral("The base has said nothing for 7 s: this is what it said last."));
+             QStringLiteral("The base has been silent for 7 s: this is its last state."));
     const auto& battery = child<widgets::BatteryGauge>(*view, "baseBattery");
     QVERIFY(battery.level().text().endsWith(QStringLiteral("7 s ago")));
     QImage picture(200, 20, QImage::Format_RGB32);

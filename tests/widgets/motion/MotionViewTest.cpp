@@ -106,15 +106,15 @@ class MotionViewTest : public QObject {
     Bench bench;
     bench.push("red1/tables/solutions",
                behavior("go-to-ball",
-                        "unavailable because neither the robot nor another task provides motions that a "
-                        "person asks for (remote/motion)"),
+                        "unavailable because neither the robot nor another task provides motions that the "
+                        "user requests (remote/motion)"),
                1);
     auto view = bench.open<widgets::MotionView>();
     QVERIFY(!child<QToolButton>(*view, "motionTakeOver").isEnabled());
     QVERIFY(child<QLabel>(*view, "motionState")
                 .text()
-                .contains(QStringLiteral("neither the robot nor another task provides motions that a person "
-                                         "asks for (remote/motion)")));
+                .contains(QStringLiteral("neither the robot nor another task provides motions that the user "
+                                         "requests (remote/motion)")));
     bench.push("red1/tables/solutions", behavior("go-to-ball"), 2);
     bench.tick(*view);
     click(child<QToolButton>(*view, "motionTakeOver"));

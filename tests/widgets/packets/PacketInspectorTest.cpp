@@ -305,8 +305,7 @@ class PacketInspectorTest : public QObject {
       click(step);
       QCOMPARE(s.sent().size(), static_cast<std::size_t>(i));
     }
-    QVERIFY(
-        child<QLabel>(*s.view, "packetReplayState").text().startsWith(QStringLiteral("All of it was said")));
+    QVERIFY(child<QLabel>(*s.view, "packetReplayState").text().startsWith(QStringLiteral("Replay finished")));
     click(step);  // begins anew
     s.answer(false, "the line is lost");
     s.tick(*s.view);

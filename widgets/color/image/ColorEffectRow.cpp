@@ -29,10 +29,9 @@ ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(par
   describe(*text_, {"colorEffect", tr("What the stroke takes from other classes"), {}});
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   drop_ = new QToolButton(this);
-  describe(*drop_,
-           {"colorDropOutliers", tr("Drop outliers"),
-            tr("Takes out of the stroke what the table knew as another class: what the brush touched beside "
-               "a thin line")});
+  describe(*drop_, {"colorDropOutliers", tr("Drop outliers"),
+                    tr("Removes from the stroke what the table knew as another class: what the brush touched "
+                       "beside a thin line")});
   drop_->setText(tr("Drop outliers"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 0, 6, 1);

@@ -28,7 +28,7 @@ namespace {
 const ViewRegistration kColorFramesViewRegistration{
     {"color-frames", QT_TRANSLATE_NOOP("widgets::ColorFramesView", "Find frames"),
      QT_TRANSLATE_NOOP("widgets::ColorFramesView",
-                       "Finds the images of a log in which the color table does most that is suspicious"),
+                       "Finds the images of a log where the color table looks most suspicious"),
      "color-frames", false, create<ColorFramesView>}};
 
 constexpr QSize kThumbnail(72, 54);
@@ -59,11 +59,11 @@ ColorFramesView::~ColorFramesView() = default;
 void ColorFramesView::createActions() {
   search_ = makeAction(this, "search",
                        {"colorFramesSearch", tr("Search"),
-                        tr("Looks through all images for those in which the table does suspicious things"),
+                        tr("Searches all images for those where the table looks suspicious"),
                         QKeySequence(tr("Ctrl+Shift+F"))});
-  cancel_ = makeAction(
-      this, "close",
-      {"colorFramesCancel", tr("Cancel"), tr("Searches no further"), QKeySequence(Qt::Key_Escape)});
+  cancel_ =
+      makeAction(this, "close",
+                 {"colorFramesCancel", tr("Cancel"), tr("Stops the search"), QKeySequence(Qt::Key_Escape)});
   live_ = makeAction(
       this, "play",
       {"colorFramesLive", tr("Live"), tr("Shows the newest images again, not those of the history")});
@@ -74,7 +74,7 @@ QWidget* ColorFramesView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   classes_ = new QToolButton(row->parentWidget());
   describe(*classes_, {"colorFramesClasses", tr("Classes"),
-                       tr("Which classes are looked at: those that things have, not ground and walls")});
+                       tr("Which classes are searched: those of objects, not ground and walls")});
   classes_->setText(tr("Classes"));
   classes_->setIcon(icon(QStringLiteral("filter")));
   classes_->setAutoRaise(true);
@@ -89,7 +89,7 @@ QWidget* ColorFramesView::createToolRow() {
     row->addWidget(button);
   }
   row->addStretch(1);
-  stale_ = new QLabel(tr("⚠ The table is another one now"), row->parentWidget());
+  stale_ = new QLabel(tr("⚠ The table has changed"), row->parentWidget());
   stale_->setObjectName(QStringLiteral("colorFramesStale"));
   stale_->setToolTip(tr("These frames were found with an older table; search again (F5)"));
   setTextColor(*stale_, Meaning::kWarning, palette());
@@ -222,10 +222,10 @@ void ColorFramesView::showState() {
   }
   hint_->setHint(finder_.model().rowCount() > 0 ? QString()
                  : busy                         ? tr("Searching…")
-                 : finder_.searched()           ? tr("Nothing suspicious was found.")
-                                      : tr("Search shows the images first in which the table sorts most "
-                                           "pixels that look wrong:\nspecks, ambiguous colors, and what "
-                                           "another color encloses."));
+                 : finder_.searched()
+                     ? tr("Nothing suspicious was found.")
+                     : tr("Search lists the images with most suspicious pixels first:\nspecks, ambiguous "
+                          "colors, and what another color encloses."));
 }
 
 void ColorFramesView::tick() {

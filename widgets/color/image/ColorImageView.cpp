@@ -32,7 +32,7 @@ namespace {
 const ViewRegistration kColorImageViewRegistration{
     {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Color image"),
      QT_TRANSLATE_NOOP("widgets::ColorImageView",
-                       "Draw strokes in images and see what the color table makes of them"),
+                       "Draw strokes in images and see how the color table classifies them"),
      "brush", false, create<ColorImageView>}};
 
 constexpr char kDefaultColorChoice[] = "*/camera/image";
@@ -71,24 +71,25 @@ void ColorImageView::createActions() {
   zoomOut_ = makeAction(this, "zoom-out",
                         {"colorZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
-      this, "lock", {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
-  collect_ =
-      makeAction(this, "add",
-                 {"colorCollect", tr("Collect"), tr("Puts this image aside, to come back to it"), Qt::Key_C});
-  twoPictures_ = makeAction(this, "two-pictures",
-                            {"colorTwoPictures", tr("Two pictures"),
-                             tr("Shows what the table makes of the image beside it"), Qt::Key_T});
+      this, "lock",
+      {"colorFreeze", tr("Freeze"), tr("Freezes this image while the robot continues"), Qt::Key_H});
+  collect_ = makeAction(
+      this, "add",
+      {"colorCollect", tr("Collect"), tr("Collects this image in the strip, to come back to it"), Qt::Key_C});
+  twoPictures_ = makeAction(
+      this, "two-pictures",
+      {"colorTwoPictures", tr("Two pictures"), tr("Shows the classified image beside it"), Qt::Key_T});
   showStrokes_ = makeAction(
       this, "eye", {"colorShowStrokes", tr("Strokes"), tr("Shows the strokes in the image"), Qt::Key_V});
   cancel_ =
       makeAction(this, "close",
-                 {"colorCancel", tr("Cancel"), tr("Gives up the stroke, or the selection"), Qt::Key_Escape});
+                 {"colorCancel", tr("Cancel"), tr("Cancels the stroke or the selection"), Qt::Key_Escape});
   send_ = makeAction(this, "send",
-                     {"colorSend", tr("Send"), tr("Gives the table to the selected robot's program"),
+                     {"colorSend", tr("Send"), tr("Sends the table to the selected robot's program"),
                       QKeySequence(QStringLiteral("Ctrl+Return"))});
   autoSend_ =
       makeAction(this, "auto-send",
-                 {"colorAutoSend", tr("Send always"), tr("Gives each new table to the robot at once")});
+                 {"colorAutoSend", tr("Send always"), tr("Sends each new table to the robot at once")});
   createPictureActions();
   for (QAction* action : {freeze_, twoPictures_, showStrokes_, showStrip_, autoSend_})
     action->setCheckable(true);
@@ -96,15 +97,14 @@ void ColorImageView::createActions() {
 }
 
 void ColorImageView::createPictureActions() {
-  showStrip_ =
-      makeAction(this, "down",
-                 {"colorShowStrip", tr("Strip"), tr("Shows the images that were put aside, below this one")});
+  showStrip_ = makeAction(this, "down",
+                          {"colorShowStrip", tr("Strip"), tr("Shows the collected images below this one")});
   openPictures_ = makeAction(this, "image",
                              {"colorOpenPictures", tr("Open pictures…"),
-                              tr("Puts pictures aside to be painted in: PNG, JPEG, .yuyv")});
+                              tr("Adds pictures to the strip, to paint in: PNG, JPEG, .yuyv")});
   openFolder_ = makeAction(this, "open",
                            {"colorOpenFolder", tr("Open a folder of pictures…"),
-                            tr("Puts all pictures of a folder aside to be painted in")});
+                            tr("Adds all pictures of a folder to the strip, to paint in")});
   connect(openPictures_, &QAction::triggered, this, [this] { openPictures(false); });
   connect(openFolder_, &QAction::triggered, this, [this] { openPictures(true); });
 }

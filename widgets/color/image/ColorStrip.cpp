@@ -19,7 +19,7 @@ constexpr int kLowHeight = 44;
 
 ColorStrip::ColorStrip(ColorBench& bench, QWidget* parent) : QListWidget(parent), bench_(bench) {
   describe(*this, {"colorStrip", tr("Collected images"),
-                   tr("Images that were put aside; a click shows one, Delete removes it")});
+                   tr("Collected images; a click shows one, Delete removes it")});
   setViewMode(QListView::IconMode);
   setFlow(QListView::LeftToRight);
   setWrapping(false);

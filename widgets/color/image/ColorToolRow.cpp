@@ -40,10 +40,10 @@ constexpr ToolText kTools[] = {
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "What a line goes around is of the class"), Qt::Key_L},
     {ColorTool::kWand, "wand", "colorToolWand", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Magic wand"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
-                       "All that is of like color around the click, up to an edge, is of the class"),
+                       "Similar colors around the click, up to an edge, are of the class"),
      Qt::Key_W},
     {ColorTool::kEraser, "eraser", "colorToolEraser", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Eraser"),
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Takes strokes of this image away"), Qt::Key_E},
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Removes strokes of this image"), Qt::Key_E},
     {ColorTool::kSelect, "select-area", "colorToolSelect",
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Select colors"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
@@ -90,11 +90,10 @@ void ColorToolRow::createTools(QWidget* owner) {
     tools_->addAction(action);
     if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
-  careful_ = makeAction(owner, "filter",
-                        {"colorCareful", tr("Careful brush"),
-                         tr("The brush snaps to thin lines and leaves out what has another color than what "
-                            "it is led along, such "
-                            "as the field beside a line")});
+  careful_ = makeAction(
+      owner, "filter",
+      {"colorCareful", tr("Careful brush"),
+       tr("The brush snaps to thin lines and leaves out other colors, such as the field beside a line")});
   careful_->setCheckable(true);
   careful_->setChecked(true);
   const ColorActions common = addColorActions(*owner, "color", bench_);
@@ -104,7 +103,7 @@ void ColorToolRow::createTools(QWidget* owner) {
 
 void ColorToolRow::createControls() {
   class_ = new QToolButton(this);
-  describe(*class_, {"colorClass", tr("Class"), tr("What strokes are of; the digits choose it, too")});
+  describe(*class_, {"colorClass", tr("Class"), tr("Class of the strokes; digits choose it, too")});
   class_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   class_->setPopupMode(QToolButton::InstantPopup);
   classMenu_ = new QMenu(class_);
@@ -125,8 +124,7 @@ void ColorToolRow::createControls() {
   tolerance_->setValue(static_cast<int>(colortool::WandOptions{}.tolerance));
   tolerance_->setPrefix(QStringLiteral("± "));
   opacity_ = new QSlider(Qt::Horizontal, this);
-  describe(*opacity_,
-           {"colorOpacity", tr("Opacity"), tr("How strongly the classes are laid over the left picture")});
+  describe(*opacity_, {"colorOpacity", tr("Opacity"), tr("Opacity of the classes over the left picture")});
   opacity_->setRange(0, 100);
   opacity_->setFixedWidth(90);
 

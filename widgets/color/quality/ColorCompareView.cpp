@@ -28,7 +28,7 @@ namespace {
 const ViewRegistration kColorCompareViewRegistration{
     {"color-compare", QT_TRANSLATE_NOOP("widgets::ColorCompareView", "Compare tables"),
      QT_TRANSLATE_NOOP("widgets::ColorCompareView",
-                       "Shows what a color table has other than another one, or than itself some steps ago"),
+                       "Compares the color table with another one, or with itself some steps ago"),
      "color-compare", false, create<ColorCompareView>}};
 
 constexpr std::size_t kStepsListed = 30;
@@ -50,15 +50,15 @@ void ColorCompareView::createActions() {
   open_ = makeAction(
       this, "open",
       {"colorCompareOpen", tr("File…"), tr("Compares with a table in a file, also of other teams")});
-  now_ = makeAction(this, "camera",
-                    {"colorCompareNow", tr("Now"),
-                     tr("Keeps the table as it is now, to compare what comes of it with it")});
-  none_ = makeAction(this, "close", {"colorCompareNone", tr("None"), tr("Compares with no table any more")});
+  now_ = makeAction(
+      this, "camera",
+      {"colorCompareNow", tr("Now"), tr("Keeps the table as it is now, to compare later ones with it")});
+  none_ = makeAction(this, "close", {"colorCompareNone", tr("None"), tr("Stops comparing")});
   showInImage_ = makeAction(this, "two-pictures",
                             {"colorCompareShow", tr("In the image"),
                              tr("Shows beside the image which of its pixels are of another class")});
   deselect_ = makeAction(this, "check-none",
-                         {"colorCompareDeselect", tr("Deselect"), tr("Selects no cells any more"),
+                         {"colorCompareDeselect", tr("Deselect"), tr("Clears the selection of cells"),
                           QKeySequence(Qt::Key_Escape)});
   addColorActions(*this, "colorCompare", bench_);
 }
@@ -204,12 +204,10 @@ void ColorCompareView::takeTrained() {
 void ColorCompareView::tick() {
   takeTrained();
   const bool busy = training_.valid();
-  hint_->setHint(
-      busy ? tr("The table of that step is being made…")
-      : bench_.reference()
-          ? QString()
-          : tr("There is no table to compare with.\nTake one from a file, or keep the one of now and "
-               "go on drawing strokes."));
+  hint_->setHint(busy                 ? tr("The table of that step is being made…")
+                 : bench_.reference() ? QString()
+                                      : tr("There is no table to compare with.\nTake one from a file, or "
+                                           "keep the current one and go on drawing."));
   if (std::exchange(dirty_, false)) compare();
 }
 

@@ -63,7 +63,7 @@ void ColorQualityView::createActions() {
                            tr("Scores the table over what the simulated camera truly sees")});
   simulated_->setCheckable(true);
   close_ =
-      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Forgets the labeled images")});
+      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Removes the labeled images")});
 }
 
 void ColorQualityView::createViews() {
@@ -134,7 +134,7 @@ void ColorQualityView::takeRead() {
   reading_.reset();
   if (!*read) {
     problem_ = QString::fromStdString(read->error().describe());
-    say(tr("No labeled images: the reason stands below"), true);
+    say(tr("No labeled images: see the reason below"), true);
     return showQuality();
   }
   const auto count = static_cast<int>((*read)->frames.size());
@@ -168,14 +168,13 @@ QString ColorQualityView::countNote() const {
     if (i > 0 && count > 0 && (fewest == 0 || count < fewest)) fewest = count;
   }
   const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
-  QString text =
-      tr("Stands on %1, at least %2 of a class and %3 of the background; each counts the same, however large "
-         "it is.")
-          .arg(strokesText(static_cast<std::size_t>(all)))
-          .arg(fewest)
-          .arg(background);
+  QString text = tr("Based on %1, at least %2 of a class and %3 of the background; each counts the same, "
+                    "however large it is.")
+                     .arg(strokesText(static_cast<std::size_t>(all)))
+                     .arg(fewest)
+                     .arg(background);
   if (fewest < kFewStrokes || background < kFewStrokes)
-    text += tr(" That is few: take the figures as a hint.");
+    text += tr(" That is few: the figures are only a hint.");
   return text;
 }
 
@@ -208,12 +207,10 @@ QString ColorQualityView::othersNote() const {
   const auto share = [&](std::uint64_t pixels) {
     return QString::number(100 * static_cast<double>(pixels) / static_cast<double>(others.pixels), 'f', 2);
   };
-  if (all == 0)
-    return tr("In %1 images that were seen no color stands where it cannot be.").arg(others.images);
+  if (all == 0) return tr("In the %1 images seen no color is where it cannot be.").arg(others.images);
   const auto most = std::ranges::max_element(others.suspicious);
   const auto colorClass = static_cast<int>(most - others.suspicious.begin());
-  return tr("In %1 images that were seen %2 % of the pixels have the color of a thing where none can be, "
-            "mostly %3 "
+  return tr("In the %1 images seen %2 % of the pixels have the color of a thing where none can be, mostly %3 "
             "(%4 %); the view Suspicious frames shows where.")
       .arg(others.images)
       .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));

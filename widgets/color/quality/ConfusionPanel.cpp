@@ -101,7 +101,7 @@ void ConfusionPanel::show(const colortool::ColorClasses& classes, const colortoo
       tr("Mean recall %1    False colors %2").arg(figure(model_.meanRecall()), figure(model_.falseColors())));
   summary_->setToolTip(
       tr("Mean recall: over the classes, what share of their pixels is found. False colors: the share of the "
-         "background that is found to be of a color that things have, such as orange or blue."));
+         "background that is found to be of a color of objects, such as orange or blue."));
   setNote(note);
   hint_->setHint({});
 }

@@ -28,8 +28,8 @@ namespace {
 const ViewRegistration kColorClassesViewRegistration{
     {"color-classes", QT_TRANSLATE_NOOP("View", "Color classes"),
      QT_TRANSLATE_NOOP("View",
-                       "Chooses the class of strokes, keeps samples in files, and says how the color "
-                       "table is made of them."),
+                       "Chooses the class of strokes, keeps samples in files, and sets how the color table "
+                       "is made from them."),
      "color-classes", false, create<ColorClassesView>}};
 
 constexpr int kMaxMessageLines = 4;
@@ -66,7 +66,7 @@ void ColorClassesView::createActions() {
                       tr("Moves the chosen class down; its key and its number follow"), tr("Alt+Down")});
   mustNotBe_ = makeAction(this, "must-not",
                           {"mustNotBe", tr("Must not be"),
-                           tr("The next stroke says that its pixels are not of the chosen class (N)")});
+                           tr("The pixels of the next stroke must not be of the chosen class (N)")});
   mustNotBe_->setCheckable(true);
   presets_ = new QMenu(tr("Preset"), this);
   presets_->setObjectName(QStringLiteral("classPresets"));
@@ -133,8 +133,8 @@ QWidget* ColorClassesView::createTools() {
   row->addStretch(1);
   addButtons(row, {add_, remove_, up_, down_});
   auto* preset = new QToolButton(row->parentWidget());
-  describe(*preset, {"classPreset", tr("Preset"),
-                     tr("Classes to begin with; strokes stay with the class of their name")});
+  describe(*preset,
+           {"classPreset", tr("Preset"), tr("Classes to start with; strokes keep the class of their name")});
   preset->setText(tr("Preset"));
   preset->setAutoRaise(true);
   preset->setPopupMode(QToolButton::InstantPopup);

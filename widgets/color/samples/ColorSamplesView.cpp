@@ -32,7 +32,7 @@ namespace {
 const ViewRegistration kColorSamplesViewRegistration{
     {"color-samples", QT_TRANSLATE_NOOP("View", "Samples"),
      QT_TRANSLATE_NOOP(
-         "View", "Lists the strokes that the color table is made of, and the history of their changes."),
+         "View", "Lists the strokes that the color table is made from, and the history of their changes."),
      "samples", false, create<ColorSamplesView>}};
 
 constexpr double kWeights[] = {0.5, 1, 2, 5};
@@ -66,7 +66,7 @@ void ColorSamplesView::createActions() {
                        {"samplesRemove", tr("Remove"), tr("Removes the selected strokes"), Qt::Key_Delete});
   lighting_ = makeAction(this, "light",
                          {"samplesLighting", tr("Lighting…"),
-                          tr("Says in a word in which light the images of the selected strokes were taken")});
+                          tr("Names the light in which the images of the selected strokes were taken")});
 }
 
 void ColorSamplesView::createTree() {
@@ -93,7 +93,7 @@ void ColorSamplesView::createTree() {
 
 void ColorSamplesView::createHistory() {
   steps_ = new QUndoView(&bench_.undoStack(), this);
-  describe(*steps_, {"samplesHistory", tr("History"), tr("A click goes back or forth to after that change")});
+  describe(*steps_, {"samplesHistory", tr("History"), tr("A click goes to the state after that change")});
   steps_->setEmptyLabel(tr("At first"));
   steps_->setFrameShape(QFrame::NoFrame);
 }
@@ -277,8 +277,8 @@ void ColorSamplesView::showImage(const colortool::SampleImage& image) {
     Q_EMIT bench_.frameWanted(nullptr);
     session().timeline().show(*time);
   } else {
-    Q_EMIT bench_.failed(tr("The image %1 is not here: it was not put aside, and its time is not on the time "
-                            "line. Open its log to see it.")
+    Q_EMIT bench_.failed(tr("The image %1 is not here: it was not collected, and its time is not on the "
+                            "timeline. Open its log to see it.")
                              .arg(QString::fromStdString(image.name)));
   }
 }

@@ -38,16 +38,16 @@ constexpr NumberText kNumbers[] = {
     {"brightness-weight", QT_TRANSLATE_NOOP("TrainingPanel", "Brightness"),
      QT_TRANSLATE_NOOP(
          "TrainingPanel",
-         "What a difference in Y counts against one in Cb or Cr; small: light and shadow matter less"),
+         "Weight of a difference in Y, relative to Cb or Cr; small: light and shadow matter less"),
      2},
     {"rejection", QT_TRANSLATE_NOOP("TrainingPanel", "Rejection"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "What a class needs at least; larger: more colors are of no class"),
+     QT_TRANSLATE_NOOP("TrainingPanel", "Votes a class needs at least; larger: more colors are of no class"),
      3},
     {"background-weight", QT_TRANSLATE_NOOP("TrainingPanel", "Background"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "What a sample of the background counts against one of a class"), 2},
+     QT_TRANSLATE_NOOP("TrainingPanel", "Weight of a background sample, relative to one of a class"), 2},
     {"shading", QT_TRANSLATE_NOOP("TrainingPanel", "Shade"),
      QT_TRANSLATE_NOOP("TrainingPanel",
-                       "How much a sample speaks for its color in shadow and in glare, where none is near"),
+                       "How much a sample supports its color in shadow and glare, where no other is near"),
      2},
     {"gray-guard", QT_TRANSLATE_NOOP("TrainingPanel", "Gray guard"),
      QT_TRANSLATE_NOOP("TrainingPanel",
@@ -55,10 +55,11 @@ constexpr NumberText kNumbers[] = {
                        "walls and shadows are"),
      1},
     {"gaussian-distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance²"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance past which a color is of no class"), 1},
+     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance beyond which a color is of no class"),
+     1},
     {"cost", QT_TRANSLATE_NOOP("TrainingPanel", "Cost"),
      QT_TRANSLATE_NOOP("TrainingPanel",
-                       "What a sample on the wrong side costs; larger: follows single samples closer"),
+                       "Cost of a sample on the wrong side; larger: follows single samples more closely"),
      1},
     {"gamma", QT_TRANSLATE_NOOP("TrainingPanel", "Gamma"),
      QT_TRANSLATE_NOOP("TrainingPanel", "How narrow the functions around samples are; larger: narrower"), 6},
@@ -97,7 +98,7 @@ TrainingPanel::TrainingPanel(ColorBench& bench, QWidget* parent) : QWidget(paren
 
 void TrainingPanel::createViews() {
   method_ = new QComboBox(this);
-  describe(*method_, {"trainingMethod", tr("Method"), tr("How the table is made of the samples")});
+  describe(*method_, {"trainingMethod", tr("Method"), tr("How the table is made from the samples")});
   method_->addItem(tr("Kernel votes"));
   method_->setItemData(
       0, tr("Samples vote for the colors around them; the quickest, and good from a single stroke on"),
@@ -109,7 +110,7 @@ void TrainingPanel::createViews() {
   method_->setItemData(2, tr("A support vector machine; slower"), Qt::ToolTipRole);
   defaults_ = makeAction(
       this, "reset",
-      {"trainingDefaults", tr("Defaults"), tr("Sets the method and all options to what is usual")});
+      {"trainingDefaults", tr("Defaults"), tr("Resets the method and all options to their defaults")});
   auto* top = new QHBoxLayout;
   top->addWidget(method_, 1);
   top->addWidget(makeButton(this, defaults_));
@@ -125,23 +126,21 @@ void TrainingPanel::createViews() {
   auto* switches = new QGridLayout;
   switches->setVerticalSpacing(2);
   switches->addWidget(addSwitch("remove-unsupported", tr("Remove strays"),
-                                tr("Colors of a class that no sample of it is near become none")),
+                                tr("Colors of a class that are far from all its samples lose it")),
                       0, 0);
   switches->addWidget(
-      addSwitch("fill-holes", tr("Fill holes"), tr("Colors of none that one class encloses become of it")), 0,
+      addSwitch("fill-holes", tr("Fill holes"), tr("Colors of no class that one class encloses get it")), 0,
       1);
+  switches->addWidget(addSwitch("correct-vignetting", tr("Correct vignetting"),
+                                tr("Removes the lens's darkening of the corners before the table is used")),
+                      1, 0);
   switches->addWidget(
-      addSwitch("correct-vignetting", tr("Correct vignetting"),
-                tr("Takes out of the colors what the lens does to the corners, before the table sees them")),
-      1, 0);
-  switches->addWidget(addSwitch("correct-cameras", tr("Correct cameras"),
-                                tr("Makes the colors of each camera those of the others")),
-                      1, 1);
+      addSwitch("correct-cameras", tr("Correct cameras"), tr("Matches the colors of all cameras")), 1, 1);
 
   estimate_ = makeAction(
       this, "labels",
       {"estimateCorrections", tr("Estimate"),
-       tr("Finds out from the strokes what the lens and the cameras do to colors, and corrects it")});
+       tr("Estimates from the strokes how the lens and the cameras change colors, and corrects it")});
   auto* estimate = makeButton(this, estimate_);
   estimate->setToolButtonStyle(Qt::ToolButtonTextOnly);
   switches->addWidget(estimate, 1, 2);
@@ -206,7 +205,7 @@ void TrainingPanel::connectSignals() {
   connect(defaults_, &QAction::triggered, this, [this] {
     colortool::Samples next = bench_.samples();
     next.settings = {};
-    bench_.change(tr("Usual options"), std::move(next));
+    bench_.change(tr("Default options"), std::move(next));
   });
   connect(estimate_, &QAction::triggered, this, &TrainingPanel::estimate);
   connect(&bench_, &ColorBench::samplesChanged, this, &TrainingPanel::showSettings);

@@ -27,7 +27,7 @@ ColorSpaceCanvas::ColorSpaceCanvas(QWidget* parent)
   setAccessibleName(tr("Color space"));
   setToolTip(
       tr("Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift and drag: select "
-         "what is inside (with Control: add, with Alt: take away); Escape: select nothing"));
+         "what is inside (with Control: add, with Alt: remove); Escape: clear the selection"));
   setToolTipDuration(5000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

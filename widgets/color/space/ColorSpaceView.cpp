@@ -77,13 +77,12 @@ void ColorSpaceView::createActions() {
       {"colorSpaceTable", tr("Table"), tr("Shows the surfaces of the table's classes"), Qt::Key_T}, true);
   showPanel_ = toggle("settings",
                       {"colorSpaceSettings", tr("Classes and cut"),
-                       tr("Shows which classes are shown, and where it is cut"), Qt::Key_D},
+                       tr("Chooses which classes are shown, and where the space is cut"), Qt::Key_D},
                       true);
-  reset_ =
-      makeAction(this, "reset", {"colorSpaceReset", tr("Reset"), tr("Looks at it as at first"), Qt::Key_R});
+  reset_ = makeAction(this, "reset", {"colorSpaceReset", tr("Reset"), tr("Resets the view"), Qt::Key_R});
   clear_ = makeAction(
       this, "clear",
-      {"colorSpaceClear", tr("Select nothing"), tr("Forgets what is selected (Escape in the picture)")});
+      {"colorSpaceClear", tr("Clear selection"), tr("Clears the selection (Escape in the picture)")});
 }
 
 void ColorSpaceView::createViews() {

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     std::this_thread::sleep_for(std::chrono::duration<double>(duration));
   }
   const bool held = reading.report(duration) & control.report(duration) & planning.report(duration);
-  std::cout << (held ? "all periods were held\n" : "this machine is too busy to hold the periods\n");
+  std::cout << (held ? "all periods were met\n" : "this machine is too busy to meet the periods\n");
   if (!robot.isConnected()) std::cerr << robot.problem() << "\n";
   return robot.isConnected() && held ? 0 : 1;
 }
