@@ -93,7 +93,7 @@ void LogToolBar::createLongSteps() {
        frames(10));
   make(ReplayKey::kSecondBack, {"log.secondBack", "step-back", tr("1 s back"), tr("Back one second")},
        key(ReplayKey::kSecondBack));
-  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s on"), tr("Forward one second")},
+  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s forward"), tr("Forward one second")},
        key(ReplayKey::kSecondOn));
   make(ReplayKey::kStart,
        {"log.toStart", "step-back", tr("To the start"), tr("Jumps to the start of the log")},

@@ -176,7 +176,8 @@ void addLogNoteCommands(CLI::App& log, int& status) {
       ->needs(add);
   auto* extract = command->add_option("--extract", arguments->extract, "The name of one to write to a file")
                       ->excludes(add);
-  command->add_option("--output", arguments->output, "That file; else the attachment's name")->needs(extract);
+  command->add_option("--output", arguments->output, "The file to write; else the attachment's name")
+      ->needs(extract);
   command->add_flag("--force", arguments->force, "Overwrites a file of this name");
   command->add_flag("--json", arguments->asJson, "Prints them as JSON");
   command->callback([arguments, &status] { status = attachment(*arguments); });
