@@ -15,7 +15,7 @@ namespace streams = robotlink::streams;
 
 namespace {
 
-/// What follows a prefix; empty if the path does not begin with it.
+/// Returns what follows a prefix; empty if the path does not begin with it.
 std::string below(const std::string& path, std::string_view prefix) {
   return path.starts_with(prefix) ? path.substr(prefix.size()) : std::string();
 }
@@ -53,8 +53,8 @@ bool LoggedPaths::isRecomputed(const std::string& path, const google::protobuf::
 }
 
 bool LoggedPaths::decide(const std::string& path) const {
-  // Only the debug process runs, and tells nothing but what it knows of processes and of tasks that are not
-  // there.
+  // These are published in any case: by the debug process, which knows them for the whole program. If it is
+  // the only process, it publishes keys of no task, so those of the log stay.
   if (path == streams::kSolutions || path == streams::kProcesses || path == streams::kProgram) return true;
   if (path == streams::kKeys) return !tasks_.empty();
   if (path == streams::kColorTableInUse) return looksAtColors_;
@@ -70,7 +70,6 @@ bool LoggedPaths::decide(const std::string& path) const {
   return !parameters.empty() && tasks_.contains(parameters.substr(0, parameters.find('/')));
 }
 
-/// A plot's curve follows its key.
 bool LoggedPaths::isRecomputedKey(std::string key) const {
   while (!keys_.contains(key)) {
     const auto slash = key.rfind('/');
@@ -80,7 +79,6 @@ bool LoggedPaths::isRecomputedKey(std::string key) const {
   return true;
 }
 
-/// `source`: "<process>/<task>", or something else of the process.
 bool LoggedPaths::isRecomputedText(const std::string& source) const {
   const auto slash = source.find('/');
   const std::string teller = slash == std::string::npos ? "" : source.substr(slash + 1);

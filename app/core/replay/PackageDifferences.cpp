@@ -19,8 +19,8 @@ using robotlink::Instant;
 
 namespace {
 
-/// Whether a field is a direction in rad, of which a full turn more is the same; by its name, as the packages
-/// have them.
+/// Whether a field is a direction in rad, for which a full turn makes no difference; by its name, as the
+/// packages use it.
 bool isDirection(std::string_view field) {
   constexpr std::array<std::string_view, 4> kDirections{"heading", "bearing", "compass", "yaw"};
   const std::string_view name = field.substr(field.rfind('.') + 1);
@@ -80,7 +80,7 @@ PackageDifferences::Counts PackageDifferences::compare(const Values& logged, con
   return counts;
 }
 
-/// What only one of them has differs in its presence, not in a number.
+// Fields that only one of the messages has do not count here: they differ in presence, not in a number.
 void PackageDifferences::compareNumbers(const google::protobuf::Message& logged,
                                         const google::protobuf::Message& recomputed, Largest& largest) {
   for (const std::string& field : robotlink::numericFields(recomputed)) {
@@ -89,7 +89,7 @@ void PackageDifferences::compareNumbers(const google::protobuf::Message& logged,
     if (!before || !after) continue;
     double difference = std::abs(*after - *before);
     if (isDirection(field)) difference = std::abs(std::remainder(*after - *before, 2 * std::numbers::pi));
-    // Only one is not a number: nothing differs more.
+    // If only one of them is NaN, no difference is larger.
     if (std::isnan(difference)) {
       difference = std::isnan(*before) == std::isnan(*after) ? 0 : std::numeric_limits<double>::infinity();
     }
@@ -101,7 +101,7 @@ void PackageDifferences::compareNumbers(const google::protobuf::Message& logged,
 
 // ---- A package
 
-/// `sign`: 1, or its complement to take counts back; unsigned numbers wrap around.
+// `sign` is 1 to add, or all ones (-1) to subtract, since unsigned numbers wrap around.
 void PackageDifferences::Summary::count(const Counts& counts, std::uint64_t sign) {
   compared_ += sign * counts.compared;
   different_ += sign * counts.different;

@@ -13,7 +13,7 @@ void Playback::play(RealTime real, const Place& place) {
 }
 
 void Playback::setSpeed(double speed, RealTime real, const Place& place) {
-  // What has passed since the last step has passed at the old speed.
+  // Up to now the old speed counts.
   const Instant now = reached(real, place);
   pace_.setSpeed(speed);
   pace_.restart(real, now);
@@ -22,7 +22,7 @@ void Playback::setSpeed(double speed, RealTime real, const Place& place) {
 std::optional<Playback::Next> Playback::loopBack(const Place& place) const {
   const Instant from = range_ ? range_->from : place.begin;
   const Instant to = range_ ? range_->to : place.end;
-  // A jump to `from` stands at the last message before it.
+  // After a jump to `from` the log is at the last message before it, which is not outside.
   const bool outside = range_ && ((place.next && *place.next <= from) || place.now > to);
   if (!outside && place.next && *place.next <= to) return std::nullopt;
   const RealTime soonest = lastJump_ + kShortestLoop;

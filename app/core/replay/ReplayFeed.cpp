@@ -21,12 +21,12 @@ using robotlink::Result;
 
 constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
-/// What nothing else opens is a log, or is told to be none.
+/// The last adapter: every source that no other one opens is a log, or is reported not to be one.
 const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one time line",
                                                 PlatformTime::kLogged, true,
                                                 [](const std::string&) { return true; }, 3}};
 
-/// The images of the robot by which the log is stepped.
+/// The stream of images of the robot by which the logs are stepped.
 std::string imagesOf(const ReplayRun& run) {
   const std::string& process = run.stepProcess();
   return process.substr(0, process.find('/')) + "/" + robotlink::kCameraImage.name;
@@ -134,8 +134,8 @@ Result<void> ReplayFeed::jump(Instant time) {
   return changed([&] { return run_->jump(aim); });
 }
 
-/// Over what lies between, if that is not farther than what a jump runs over, too: then nothing needs to be
-/// told anew.
+// If `time` is no farther than a jump's preroll, stepping there costs no more than a jump, and the session
+// keeps its history.
 Result<void> ReplayFeed::goTo(Instant time) {
   if (time < run_->now() || time - run_->now() > run_->options().preroll) return jump(time);
   while (run_->nextTime() && *run_->nextTime() <= time) {

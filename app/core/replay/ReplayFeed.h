@@ -15,38 +15,49 @@
 
 namespace app {
 
-/// A ReplayRun in the workbench: played, stepped and jumped in as requests say, it tells a session what the
-/// logs hold and what the programs say that run on them, and its own status on the stream "replay"; and a
-/// recorder. Both must outlive it.
+/// A ReplayRun in the workbench: it is played, stepped and moved by jumps as the user requests, and publishes
+/// to a session what the logs contain, what the programs that run on them send, and its own status on the
+/// stream "replay". A recorder gets the same. Session and recorder must outlive it.
 ///
-/// After a jump, the session is told anew, as a whole. While it is paused, what was asked of a program is
-/// shown at once: the programs run again up to where the log stands.
+/// After a jump, the whole history of the session is replaced. A request to a program has a visible effect
+/// even in a pause: the programs run again up to the present instant.
 class ReplayFeed final : public PlatformFeed {
  public:
+  /// The name of its PlatformAdapter.
   static constexpr const char* kAdapter = "log";
 
+  /// Returns the opening of logs for PlatformThread.
   static PlatformOpening opening(ReplayOptions options);
-  /// Paused: at `time`, or, if that is not given, at the first image.
+  /// Opens the logs, paused at `time` or, if that is not given, at the first image. Fails with all reasons if
+  /// that is impossible.
   static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(
       ReplayOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
       std::optional<robotlink::Instant> time = {});
 
+  /// Publishes what the last jump has collected, and the status.
   void begin() override;
+  /// While it plays, also the times at which the status is due.
   std::optional<PacedThread::Clock::time_point> due() override;
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
+  /// Publishes the streams "replay" and "recording".
   void publishStatus() override;
+  /// Opens the same logs and one more at the present instant; playback and choices are inherited.
   PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                 const logplayer::LogFile::Progress& progress) const override;
 
+  /// The present instant of the time line.
   robotlink::Instant now() const { return run_->now(); }
-  /// With what was chosen since.
+  /// The options with which it was created, updated by what the user chose since.
   ReplayOptions options() const;
 
  protected:
+  /// Passes a request to a robot's program. STOP is refused.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  /// Refused: nothing is simulated.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
+  /// Controls playback, packages and offsets.
   robotlink::Result<void> requestReplay(const robotcontrol::Request& request) override;
 
  private:
@@ -55,24 +66,38 @@ class ReplayFeed final : public PlatformFeed {
 
   ReplayFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : session_(session), recorder_(recorder), outlet_(session, &recorder) {}
+  /// Listeners that publish.
   ReplayRun::Listeners listeners();
-  /// Plays as another one did that it takes the place of; both have logs in common.
+  /// Inherits playback and step process from the feed that this one replaces; both have logs in common.
   void playLike(const ReplayFeed& before);
+  /// Where the logs are.
   Playback::Place place() const;
+  /// The time of the first image of the robot by which the logs are stepped; without images the first frame
+  /// of the step process; else the beginning.
   robotlink::Instant firstImage() const;
-  /// That something failed for which nobody asked just now; it is paused.
+  /// Pauses and publishes an error if something failed that no request is waiting for.
   void publishFailure(const robotlink::Result<void>& done);
-  /// What the change tells takes the place of all that was told; if it fails, that stays.
+  /// Makes a change and replaces the history of the session by what it publishes. If the change fails, the
+  /// session keeps its history.
   robotlink::Errors republish(const Change& change);
+  /// The same, with the first error only.
   robotlink::Result<void> changed(const Change& change);
+  /// Jumps to an instant, or to the nearer end of the logs.
   robotlink::Result<void> jump(robotlink::Instant time);
+  /// Steps forward to a near instant, which keeps the history; jumps to others.
   robotlink::Result<void> goTo(robotlink::Instant time);
 
+  /// Fulfills all parts of a request: settings, choices, then the action.
   robotlink::Result<void> control(const robotcontrol::ControlReplay& control);
+  /// Applies settings that change no program: speed, loop, gaps, range, step process. All or none.
   robotlink::Result<void> set(const robotcontrol::ControlReplay& control);
+  /// Applies what restarts the programs: sources of packages, and offsets.
   robotlink::Result<void> change(const robotcontrol::ControlReplay& control);
+  /// Plays, pauses, steps or jumps.
   robotlink::Result<void> act(const robotcontrol::ControlReplay& control);
+  /// Plays from the present instant; at the end, from the first image.
   robotlink::Result<void> play();
+  /// Whether a step by `count` that ends at `to` moves in its direction; at the ends of the logs it does not.
   bool leads(robotlink::Instant to, int count) const;
   robotlink::Result<void> stepFrames(const robotcontrol::ControlReplay& control);
   robotlink::Result<void> stepMessages(const robotcontrol::ControlReplay& control);
@@ -80,11 +105,13 @@ class ReplayFeed final : public PlatformFeed {
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
+  /// Publishes to the session from begin() on; closed during jumps.
   PublishGate outlet_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
-  bool stale_ =
-      false;  // a program was asked for something that it has not yet done with the log where it stands
+  /// A program got a request whose effect at the present instant is not published yet.
+  bool stale_ = false;
+  /// When the status was last published.
   Clock::time_point lastStatus_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a replay is asked for.
+// How a ReplayFeed fulfills requests.
 #include "app/core/replay/ReplayFeed.h"
 
 #include <algorithm>
@@ -43,10 +43,10 @@ Result<void> ReplayFeed::control(const ControlReplay& control) {
   if (auto done = change(control); !done) return done;
   const auto done = act(control);
   if (!done || !stale_ || playback_.playing()) return done;
-  return jump(run_->now());  // Who is answered sees all that was asked for before.
+  // The result is published after the effects of all earlier requests.
+  return jump(run_->now());
 }
 
-/// What needs no telling anew. All or nothing.
 Result<void> ReplayFeed::set(const ControlReplay& control) {
   if (control.has_speed() &&
       !(control.speed() >= Playback::kSlowest && control.speed() <= Playback::kFastest)) {
@@ -70,7 +70,6 @@ Result<void> ReplayFeed::set(const ControlReplay& control) {
   return {};
 }
 
-/// What changes the program or the time line.
 Result<void> ReplayFeed::change(const ControlReplay& control) {
   if (control.packages_size() > 0) {
     std::map<std::string, ControlReplay::PackageSource> packages;
@@ -124,7 +123,6 @@ Result<void> ReplayFeed::play() {
   return {};
 }
 
-/// At the ends of the log no step leads on.
 bool ReplayFeed::leads(Instant to, int count) const {
   return count < 0 ? to < run_->now() : to > run_->now();
 }

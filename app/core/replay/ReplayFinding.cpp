@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where things are in the logs of a replay, and what is told of it.
+// How a ReplayRun finds instants, streams and frames in its logs, and describes itself.
 #include <algorithm>
 
 #include "app/core/program/SolutionChoices.h"
@@ -27,6 +27,7 @@ std::uint64_t numberOf(const std::optional<robotlink::StreamMessage>& message) {
   return info != nullptr ? info->number() : 0;
 }
 
+/// Whether a process waits for images.
 bool blocksOnImages(const robotlink::Layout::Process& process) {
   return std::any_of(process.blocking.begin(), process.blocking.end(),
                      [](const auto& input) { return input.package == robotlink::kCameraImage.name; });
@@ -89,7 +90,7 @@ ReplayRun::Implementation::Place ReplayRun::Implementation::placeOf(const std::s
       return {source.get(), robot, logName + "/" + path};
     }
   }
-  // What belongs to no robot is told of the first log that has it.
+  // Streams that belong to no robot are looked for in the first log only.
   const bool ofWorld = stream.find('/') == std::string::npos && !sources.empty();
   return ofWorld ? Place{sources.front().get(), nullptr, stream} : Place{};
 }
@@ -100,18 +101,18 @@ std::string ReplayRun::Implementation::framesOf(const std::string& process) {
   return process.substr(0, slash + 1) + streams::kFrames + process.substr(slash + 1);
 }
 
-/// The time of the `count`-th message on from now.
 std::optional<Instant> ReplayRun::Implementation::countedTime(const std::string& stream, int count) const {
   const Place place = placeOf(stream);
   if (place.source == nullptr) return std::nullopt;
   const auto& times = place.source->reader.times(place.stream);
   if (times.empty()) return std::nullopt;
-  // Several messages at one instant are one step.
+  // Several messages at one instant count as one step.
   std::vector<Instant> instants;
   instants.reserve(times.size());
   std::unique_copy(times.begin(), times.end(), std::back_inserter(instants));
   const auto after = std::upper_bound(instants.begin(), instants.end(), place.source->inLog(now));
-  const auto current = (after - instants.begin()) - 1;  // -1: before the first
+  // -1 before the first instant.
+  const auto current = (after - instants.begin()) - 1;
   const auto last = static_cast<std::ptrdiff_t>(instants.size()) - 1;
   const auto wanted = std::clamp<std::ptrdiff_t>(current + count, 0, last);
   return place.source->onLine(instants[static_cast<std::size_t>(wanted)]);
@@ -125,7 +126,7 @@ std::optional<Instant> ReplayRun::messageTime(const std::string& stream, int cou
   return implementation_->countedTime(stream, count);
 }
 
-/// Numbers grow with time, so few of them need be read.
+// The numbers of frames grow with time, so a binary search has to read only few of them.
 std::optional<Instant> ReplayRun::Implementation::timeOfFrame(const std::string& process,
                                                               std::uint64_t frame) const {
   const Place place = placeOf(framesOf(process));
@@ -144,11 +145,13 @@ std::optional<Instant> ReplayRun::timeOfFrame(const std::string& process, std::u
 }
 
 void ReplayRun::Implementation::findStepProcess() {
-  std::vector<std::string> best;  // the most fitting last
+  // The best candidate is the last one.
+  std::vector<std::string> best;
   for (const auto& source : sources) {
     for (const auto& [logName, robot] : source->byLogName) {
       const std::string prefix = logName + "/" + streams::kFrames;
-      std::vector<std::string> names;  // the same for this robot
+      // In the same order, for this robot.
+      std::vector<std::string> names;
       for (const auto& stream : source->reader.file().streams()) {
         if (!stream.path.starts_with(prefix)) continue;
         const std::string process = stream.path.substr(prefix.size());
@@ -174,9 +177,8 @@ const std::string& ReplayRun::stepProcess() const {
   return implementation_->stepProcess;
 }
 
-// ---- Solutions that were chosen
+// ---- Chosen solutions
 
-/// A comparison with another solution than the one that was asked for would be false.
 Errors ReplayRun::Implementation::checkChosenSolutions() const {
   if (options.solutions.empty()) return {};
   std::vector<const robotlink::Layout*> layouts;
@@ -216,7 +218,7 @@ std::vector<std::string> ReplayRun::unusedSolutions() const {
   return sentences;
 }
 
-// ---- What is told of it
+// ---- Description
 
 const ReplayOptions& ReplayRun::options() const {
   return implementation_->options;

@@ -44,7 +44,7 @@ bool joinMoves(ControlReplay& first, const ControlReplay& second) {
       first.stream() != second.stream()) {
     return false;
   }
-  // At the ends of the log a step there and one back do not lead to where one was.
+  // At the ends of the log a step forward and one back need not lead back to the same instant.
   if ((first.count() < 0) != (second.count() < 0)) return false;
   constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
   const std::int64_t sum = std::int64_t{first.count()} + second.count();

@@ -7,13 +7,13 @@ class ControlReplay;
 
 namespace app {
 
-/// Whether it asks for nothing but a step or a jump in a log, so that joinMoves() may make it one with
-/// another.
+/// Whether a request asks for nothing but one step or jump in a log, so that joinMoves() can join it with
+/// others.
 bool onlyMoves(const robotcontrol::ControlReplay& control);
 
-/// Makes `first` lead to where `first` and then `second` would: of jumps the newer one counts, steps of the
-/// same kind and direction add up. False, and nothing is changed, if no single move does that. Both must only
-/// move.
+/// Changes `first` to a single move with the effect of `first` and then `second`: the newer one of two jumps,
+/// or the sum of steps of the same kind and direction. Returns false, without a change, if there is no such
+/// move. onlyMoves() must be true for both.
 bool joinMoves(robotcontrol::ControlReplay& first, const robotcontrol::ControlReplay& second);
 
 }  // namespace app

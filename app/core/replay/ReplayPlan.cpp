@@ -14,13 +14,14 @@ using robotlink::TaskCatalog;
 
 namespace {
 
-/// Where nothing else sets a process's pace: so short that it runs at every instant of any log.
+/// The period of a process whose pace nothing else sets: so short that it runs at every instant of any log.
 constexpr robotlink::Duration kEveryInstant = std::chrono::microseconds(1);
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
+/// The packages that any solution of a task yields; none for null.
 std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
   std::set<std::string> outputs;
   if (task == nullptr) return outputs;
@@ -35,6 +36,7 @@ std::string listed(const std::set<std::string>& texts) {
   return all;
 }
 
+/// Makes one plan.
 class Planner {
  public:
   Planner(ReplaySelection selection, const TaskCatalog& catalog)
@@ -56,25 +58,41 @@ class Planner {
   }
 
  private:
+  /// Finds all packages that are logged or that some task could yield, whatever is chosen.
   void findObtainable();
+  /// The first required package that is not obtainable; null if there is none.
   const std::string* missing(const TaskCatalog::Solution& solution) const;
+  /// Lists all packages of log and layout in the plan.
   void listPackages();
+  /// Fills in who yields a package and whether that is possible here.
   void describeProducer(ReplayPlan::Package& package) const;
+  /// Decides where each package comes from.
   void choose();
+  /// Removes tasks whose packages all come from the log.
   void replaceTasks();
+  /// Removes tasks that cannot run.
   void removeUnavailable();
+  /// Removes one of them, since others may need what it yields. Returns false if there is none.
   bool removeOneUnavailable();
+  /// Chooses another solution if the requested one cannot run. Returns why no solution can; empty if one can.
   std::string makeAvailable(Layout::Task& task);
+  /// Removes processes without tasks, except the debug process.
   void removeEmptyProcesses();
+  /// Lets a process run as often as in the recording, even if no task is left that reads what it waited for.
   void setPace(Layout::Process& process) const;
+  /// Whether a process can get a package from the log or another process.
   bool isOffered(const std::string& package, const Layout::Process& to) const;
+  /// Whether any solution of a process's tasks uses a package.
   bool isRead(const std::string& package, const Layout::Process& by) const;
+  /// The first logged package that the tasks of a process require; empty if there is none.
   std::string paceOf(const Layout::Process& process) const;
 
   ReplaySelection selection_;
   const TaskCatalog& catalog_;
   ReplayPlan plan_;
-  std::set<std::string> obtainable_;  // logged, or yielded by a task that could run if it were chosen
+  /// See findObtainable().
+  std::set<std::string> obtainable_;
+  /// What the log and the debug process offer.
   robotlink::PlatformPackages platform_;
   Errors errors_;
 };
@@ -99,7 +117,6 @@ void Planner::findObtainable() {
   }
 }
 
-/// The first package that it needs and that cannot be had; null if there is none.
 const std::string* Planner::missing(const TaskCatalog::Solution& solution) const {
   const auto found = std::find_if(solution.required.begin(), solution.required.end(),
                                   [&](const std::string& package) { return !obtainable_.contains(package); });
@@ -132,7 +149,7 @@ void Planner::describeProducer(ReplayPlan::Package& package) const {
         if (!contains(solution.outputs, package.name)) continue;
         const std::string* lacks = missing(solution);
         if (lacks == nullptr) package.canRecompute = true;
-        // What the solution that is wished for lacks says more than what others do.
+        // What the requested solution lacks is more informative than what others lack.
         if (wanting == nullptr || solution.name == task.solution) wanting = lacks;
       }
       package.whyNot = package.canRecompute || wanting == nullptr ? "" : robotlink::notProvided(*wanting);
@@ -200,7 +217,6 @@ void Planner::removeUnavailable() {
   while (removeOneUnavailable()) removeEmptyProcesses();
 }
 
-/// One at a time, as others may need what it yields.
 bool Planner::removeOneUnavailable() {
   for (Layout::Process& process : plan_.layout.processes) {
     for (auto task = process.tasks.begin(); task != process.tasks.end(); ++task) {
@@ -215,7 +231,6 @@ bool Planner::removeOneUnavailable() {
   return false;
 }
 
-/// Takes another solution if the one that is wished for cannot run; why not, if none can.
 std::string Planner::makeAvailable(Layout::Task& task) {
   const auto reasonOf = [&](const std::string& solution) {
     constexpr std::string_view kPrefix = "unavailable because ";
@@ -228,7 +243,8 @@ std::string Planner::makeAvailable(Layout::Task& task) {
   };
   const TaskCatalog::Task* known = catalog_.find(task.task);
   const bool misspelled = catalog_.find(task.task, task.solution) == nullptr;
-  if (misspelled && !selection_.fromLog) return {};  // for the check of the layout to say
+  // checkLayout() reports it later.
+  if (misspelled && !selection_.fromLog) return {};
   if (known == nullptr) return "this program has no such task";
   const std::string reason = misspelled ? "this program has no such solution" : reasonOf(task.solution);
   if (reason.empty()) return {};
@@ -250,8 +266,6 @@ void Planner::removeEmptyProcesses() {
 
 // ---- Pace
 
-/// A process goes on at the pace at which it was recorded, also if what it waited for is read by none of the
-/// tasks that are left.
 void Planner::setPace(Layout::Process& process) const {
   if (process.debug) {
     process.period =
@@ -291,7 +305,6 @@ bool Planner::isRead(const std::string& package, const Layout::Process& by) cons
   });
 }
 
-/// The first package of the log that its tasks need; empty if they need none.
 std::string Planner::paceOf(const Layout::Process& process) const {
   for (const Layout::Task& task : process.tasks) {
     const TaskCatalog::Solution* solution = catalog_.find(task.task, task.solution);

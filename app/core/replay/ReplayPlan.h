@@ -12,51 +12,68 @@
 
 namespace app {
 
-/// What shall run on a log.
+/// What should run on a log, the input of planReplay(). A plain value.
 struct ReplaySelection {
-  robotlink::Layout layout;              ///< whole, with the solutions that are wished for
-  std::set<std::string> logged;          ///< packages that the log holds
-  std::vector<std::string> debugOffers;  ///< packages that the debug process offers
-  /// Solutions that cannot be made on this robot, and why, by task and solution.
+  /// The whole layout, with the solutions that are requested.
+  robotlink::Layout layout;
+  /// Packages that the log contains.
+  std::set<std::string> logged;
+  /// Packages that the debug process offers.
+  std::vector<std::string> debugOffers;
+  /// Solutions that cannot be constructed for this robot, by task and solution, with the reason.
   std::map<std::pair<std::string, std::string>, std::string> broken;
-  /// The layout may be of another program: tasks and solutions that are not known here are unavailable, no
-  /// errors.
+  /// Whether the layout is the log's and so may belong to another program: tasks and solutions that are not
+  /// known here are then unavailable instead of errors.
   bool fromLog = false;
-  /// What a person chose, by package.
+  /// The sources that the user chose, by package.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
-  bool recomputeAll = false;  ///< whatever can be recomputed is, unless `packages` says otherwise
+  /// Whether everything that can be recomputed is, unless `packages` says otherwise.
+  bool recomputeAll = false;
 };
 
-/// What runs on a log, and what comes from it. Whatever is logged takes the place of the tasks that yield it,
-/// unless it is chosen to be recomputed; what is not logged is recomputed if it can be. Tasks all of whose
-/// packages are as logged leave the layout, and so do tasks that need what nobody offers any more. A process
-/// goes with its last task. A plain value.
+/// Which part of a layout runs on a log, and where each package comes from. Logged packages replace the tasks
+/// that yield them, unless the user chooses to recompute them; what is not logged is recomputed if possible.
+/// A task whose packages all are as logged leaves the layout, and so does a task that lacks an input; a
+/// process leaves with its last task. A plain value.
 struct ReplayPlan {
+  /// A package of the log or of the layout, and its source.
   struct Package {
     std::string name;
-    std::string process;  ///< of the whole layout that yields it; empty: the platform
+    /// The process of the whole layout that yields it; empty: the platform.
+    std::string process;
     bool logged = false;
+    /// Whether a solution that yields it could run.
     bool canRecompute = false;
-    std::string whyNot;  ///< "nobody offers joints/states"; empty if it can be recomputed
+    /// Why it cannot be recomputed: "nobody offers joints/states"; empty if it can.
+    std::string whyNot;
+    /// AS_LOGGED or RECOMPUTED.
     robotcontrol::ControlReplay::PackageSource source = robotcontrol::ControlReplay::RECOMPUTED;
-    bool chosen = false;  ///< by a person
+    /// Whether the user chose the source.
+    bool chosen = false;
   };
-  robotlink::Layout layout;              ///< what is left, with all absent tasks and why
-  std::vector<Package> packages;         ///< by name
-  std::vector<std::string> unavailable;  ///< "motion: nobody offers joints/states"
-  /// Where another solution than the layout's had to be taken: "task ball-model is done by filtered, because
-  /// oracle is unavailable: nobody offers oracle/world".
+  /// What is left of the layout, with all absent tasks and the reasons.
+  robotlink::Layout layout;
+  /// Sorted by name.
+  std::vector<Package> packages;
+  /// Tasks that cannot run, with the reason: "motion: nobody offers joints/states".
+  std::vector<std::string> unavailable;
+  /// A sentence for each task that is done by another solution than requested: "task ball-model is done by
+  /// filtered, because oracle is unavailable: nobody offers oracle/world".
   std::vector<std::string> notes;
-  std::map<std::string, std::string>
-      replaced;  ///< by task: why it is not done by the solution that was wished for
+  /// The reasons for these, by task.
+  std::map<std::string, std::string> replaced;
 
+  /// Whether a task of the layout is left.
   bool runs(const std::string& task) const;
   bool hasProcess(const std::string& process) const;
+  /// Returns null if there is no such package.
   const Package* find(const std::string& package) const;
+  /// Whether a package comes from the log.
   bool isAsLogged(const std::string& package) const;
 };
 
-/// Fails if a package cannot be had as a person chose, or if what is left of the layout cannot be run.
+/// Makes the plan. Fails if a package cannot come from the source that the user chose, or if what is left of
+/// the layout cannot run.
 tl::expected<ReplayPlan, robotlink::Errors> planReplay(ReplaySelection selection,
                                                        const robotlink::TaskCatalog& catalog);
 

@@ -25,10 +25,11 @@ using robotlink::StreamMessage;
 
 namespace {
 
-/// How long what a process told may wait in it before it is taken.
+/// The longest time for which published packages wait in the queue of a process.
 constexpr robotlink::Duration kQueueDelay = std::chrono::milliseconds(100);
 
-/// Whether the packages of a stream can be given to those who expect `type`.
+/// Whether the messages of a stream can be used as packages of `type`. Compressed images can, since they are
+/// decoded.
 bool fits(const google::protobuf::Descriptor& type, const std::string& streamType) {
   const bool isImage = &type == foxglove::RawImage::descriptor();
   return streamType == type.full_name() ||
@@ -54,7 +55,7 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
         robotlink::isDebugPackage(path))
       continue;
     logged_.insert(path);
-    // What programs told last waits in their queues when a recording ends, and is lost; it is not missed.
+    // What was still in the queues when the recording ended is not in the log; it is not missed there.
     const bool untilTheEnd = log_->end() - stream.last < kQueueDelay;
     comparedUntil_[path] = untilTheEnd ? stream.last : Instant::max();
   }
@@ -67,7 +68,7 @@ ReplayRobot::~ReplayRobot() = default;
 std::optional<ProgramSetup> ReplayRobot::loggedSetupAt(Instant time) const {
   const std::string stream = logName_ + "/" + streams::kProgram;
   auto message = log_->latest(stream, time);
-  // Some recorders tell it with the first frame.
+  // Some recorders write it with the first frame only.
   if (!message) {
     if (const auto first = log_->timeAfter(stream, time)) message = log_->latest(stream, *first);
   }
@@ -133,7 +134,7 @@ Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
   return errors;
 }
 
-/// A log can be played even if today's program cannot run in its layout.
+// A log can be played even if its layout cannot run any more.
 Errors ReplayRobot::playOnly(const Errors& why) {
   ReplaySetup setup = *setup_;
   setup.layout = emptyLayout(setup.layout);
@@ -169,7 +170,6 @@ ReplaySelection ReplayRobot::overrides() const {
   return overrides;
 }
 
-/// A solution that cannot be made here, say because the robot lacks a joint, counts as unavailable.
 Errors ReplayRobot::makeProgram() {
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
   for (ReplaySelection requested = overrides();;) {
@@ -263,8 +263,8 @@ void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
   }
 }
 
-/// What is not told in every frame must be there from the start. What processes wait for is left out: they
-/// ran for it then.
+// Packages that are not published in every frame must be there from the start. Those that processes wait for
+// are left out: they have triggered their frames already.
 void ReplayRobot::giveWhatIsBefore(Instant time) {
   if (!computes()) return;
   std::set<std::string> awaited;
@@ -280,7 +280,7 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
     if (const auto message = before(package.name, earlier))
       program_->platform.put(package.name, message->value);
   }
-  // What one asked for at `time` itself comes with the requests of that instant, if the log has them.
+  // Requests at `time` itself are taken from the log at that instant, if it contains requests.
   for (const std::string& package : robotlink::debugPackages()) {
     const auto message = before(package, hasRequests() ? earlier : time);
     if (!message) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a ReplayRobot goes over its log.
+// How a ReplayRobot runs over its log, and its requests.
 #include <algorithm>
 
 #include "app/core/program/ColorTables.h"
@@ -38,7 +38,7 @@ std::string ReplayRobot::whyNotDoneBy(const std::string& task, const std::string
 std::vector<std::string> ReplayRobot::neededStreams() const {
   std::vector<std::string> needed;
   for (const std::string& path : streams_) {
-    // What is recomputed is read, too, to be compared.
+    // Logged packages are needed even if they are recomputed: they are compared.
     const bool needs = logged_.contains(path) || path.starts_with(streams::kFrames) ||
                        path == streams::kRequests || path == streams::kProgram ||
                        robotlink::isDebugPackage(path);
@@ -57,14 +57,14 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
   }
   for (const StreamMessage& message : messages) {
     const std::string path = below(message.path);
-    // What was sent in the instant of a start went to the program before.
+    // Packages of the instant of a restart belong to the previous program.
     if (logged_.contains(path) && !startedAnew) takePackage(path, message);
     const auto* request = dynamic_cast<const Request*>(message.value.get());
     if (request != nullptr && path == streams::kRequests) takeRequest(*request);
     if (!hasRequests() && robotlink::isDebugPackage(path)) takeRequest(*message.value);
   }
-  // As late as then: the debug process here runs at every instant, so that what programs tell is heard at
-  // once.
+  // Requests take effect when the debug process ran in the recording. Here it runs at every instant, so that
+  // what programs publish is seen at once.
   if (!debugProcessRan(messages)) return;
   for (const Request& request : std::exchange(due_, {})) program_->program->debugProcess().request(request);
 }
@@ -76,7 +76,8 @@ bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) co
     return std::any_of(messages.begin(), messages.end(),
                        [&](const StreamMessage& message) { return below(message.path) == frames; });
   }
-  return true;  // the log does not tell
+  // The log does not say.
+  return true;
 }
 
 void ReplayRobot::takePackage(const std::string& package, const StreamMessage& message) {
@@ -84,7 +85,6 @@ void ReplayRobot::takePackage(const std::string& package, const StreamMessage& m
   if (countsDifferences_ && !plan_.isAsLogged(package)) differences_.addLogged(package, message.value);
 }
 
-/// A program that was started anew then is started anew now; true if it was.
 bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
   if (!loggedSetup_ || !isAnotherProgram(*loggedSetup_, setup)) return false;
   const Errors errors = startWith(now, choices_);
@@ -94,8 +94,8 @@ bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
   return false;
 }
 
-/// What a person chooses now counts more than what one chose then; and what one looked at then does not
-/// matter.
+// The user's present overrides take precedence over requests of the recording. Requests that only concern
+// views do not matter.
 void ReplayRobot::takeRequest(const Request& request) {
   bool counts = false;
   if (request.has_select_solution()) {
@@ -119,7 +119,6 @@ void ReplayRobot::takeRequest(const Request& request) {
         colorTableOfLog(request.set_color_table().table());
 }
 
-/// A log may hold what the debug process sent, but not who asked for it.
 void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
   Request request;
   if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
@@ -146,7 +145,7 @@ StreamMessage ReplayRobot::published(StreamMessage message) const {
   const std::string path = below(message.path);
   const bool anew = paths_.isRecomputed(path, *message.value);
   message.path = name_ + "/" + (anew ? streams::kLogged : "") + path;
-  // The process counts other frames here; drawings are told apart by their times.
+  // The process counts its frames anew here. Drawings are matched to frames by their times.
   if (!anew && paths_.runs(message.process)) message.frame = 0;
   return message;
 }

@@ -24,16 +24,18 @@ using robotlink::StreamMessage;
 
 namespace {
 
+/// The robot's name in a path; empty for paths without one.
 std::string robotOf(const std::string& path) {
   const auto slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
-/// A frame's end comes after what the frame told.
+/// Whether a message ends a frame, and so must come after the frame's other messages.
 bool isFrameEnd(const StreamMessage& message) {
   return dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
 }
 
+/// Returns a queue with an offset added to all times; the same one if that is 0.
 std::shared_ptr<const DebugQueue> moved(const std::shared_ptr<const DebugQueue>& queue, Duration offset) {
   if (offset == Duration::zero()) return queue;
   auto copy = std::make_shared<DebugQueue>(*queue);
@@ -140,7 +142,7 @@ std::string ReplayRun::Implementation::freeName(const std::string& robot) const 
   return name;
 }
 
-// ---- Going on
+// ---- Steps
 
 bool ReplayRun::Implementation::step() {
   const auto time = nextTime();
@@ -157,7 +159,6 @@ bool ReplayRun::Implementation::step() {
   return true;
 }
 
-/// To the robots that it is about; those without a message see the time go on.
 void ReplayRun::Implementation::give(Source& source, Instant logTime,
                                      const std::vector<StreamMessage>& messages) {
   std::map<std::string, std::vector<StreamMessage>> byRobot;
@@ -252,7 +253,7 @@ Errors ReplayRun::Implementation::jump(Instant time) {
   return errors;
 }
 
-/// Whoever hears an answer goes by the request's number. Logs may be of no robot.
+// Results are matched by the id of their request, so any robot will do.
 std::string ReplayRun::Implementation::firstRobot() const {
   for (const auto& source : sources) {
     if (!source->robots.empty()) return source->robots.front()->name();
@@ -288,7 +289,7 @@ void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant
     computes = computes || robot->computes();
   }
   if (needed.empty() || !computes) {
-    // What is only played has no past; but what its program says of itself is told.
+    // If nothing is recomputed, only the present instant matters, for what the program says about itself.
     for (const auto& robot : source.robots) {
       robot->take(to, {});
       robot->run();
@@ -307,7 +308,7 @@ void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant
   }
 }
 
-// ---- What a person asks for
+// ---- Requests
 
 Errors ReplayRun::Implementation::changeChoices(
     const std::function<void(const std::string&, ReplayChoices&)>& change) {
@@ -322,7 +323,8 @@ Errors ReplayRun::Implementation::changeChoices(
         (void)changed.start(logTime, before);
       };
       errors = robot->start(logTime, std::move(choices));
-      if (!errors.empty()) break;  // nothing has changed there
+      // Nothing has changed for this robot.
+      if (!errors.empty()) break;
       takeBack.emplace_back(undo);
       robot->differences().clear();
     }

@@ -27,105 +27,128 @@ struct RobotDescription;
 
 namespace app {
 
-/// One log among those of a replay.
+/// One of the logs of a replay. A plain value.
 struct ReplayLog {
   std::filesystem::path file;
-  robotlink::Duration offset{0};  ///< added to its times
-  /// Whether a person chose the offset. Otherwise a log that does not overlap with the first one begins with
-  /// it: the clocks of different machines do not agree.
+  /// Added to the times of the log.
+  robotlink::Duration offset{0};
+  /// Whether the user chose the offset. Otherwise a log that does not overlap with the first one is shifted
+  /// to begin with it, since the clocks of different computers do not agree.
   bool offsetChosen = false;
 };
 
+/// What is replayed, and how. A plain value.
 struct ReplayOptions {
-  std::vector<ReplayLog> logs;  ///< robots of equal names get "-2", "-3" behind theirs
-  /// The program that runs on the logged data; empty: the layout in each robot's log, or, without one, the
-  /// shipped "compact".
+  /// Robots of equal names in several logs get "-2", "-3" and so on behind their names.
+  std::vector<ReplayLog> logs;
+  /// The layout of the programs that run on the logged data; empty: the one in each robot's log or, without
+  /// one, that of the robot's kind.
   std::filesystem::path layout;
-  std::map<std::string, std::string> solutions;       ///< task -> solution, instead of the layout's
-  std::map<std::string, ProgramOverrides> overrides;  ///< what a person chose before for a robot, by its name
-  /// By "<robot>/<package>", or "*/<package>" for all robots; what is not named is chosen by what the logs
-  /// hold.
+  /// Maps tasks to solutions, instead of the layout's.
+  std::map<std::string, std::string> solutions;
+  /// What the user chose for the robots before, by name.
+  std::map<std::string, ProgramOverrides> overrides;
+  /// Sources of packages, by "<robot>/<package>" or, for all robots, "*/<package>". For others the contents
+  /// of the logs decide.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
-  bool recomputeAll = false;         ///< of what `packages` does not name, whatever can be recomputed is
-  std::filesystem::path colorTable;  ///< .c64; empty: the one in the log
-  bool publishAllPackages =
-      false;  ///< programs tell all packages that they yield, whether or not their keys are on
-  /// How much of the log the program runs on before a jump's aim, so that its models are settled.
+  /// Whether all packages that `packages` does not name are recomputed if possible.
+  bool recomputeAll = false;
+  /// A color table (.c64) for all robots; empty: the one in the log.
+  std::filesystem::path colorTable;
+  /// Whether the programs publish all packages that they yield, even if their debug keys are off.
+  bool publishAllPackages = false;
+  /// How much of the log before the aim of a jump the programs run on, so that their models settle.
   robotlink::Duration preroll = std::chrono::seconds(2);
+  /// Called while the logs are opened; can cancel that.
   logplayer::LogFile::Progress progress;
 };
 
-/// Robot programs on logged data, moved along the logs' common time line by its caller: in steps to the next
-/// instant at which a platform told something, or by jumps. In lockstep, so the same logs, choices and
+/// Robot programs on logged data. The caller moves them along the logs' common time line: by steps to the
+/// next instant at which a log has messages, or by jumps. They run in lockstep, so the same logs, choices and
 /// programs give the same bytes.
 ///
-/// A logged package takes the place of the task that yields it, unless it is chosen to be recomputed; then
-/// the logged one is told as "<robot>/logged/<package>". Tasks that lack inputs do not run; status() says
-/// what they lack. Requests that were logged are handed in again at their times, where their task is
-/// recomputed.
+/// A logged package replaces the task that yields it, unless the user chooses to recompute it; the logged one
+/// is then published as "<robot>/logged/<package>". Tasks that lack inputs do not run; describe() reports
+/// what they lack. Logged requests are made again at their times if their task is recomputed.
 ///
 /// One thread at a time; listeners are called in that thread.
 class ReplayRun {
  public:
+  /// Functions that are called with what is published, in times of the time line; each may be empty.
   struct Listeners {
-    /// What the logs hold, as time goes over it, complete frames; after a jump the newest message of every
-    /// stream, also of what programs told on the way there.
+    /// Called with the messages of the logs at each step. After a jump, called once with the newest message
+    /// of every stream, including those of the programs.
     std::function<void(std::vector<robotlink::StreamMessage>)> logged;
-    /// What a program tells.
+    /// Called with the debug queues of programs, and after a jump with the results of requests.
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    /// Called with a sentence if something is wrong with a process.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
   };
+  /// Opens the logs at the beginning of the time line. Fails with all reasons if a file cannot be read or a
+  /// program cannot be made.
   static tl::expected<std::unique_ptr<ReplayRun>, robotlink::Errors> create(ReplayOptions options,
                                                                             Listeners listeners);
   ~ReplayRun();
 
-  robotlink::Instant now() const;  ///< before the first step the time of the begin
+  /// The present instant; before the first step the beginning.
+  robotlink::Instant now() const;
+  /// The first and the last instant of all logs.
   robotlink::Instant begin() const;
   robotlink::Instant end() const;
-  /// When the next step will be; nothing at the end.
+  /// The instant of the next step; nothing at the end.
   std::optional<robotlink::Instant> nextTime() const;
 
-  /// On to nextTime(); false at the end.
+  /// Steps to nextTime(). Returns false at the end.
   bool step();
-  /// Programs start anew, run over the preroll without being heard, and then over what is at `time` or last
-  /// before it. Then the newest message of every stream up to `time` is told, in order of time, also of what
-  /// was recomputed on the way; of numbers and texts all of the preroll, so that plots and lists do not begin
-  /// with a jump.
+  /// Jumps to `time`, or to the nearer end: restarts the programs, runs them over the preroll without
+  /// publishing, and then publishes the newest message of every stream up to `time`, in order of time,
+  /// including what was recomputed on the way. Of streams with a history (numbers, texts) the whole preroll
+  /// is published, so that plots and lists do not start empty. Where a program cannot be made, errors say
+  /// why, and its previous one stays.
   robotlink::Errors jump(robotlink::Instant time);
 
-  /// The process by whose frames one steps: "<robot>/<process>"; at first the one that takes the images.
-  /// False: there is none of that name.
+  /// Sets the process whose frames are stepped and counted, "<robot>/<process>"; at first one that waits for
+  /// images. Returns false if the logs have no frames of it.
   bool setStepProcess(const std::string& process);
   const std::string& stepProcess() const;
-  /// When frame `count` frames on (negative: back) from now() of "<robot>/<process>" begins; the last or
-  /// first if there are fewer.
+  /// The time of the frame `count` frames after (negative: before) the present one of "<robot>/<process>";
+  /// the last or first one if there are fewer. Nothing if the logs have no frames of it.
   std::optional<robotlink::Instant> frameTime(const std::string& process, int count) const;
+  /// The time of a frame by the number that the process gave it; nothing if it is not in the logs.
   std::optional<robotlink::Instant> timeOfFrame(const std::string& process, std::uint64_t frame) const;
+  /// Like frameTime(), for the messages of a stream; those of the same instant count as one.
   std::optional<robotlink::Instant> messageTime(const std::string& stream, int count) const;
 
-  /// Both start the programs anew at now(), as a jump there does.
+  /// Chooses the sources of packages, by "<robot>/<package>", and restarts the programs at now(). If that is
+  /// impossible, the previous choices stay.
   robotlink::Errors choosePackages(
       const std::map<std::string, robotcontrol::ControlReplay::PackageSource>& packages);
+  /// Restarts the programs in another layout at now(). If that is impossible, the previous layouts stay.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// Shifts a log on the time line; jumps to now(), or to the nearer end.
   void setOffset(const std::filesystem::path& log, robotlink::Duration offset);
-  /// To a robot's program. A solution that is chosen stays so over jumps; keys do, too, and a color table.
-  /// What it changed is seen at once after jump(now()).
+  /// Passes a request to a robot's program; overrides are kept over jumps. Call jump(now()) to see its effect
+  /// at once.
   robotlink::Result<void> request(const robotcontrol::Request& request);
 
-  /// Solutions among those of the options that change nothing, because their tasks do not run: a sentence
-  /// each, with the reason.
+  /// The solutions of the options that have no effect because their tasks do not run, as a sentence each,
+  /// with the reason.
   std::vector<std::string> unusedSolutions() const;
-  /// What ReplayStatus says of logs, processes, packages, differences, tasks, begin, end, time, and frames of
-  /// the step process.
+  /// Fills in logs, processes, packages, differences, tasks, beginning, end, time, and the frames of the step
+  /// process. ReplayFeed fills in the state of playback.
   void describe(robotcontrol::ReplayStatus& status) const;
+  /// The options with the present layout and offsets.
   const ReplayOptions& options() const;
-  /// By the robot's name.
+  /// What the user chose so far, by robot.
   std::map<std::string, ProgramOverrides> overrides() const;
-  /// What of these the programs that run now cannot fulfill, a sentence each.
+  /// The overrides that the present programs cannot fulfill, as a sentence each.
   std::vector<std::string> lostChoices() const;
+  /// The names of the robots in the replay.
   std::vector<std::string> robots() const;
+  /// Returns null if there is no such robot.
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
+  /// The field of the first robot; null without robots.
   std::shared_ptr<const robotlink::FieldDescription> field() const;
 
  private:

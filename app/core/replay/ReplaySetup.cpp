@@ -14,10 +14,10 @@ using robotlink::RobotDescription;
 
 namespace {
 
-/// What a robot is taken for whose log does not tell.
+/// The kind of robot that is assumed for logs that do not say.
 constexpr char kRobotOfOldLogs[] = "ers210";
 
-/// The log's, if it has one and no other is wished for, else one on the disk.
+/// Returns the logged file, if there is one, otherwise the one on disk.
 tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged,
                                                 const std::filesystem::path& file) {
   if (logged != nullptr && !logged->text().empty()) return *logged;
@@ -29,13 +29,14 @@ tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged
   return read;
 }
 
-/// One that cannot be read is told of later.
+/// A description that cannot be read is reported later; the default takes its place.
 RobotDescription described(const ProgramSetup::File& description) {
   auto robot = robotlink::parseRobotDescription(description.text(), description.name());
   return robot ? std::move(*robot) : RobotDescription();
 }
 
-/// Descriptions in older logs do not say it; then the shipped one of that name does, if there is one.
+/// Descriptions in older logs do not contain it; then that of the shipped robot of this name counts, if there
+/// is one.
 robotlink::RobotUse useOf(const ProgramSetup::File& description, const std::string& kind) {
   auto use = robotlink::parseRobotUse(description.text(), description.name());
   const bool says = use && (!use->teams.empty() || !use->field.empty());
@@ -43,6 +44,7 @@ robotlink::RobotUse useOf(const ProgramSetup::File& description, const std::stri
   return use ? std::move(*use) : robotlink::RobotUse();
 }
 
+/// Returns the texts of layout, description and field.
 tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std::string& robot,
                                            const std::filesystem::path& layout) {
   const auto own = descriptionFile(robot);
@@ -62,7 +64,8 @@ tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std
                        layout.empty() ? layoutFile(kind) : layout, files.mutable_layout());
   const std::filesystem::path field = fieldFile(useOf(files.description(), kind.name).field);
   const bool loggedField = logged != nullptr && !logged->field().text().empty();
-  Errors ofField;  // There may be no field at all.
+  // An empty list if there is no field at all.
+  Errors ofField;
   if (loggedField || !field.empty())
     ofField = take(loggedField ? &logged->field() : nullptr, field, files.mutable_field());
   errors.insert(errors.end(), ofRobot.begin(), ofRobot.end());
@@ -71,6 +74,7 @@ tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std
   return files;
 }
 
+/// Chooses the solutions that were active in the recording.
 void choose(Layout& layout, const ProgramSetup& logged) {
   for (const auto& choice : logged.solutions()) {
     for (auto& process : layout.processes) {
@@ -85,6 +89,7 @@ bool sameFile(const ProgramSetup::File& one, const ProgramSetup::File& other) {
   return one.name() == other.name() && one.text() == other.text();
 }
 
+/// Reads a setup; fails if a logged part cannot be used.
 tl::expected<ReplaySetup, Errors> read(const ProgramSetup* logged, const std::string& robot,
                                        const std::filesystem::path& layoutFile) {
   auto files = filesOf(logged, robot, layoutFile);
@@ -121,7 +126,8 @@ tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, co
   auto setup = read(logged, robot, layoutFile);
   if (setup || logged == nullptr) return setup;
   auto shipped = read(nullptr, robot, layoutFile);
-  if (!shipped) return setup;  // What is wrong with the log is not all that is wrong.
+  // The log is not all that is wrong; report its errors.
+  if (!shipped) return setup;
   shipped->notes.push_back("the program's setup in the log cannot be used; shipped files are used instead: " +
                            robotlink::describe(setup.error()));
   return shipped;

@@ -19,33 +19,45 @@ struct GroundMap;
 
 namespace app {
 
-/// What a logged robot is and what program runs on it: as the log says, or as shipped where it does not.
+/// What a logged robot is and what program should run for it: as the log has it, or as shipped where it does
+/// not. A plain value.
 struct ReplaySetup {
-  robotlink::Layout layout;  ///< with the solutions that were chosen when it was recorded, if it is the log's
+  /// If it is the log's, with the solutions that were active in the recording.
+  robotlink::Layout layout;
+  /// Whether the layout is not one that the user chose.
   bool layoutFromLog = false;
-  robotcontrol::ProgramSetup files;  ///< layout, description and field, as texts
+  /// Layout, description and field as texts.
+  robotcontrol::ProgramSetup files;
+  /// Empty if it plays in none or the log does not say.
   std::string team;
   std::shared_ptr<const robotlink::RobotDescription> description;
+  /// Where such robots are used.
   robotlink::RobotUse use;
   std::shared_ptr<const robotlink::FieldDescription> field;
-  std::shared_ptr<const robotlink::GroundMap> map = {};  ///< that it drove by; null: none is in the log
+  /// The map by which it drove; null if the log has none.
+  std::shared_ptr<const robotlink::GroundMap> map = {};
+  /// Logged parameters, and the folder of the shipped ones.
   robotlink::ParameterSource parameters;
-  std::vector<std::string> notes;  ///< what of the log could not be used, and what is taken instead
+  /// A sentence for each part of the log that cannot be used, with what is used instead.
+  std::vector<std::string> notes;
 };
 
-/// `logged`: null if the log does not tell what ran on its robot; then a shipped robot of its name is taken,
-/// else the ERS-210. The same if what it tells cannot be read (a newer program wrote it): a log can be played
-/// in any case. `layout`: a file instead of the log's layout, whose solutions then count; empty: the log's,
-/// else the shipped "compact".
+/// Reads what a log says about a robot's program. `logged` is null if it says nothing; then the shipped robot
+/// of this name is assumed, otherwise the ERS-210. The same holds, with a note, if it cannot be read (a newer
+/// program may have written it), so that any log can be played.
+///
+/// `layout` is a file to be used instead of the log's layout, with that file's solutions. If it is empty and
+/// the log has no layout, that of the robot's kind is used.
 tl::expected<ReplaySetup, robotlink::Errors> readReplaySetup(const robotcontrol::ProgramSetup* logged,
                                                              const std::string& robot,
                                                              const std::filesystem::path& layout);
 
-/// A layout that computes nothing, for logs whose own cannot be run any more.
+/// Returns a layout without tasks, for logs whose own cannot be run any more. It keeps name and file of
+/// `instead`.
 robotlink::Layout emptyLayout(const robotlink::Layout& instead);
 
-/// Whether two set-ups are of different programs; else only solutions and parameters were changed while it
-/// ran.
+/// Whether two setups belong to different programs. If not, at most solutions and parameters were changed
+/// while it ran.
 bool isAnotherProgram(const robotcontrol::ProgramSetup& one, const robotcontrol::ProgramSetup& other);
 
 }  // namespace app

@@ -16,6 +16,7 @@ using robotlink::StreamMessage;
 
 namespace {
 
+/// The size of the cache of decoded images.
 constexpr std::size_t kMaxImageBytes = 64U << 20U;
 
 }  // namespace
