@@ -20,15 +20,16 @@ using robotlink::failure;
 using robotlink::Result;
 using Type = CommandTable::Type;
 
-constexpr double kSlowest = 0.05, kFastest = 50;  // times real time
+/// The range of speeds, times real time.
+constexpr double kSlowest = 0.05, kFastest = 50;
 
-/// What the commands are about: the open logs, if there are some.
+/// The open logs, as the commands need them. A handle; copies refer to the same workbench.
 class Logs {
  public:
   explicit Logs(Workbench& workbench) : workbench_(&workbench) {}
 
   Workbench& workbench() const { return *workbench_; }
-  /// As last told.
+  /// The last published status. Fails if no log is open.
   Result<const ReplayStatus*> status() const {
     auto& session = workbench_->session();
     const auto* status =
@@ -36,12 +37,14 @@ class Logs {
     if (status == nullptr) return failure("log.none", "no log is open; open one first: log.open FILE");
     return status;
   }
+  /// Sends a request to the replay.
   Result<void> control(const ControlReplay& control) const {
     robotcontrol::Request request;
     *request.mutable_control_replay() = control;
     workbench_->ask(std::move(request));
     return {};
   }
+  /// The same for an action without arguments.
   Result<void> act(ControlReplay::Action action) const {
     ControlReplay control;
     control.set_action(action);
@@ -52,6 +55,7 @@ class Logs {
   Workbench* workbench_;
 };
 
+/// Returns the number of steps from a command's argument.
 Result<std::int32_t> wholeCount(double value) {
   constexpr double kMax = std::numeric_limits<std::int32_t>::max();
   if (value == 0 || std::trunc(value) != value || std::abs(value) > kMax) {
@@ -60,7 +64,7 @@ Result<std::int32_t> wholeCount(double value) {
   return static_cast<std::int32_t>(value);
 }
 
-/// A time of the time line, in ns, from seconds since its begin.
+/// Converts seconds since the beginning to a time of the time line, in ns. Fails if that is outside.
 Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   const double length = 1e-9 * static_cast<double>(status.end() - status.begin());
   if (!(seconds >= 0 && seconds <= length)) {
@@ -70,7 +74,7 @@ Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   return std::min(status.end(), status.begin() + robotlink::fromSeconds(seconds).count());
 }
 
-/// An open log by its path, or by its file's name; as it was given if it is neither.
+/// Returns the path of an open log by the name of its file; otherwise the argument as it is.
 std::string logNamed(const std::string& name, const ReplayStatus& status) {
   for (const auto& log : status.logs()) {
     if (std::filesystem::path(log.path()).filename() == name) return log.path();
@@ -221,7 +225,8 @@ void addJumping(CommandTable& commands, const Logs& logs) {
                 "Jumps to a frame of the chosen process",
                 {{"number", Type::kNumber, "of the frame, as the process counted"}},
                 [logs](const Values& values) -> Result<void> {
-                  constexpr double kMax = 9e15;  // above that, not every whole number is a double
+                  // Above this, not every whole number is a double.
+                  constexpr double kMax = 9e15;
                   const double frame = number(values, 0);
                   if (!(frame >= 0 && frame <= kMax) || std::trunc(frame) != frame) {
                     return failure("log.frame", "a frame number must be a whole number, 0 or more");
@@ -233,7 +238,7 @@ void addJumping(CommandTable& commands, const Logs& logs) {
                 }});
 }
 
-/// The package's full name; that of the selected robot's if no robot is named.
+/// Returns a package's name with its robot; the selected robot's if the name has none.
 std::string packageNamed(const std::string& name, const ReplayStatus& status, const std::string& robot) {
   const auto known = [&](const std::string& path) {
     return std::any_of(status.packages().begin(), status.packages().end(),

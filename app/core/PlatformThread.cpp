@@ -8,7 +8,6 @@
 
 namespace app {
 
-/// A request that waits, with those that joined it.
 struct PlatformThread::Asked {
   robotcontrol::Request request;
   std::vector<std::uint64_t> ids;
@@ -23,7 +22,8 @@ PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder&
 void PlatformThread::postOther(PacedThread::Job job) {
   {
     const std::lock_guard lock(mutex_);
-    newest_.reset();  // What is asked for later is done after this.
+    // What is requested later must be done after this job.
+    newest_.reset();
   }
   thread_.post(std::move(job));
 }
@@ -37,7 +37,8 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
     const LoadedPlatform before = feed_->describe();
     ended_ = {before.adapter, before.sources, feed_->overrides()};
   }
-  feed_.reset();  // What it still tells must not get into the next one's history.
+  // First, so that its last messages do not get into the history of the next one.
+  feed_.reset();
   recorder_.setLive(!feed || !feed->describe().isLogged());
   feed_ = std::move(feed);
   {
@@ -130,12 +131,13 @@ void PlatformThread::request(const robotcontrol::Request& request) {
     asked = std::make_shared<Asked>(Asked{request, {request.id()}});
     newest_ = moves ? asked : nullptr;
   }
-  // Not only in its turn: this thread may wait for a program that hangs, and the robot must not.
+  // STOP is not only enqueued: the platform's thread may be blocked by a program that hangs.
   if (stopSwitch && request.has_stop()) stopSwitch->engage(request.robot(), request.stop().engaged());
   thread_.post([this, asked] {
     {
       const std::lock_guard lock(mutex_);
-      if (newest_ == asked) newest_.reset();  // Nothing joins it any more.
+      // It is about to be done, so no request can be joined with it any more.
+      if (newest_ == asked) newest_.reset();
     }
     fulfil(asked->request, asked->ids);
   });

@@ -20,54 +20,73 @@ class Session;
 
 namespace app {
 
-/// Runs one platform at a time, a simulation or logs, in a thread of its own: never on the GUI's thread, and
-/// no view slows it. Opening another one ends the one before, once it is known that the other can be run.
+/// Runs one platform at a time (a simulation, a real robot, or logs) in a thread of its own, so that neither
+/// the GUI nor its views slow it down. Opening another platform ends the present one once it is known that
+/// the other one can be run.
 ///
-/// All functions may be called from any thread and return at once; what they ask for is done in their order,
-/// between two steps. Session and recorder must outlive it.
+/// All functions may be called from any thread and return at once. They enqueue jobs, which are executed in
+/// order between two steps of the platform. Session and recorder must outlive this object.
 class PlatformThread {
  public:
-  /// Called in the platform's thread: what runs now, or why what ran before goes on.
+  /// Called in the platform's thread with a description of what runs now, or with the reasons why nothing was
+  /// loaded. What ran before then continues, unless it had to end first (PlatformFeed::makeWay()).
   using LoadHandler = std::function<void(const tl::expected<LoadedPlatform, robotlink::Errors>&)>;
 
+  /// Starts the thread; at first no platform runs.
   PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder);
 
+  /// Opens a platform. It gets the overrides of the last one that had any, if that had the same adapter and
+  /// sources.
   void open(PlatformOpening opening, LoadHandler handler);
-  /// Where a robot at the end of a line is not connected, tries it again at once.
+  /// Retries a lost connection to a robot at once.
   void connectNow();
-  /// One more to the logs that are open; what was chosen for those stays.
+  /// Adds a log to those that are open; what the user chose for these stays. `offset` is added to its times.
   void addLog(std::filesystem::path file, robotlink::Duration offset, logplayer::LogFile::Progress progress,
               LoadHandler handler);
+  /// Restarts the programs of the platform in another layout.
   void setLayout(std::filesystem::path file, LoadHandler handler);
-  /// Nothing runs then.
+  /// Ends the platform; none runs then.
   void close(LoadHandler handler);
-  /// Requests for robots and for what runs; each is answered once, to the session. Jumps and steps in a log
-  /// that are asked for faster than they are done are made one: of jumps the newest counts, steps add up.
+  /// Fulfills a request to a robot or to the platform; the session gets one result for each. Moves in a log
+  /// that are requested faster than they can be made are joined: the newest of several jumps counts, and
+  /// steps add up. STOP of a real robot also acts at once.
   void request(const robotcontrol::Request& request);
 
  private:
+  /// A request in the queue, with the ids of those that were joined with it.
   struct Asked;
-  /// What was open last of what keeps choices, for when it is opened again.
+  /// The last platform with overrides, in case it is opened again.
   struct Ended {
     std::string adapter;
     std::vector<std::string> sources;
-    std::map<std::string, ProgramOverrides> overrides;  // by the robots' names
+    /// By robot.
+    std::map<std::string, ProgramOverrides> overrides;
   };
+  /// Replaces the platform (null: by none) and restarts the session with it.
   void start(std::unique_ptr<PlatformFeed> feed);
+  /// Describes what runs now.
   LoadedPlatform describe() const;
+  /// Fulfills a request and pushes the result for each of the ids, unless the program will answer.
   void fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
+  /// Enqueues a job that no move can be joined across.
   void postOther(PacedThread::Job job);
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
-  std::unique_ptr<PlatformFeed> feed_;  // the platform's thread only; null: nothing runs
-  Ended ended_;                         // the platform's thread only
+  /// Null if no platform runs. Only in the platform's thread.
+  std::unique_ptr<PlatformFeed> feed_;
+  /// Only in the platform's thread.
+  Ended ended_;
 
-  std::mutex mutex_;                        // protects newest_ and stopSwitch_
-  std::shared_ptr<StopSwitch> stopSwitch_;  // of the robot that runs; null: none
-  std::shared_ptr<Asked>
-      newest_;          // what was asked for last, if it still waits and another request may join it
-  PacedThread thread_;  // last: it uses the others
+  /// Protects newest_ and stopSwitch_.
+  std::mutex mutex_;
+  /// That of the platform that runs; null if it has none.
+  std::shared_ptr<StopSwitch> stopSwitch_;
+  /// The last request in the queue, if it only moves a log and so may be joined with the next one; otherwise
+  /// null.
+  std::shared_ptr<Asked> newest_;
+  /// The last member, since the thread uses the others.
+  PacedThread thread_;
 };
 
 }  // namespace app

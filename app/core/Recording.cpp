@@ -18,9 +18,11 @@ using robotlink::Result;
 
 namespace {
 
+/// Names of the settings.
 constexpr char kStreams[] = "streams", kImages[] = "images", kCompression[] = "compression", kKeep[] = "keep",
                kTrigger[] = "trigger", kFolder[] = "folder";
 
+/// Options of a recorder whose warnings go into a queue.
 logplayer::Recorder::Options recorderOptions(robotlink::BoundedQueue<std::string>& warnings) {
   logplayer::Recorder::Options options;
   options.software = "robotcontrol " ROBOTCONTROL_VERSION;
@@ -28,11 +30,11 @@ logplayer::Recorder::Options recorderOptions(robotlink::BoundedQueue<std::string
   return options;
 }
 
-/// What has happened is in memory when a person sees that it should have been recorded. It takes at most
-/// logplayer::Recorder::Options::keptBytes.
-constexpr double kKeptByDefault = 30;  // s
+/// Seconds that are kept in memory unless the user chooses otherwise, so that something unexpected can be
+/// saved after it has happened. They take at most logplayer::Recorder::Options::keptBytes.
+constexpr double kKeptByDefault = 30;
 
-/// Unique in all files, so that logs can be merged; as JSON can hold it.
+/// A random id that is unique across files, so that logs can be merged, and small enough for numbers in JSON.
 std::uint64_t newBookmarkId() {
   std::random_device device;
   return (std::uint64_t{device()} << 32U | device()) & ((std::uint64_t{1} << 53U) - 1);
@@ -115,7 +117,7 @@ Result<void> Recording::bookmark(const std::string& text, robotlink::Instant tim
   add("id", std::to_string(newBookmarkId()));
   add("text", text);
   recorder_.add({{robotlink::streams::kBookmarks, time, std::move(event)}});
-  // In a recording the mark is enough.
+  // A recording contains the mark; otherwise the last seconds are saved with it.
   if (status.recording()) return {};
   ControlRecording control;
   control.set_action(ControlRecording::SAVE_LAST);

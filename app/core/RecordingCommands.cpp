@@ -15,6 +15,7 @@ using robotlink::failure;
 using robotlink::Result;
 using Type = CommandTable::Type;
 
+/// Starts, stops or saves a recording; an empty path means a new file in the folder for recordings.
 Result<void> act(Workbench& workbench, ControlRecording::Action action, const std::string& path = {}) {
   ControlRecording control;
   control.set_action(action);

@@ -5,8 +5,8 @@ namespace app {
 
 class Workbench;
 
-/// Adds the commands that record: recording.start, recording.save-last, recording.streams and so on. The
-/// workbench must outlive its command table. What cannot be done is refused at once, with the reason.
+/// Adds the commands for recording: recording.start, recording.save-last, recording.streams and so on. The
+/// workbench must outlive its command table. They fail at once, with the reason, if something is impossible.
 void addRecordingCommands(Workbench& workbench);
 
 }  // namespace app

@@ -20,7 +20,7 @@ using robotlink::CommandTable;
 using robotlink::Result;
 using Type = CommandTable::Type;
 
-/// Asks the selected robot for something.
+/// Sends a request to the selected robot. Fails if there is no robot.
 Result<void> ask(Workbench& workbench, Request request) {
   if (workbench.session().robots().empty()) {
     return robotlink::failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
@@ -47,7 +47,8 @@ Result<void> connect(Workbench& workbench, const Values& values) {
   return {};
 }
 
-/// "off", "always", "n 3", "every 3", "every-ms 40"; nothing if it is none of them.
+/// Reads the mode of a debug key: "off", "always", "n 3", "every 3" or "every-ms 40"; nothing if it is none
+/// of these.
 std::optional<KeyMode> modeOf(const std::string& words) {
   const auto space = words.find(' ');
   const std::string kind = words.substr(0, space);

@@ -5,9 +5,9 @@ namespace app {
 
 class Workbench;
 
-/// Adds the commands about robots and their programs: robot.connect, robot.stop, robot.key, robot.goal and so
-/// on. The workbench must outlive its command table. Refusals that come later arrive at its handler of
-/// errors.
+/// Adds the commands for robots and their programs: robot.connect, robot.stop, robot.key, robot.goal and so
+/// on. The workbench must outlive its command table. Most requests are answered later; refusals are then
+/// passed to the workbench's handler of errors.
 void addRobotCommands(Workbench& workbench);
 
 }  // namespace app

@@ -28,6 +28,7 @@ using Control = robotcontrol::ControlSimulation;
 
 namespace {
 
+/// The files with an extension in a folder of the resources, sorted.
 std::vector<std::filesystem::path> filesIn(const char* folder, const char* extension) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
@@ -38,7 +39,7 @@ std::vector<std::filesystem::path> filesIn(const char* folder, const char* exten
   return files;
 }
 
-/// A shipped file by its name without extension ("compact"), or any file by its path.
+/// Returns a shipped file by its name without extension ("compact"), or else the name as a path.
 std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shipped, const std::string& name) {
   for (const auto& file : shipped) {
     if (file.stem() == name) return file;
@@ -48,9 +49,9 @@ std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shippe
 
 }  // namespace
 
-/// Another scene is opened with the layouts and the world's options of the one before.
 struct Workbench::LastSimulation {
-  mutable std::mutex mutex;  // protects options
+  // Protects options.
+  mutable std::mutex mutex;
   RunOptions options;
 };
 
@@ -123,7 +124,7 @@ RunOptions Workbench::defaultOptions() {
 
 PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
   ++loading_;
-  // What was on stays on in the next platform.
+  // Debug keys that are on stay on in the next platform.
   if (change == Change::kPlatform) {
     if (const auto kept = keepKeys(); !kept) report({kept.error()});
   }
@@ -253,7 +254,7 @@ void Workbench::switchKeysOn(const std::string& robot) {
     request.set_robot(robot);
     request.mutable_set_key()->set_name(key.name());
     *request.mutable_set_key()->mutable_mode() = key.mode();
-    // Another program may not have all keys that were on in the one before: that is nothing to be told of.
+    // Another program may lack some of the keys that were on; that is no error to report.
     session_.request(std::move(request), [](const robotcontrol::RequestResult&) {});
   }
 }

@@ -19,11 +19,13 @@
 
 namespace app {
 
-/// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs),
-/// and the commands that all of them offer. The thread that owns it calls tick() at 30 Hz.
+/// Everything of the workbench except its window: a session, the platform that feeds it (a simulation, a real
+/// robot, or logs), the recording, and the table of all commands. Only in one thread, that of the GUI, which
+/// calls tick() at 30 Hz.
 class Workbench {
  public:
-  /// Debug keys that were on at the end of the last session are kept below `userFolder`.
+  /// The settings of the recording, and the debug keys that were on for each robot, are kept below
+  /// `userFolder`.
   explicit Workbench(std::filesystem::path userFolder);
   ~Workbench();
 
@@ -31,101 +33,127 @@ class Workbench {
   robotlink::CommandTable& commands() { return commands_; }
   Recording& recording() { return recording_; }
 
-  /// Starts loading a simulation; the outcome arrives in a later tick().
+  /// Starts loading a simulation. The result arrives in a later tick(), as for all functions up to
+  /// setLayout().
   void load(RunOptions options);
-  /// The same for logs; the layout is that of the programs that run on them, empty: the one in the log.
+  /// Opens logs. `layout` is that of the programs that run on them; empty: the one in each log.
   void openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout = {});
-  /// One more to those that are open.
+  /// Adds a log to those that are open, on the same time line.
   void addLog(ReplayLog log);
-  /// A real robot, or one of another simulator. The outcome says only whether its program can be run; how the
-  /// connection does is told on its stream link/status.
+  /// Connects a real robot, or a robot of another simulator. The result says only whether its program can be
+  /// run; the progress of the connection is published on its stream link/status.
   void connectRobot(PioneerOptions options);
-  /// The robot of connectRobot() is sought again at once, if it is not connected.
+  /// Retries the connection of connectRobot() at once if it was lost. Fails if no such robot is open.
   robotlink::Result<void> connectNow();
   /// Ends what runs.
   void close();
+  /// Restarts the robots' programs in another layout.
   void setLayout(const std::filesystem::path& file);
 
-  /// Asks what runs for something; a refusal arrives at the handler of errors.
+  /// Sends a request to what runs. A refusal is passed to the handler of onErrors().
   void ask(robotcontrol::Request request);
 
-  /// Takes in what is new; calls the handlers below.
+  /// Applies the results of loading, updates the session, and calls the handlers below.
   void tick();
-  /// A scene, log or layout was loaded, or all was closed: what runs now.
+  /// The handler is called with what runs now when something was loaded or closed, or a layout was changed.
   void onLoaded(std::function<void(const LoadedPlatform&)> handler) { onLoaded_ = std::move(handler); }
-  /// Something could not be loaded, and what ran before goes on; or a request was refused.
+  /// The handler is called if something could not be loaded, in which case what ran before continues; if a
+  /// request was refused; and with warnings.
   void onErrors(std::function<void(const robotlink::Errors&)> handler) { onErrors_ = std::move(handler); }
 
-  /// Null before the first that could be loaded.
+  /// What runs; null until something was loaded for the first time.
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
-  /// Is something being loaded now?
+  /// Whether something is being loaded now.
   bool loading() const { return loading_ > 0; }
-  /// How much of what is being opened has been read, in [0, 1]; nothing if nothing is.
+  /// Which share of a file that is being opened was read, in [0, 1]; unset if none is.
   std::optional<double> progress() const;
-  /// What that is: the name of its file.
+  /// The name of that file; empty if there is none.
   std::string openingName() const;
-  /// Gives up opening it.
+  /// Cancels opening that file; what ran before continues.
   void cancelOpening();
 
-  /// Keeps the debug keys that are on, for the next start.
+  /// Saves the modes of each robot's debug keys for the next start. Fails if a file cannot be written.
   robotlink::Result<void> keepKeys();
 
-  /// The shipped ones.
+  /// The shipped scenes and maps; the shipped layouts.
   static std::vector<std::filesystem::path> scenes();
   static std::vector<std::filesystem::path> layouts();
-  /// The kinds of robots that can be put into a simulated world: those that are described and have a model.
+  /// A kind of robot that can be added to a simulated world, since it has a description and a model.
   struct RobotKind {
-    std::string name;    ///< "p3at"
-    std::string title;   ///< "Pioneer 3-AT"
-    bool plays = false;  ///< in teams
+    /// "p3at"
+    std::string name;
+    std::string title;
+    /// Whether such robots play in teams.
+    bool plays = false;
   };
+  /// All of these kinds, sorted by name.
   static std::vector<RobotKind> simulatedRobots();
-  /// Those of them in which robots of a kind can be run.
+  /// The shipped layouts that can be run by a kind of robot.
   static std::vector<std::filesystem::path> layoutsFor(const robotlink::RobotDescription& robot);
-  /// A shipped scene by its name ("field2002"), or any by its path.
+  /// A shipped scene by its name ("field2002"), or any other by its path.
   static std::filesystem::path sceneNamed(const std::string& name);
-  /// A shipped layout by its name ("compact"), or any by its path.
+  /// A shipped layout by its name ("compact"), or any other by its path.
   static std::filesystem::path layoutNamed(const std::string& name);
+  /// The simulation that is opened by default.
   static RunOptions defaultOptions();
 
  private:
-  /// Of a log or scene that is opened in the platform's thread.
+  /// The progress of a file that is being opened, shared with the platform's thread.
   struct Opening {
     std::string name;
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
+  /// What a result is about: another platform, or another layout on the same one.
   enum class Change { kPlatform, kLayout };
+  /// A result from the platform's thread.
   struct Outcome {
     Change change;
     tl::expected<LoadedPlatform, robotlink::Errors> loaded;
   };
+  /// Adds the commands "simulation.*".
   void addSimulationCommands();
+  /// Adds the command "layout.open".
   void addLayoutCommand();
+  /// Executes the command "simulation.setup".
   robotlink::Result<void> setUp(const std::vector<robotlink::CommandTable::Value>& values);
+  /// Begins a new opening_, and returns the function that updates it.
   logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
+  /// Returns a handler that enqueues the result for tick().
   PlatformThread::LoadHandler outcomeOf(Change change);
+  /// Applies a result from the platform's thread.
   void apply(Outcome outcome);
-  /// With which the last simulation runs or ran.
+  /// The options of the simulation that runs or ran last. Another scene is opened with its layouts and
+  /// settings.
   RunOptions lastSimulation() const;
+  /// Passes a request of the session to the recording or the platform.
   void take(const robotcontrol::Request& request);
+  /// Calls the handler of onErrors().
   void report(const robotlink::Errors& errors);
+  /// Switches on the debug keys that were on when the robot was last open; at first, those of a shipped
+  /// preset.
   void switchKeysOn(const std::string& robot);
+  /// Requests an action of ControlSimulation; a negative speed leaves the speed as it is.
   robotlink::Result<void> control(int action, double speed = -1);
 
   std::filesystem::path userFolder_;
   robotlink::Session session_;
   robotlink::CommandTable commands_;
   Recording recording_;
+  /// From the platform's thread.
   robotlink::BoundedQueue<Outcome> outcomes_{64};
   std::optional<LoadedPlatform> loaded_;
-  struct LastSimulation;  // also known to the platform's thread
+  /// Shared with the platform's thread.
+  struct LastSimulation;
   std::shared_ptr<LastSimulation> lastSimulation_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
+  /// How many results are still to come.
   int loading_ = 0;
-  std::shared_ptr<Opening> opening_;  ///< the last one that was begun
-  PlatformThread platform_;           // last: it uses the others
+  /// The last file whose opening was begun; null if none is in progress.
+  std::shared_ptr<Opening> opening_;
+  /// The last member, since its thread uses the others.
+  PlatformThread platform_;
 };
 
 }  // namespace app
