@@ -19,7 +19,7 @@ namespace simcore {
 
 struct SceneContents;
 
-/// Is told how much of a scene is loaded, in [0, 1]; returns whether to go on.
+/// Called with how much of a scene is loaded, in [0, 1]; returns whether to continue.
 using LoadProgress = std::function<bool(double share)>;
 
 /// A world as its file describes it, checked and ready for any number of simulations: an SDFormat 1.9 file,
@@ -36,7 +36,7 @@ class Scene {
   /// areas or outside. It is an error if there is no room for all of them, or where the free places of a
   /// scene cannot be known.
   ///
-  /// Large maps take seconds: `progress` is told several times a second, and ends it with the one error
+  /// Large maps take seconds: `progress` is called several times per second, and can end it with the error
   /// "scene.given-up".
   static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
       const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {});

@@ -19,7 +19,7 @@ class Scene;
 
 /// The options of a simulation.
 struct SimulationOptions {
-  /// Of all random numbers: noise and the order of the solver's constraints.
+  /// The seed of all random numbers: noise and the order of the solver's constraints.
   std::uint64_t seed = 1;
   /// Whether sensors have the noise that the scene's file gives them.
   bool noise = true;

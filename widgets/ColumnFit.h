@@ -44,10 +44,10 @@ class ColumnFit final : public QObject {
   ColumnFit(QTableView& table, std::vector<ColumnKind> kinds);
   ColumnFit(QTreeView& tree, std::vector<ColumnKind> kinds);
 
-  /// That of a header; null if it has none.
+  /// The ColumnFit of a header; null if it has none.
   static ColumnFit* of(const QHeaderView& header);
 
-  /// The width that a person gave the column; 0: none.
+  /// The width that the user gave the column; 0: none.
   int pinned(int column) const { return needs_[static_cast<std::size_t>(column)].pinned; }
   /// 0: it is fitted again.
   void pin(int column, int width);

@@ -8,7 +8,7 @@ class QHeaderView;
 // Saving and restoring how the user arranged the columns of a table.
 namespace widgets {
 
-/// The columns of a table as a person arranged them: their order, widths and how they are sorted, as JSON.
+/// The columns of a table as the user arranged them: their order, widths and how they are sorted, as JSON.
 /// The width of a column that ColumnFit fits is 0.
 QJsonValue headerState(const QHeaderView& header);
 

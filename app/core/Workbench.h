@@ -82,6 +82,7 @@ class Workbench {
   struct RobotKind {
     /// "p3at"
     std::string name;
+    /// "Pioneer 3-AT"
     std::string title;
     /// Whether such robots play in teams.
     bool plays = false;

@@ -25,10 +25,10 @@ class Source {
   ~Source();
 
   const std::filesystem::path& file() const { return file_; }
-  /// As it was when it was opened.
+  /// The size when it was opened.
   std::uint64_t bytes() const { return identity_.bytes; }
   const Identity& identity() const { return identity_; }
-  /// How many bytes somebody cut off its end since then.
+  /// How many bytes were cut off its end since then.
   std::uint64_t cutOff() const;
   /// Fills `to`; returns false if the file ends before or the system cannot read it.
   bool read(std::uint64_t offset, std::span<std::uint8_t> to) const;

@@ -52,9 +52,9 @@ class Recorder {
   void forget(const std::string& robot);
 
   /// Whether what comes is new, as it is from robots and simulations; it is at first. What comes from a log
-  /// is in a file already: it is recorded if a person wants that, but not kept in memory.
+  /// is in a file already: it is recorded if the user wants that, but not kept in memory.
   void setLive(bool live);
-  /// Something is recorded or kept in memory. While it is not, only what holds until told anew need be added.
+  /// Whether something is recorded or kept in memory. If not, only latched messages need be added.
   bool active() const;
   /// Whether messages of this stream are recorded, kept in memory, or are the trigger for saving.
   bool wants(const std::string& path) const;

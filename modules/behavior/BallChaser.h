@@ -11,7 +11,7 @@ namespace modules {
 /// What a behavior knows about its robot and the world at one instant, in the robot's frame unless noted
 /// otherwise.
 struct Situation {
-  /// Of any clock, s.
+  /// The present time by any clock, s.
   double time = 0;
   /// The ball was seen recently enough to be of use.
   bool ballKnown = false;

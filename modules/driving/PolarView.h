@@ -36,7 +36,7 @@ class PolarView {
 
  private:
   double reach_;
-  /// By sector, m.
+  /// The free distance in each sector, m.
   std::array<double, kSectors> free_;
 };
 

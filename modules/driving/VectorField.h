@@ -18,7 +18,7 @@ struct AvoidanceSituation {
   /// Obstacles, m.
   std::span<const robotlink::Vector2> points;
   DriveLimits limits;
-  /// Of any clock, s.
+  /// The present time by any clock, s.
   double time = 0;
 };
 

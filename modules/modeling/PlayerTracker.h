@@ -25,7 +25,7 @@ class PlayerTracker {
   struct Options {
     /// The distance within which a percept is assigned to a known robot, m.
     double sameWithin = 0.4;
-    /// Of the confidence, s.
+    /// Half-life of the confidence, s.
     double halfLife = 2;
     /// Robots with less confidence are removed.
     double forgetBelow = 0.1;

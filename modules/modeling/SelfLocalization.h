@@ -21,8 +21,8 @@ inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
                                                  "Place, heading and deviation of the robot"};
 
 /// The base of solutions of the task "self-localisation": sends the pose estimate, and draws and plots it. A
-/// derived class computes an estimate in execute() and passes it to tell(). Used by its process's thread; the
-/// context must outlive it.
+/// derived class computes an estimate in execute() and passes it to publish(). Used by its process's thread;
+/// the context must outlive it.
 class SelfLocalization : public robotlink::Solution {
  public:
   explicit SelfLocalization(robotlink::SolutionContext& context)

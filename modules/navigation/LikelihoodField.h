@@ -37,12 +37,12 @@ class LikelihoodField {
   }
   static constexpr std::uint8_t kFarthest = 250;
 
-  // Of the grid; in single precision, for speed.
+  // The grid, in single precision for speed.
   float lowX_, lowY_, perCell_, width_, height_;
   std::size_t columns_;
-  /// By cell, in units of kStep.
+  /// The distance of each cell, in units of kStep.
   std::vector<std::uint8_t> distances_;
-  /// By distance.
+  /// Indexed by distance.
   std::array<float, kFarthest + 1> logarithms_{};
 };
 

@@ -24,7 +24,7 @@ struct Particle {
 struct WeightSums {
   /// The logarithm of the largest weight.
   double best = 0;
-  /// Of the weights, relative to the largest one.
+  /// Sums over the weights, relative to the largest one.
   double sum = 0, squares = 0;
   /// How many particles of equal weight would be as informative.
   double effective() const { return sum * sum / squares; }

@@ -27,7 +27,7 @@ class ReachableSpace {
 
  private:
   GridFrame frame_;
-  /// By cell.
+  /// Whether each cell is inside.
   std::vector<std::uint8_t> inside_;
   /// Indices of the cells inside.
   std::vector<std::uint32_t> cells_;

@@ -9,7 +9,7 @@ namespace modules {
 
 /// The posture of a body relative to the ground. A plain value.
 struct BodyTilt {
-  /// Of the body's origin, m.
+  /// Height of the body's origin, m.
   double height = 0;
   /// Positive if the nose is down, rad.
   double pitch = 0;

@@ -62,7 +62,7 @@ class HorizonLandmarkFinder {
   colortool::ColorTable table_;
   Options options_;
   LandmarkGeometry geometry_;
-  /// By class: whether a landmark has this color.
+  /// Whether a landmark has the color of a class, indexed by class.
   std::vector<bool> wanted_;
   std::vector<Run> runs_;
   std::vector<Cluster> clusters_;

@@ -42,7 +42,7 @@ class LandmarkGeometry {
     double minimumHeight = 4;
     /// Meters.
     double maximumDistance = 6;
-    /// Of the camera's elevation, rad.
+    /// Tolerance of the camera's elevation, rad.
     double tiltTolerance = 0.09;
   };
   LandmarkGeometry(const robotlink::FieldDescription& field, const Options& options);

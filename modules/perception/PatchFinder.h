@@ -18,7 +18,7 @@ struct RobotObservation {
   robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
   /// From 0 to 1.
   double confidence = 0;
-  /// Of its patches, pixels.
+  /// Area of its patches, pixels.
   int area = 0;
 };
 

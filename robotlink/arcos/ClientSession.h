@@ -232,7 +232,7 @@ class ClientSession {
     Instant at;
     Duration length;
   };
-  /// Of the last 5 s, at most kMaxGaps.
+  /// The gaps of the last 5 s, at most kMaxGaps.
   std::deque<Gap> gaps_;
   Statistics statistics_;
 };

@@ -107,7 +107,7 @@ class PioneerConnection {
   ClientSession session_;
   StateDecoder decoder_;
   std::optional<RangeScan> scan_;
-  /// By packet id, at most 256.
+  /// Keyed by packet id; at most 256.
   std::map<std::uint8_t, Packet> latest_;
   /// There is a state that no read() has reported yet.
   bool fresh_ = false;

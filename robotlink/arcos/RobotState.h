@@ -65,7 +65,7 @@ struct RobotState {
   /// As in the packet: see StandardInformation.h.
   std::uint16_t flags = 0, faultFlags = 0;
 
-  /// By number; for each sonar the latest reading.
+  /// The latest reading of each sonar, in the order of their numbers.
   std::vector<SonarReading> sonars;
 
   bool stalled() const { return leftStalled || rightStalled; }

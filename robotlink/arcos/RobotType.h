@@ -28,7 +28,7 @@ struct RobotType {
   double wheelSpeedStep = 0.02;
   /// Size of the body, m.
   double length = 0.626, width = 0.505;
-  /// By the sonars' numbers; each measures along its x-axis.
+  /// In the order of the sonars' numbers; each measures along its x-axis.
   std::vector<Pose2> sonarsInRobot;
   double sonarMaximum = 5.0;  ///< m; the reading if there is no echo
   /// The full cone, rad.

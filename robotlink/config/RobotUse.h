@@ -10,7 +10,7 @@
 namespace robotlink {
 
 /// What resources/robots/<name>.yaml says of where a kind of robot is used, for whoever puts one on a
-/// platform; its programs are told of it. A plain value.
+/// platform; programs get it as part of their setup. A plain value.
 struct RobotUse {
   /// The field (resources/fields/<name>.yaml) that its program knows where neither scene nor log name one;
   /// empty: none.

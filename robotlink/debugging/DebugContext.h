@@ -120,7 +120,7 @@ class DebugContext {
   std::string robot_;
   const Clock& clock_;
   Options options_;
-  /// By index of the key.
+  /// Indexed by the key's index.
   std::vector<State> states_;
   std::unique_ptr<Frame> frame_;
   std::uint64_t dropped_ = 0;

@@ -35,7 +35,7 @@ class AnySender;
 /// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
 /// the processes' tables of keys and solutions into one each, and tells twice a second what all processes do,
 /// and which color table is in use whenever that changes.
-/// A process that failed is told as an error, once.
+/// A process that failed is reported as an error, once.
 class DebugProcess final : public Process {
  public:
   /// Called with each debug queue, in this process's thread.

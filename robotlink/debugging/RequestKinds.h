@@ -8,7 +8,7 @@
 
 namespace robotlink {
 
-/// Who fulfills a request.
+/// The part of the workbench or of a robot's program that fulfills a request.
 enum class RequestDoer : std::uint8_t {
   kNobody,        ///< a request that asks for nothing
   kTask,          ///< the process of the robot's program that has the task
@@ -19,8 +19,8 @@ enum class RequestDoer : std::uint8_t {
   kRecording
 };
 
-/// What holds for all requests of one kind. The table of all kinds is the one place that says so; whoever
-/// passes requests on, keeps them or talks of them looks it up.
+/// The properties of all requests of one kind. The table of all kinds is the only place that defines them;
+/// code that passes on, stores or describes requests looks them up.
 struct RequestKind {
   using Text = std::string (*)(const robotcontrol::Request& request);
 
@@ -33,10 +33,10 @@ struct RequestKind {
   /// What it sets: of two requests of one kind with the same subject the later one counts, and holds until
   /// there is another. Null: it sets nothing, each request counts.
   Text subject = nullptr;
-  /// What is wrong with the request itself, whoever is asked; empty: nothing. Null: nothing can be wrong.
+  /// What is wrong with the request itself, for any robot; empty: nothing. Null: nothing can be wrong.
   Text wrong = nullptr;
-  /// What a person chose by it, for a sentence about the choice being lost: "solution red of task ball". Null
-  /// or empty: nothing that would be missed.
+  /// What the user chose by it, for a sentence about its loss: "solution red of task ball". Null or empty:
+  /// nothing that would be missed.
   Text choice = nullptr;
 };
 

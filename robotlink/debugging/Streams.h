@@ -12,12 +12,12 @@ inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable
 /// ColorTable without its cells and correction: which one is in use, and where it is from.
 inline constexpr char kColorTableInUse[] = "tables/colors";
-inline constexpr char kResults[] = "results";                ///< RequestResult; handed to who asked, not kept
-inline constexpr char kFrames[] = "frames/";                 ///< + process: FrameInfo
-inline constexpr char kStopwatches[] = "stopwatches/";       ///< + process: StopwatchTimes
-inline constexpr char kParameters[] = "parameters/";         ///< + task/solution: ParameterValues
-inline constexpr char kImages[] = "images/";                 ///< + key: foxglove.RawImage
-inline constexpr char kPlots[] = "plots/";                   ///< + key or key/curve: PlotValue
+inline constexpr char kResults[] = "results";           ///< RequestResult; passed to the requester, not kept
+inline constexpr char kFrames[] = "frames/";            ///< + process: FrameInfo
+inline constexpr char kStopwatches[] = "stopwatches/";  ///< + process: StopwatchTimes
+inline constexpr char kParameters[] = "parameters/";    ///< + task/solution: ParameterValues
+inline constexpr char kImages[] = "images/";            ///< + key: foxglove.RawImage
+inline constexpr char kPlots[] = "plots/";              ///< + key or key/curve: PlotValue
 inline constexpr char kImageDrawings[] = "drawings/image/";  ///< + key: foxglove.ImageAnnotations
 /// + key: foxglove.SceneUpdate in the frame "field"
 inline constexpr char kFieldDrawings[] = "drawings/field/";

@@ -69,9 +69,9 @@ class TaskRunner {
   const std::string task_;
   Environment environment_;
   std::vector<const SolutionDescription*> solutions_;
-  /// By solution.
+  /// Keyed by solution.
   std::map<std::string, SolutionParameters> parameters_;
-  /// By package.
+  /// Keyed by package.
   std::map<std::string, TaskInput> inputs_;
   std::string active_;
   /// Declared before solution_ so that it outlives it.

@@ -32,13 +32,13 @@ class Platform : public Process {
   /// While engaged, the platform holds the robot in a safe state, whatever the program requests. Any thread.
   virtual void engageStop(bool engaged) = 0;
   virtual bool stopEngaged() const { return false; }
-  /// Does what a person asks of the robot's base rather than of its program. Refused where it has no wheels.
+  /// Fulfills a request of the user for the robot's base. Refused if the robot has no wheels.
   virtual Result<void> control(const robotcontrol::ControlDrive& details);
   /// Senders of packages that no task may need: a debug process receives those that no task does while their
   /// keys are on. What takes time to make is made only while its sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }
 
-  /// What a person is to be told of setting up and shutting down since the last call, a sentence each. Any
+  /// Removes and returns sentences for the user about setting up and shutting down since the last call. Any
   /// thread.
   std::vector<std::string> takeReports();
 

@@ -25,9 +25,9 @@ class LatchedMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;
 
-  /// Takes a message if it is one that holds. False: it was not taken.
+  /// Stores a message if it is latched. Returns false if it is not.
   bool take(const StreamMessage& message);
-  /// Nothing that a robot told holds any more: its program starts anew.
+  /// Drops the messages of a robot, whose program is restarted.
   void forget(const std::string& robot);
   void clear() { messages_.clear(); }
   /// Returns the messages sorted by path, then process.

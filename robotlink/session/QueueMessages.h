@@ -28,7 +28,7 @@ struct QueueMessages {
   std::uint64_t senseless = 0;
 };
 
-/// The reader of a queue: a recorder also gets messages that nobody asked to see.
+/// The reader of a queue: a recorder also gets messages that no view has subscribed to.
 enum class QueueReader : bool { kViews, kRecorder };
 
 /// `lastTime` is the timestamp of messages before the first valid one in the queue.

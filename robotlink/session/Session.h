@@ -69,8 +69,8 @@ class Session {
   /// come from another platform or from another place in a log. The timeline goes live. Results of requests
   /// are not affected.
   ///
-  /// What is pushed while `tell` runs is applied by one tick as a whole; until then the history stays as it
-  /// was, so that no view sees half of it. One thread at a time.
+  /// What is pushed while `publish` runs is applied by one tick as a whole; until then the history stays as
+  /// it was, so that no view sees half of it. One thread at a time.
   void restart(const std::function<void()>& publish = {});
 
   // Only in the GUI's thread.

@@ -49,7 +49,7 @@ class SparseCells {
     return last_;
   }
 
-  /// By keyOf(); mutable so that find() can return a pointer for writing.
+  /// Keyed by keyOf(); mutable so that find() can return a pointer for writing.
   mutable std::unordered_map<std::uint64_t, std::uint64_t> tiles_;
   // The tile of the last look-up.
   mutable std::uint64_t lastKey_ = 0;

@@ -14,9 +14,9 @@ struct DriveGeometry {
   Vector3 toLeft = Vector3::UnitY();
   /// See OdeWheels.h.
   double slipRatio = 1;
-  /// Of all solids but the wheels, relative to the center, x to the front.
+  /// Footprint of all solids but the wheels, relative to the center, x to the front.
   Footprint footprint;
-  /// Of the circle around the center that contains all solids, seen from above.
+  /// Radius of the circle around the center that contains all solids, seen from above.
   double radius = 0;
 };
 

@@ -13,13 +13,13 @@ namespace simcore {
 struct OdeWheelSide {
   /// A range of OdeWorld::wheels.
   std::size_t firstWheel = 0, wheelCount = 0;
-  /// Of all its rims together with and without power, N.
+  /// Force of all its rims together with and without power, N.
   double maximumForce = 0, idleForce = 0;
   /// Requested speed of the rims, m/s.
   double target = 0;
   /// Whether the motors have power.
   bool on = true;
-  /// Of the rims, m/s and m.
+  /// Speed and travel of the rims, m/s and m.
   double speed = 0, travel = 0;
   /// For how many steps it has been at its force limit and has hardly turned.
   int blockedSteps = 0;
@@ -75,7 +75,7 @@ struct OdeDrive {
   Vector3 centerInBody = Vector3::Zero();
   /// The axles' direction, to the left.
   Vector3 axisInBody = Vector3::UnitY();
-  /// Of the circle around the center that contains the model, seen from above.
+  /// Radius of the circle around the center that contains the model, seen from above.
   double radius = 0;
   // Only for a model that follows its odometry:
   /// An index of OdeWorld::places.

@@ -93,7 +93,7 @@ struct OdeWorld {
   /// Hinges of all moving models, in order.
   std::vector<dJointID> hinges;
   std::vector<OdeModel> models;
-  /// Of all moving models; positions are updated only when they are needed.
+  /// The places of all moving models, updated only when they are needed.
   std::vector<OdePlace> places;
   /// Whether there are models of either kind.
   bool hasKinematic = false, hasDynamic = false;

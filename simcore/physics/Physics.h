@@ -52,7 +52,7 @@ class Physics {
   void setSideOn(std::size_t side, bool on);
   /// The encoders of a side.
   struct SideState {
-    /// Of the rims, m and m/s.
+    /// Travel and speed of the rims, m and m/s.
     double travel = 0, speed = 0;
     /// At the force limit, hardly turning for at least 0.1 s.
     bool blocked = false;

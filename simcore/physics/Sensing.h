@@ -37,7 +37,7 @@ class Sensing {
   const Physics& physics_;
   const std::vector<SensorSource>& sources_;
   const Vector3 gravity_;
-  /// Of accelerometers in the last step, by sensor.
+  /// Velocity of each accelerometer in the last step, by sensor.
   std::vector<Vector3> velocities_;
   /// Acceleration minus gravity in the world's frame, by sensor.
   std::vector<Vector3> specificForces_;

@@ -65,7 +65,7 @@ class StaticGrid {
   void forEachIn(const Cells& cells, Visit visit) const;
 
   std::vector<dGeomID> geoms_, unbounded_;
-  // By geom.
+  // One entry for each geom.
   std::vector<Bounds> bounds_;
   std::vector<Footprint> footprints_;
   // Origin and size of the cells, m.
@@ -73,7 +73,7 @@ class StaticGrid {
   int columns_ = 0, rows_ = 0;
   /// Cell i contains inCells_[firstInCell_[i]] up to inCells_[firstInCell_[i + 1]], exclusive.
   std::vector<std::uint32_t> firstInCell_, inCells_;
-  /// By geom: the number of the last query that found it.
+  /// For each geom, the number of the last query that found it.
   mutable std::vector<std::uint32_t> seenIn_;
   mutable std::uint32_t query_ = 0;
 };

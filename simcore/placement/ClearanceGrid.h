@@ -57,9 +57,9 @@ class ClearanceGrid {
   robotlink::Vector2 low_;
   double cellSize_ = 0;
   int width_ = 0, height_ = 0;
-  /// By index of the cell; not 0 means an obstacle.
+  /// Indexed by cell; not 0 means an obstacle.
   std::vector<std::uint8_t> marks_;
-  /// By index of the cell, m.
+  /// Indexed by cell, m.
   std::vector<float> clearances_;
 };
 

@@ -190,7 +190,7 @@ SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer
 
 /// One triangle of a setup while its rows are being drawn; scalars for the components of its edges.
 struct Edges {
-  // By edge: the components of its normal.
+  // The components of each edge's normal.
   float x[3], y[3], z[3];
   float threshold[3];
   float plane[3];

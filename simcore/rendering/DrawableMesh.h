@@ -44,9 +44,9 @@ class DrawableMesh {
   MeshStreams streams_;
   /// Three positions, three normals, four plane coefficients.
   std::vector<float> floats_[10];
-  /// By corner, then by triangle: indices of vertices.
+  /// Indices of vertices, by corner, then by triangle.
   std::vector<std::int32_t> indices_[3];
-  /// By triangle: 1 if its vertices share a normal.
+  /// 1 for each triangle whose vertices share a normal.
   std::vector<std::uint8_t> flat_;
   Sphere bound_;
   std::vector<Sphere> cover_;

@@ -53,7 +53,7 @@ SIMCORE_INLINE void store(T* to, V v) {
   __builtin_memcpy(to, &v, sizeof(V));
 }
 
-/// Of each lane; b if one of them is NaN.
+/// The minimum or maximum in each lane; b if one of them is NaN.
 SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b) {
   return a < b ? a : b;
 }

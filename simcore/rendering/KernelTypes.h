@@ -17,14 +17,14 @@ struct MeshStreams {
   int vertexGroups = 0;
   /// Groups of eight triangles.
   int triangleGroups = 0;
-  /// By vertex; components x, y, z.
+  /// One entry for each vertex; components x, y, z.
   const float* position[3] = {};
   const float* normal[3] = {};
-  /// By triangle, outward normal and offset: a point is on the outer side where normal * point > offset.
+  /// Outward normal and offset of each triangle: a point is on the outer side where normal * point > offset.
   const float* plane[4] = {};
-  /// By triangle, its three vertices.
+  /// The three vertices of each triangle.
   const std::int32_t* index[3] = {};
-  /// By triangle: 1 if its vertices share a normal.
+  /// 1 for each triangle whose vertices share a normal.
   const std::uint8_t* flat = nullptr;
 };
 
@@ -57,7 +57,7 @@ struct VisibilityBuffer {
   int width = 0, height = 0;
   /// At least 8 more than width, because eight lanes may be accessed from any pixel on.
   int stride = 0;
-  /// By pixel; rows are `stride` apart.
+  /// One entry for each pixel; rows are `stride` apart.
   float* inverseDepth = nullptr;
   std::int32_t* triangle = nullptr;
   /// d.y by x; `stride` values.
@@ -66,7 +66,7 @@ struct VisibilityBuffer {
   const float* row = nullptr;
   /// Focal lengths in pixels.
   float focalX = 0, focalY = 0;
-  /// By number of the triangle.
+  /// Indexed by the triangle's number.
   TriangleRecord* records = nullptr;
   std::int32_t recordCount = 1;
   /// Buffer with four floats per vertex of the largest mesh.
@@ -94,7 +94,7 @@ static_assert(sizeof(LampCell) == 12);
 struct UnsureGroup {
   /// The first one, an index of the strip.
   std::int32_t pixel = 0;
-  /// Of the strip.
+  /// A row of the strip.
   std::int32_t row = 0;
   // A bit per pixel.
   std::uint32_t lanes = 0;
@@ -128,9 +128,9 @@ struct ShadeLamp {
 /// the first row.
 struct Strip {
   int firstRow = 0, rows = 0;
-  // By pixel: light, a factor of the color.
+  // For each pixel its light, a factor of the color.
   float* light = nullptr;
-  // By pixel: color in the channels of the image.
+  // For each pixel its color in the channels of the image.
   float* color[3] = {};
   float ambient = 0;
   /// A rotation.

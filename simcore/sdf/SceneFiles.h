@@ -22,7 +22,7 @@ struct SceneInclude {
   bool isStatic = false;
   /// A color of the palette; empty if there is no team.
   std::string team;
-  /// Of the <include>, for error messages.
+  /// Line of the <include>, for error messages.
   int line = 0;
 };
 
@@ -35,7 +35,7 @@ struct SceneFiles {
   std::vector<SceneInclude> includes;
   /// Text by file.
   std::map<std::filesystem::path, std::string> models;
-  /// Of the world and all models.
+  /// The palette of the world and all models.
   Palette palette;
 
   /// Reads `file` and everything that it includes; appends problems to `errors`.

@@ -25,7 +25,7 @@ struct Shape {
   Vector3 size = Vector3::Zero();
   /// Meters.
   double radius = 0;
-  /// Of a cylinder, or of a capsule's cylindrical part.
+  /// Length of a cylinder, or of a capsule's cylindrical part.
   double length = 0;
   /// Only for kMesh, and only in visuals.
   std::shared_ptr<const Mesh> mesh = {};
@@ -104,7 +104,7 @@ struct DriveDescription {
   double wheelRadius = 0;
   /// The effective track on firm ground, m.
   double track = 0;
-  /// Of the rims, m/s.
+  /// Speed of the rims, m/s.
   double maximumSpeed = 0;
   /// At the rim of each wheel, N.
   double maximumForce = 0;

@@ -176,7 +176,7 @@ class ColorBench final : public QObject {
 
   robotlink::Session& session_;
   colortool::SampleDocument document_;
-  /// Of the samples.
+  /// The file of the samples.
   std::string file_;
   QUndoStack undo_;
   int currentClass_ = 1;

@@ -19,7 +19,7 @@ class ColorClassModel final : public QAbstractTableModel {
   /// Name with its color, key that selects the class (0 to 9), number of strokes and of their pixels, and
   /// recall in cross-validation.
   enum Column { kName, kKey, kStrokes, kPixels, kRecall, kColumns };
-  /// Of the column kRecall: the recall, 0 to 1; invalid if it is unknown.
+  /// The recall in the column kRecall, 0 to 1; invalid if it is unknown.
   static constexpr int kShareRole = Qt::UserRole + 1;
 
   /// What is shown of one class.
@@ -38,7 +38,7 @@ class ColorClassModel final : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   /// Replaces names, colors and counts. Recalls are kept if the number of classes is the same.
   void setSamples(const colortool::Samples& samples);
-  /// By class number; classes past the end have none.
+  /// Indexed by class number; classes past the end have none.
   void setRecalls(const std::vector<std::optional<double>>& recalls);
   const Row& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
 

@@ -56,7 +56,7 @@ class ColorRecovery {
 
   const std::function<void(robotlink::Error)> failed_;
   std::filesystem::path file_;
-  /// Null: no file could be locked; file_ is a name that nobody else uses then.
+  /// Null: no file could be locked; file_ is then a name that no other program uses.
   std::unique_ptr<QLockFile> lock_;
   /// Protects job_, busy_ and quit_.
   std::mutex mutex_;

@@ -44,9 +44,9 @@ using KeptImages = std::vector<robotlink::StreamMessage>;
 struct FrameQuery {
   std::variant<LoggedImages, KeptImages> images;
   std::shared_ptr<const colortool::ColorTable> table;
-  /// By ColorTable::cellOf; null: unknown.
+  /// Indexed by ColorTable::cellOf; null: unknown.
   std::shared_ptr<const std::vector<std::uint8_t>> margins;
-  /// By class number: whether pixels of the class can be suspicious.
+  /// Whether pixels of a class can be suspicious, indexed by class number.
   std::vector<bool> things;
   /// Of the camera.
   colortool::ColorCorrection correction = {};
@@ -76,9 +76,9 @@ class FrameSearch {
   struct Progress {
     /// Images that were examined.
     std::uint64_t seen = 0;
-    /// Of these: with suspicious pixels, including those that were not kept.
+    /// How many of these have suspicious pixels, including those that were not kept.
     std::uint64_t suspicious = 0;
-    /// Of these: could not be decoded.
+    /// How many of these could not be decoded.
     std::uint64_t damaged = 0;
     /// All images of the stream; 0: unknown.
     std::uint64_t total = 0;

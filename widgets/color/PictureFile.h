@@ -12,7 +12,7 @@
 // per row). All functions can be called from any thread.
 namespace widgets {
 
-/// By the file name's extension only.
+/// Whether a file is a picture, by its extension only.
 bool isPictureFile(const std::filesystem::path& file);
 /// The extension in small letters: ".png".
 std::string pictureSuffix(const std::filesystem::path& file);

@@ -19,7 +19,7 @@ struct LinkWords {
   Meaning meaning = Meaning::kMuted;
   /// Name, class and subclass from the handshake: "MobileSim, Pioneer, p3at-sh"; may be empty.
   QString robot;
-  /// Of a simulated robot: its client and the client's commands per second; may be empty.
+  /// The client of a simulated robot and its commands per second; may be empty.
   QString client;
   /// Whether information packets were more than 250 ms apart, from which on clients with ARIA warn.
   bool longGap = false;

@@ -41,7 +41,7 @@ class RadarView final : public View {
   std::vector<WorldDrawing> drawings(const std::string& robot) const;
   /// Heading of the robot on the map (rad): by its pose estimate if there is one, else the odometry's.
   double mapHeading(const std::string& robot, double odometry) const;
-  /// Why nothing is shown and what to do; empty if `told`, that is, there are readings.
+  /// Why nothing is shown and what to do; empty if there are readings (`told`).
   QString hint(const std::string& robot, bool reported) const;
   /// Updates the footer.
   void updateStatus();

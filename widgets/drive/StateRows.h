@@ -59,7 +59,7 @@ class StateRows final : public QGroupBox {
   void mute(QLabel& title) const;
 
   QGridLayout* grid_;
-  /// By the names of the rows.
+  /// Keyed by the names of the rows.
   std::map<std::string, Value> values_;
   std::vector<QLabel*> titles_;
   bool stale_ = false;

@@ -77,7 +77,7 @@ class KeyTreeModel final : public QAbstractItemModel {
 
   std::vector<KeyEntry> keys_;
   std::unique_ptr<Node> root_;
-  /// By the key's name.
+  /// Keyed by the key's name.
   std::map<std::string, const Node*> nodes_;
   /// Pending modes, by the key's name.
   std::map<std::string, KeyValue> pending_;

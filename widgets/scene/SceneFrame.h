@@ -54,7 +54,7 @@ struct SceneContents {
   bool operator==(const SceneContents&) const = default;
 };
 
-/// A request for a picture: everything that the renderer needs, immutable once it was handed to its thread.
+/// A request for a picture: everything that the renderer needs; immutable once its thread has it.
 struct SceneFrame {
   /// Colors that depend on the palette.
   struct Colors {

@@ -38,7 +38,7 @@ class WindowKeys final : public QObject {
   /// Becomes a child of the window and starts filtering events.
   explicit WindowKeys(QWidget& window);
 
-  /// Of bindings with the same key the first one that applies is used.
+  /// If several bindings have the same key, the first one that applies is used.
   void add(Binding binding);
   const std::vector<Binding>& bindings() const { return bindings_; }
   /// Moves the focus to the largest view, unless a view has it.

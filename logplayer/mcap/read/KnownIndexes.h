@@ -9,22 +9,22 @@
 
 namespace logplayer::mcap {
 
-/// What was found by looking through files that are open, so that whoever opens one of them again need not do
-/// it, too: a file without a summary is read to its end for that. Concerns the program as a whole, like the
-/// files. Any thread.
+/// The indexes of the files that are open, so that they are not made again when a file is opened twice: a
+/// file without a summary must be read to its end. There is one object for the whole program, as files
+/// concern it as a whole. Any thread.
 class KnownIndexes {
  public:
   static KnownIndexes& all();
 
-  /// Null if nobody has opened this file, as it is now.
+  /// Null if this file, as it is now, is not open.
   std::shared_ptr<const FileIndex> find(const Source& source, std::size_t maxRecordBytes);
-  /// Known as long as somebody holds what is returned.
+  /// Known as long as the returned pointer is held.
   std::shared_ptr<const FileIndex> add(const Source& source, std::size_t maxRecordBytes, FileIndex index);
 
  private:
   using Key = std::pair<Source::Identity, std::size_t>;
 
-  std::mutex mutex_;  // protects what follows
+  std::mutex mutex_;  // protects indexes_
   std::map<Key, std::weak_ptr<const FileIndex>> indexes_;
 };
 

@@ -19,7 +19,7 @@ class SectionCache {
   /// called.
   SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
 
-  /// Tells the cache that an iteration has left a section. Its buffer is reused for the next section: it is
+  /// To be called when an iteration has left a section. Its buffer is reused for the next section: it is
   /// still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
   /// Loads the records of a section; the error is a sentence for the user.

@@ -66,7 +66,7 @@ class Walk {
   void advanceTop();
   /// Restores the heap by moving an element down from the top.
   void sink(Next next);
-  /// Tells the cache that a section is finished.
+  /// Informs the cache that a section is finished.
   void leave(std::size_t section);
 
   Direction direction_;

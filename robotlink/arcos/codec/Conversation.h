@@ -26,9 +26,9 @@ struct Conversation {
     Kind kind = Kind::kPacket;
     /// Since the connection began; files have a resolution of 0.1 ms. 0 for a new connection.
     Duration at{};
-    /// Of packets.
+    /// The direction of a packet.
     Direction direction = Direction::kFromClient;
-    /// Of packets: the bytes of the frame, including damaged ones, as they were on the line.
+    /// The bytes of a packet's frame, including damaged ones, as they were on the line.
     Bytes bytes;
     bool operator==(const Event&) const = default;
   };

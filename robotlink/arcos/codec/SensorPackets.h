@@ -69,7 +69,7 @@ struct ImuPacket {
 
 /// SERAUXpac: bytes from one of the robot's serial ports.
 struct AuxSerialPacket {
-  /// By port.
+  /// The packet ids of the ports.
   static constexpr std::uint8_t kIds[] = {0xB0, 0xB8, 0xC8};
   /// In 1 to 3.
   int port = 1;

@@ -77,7 +77,7 @@ struct StandardInformation {
   std::optional<std::uint16_t> batteryDecivolts16;
   /// 0: not charging, 1: bulk, 2: over, 3: float, 4: balance, 255: unknown.
   std::optional<std::uint8_t> chargeState;
-  /// Of a gyroscope.
+  /// Measured by a gyroscope.
   std::optional<std::int16_t> rotationRateDeciDegS;
   std::optional<std::uint16_t> faultFlags;
   std::optional<std::int16_t> lateralSpeedMmS;

@@ -26,7 +26,7 @@ struct RobotSensing {
   double battery = 12.8;
   /// State of charge, 0 to 1.
   double charge = 1;
-  /// Of the gyroscope, rad/s, counter-clockwise.
+  /// Rate measured by the gyroscope, rad/s, counter-clockwise.
   double rotationRate = 0;
   double temperature = 25;  ///< degC
   /// Ground truth in the field, m and rad, for SIM_STAT.

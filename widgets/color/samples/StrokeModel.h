@@ -20,7 +20,7 @@ class StrokeModel final : public QAbstractTableModel {
   enum Column { kClass, kMustNotBe, kWeight, kRight, kTool, kPixels, kImage, kCamera, kLighting, kColumns };
   /// Key for sorting; strokes of a class sort by their ids.
   static constexpr int kSortRole = Qt::UserRole + 1;
-  /// Of the column kRight: the share, 0 to 1; invalid if it is unknown.
+  /// The share in the column kRight, 0 to 1; invalid if it is unknown.
   static constexpr int kShareRole = Qt::UserRole + 2;
 
   using QAbstractTableModel::QAbstractTableModel;

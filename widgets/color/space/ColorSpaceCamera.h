@@ -15,7 +15,7 @@ struct ColorSpaceCamera {
 
   /// Direction of the viewer around z, from x towards y.
   double azimuth = 0.75;
-  /// Of the viewer, from -pi/2 (straight below) to pi/2 (straight above).
+  /// Elevation of the viewer, from -pi/2 (straight below) to pi/2 (straight above).
   double elevation = 0.35;
   /// 1: the cube fits into the widget.
   double zoom = 1;

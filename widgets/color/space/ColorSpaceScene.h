@@ -43,9 +43,9 @@ struct ColorSpaceContents {
 
 /// Which surfaces are shown.
 enum class SurfacesOf : std::uint8_t {
-  /// Those of the trained table.
+  /// The surfaces of the trained table.
   kTable,
-  /// Those of the reference table.
+  /// The surfaces of the reference table.
   kReference,
   /// Cells with different classes in both tables, in the class of the table or, if it has none, of the
   /// reference.
@@ -58,7 +58,7 @@ struct ColorSpaceLook {
   /// Whether pixels, samples, and surfaces are shown.
   bool pixels = true, samples = true, table = true;
   SurfacesOf surfaces = SurfacesOf::kTable;
-  /// Of the surfaces, 0 to 1.
+  /// Opacity of the surfaces, 0 to 1.
   double opacity = 0.45;
   /// Names of hidden classes; "none": what has no class.
   std::vector<std::string> hidden;
