@@ -13,7 +13,7 @@
 
 namespace simcore {
 
-/// The contents of a Scene; only for this folder's sources and tests.
+/// The contents of a Scene, for the sources and tests of this folder only.
 struct SceneContents {
   std::filesystem::path file;
   std::vector<SceneRobot> robots;

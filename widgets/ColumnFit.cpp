@@ -38,8 +38,8 @@ int leastWidth(const ColumnNeed& column, int room) {
   return std::min(std::max(column.contents, std::min(column.title, title)), comfortableWidth(column, room));
 }
 
-/// Takes `excess` pixels, or as many as there are, from the columns of a kind, from each by what it can
-/// spare.
+/// Takes `excess` pixels, or as many as possible, from the columns of a kind, in proportion to what each can
+/// spare. Returns what could not be taken.
 int shrinkKind(const std::vector<ColumnNeed>& columns, ColumnKind kind, int room, int excess,
                std::vector<int>& widths) {
   int spare = 0;
@@ -58,7 +58,7 @@ int shrinkKind(const std::vector<ColumnNeed>& columns, ColumnKind kind, int room
   return excess - wanted;
 }
 
-/// Gives what is left to the texts, or else to the last name.
+/// Distributes the remaining room to the texts, or else to the last name.
 void spreadRest(const std::vector<ColumnNeed>& columns, int rest, std::vector<int>& widths) {
   std::vector<std::size_t> takers;
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -159,7 +159,6 @@ void ColumnFit::expect(int column, const QString& text) {
   expected_[static_cast<std::size_t>(column)] = text;
 }
 
-/// Columns do not become narrower again while there are rows: numbers that change would make them waver.
 void ColumnFit::measure() {
   const bool empty = view_.model()->rowCount() == 0;
   for (std::size_t i = 0; i < needs_.size(); ++i) {

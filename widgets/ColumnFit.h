@@ -14,33 +14,39 @@ class QTreeView;
 
 namespace widgets {
 
-/// What a column holds, which decides how much room it gets.
+/// What a column contains, which determines how much room it gets.
 enum class ColumnKind : std::uint8_t {
-  kName,    ///< is what a row is found by: whole before anything else
-  kNumber,  ///< short: its contents are whole, its title is cut first
-  kText,    ///< any length: takes what the others leave, and is cut
+  /// Identifies a row: shown whole before anything else.
+  kName,
+  /// Short: the contents are shown whole; the title is cut first.
+  kNumber,
+  /// A text of any length: gets the room that the others leave, and is cut.
+  kText,
 };
 
-/// What a column needs, in pixels.
+/// The room that a column needs, in pixels.
 struct ColumnNeed {
   ColumnKind kind = ColumnKind::kName;
-  int title = 0;     ///< width of its header
-  int contents = 0;  ///< width of its widest cell; not used for kText
-  int pinned = 0;    ///< what a person set; 0: nothing
+  /// Width of the title.
+  int title = 0;
+  /// Width of the widest cell; not used for kText.
+  int contents = 0;
+  /// The width that the user chose; 0 if none.
+  int pinned = 0;
 };
 
-/// The widths of columns that share `room` pixels. They fill it; they are wider together only where the names
-/// and the contents of numbers need it, so that the table has to be scrolled. A single name takes at most
-/// three quarters of the room. Pure.
+/// Returns the widths of columns that share `room` pixels. Together they fill it. They exceed it, so that the
+/// table must be scrolled, only if names and the contents of numbers need more. A single name gets at most
+/// three quarters of the room. A pure function.
 std::vector<int> fittedWidths(const std::vector<ColumnNeed>& columns, int room);
 
-/// Keeps the columns of a table or tree fitted while its size and contents change. Columns that a person
-/// resized keep their width; a double click on the edge of one fits it again. Belongs to the header of its
+/// Keeps the columns of a table or tree fitted while its size and contents change. Columns that the user has
+/// resized keep their width, until a double click on their edge fits them again. Owned by the header of its
 /// view. GUI thread.
 class ColumnFit final : public QObject {
   Q_OBJECT
  public:
-  /// The view has its model already; `kinds` has one entry a column.
+  /// The view must already have its model; `kinds` has one entry for each column.
   ColumnFit(QTableView& table, std::vector<ColumnKind> kinds);
   ColumnFit(QTreeView& tree, std::vector<ColumnKind> kinds);
 
@@ -49,9 +55,9 @@ class ColumnFit final : public QObject {
 
   /// The width that the user gave the column; 0: none.
   int pinned(int column) const { return needs_[static_cast<std::size_t>(column)].pinned; }
-  /// 0: it is fitted again.
+  /// Sets the width of a column as if the user had done so; 0 fits it again.
   void pin(int column, int width);
-  /// The column gets room for this text, whatever it holds: for what is chosen in it.
+  /// Makes room for a text even while no cell has it, such as a value that can be chosen.
   void expect(int column, const QString& text);
   /// Fits the columns now; does nothing while the view is not visible.
   void fit();
@@ -61,16 +67,24 @@ class ColumnFit final : public QObject {
 
  private:
   ColumnFit(QAbstractItemView& view, QHeaderView& header, std::vector<ColumnKind> kinds);
+  /// Connects the changes of the model.
   void followModel();
+  /// Fits the columns soon, but not too often.
   void schedule();
+  /// Updates the needs. Contents do not become narrower while there are rows, so that changing numbers do not
+  /// make columns waver.
   void measure();
 
   QAbstractItemView& view_;
   QHeaderView& header_;
   std::vector<ColumnNeed> needs_;
-  std::vector<QString> expected_;  // of each column
+  /// The text of expect() for each column.
+  std::vector<QString> expected_;
+  /// For schedule().
   QTimer later_;
+  /// Started by each fit().
   QElapsedTimer sinceFit_;
+  /// Whether the columns are being resized here and not by the user.
   bool fitting_ = false;
 };
 

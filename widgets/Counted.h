@@ -5,8 +5,9 @@
 
 namespace widgets {
 
-/// "1 packet" or "7 packets": `one` as it is, or `several` with the number in place of its %1. Both are
-/// translated by the caller. (Qt's %n would need a translation file, for English, too.)
+/// Returns a count with its noun: "1 packet" or "7 packets". `one` is used as it is, `several` with the
+/// number in place of its %1; the caller translates both. (Qt's %n would need a translation file even for
+/// English.)
 template <typename Number>
 QString counted(Number number, const QString& one, const QString& several) {
   return number == 1 ? one : several.arg(number);

@@ -30,7 +30,7 @@ std::string typeNameOf(Reader& reader, const mcap::Channel& channel) {
   return schema == reader.schemas().end() ? std::string() : schema->second.name;
 }
 
-/// A robot's set-up as it is told first, or last.
+/// Returns the first or the last setup of a robot's program in a log.
 std::optional<ProgramSetup> setupIn(Reader& reader, const std::string& robot, bool last) {
   std::vector<std::uint16_t> channels;
   for (const auto& [id, channel] : reader.channels()) {

@@ -9,22 +9,24 @@
 
 namespace logplayer::mcap {
 
-/// Some of all channels.
+/// A set of channel ids.
 using ChannelSet = std::bitset<1U << 16U>;
 
-/// The record of a message of which is known that it lies in a section's records.
+/// The place of a message's record in the records of a section, where it is known to lie as a whole.
 struct MessageRecord {
   Instant time;
-  std::uint32_t offset = 0;  ///< in the section's records
-  std::uint32_t bytes = 0;   ///< of its content
+  /// Offset in the section's records.
+  std::uint32_t offset = 0;
+  /// Size of the record's content.
+  std::uint32_t bytes = 0;
 };
 
-/// The time of a message whose record's content begins at `content`.
+/// The time of a message; `content` is the beginning of its record's content.
 inline Instant messageTime(const std::uint8_t* content) {
   return instantOf(loadNumber<std::uint64_t>(content + 6));
 }
 
-/// The message of a record that lies in `records`.
+/// Decodes the message of a record in `records`. Its data refer to these.
 inline Message messageIn(const std::uint8_t* records, const MessageRecord& record) {
   constexpr std::size_t kHead = kMessageHeadBytes - kRecordHeadBytes;
   const std::uint8_t* content = records + record.offset + kRecordHeadBytes;
@@ -32,8 +34,8 @@ inline Message messageIn(const std::uint8_t* records, const MessageRecord& recor
           instantOf(loadNumber<std::uint64_t>(content + 14)), Bytes(content + kHead, record.bytes - kHead)};
 }
 
-/// Calls `visit` with the record of each message of some channels, up to where the bytes are no whole records
-/// any more, or it returns false. Small messages make these loops the most expensive ones of all reading.
+/// Calls `visit` with the record of each message of some channels, until `visit` returns false or the bytes
+/// are no whole records any more. For small messages, these loops take most of the time of reading.
 template <typename Visit>
 void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
   const std::uint8_t* const data = records.data();
@@ -55,16 +57,21 @@ void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
   }
 }
 
-/// What the messages of all channels in a section's records have in common.
+/// A summary of all messages in a section's records.
 struct RecordsOverview {
-  bool inOrder = true;  ///< of time
-  Instant first, last;  ///< the earliest and the latest time
-  std::size_t end = 0;  ///< behind the last message; 0: there is none
+  /// Whether their times never decrease.
+  bool inOrder = true;
+  /// The earliest and the latest time.
+  Instant first, last;
+  /// The end of the last message's record; 0 if there is none.
+  std::size_t end = 0;
 };
 
-/// The loop is kept as short as it can be: chunks in order of time are otherwise only gone over once.
+/// Summarizes the messages of all channels. The loop is kept short, since chunks whose messages are in order
+/// need no other pass over them before they are read.
 inline RecordsOverview overviewOf(Bytes records) {
-  constexpr std::uint64_t kLatest = INT64_MAX;  // later ones are taken as this
+  // Later times are treated as this one.
+  constexpr std::uint64_t kLatest = INT64_MAX;
   const std::uint8_t* const data = records.data();
   const std::size_t size = records.size();
   std::uint64_t first = UINT64_MAX, last = 0, previous = 0;
@@ -88,8 +95,8 @@ inline RecordsOverview overviewOf(Bytes records) {
   return {inOrder, instantOf(first), instantOf(last), end};
 }
 
-/// Where a stretch of records that was gone over by visitMessages() has the next message of some channels,
-/// from `offset` on; `end` if it has none.
+/// Returns the offset of the next message of some channels at or after `offset`; `end` if there is none.
+/// overviewOf() must have found the records whole up to `end`.
 inline std::size_t nextMessage(const std::uint8_t* data, std::size_t offset, std::size_t end,
                                const ChannelSet& channels) {
   while (offset < end) {

@@ -146,7 +146,7 @@ class GoToBallAndKick final : public Behavior {
   /// A blind camera shows no color at all. In front of a wall or in a goal there is no green, but white or
   /// the goal's color.
   bool seesField() const {
-    // Without regions, only the ball model can tell.
+    // Without regions, only the ball model knows.
     if (!regions_) return ball_ && ball_->known();
     double colored = 0;
     for (const robotcontrol::ColorRegion& region : regions_->regions()) colored += region.area();

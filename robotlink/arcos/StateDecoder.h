@@ -24,9 +24,12 @@ class StateDecoder {
   const RobotType& type() const { return type_; }
 
  private:
+  /// How long a reset of the odometry is expected after its command.
   static constexpr Duration kResetTime = std::chrono::milliseconds(500);
 
+  /// Unwraps the position, and recognizes resets.
   void followOdometry(const StandardInformation& information, Instant now);
+  /// Updates the ranges that a packet has.
   void takeSonars(const StandardInformation& information, Instant now);
 
   RobotType type_;

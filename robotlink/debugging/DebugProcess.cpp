@@ -90,7 +90,7 @@ struct DebugProcess::Implementation {
   std::map<std::string, std::uint64_t> dropped;
   JoinedTables tables;
   std::optional<Instant> processTableDue;
-  bool solutionsDue = false;  // told although no process has told its own
+  bool solutionsDue = false;  // to be sent although no process has sent its own
   std::shared_ptr<const robotcontrol::ColorTable> colorTableInUse;  // null: the built-in one
   bool colorTableDue = true;
   bool colorTablePublished = false;

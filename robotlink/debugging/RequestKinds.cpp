@@ -79,7 +79,7 @@ std::string theOnlyOne(const Request&) {
   return {};
 }
 
-// ---- What a person chose by it
+// ---- What the user chose by it
 
 std::string solutionChosen(const Request& request) {
   return "solution " + request.select_solution().solution() + " of task " + request.select_solution().task();

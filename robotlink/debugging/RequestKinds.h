@@ -12,7 +12,7 @@ namespace robotlink {
 enum class RequestDoer : std::uint8_t {
   kNobody,        ///< a request that asks for nothing
   kTask,          ///< the process of the robot's program that has the task
-  kDebugProcess,  ///< that of the robot's program
+  kDebugProcess,  ///< the debug process of the robot's program
   kPlatform,      ///< the robot's platform, whatever its program does
   kSimulation,
   kReplay,

@@ -23,7 +23,7 @@ class EndOwner {
   /// Makes the process look for new packages. Any thread.
   virtual void wake() = 0;
 
-  /// In the order of construction.
+  /// All receivers and senders, in the order of their construction.
   const std::vector<AnyReceiver*>& receivers() const { return receivers_; }
   const std::vector<AnySender*>& senders() const { return senders_; }
 

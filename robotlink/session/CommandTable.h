@@ -12,27 +12,35 @@
 
 namespace robotlink {
 
-/// The table of all commands, behind menus, toolbars, shortcuts, scripts and tests: whatever a button can do,
-/// a script can. Only in the GUI's thread. Error messages name the arguments that a command takes.
+/// The table of all commands. Menus, toolbars, shortcuts, scripts and tests run them, so whatever a button
+/// can do, a script can do. Only in the GUI's thread. Error messages name the arguments that a command takes.
 class CommandTable {
  public:
+  /// The value of an argument; the alternatives have the order of Type.
   using Value = std::variant<bool, double, std::string>;
   enum class Type : std::uint8_t { kBool, kNumber, kText };
+  /// The declaration of an argument.
   struct Argument {
     std::string name;
     Type type = Type::kText;
     std::string help;
   };
+  /// A command and what it does.
   struct Command {
-    std::string name;  ///< "simulation.speed"
+    /// A unique name: "simulation.speed".
+    std::string name;
     std::string help;
+    /// All arguments are required, in this order.
     std::vector<Argument> arguments;
+    /// Called with as many values, of the declared types.
     std::function<Result<void>(const std::vector<Value>&)> run;
   };
 
   /// The name must be new; a duplicate ends the program with a message.
   void add(Command command);
+  /// Returns null if there is no such command.
   const Command* find(const std::string& name) const;
+  /// All commands, by name.
   const std::map<std::string, Command>& all() const { return commands_; }
 
   /// Fails if there is no such command or if number or types of the arguments do not match; otherwise returns
@@ -44,6 +52,7 @@ class CommandTable {
   Result<void> runLine(const std::string& line) const;
 
  private:
+  /// Finds a command; the error names those of the same group.
   Result<const Command*> require(const std::string& name) const;
 
   std::map<std::string, Command> commands_;

@@ -13,13 +13,14 @@ dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& colli
 void addBodyGeom(OdeWorld& ode, const OdeBody& body, const CollisionDescription& collision, int model,
                  dSpaceID space);
 
-/// What is known of a solid.
+/// The data that addGeom() has attached to a solid.
 inline OdeGeom& infoOf(dGeomID geom) {
   return *static_cast<OdeGeom*>(dGeomGetData(geom));
 }
 
-/// Goes down into spaces, but never inside one: calls `callback` with `data` for each pair of geoms of
-/// different models. Returns false if neither is a space, so that there is nothing to go down into.
+/// Calls `callback` with `data` for each pair of geoms of two spaces, or of a space and a geom, which belong
+/// to different models; never for pairs within a space. Returns false, without a call, if neither of the two
+/// is a space.
 template <typename Data>
 bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
   if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
@@ -27,7 +28,7 @@ bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
   return true;
 }
 
-/// Calls `set` with a pose as ODE has them: a position and a rotation.
+/// Calls `set` with a pose in the form of ODE: a position and a rotation.
 template <typename Set>
 void withOdePose(const Pose3& pose, Set set) {
   const Vector3& p = pose.translation();

@@ -10,7 +10,7 @@ namespace simcore {
 /// A robot in a world.
 struct SceneRobot {
   std::string name;         ///< "red1"
-  std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
+  std::string description;  ///< the name of its file in resources/robots: "ers210"
   std::string team = {};    ///< the color of its team in the scene's palette; empty: the scene names none
 };
 

@@ -102,7 +102,7 @@ void ColorSender::send() {
   });
 }
 
-/// For people who look later at what the robot uses.
+/// Describes the table for users who look later at what the robot uses.
 void ColorSender::describeSource(robotcontrol::ColorTable& table) const {
   const bool saved = !bench_.file().empty() && bench_.undoStack().isClean();
   table.set_source(saved ? bench_.file() : tr("painted, not saved").toStdString());

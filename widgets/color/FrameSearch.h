@@ -48,7 +48,7 @@ struct FrameQuery {
   std::shared_ptr<const std::vector<std::uint8_t>> margins;
   /// Whether pixels of a class can be suspicious, indexed by class number.
   std::vector<bool> things;
-  /// Of the camera.
+  /// The correction of the camera's colors.
   colortool::ColorCorrection correction = {};
   colortool::SuspicionOptions options = {};
 };

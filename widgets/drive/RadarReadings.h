@@ -57,7 +57,7 @@ struct RadarReadings {
   bool leftStalled = false, rightStalled = false, emergencyStop = false;
   double speed = 0, rotation = 0;          ///< m/s, rad/s
   double heading = 0;                      ///< where it looks, as its odometry says
-  std::optional<robotlink::Instant> time;  ///< of what is newest; unset: nothing is told
+  std::optional<robotlink::Instant> time;  ///< of the newest reading; unset: there is none
   /// s since its base said anything: all of this is as old. Unset: it speaks.
   std::optional<double> silence;
 

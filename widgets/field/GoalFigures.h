@@ -13,15 +13,16 @@ class QPalette;
 
 namespace widgets {
 
-/// Paths and goals of robots on wheels, and a goal that is being chosen or was just sent. A plain value;
-/// meters in the field's frame.
+/// What is painted of the paths and goals of robots on wheels, and of a goal that is being chosen or was just
+/// sent. A plain value; meters in the field's frame.
 struct GoalFigures {
+  /// One for each robot that has a goal.
   std::vector<DriveAim> aims;
-  /// Unset: none.
+  /// The goal that is being chosen or was just sent; unset if there is none.
   std::optional<GoalSender::Aim> wanted;
 };
 
-/// Pure.
+/// Paints paths and goals. A pure function.
 void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& fieldToWidget,
                 const QPalette& palette);
 

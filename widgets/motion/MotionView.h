@@ -98,7 +98,7 @@ class MotionView final : public View {
 
   /// Turns the inputs into commands and decides when one is due.
   MotionCommander commander_;
-  /// Who has control of the robot.
+  /// Whether the user or the program controls the robot.
   ManualControl manualControl_;
   GamepadSource gamepad_;
   /// The gamepad's state in the last tick, to detect pressed buttons.

@@ -42,7 +42,7 @@ struct SceneCamera {
   double distance = 6.4;
   /// Direction from the target to the camera around z, counterclockwise from +x.
   double azimuth = robotlink::radians(-90);
-  /// Of the camera above the target's horizon.
+  /// Elevation of the camera above the target's horizon, rad.
   double elevation = robotlink::radians(38);
 
   bool operator==(const SceneCamera&) const = default;

@@ -15,12 +15,14 @@
 
 namespace widgets {
 
-/// A shape in the world.
+/// A shape with its pose in the field's frame.
 struct SceneBody {
   std::shared_ptr<const SceneShape> shape;
   robotlink::Pose3 inField = robotlink::Pose3::Identity();
-  std::string model;  ///< that it is part of; empty: it can not be moved and throws no shadow
-  float opacity = 1;  ///< below 1 for drawings of earlier frames
+  /// The model that it belongs to; empty: it cannot be moved and casts no shadow.
+  std::string model;
+  /// Below 1 for drawings of earlier frames.
+  float opacity = 1;
 
   bool operator==(const SceneBody& other) const {
     return shape == other.shape && model == other.model && opacity == other.opacity &&
@@ -41,14 +43,19 @@ struct SceneLabel {
   bool operator==(const SceneLabel&) const = default;
 };
 
-/// Everything that is visible.
+/// Everything that is visible in the world.
 struct SceneContents {
+  /// The world and the models in it.
   std::vector<SceneBody> bodies;
   /// Drawings of the robots, lowest first.
   std::vector<SceneBody> drawings;
-  std::vector<SceneBody> ghosts;  ///< where something is wanted; shown translucent
-  bool refused = false;           ///< it cannot be there
-  SceneLight light;               ///< that falls on the bodies; drawings shine by themselves
+  /// Models where the user wants to place them, shown translucent.
+  std::vector<SceneBody> ghosts;
+  /// Whether the ghosts cannot be placed there.
+  bool refused = false;
+  /// The light that falls on bodies; drawings have their own.
+  SceneLight light;
+  /// Texts, painted over the picture.
   std::vector<SceneLabel> labels;
 
   bool operator==(const SceneContents&) const = default;

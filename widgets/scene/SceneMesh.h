@@ -23,7 +23,7 @@ struct SceneMesh {
   /// Layout as uploaded to the graphics card.
   struct Vertex {
     std::array<float, 3> position;
-    /// Of length 1.
+    /// The normal, of length 1.
     std::array<float, 3> normal;
     /// RGBA.
     std::array<std::uint8_t, 4> color;

@@ -105,7 +105,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
     Drag drag = Drag::kNone;
     int band = -1;
     std::uint64_t bookmark = 0;
-    /// Of kRangeEdge: whether it is the later end.
+    /// For kRangeEdge, whether it is the later end.
     bool upper = false;
   };
 

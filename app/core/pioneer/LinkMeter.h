@@ -54,7 +54,7 @@ class LinkMeter {
   void forgetOld(robotlink::Instant now);
 
   bool keeping_ = false;
-  /// Of the last kWindow, in order of time.
+  /// The packets of the last kWindow, in order of time.
   std::deque<Sample> samples_;
   std::deque<Gap> gaps_;
   std::optional<robotlink::Instant> lastCycle_;

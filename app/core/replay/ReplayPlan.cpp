@@ -268,8 +268,8 @@ void Planner::removeEmptyProcesses() {
 
 void Planner::setPace(Layout::Process& process) const {
   if (process.debug) {
-    process.period =
-        kEveryInstant;  // What programs tell at an instant is heard then, and not a moment later.
+    // Every instant, so that what programs publish is collected at once.
+    process.period = kEveryInstant;
     return;
   }
   const bool waited = !process.blocking.empty();

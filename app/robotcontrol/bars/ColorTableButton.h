@@ -12,26 +12,28 @@ class Session;
 
 namespace app {
 
-/// Says which color table the selected robot's program uses, and where that one is from; its menu loads
+/// Shows which color table the selected robot's program uses and where the table is from. Its menu loads
 /// another one. GUI thread.
 class ColorTableButton final : public QToolButton {
   Q_OBJECT
  public:
   explicit ColorTableButton(QWidget* parent);
 
-  /// Shows what the selected robot says; called after each tick. False: its program uses none, or has not
-  /// said so yet.
+  /// Shows the table that the selected robot reports; called after each tick. Returns false if its program
+  /// uses none or has not reported one.
   bool refresh(robotlink::Session& session);
 
   QSize sizeHint() const override;
 
-  /// "game.c64" of "/home/me/game.c64", and other sources as they are.
+  /// Returns "game.c64" for the source "/home/me/game.c64"; other sources as they are.
   static QString shortName(const QString& source);
 
  private:
+  /// Updates text and tool tip if the table has changed.
   void show(const robotcontrol::ColorTable& table);
 
-  QString shown_;  ///< source and time of what the text and the tool tip are of
+  /// Source and time of the table that is shown.
+  QString shown_;
 };
 
 }  // namespace app

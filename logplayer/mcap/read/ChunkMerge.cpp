@@ -17,7 +17,8 @@ std::size_t endOfRecord(const std::uint8_t* records, std::size_t record) {
          static_cast<std::size_t>(loadNumber<std::uint64_t>(records + record + 1));
 }
 
-/// The first that is not so, looked for ever farther, as runs of sections that overlap are short.
+/// Returns the first message for which `is` is false, where it is true for all before. Searches in growing
+/// steps, since runs of overlapping sections are short.
 template <typename Is>
 std::span<const MessageRecord>::iterator firstNot(std::span<const MessageRecord> messages, Is is) {
   std::size_t known = 0, step = 1;
@@ -55,9 +56,9 @@ void ChunkMerge::sortSections() {
   fits_ = overlapsFit();
 }
 
-/// Whether at no time more than `maxBytes_` have begun and not ended; a single section always fits.
 bool ChunkMerge::overlapsFit() const {
-  using End = std::pair<Instant, std::uint64_t>;  // and the section's bytes
+  // With the size of the section.
+  using End = std::pair<Instant, std::uint64_t>;
   std::priority_queue<End, std::vector<End>, std::greater<>> begun;
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -102,7 +103,6 @@ void ChunkMerge::lookUp(const MessagePosition& behind) {
   }
 }
 
-/// Sections that begin no later than the next message may hold one before it.
 void ChunkMerge::enterDue(const MessagePosition& behind) {
   while (due_ < order_.size() && surprises_ == cache_.surprises() &&
          (open_.empty() || section(due_).info.start <= open_.front()->time)) {
@@ -154,7 +154,6 @@ void ChunkMerge::sort(Open& open) const {
   open.end = open.messages.size();
 }
 
-/// What its message indexes say, so that it is known what is missing.
 void ChunkMerge::listDamaged(Open& open) {
   open.inOrder = false;
   open.place = open.end = 0;
@@ -174,7 +173,6 @@ void ChunkMerge::listDamaged(Open& open) {
   if (!lost.empty()) open.last = lost.back().time;
 }
 
-/// Goes on behind the run that was handed out.
 void ChunkMerge::finishRun() {
   if (open_.empty()) return;
   std::ranges::pop_heap(open_, isLater);
@@ -223,19 +221,17 @@ void ChunkMerge::Open::goOnBehind(const MessagePosition& position, const Channel
   }
 }
 
-/// Its memory is free for the next one.
 void ChunkMerge::leave(std::unique_ptr<Open> open) {
   open->records.reset();
   cache_.leave(open->section);
   spare_.push_back(std::move(open));
 }
 
-/// Messages of the section on top that lie before this come before those of all others.
 std::uint64_t ChunkMerge::endOfRun() const {
   const Open* second = open_.size() > 1 ? open_[1].get() : nullptr;
   if (open_.size() > 2 && isLater(open_[1], open_[2])) second = open_[2].get();
   std::uint64_t until = UINT64_MAX;
-  // Of equal times those that lie before in the file come first.
+  // At equal times, the messages of the earlier section come first.
   if (second != nullptr)
     until = nanosecondsOf(second->time) + (open_.front()->offset < second->offset ? 1 : 0);
   if (due_ < order_.size()) until = std::min(until, nanosecondsOf(section(due_).info.start));

@@ -6,88 +6,124 @@
 
 namespace logplayer::mcap {
 
-/// Puts the messages of a file's sections, which may overlap, in order of time. Each section is read when the
-/// first of its messages may be due. If its messages lie in order, as they mostly do, whoever wants them goes
-/// over its records; otherwise they are sorted once.
+/// Merges the messages of a file's sections, which may overlap in time, in order of time. A section is read
+/// when the first of its messages may be due. If its messages are in order, as usual, the caller iterates
+/// over its records; otherwise they are sorted once. One thread at a time.
 class ChunkMerge {
  public:
-  /// Messages that follow one another in one section.
+  /// Consecutive messages of one section.
   struct Run {
-    std::uint64_t sectionOffset = 0;                 ///< in the file
-    const SectionCache::Records* records = nullptr;  ///< null: there is no run; at null: it is damaged
-    /// The messages in these bytes of the records that come before `until`; the first is at `begin`.
+    /// Offset of the section in the file.
+    std::uint64_t sectionOffset = 0;
+    /// The records of the section. Null: there is no run. A pointer to null: the section is damaged.
+    const SectionCache::Records* records = nullptr;
+    /// If `messages` is empty: the range of the records that has the messages, the first of them at `begin`;
+    /// those not before `until` do not belong to the run.
     std::size_t begin = 0, end = 0;
-    std::uint64_t until = 0;  ///< ns
-    /// Instead of them, if they were sorted; with their channels if they are damaged.
+    /// In ns.
+    std::uint64_t until = 0;
+    /// The messages, if they had to be sorted or are damaged; with their channels in the latter case.
     std::span<const MessageRecord> messages;
     const std::uint16_t* channels = nullptr;
   };
 
-  /// `index` and `cache` must outlive this. Sections that overlap are held up to `maxBytes` together.
+  /// `index` and `cache` must outlive this object. Sections that overlap may have up to `maxBytes` together.
   ChunkMerge(const FileIndex& index, SectionCache& cache, std::vector<std::uint16_t> channels,
              std::size_t maxBytes);
 
-  /// The first run behind `behind`, of which this must be called with each time, is looked for.
+  /// The next call of next() searches anew.
   void seek() { standing_ = false; }
-  /// The next messages behind `behind`, which is that of the last message of the run before if there was no
-  /// seek(). Empty at the end, or if the sections do not fit(). Valid until the next call.
+  /// The next run of messages behind a position. Without a seek() before, `behind` must be the last message
+  /// of the previous run. Empty at the end, or if the sections do not fit(). Valid until the next call.
   Run next(const MessagePosition& behind);
-  /// The channels that were asked for.
+  /// The channels of the constructor.
   const ChannelSet& wanted() const { return wanted_; }
-  /// Whether the sections that overlap can be held together. Known after next().
+  /// Whether overlapping sections fit into `maxBytes`. Known after next().
   bool fits() const { return fits_; }
 
  private:
-  /// A section of which messages are still to come.
+  /// A section that has messages still to come.
   struct Open {
     std::size_t section = 0;
-    std::uint64_t offset = 0;  // of the section
+    /// Offset of the section in the file.
+    std::uint64_t offset = 0;
     SectionCache::Records records;
-    bool inOrder = false;                 // as they lie in the records; else `messages` has their order
-    std::vector<MessageRecord> messages;  // in order of time
-    std::vector<std::uint16_t> channels;  // theirs, if there are no records
-    std::size_t place = 0;                // of the next message, in the records or in `messages`...
-    std::size_t end = 0;                  // ...where these end
-    Instant time;                         // of the next message
-    Instant last;                         // of the last message
+    /// Whether the messages are in order in the records; otherwise `messages` has their order.
+    bool inOrder = false;
+    /// In order of time.
+    std::vector<MessageRecord> messages;
+    /// The channels of `messages`, if the section is damaged.
+    std::vector<std::uint16_t> channels;
+    /// The next message and the end, in the records or in `messages`.
+    std::size_t place = 0;
+    std::size_t end = 0;
+    /// The time of the next message.
+    Instant time;
+    /// The time of the last message.
+    Instant last;
 
+    /// Moves to the first message behind a position.
     void goOnBehind(const MessagePosition& position, const ChannelSet& wanted);
+    /// Moves to the first message not before a time, in ns.
     void goOnFrom(std::uint64_t until, const ChannelSet& wanted);
   };
+  /// The order of the heap: by time, then by place in the file.
   static bool isLater(const std::unique_ptr<Open>& a, const std::unique_ptr<Open>& b) {
     return a->time != b->time ? a->time > b->time : a->offset > b->offset;
   }
 
+  /// The section at an index of order_.
   const Section& section(std::size_t place) const { return index_.sections[order_[place]]; }
+  /// Sorts the sections that may have messages of the channels.
   void sortSections();
+  /// Whether at no time the overlapping sections exceed maxBytes_. A single section always fits.
   bool overlapsFit() const;
+  /// Opens the sections that may have messages around a position.
   void lookUp(const MessagePosition& behind);
+  /// Opens the sections that may have a message before the next one.
   void enterDue(const MessagePosition& behind);
+  /// Reads a section and opens it, if it has messages behind the position.
   void enter(std::size_t section, const MessagePosition& behind);
+  /// Finds out whether the messages of a section are in order.
   void lookOver(Open& open);
+  /// Sorts the messages of a section.
   void sort(Open& open) const;
+  /// Lists the messages of a damaged section by its message indexes, so that users learn what is missing.
   void listDamaged(Open& open);
+  /// Moves behind the run that next() has returned.
   void finishRun();
+  /// Closes a section and keeps its memory for the next one.
   void leave(std::unique_ptr<Open> open);
+  /// The time, in ns, before which the messages of the topmost section precede those of all others.
   std::uint64_t endOfRun() const;
 
   const FileIndex& index_;
   SectionCache& cache_;
   std::vector<std::uint16_t> channels_;
-  ChannelSet wanted_;  // the same channels
+  /// The same channels as a set.
+  ChannelSet wanted_;
   std::size_t maxBytes_;
 
-  std::uint64_t surprises_ = 0;       // of the cache, when the sections were sorted
-  bool sorted_ = false;               // they ever were
-  std::vector<std::uint32_t> order_;  // those that may hold what is wanted, by their start
-  std::vector<Instant> lastEnd_;      // the latest end among the first i + 1 of them
+  /// SectionCache::surprises() when the sections were sorted.
+  std::uint64_t surprises_ = 0;
+  /// Whether the sections were ever sorted.
+  bool sorted_ = false;
+  /// The sections that may have messages of the channels, by their start.
+  std::vector<std::uint32_t> order_;
+  /// For each index of order_, the latest end up to there.
+  std::vector<Instant> lastEnd_;
   bool fits_ = true;
 
+  /// Whether open_ and due_ belong to the last run.
   bool standing_ = false;
-  std::size_t due_ = 0;                       // the first in order_ that was not entered
-  std::vector<std::unique_ptr<Open>> open_;   // a heap, the one with the next message on top
-  std::vector<std::unique_ptr<Open>> spare_;  // whose memory can be used again
-  std::uint64_t until_ = 0;                   // ns; the run of the one on top ends before
+  /// The first index of order_ that was not opened.
+  std::size_t due_ = 0;
+  /// A heap with the section of the next message on top.
+  std::vector<std::unique_ptr<Open>> open_;
+  /// Closed sections, whose memory is reused.
+  std::vector<std::unique_ptr<Open>> spare_;
+  /// The end of the last run, in ns.
+  std::uint64_t until_ = 0;
 };
 
 }  // namespace logplayer::mcap

@@ -6,22 +6,24 @@
 
 namespace logplayer::mcap {
 
-/// Goes over the messages of some channels in order of time, equal times in the order of the file: the same
-/// messages as by Reader::next() and read(), many times as fast, since it goes over the records of a chunk
-/// when it comes to them. Chunks that overlap in time are held together up to the size of the reader's cache;
-/// where more of them overlap, it goes step by step.
+/// Iterates over the messages of some channels in order of time, and for equal times in the order of the
+/// file. It finds the same messages as Reader::next() and read(), but many times faster, because it iterates
+/// over the records of a chunk once that is read. Chunks that overlap in time are held together up to the
+/// size of the reader's cache; where more of them overlap, it falls back to single steps.
 ///
-/// The reader must outlive it and may be asked other things in between. Like it for one thread at a time.
+/// The reader must outlive it and may be used for other things in between. One thread at a time, together
+/// with the reader.
 class MessageCursor {
  public:
+  /// Starts before the first message.
   MessageCursor(Reader& reader, const std::vector<std::uint16_t>& channels);
   ~MessageCursor();
   MessageCursor(MessageCursor&&) noexcept;
   MessageCursor& operator=(MessageCursor&&) noexcept;
 
-  /// To before the first message behind a position, which need not be that of a message.
+  /// Moves before the first message behind a position, which need not be that of a message.
   void seek(const MessagePosition& behind);
-  /// False at the end.
+  /// Moves to the next message. Returns false at the end.
   bool next() {
     if (goOver()) return true;
     if (next_ == end_) return advance();
@@ -29,19 +31,20 @@ class MessageCursor {
     return true;
   }
 
-  // What is known of the message that next() came to; valid until it is called again.
+  // The current message; valid until the next call of next().
   MessagePosition position() const {
     return come_ ? MessagePosition{message_.logTime, sectionOffset_, offset_, message_.channelId} : behind_;
   }
-  /// False: its chunk is damaged, which is then in the reader's damage(); only its position is known.
+  /// False if its chunk is damaged, which is then in the reader's damage(); only its position and channel are
+  /// known.
   bool readable() const { return readable_; }
   const Message& message() const { return message_; }
-  /// With a share in the chunk that holds it, if it is readable.
+  /// The message together with a share in the memory of its chunk, if it is readable.
   Reader::MessageData data() const;
 
  private:
   struct Implementation;
-  /// Comes to the next message in the records; false: there is none before other sections have some.
+  /// Moves to the next message in the records. Returns false if other sections come before it.
   bool goOver() {
     if (place_ == recordsEnd_) return false;
     place_ = nextMessage(records_, place_, recordsEnd_, *wanted_);
@@ -59,7 +62,7 @@ class MessageCursor {
     come_ = true;
     return true;
   }
-  /// Comes to the next of the sorted messages.
+  /// Moves to the next one of the sorted messages.
   void take() {
     const MessageRecord& next = *next_++;
     offset_ = next.offset;
@@ -70,22 +73,33 @@ class MessageCursor {
       message_ = {*channel_++, 0, next.time, next.time, {}};
     }
   }
+  /// Drops all references to the current run.
   void stop();
+  /// Moves to the first message of the next run.
   bool advance();
+  /// Moves to the next message by way of the reader.
   bool step();
 
   std::unique_ptr<Implementation> implementation_;
+  /// The position before the current run, or of the message found by a step.
   MessagePosition behind_;
-  bool come_ = false;  // to a message; else `behind_` is the position
+  /// Whether message_ is one of the current run; otherwise behind_ is the position.
+  bool come_ = false;
   std::uint64_t sectionOffset_ = 0;
-  std::uint64_t offset_ = 0;  // of the message
+  /// The message's offset in its section.
+  std::uint64_t offset_ = 0;
+  /// The records of the current run, if it is readable.
   const std::uint8_t* records_ = nullptr;
-  std::size_t place_ = 0, recordsEnd_ = 0;  // what is to be gone over, as far as it comes before...
-  std::uint64_t until_ = 0;                 // ...this time, ns
+  /// The range that is still to be read...
+  std::size_t place_ = 0, recordsEnd_ = 0;
+  /// ...as far as its messages come before this time, in ns.
+  std::uint64_t until_ = 0;
   const ChannelSet* wanted_ = nullptr;
-  const MessageRecord* next_ = nullptr;  // of sorted ones
+  /// The sorted messages that are still to come.
+  const MessageRecord* next_ = nullptr;
   const MessageRecord* end_ = nullptr;
-  const std::uint16_t* channel_ = nullptr;  // the next one's, if they are not readable
+  /// The channel of the next sorted message, if they are not readable.
+  const std::uint16_t* channel_ = nullptr;
   bool readable_ = true;
   Message message_;
 };

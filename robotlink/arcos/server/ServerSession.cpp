@@ -133,7 +133,7 @@ std::vector<SimulatorRequest> ServerSession::takeRequests() {
 
 void ServerSession::mapLoaded(const std::string& file, bool loaded, bool byUser) {
   if (state_ != State::kOpen) return;
-  // Of a path that is too long for a packet, the end is sent.
+  // If a path is too long for a packet, its end is sent.
   const std::size_t fitting = kMaxSentData - 3;
   MapChanged changed;
   changed.byUser = byUser;
