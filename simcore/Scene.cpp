@@ -79,12 +79,12 @@ Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
   return draft;
 }
 
-/// Where the loading of a scene asks whether to go on.
+/// Reports the progress of loading a scene, and whether to continue.
 class Progress {
  public:
   Progress(const LoadProgress& report, Errors& errors) : report_(report), errors_(errors) {}
 
-  /// Whether to go on: nothing is wrong yet, and nobody has given up.
+  /// Whether to continue: nothing is wrong yet, and loading was not canceled.
   bool reached(double share) const {
     if (errors_.empty() && report_ && !report_(share))
       errors_.push_back({"scene.given-up", "opening was canceled", {}, {}});

@@ -11,7 +11,8 @@ namespace colortool {
 
 /// The way of a careful brush as it was meant: where the mouse slips off what it is led along, such as a thin
 /// line of the field, the way stays on that, as far as the brush reaches. Where nothing within reach is of
-/// like color the mouse goes on to something else, and so does the way. A plain value; one for each stroke.
+/// similar color the mouse moves on to something else, and so does the way. A plain value; one for each
+/// stroke.
 class SnappedWay {
  public:
   /// `radius` and `tolerance` as carefulBrushArea() has them.

@@ -13,7 +13,7 @@ class Message;
 
 namespace logplayer {
 
-/// Adapts the contents of messages when logs are merged on one time line: moves all fields of type
+/// Adapts the contents of messages when logs are merged on one timeline: moves all fields of type
 /// google.protobuf.Timestamp, and renames robots in frames of reference ("red1", "red1/camera" in the fields
 /// frame_id, parent_frame_id, child_frame_id) and in fields `robot`. Uses reflection and thus works for
 /// unknown types, too. Contents of bytes fields are not changed. One thread at a time; the descriptors of the

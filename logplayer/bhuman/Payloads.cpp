@@ -10,7 +10,7 @@ namespace {
 
 /// The value of a joint or a sensor that is off or missing.
 constexpr double kOff = 1000;
-/// The value of a joint that shall not move.
+/// The value of a joint that must not move.
 constexpr double kIgnore = 2000;
 constexpr double kGravity = 9.81;  // m/s^2
 

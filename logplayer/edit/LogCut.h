@@ -80,7 +80,7 @@ struct RewriteReport {
 /// streams that belong to no robot (the scene) are copied from the first log that has them. Memory is bounded
 /// by the readers' caches and the largest frames.
 ///
-/// The new file gets its name when it is complete; if anything fails, or the progress callback gives up,
+/// The new file gets its name when it is complete; if anything fails, or the progress callback cancels,
 /// nothing is left.
 robotlink::Result<RewriteReport> rewriteLogs(const RewriteOptions& options, const std::filesystem::path& to);
 

@@ -16,7 +16,7 @@ struct LogPart {
   /// Added to the times of the log.
   robotlink::Duration offset{0};
 
-  /// Times of the first and the last message, on the common time line.
+  /// Times of the first and the last message, on the common timeline.
   robotlink::Instant begin() const { return source.reader().statistics().messageStart + offset; }
   robotlink::Instant end() const { return source.reader().statistics().messageEnd + offset; }
 };

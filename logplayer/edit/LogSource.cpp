@@ -150,7 +150,7 @@ std::optional<LogUnit> LogSource::next() {
     const bool more = cursor_->next();
     if (!more || (to_ && *to_ + kFrameSpan < cursor_->message().logTime)) {
       atEnd_ = true;
-      // What goes on behind the range is no loss.
+      // Damage after the range is not a loss.
       if (!more && !to_) {
         for (Process& process : processes_) forgetOpenFrames(process, 0);
       }

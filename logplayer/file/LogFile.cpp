@@ -301,7 +301,7 @@ struct LogFile::Cursor::Implementation {
   std::shared_ptr<LogFile> file;
   LogFile::Implementation& log;
   mcap::MessageCursor messages;
-  bool ahead = false;  // the message where `messages` is was not handed out yet
+  bool ahead = false;  // the current message of `messages` was not returned yet
   bool atEnd = false;
   std::map<std::string, std::uint64_t> unread;
 };

@@ -98,7 +98,7 @@ std::uint32_t crc32(Bytes bytes, std::uint32_t before) {
     const std::size_t whole = bytes.size() - bytes.size() % kStride;
     std::uint8_t together[kWideBytes];
     carryTogether(bytes.data(), whole, before, together);
-    // The library inverts its initial value and its result; it shall start with 0.
+    // The library inverts its initial value and its result; it must start with 0.
     const std::uint32_t crc = libdeflate_crc32(0xFFFFFFFFU, together, sizeof together);
     return crc32(bytes.subspan(whole), crc);
   }

@@ -16,7 +16,7 @@ using robotlink::Vector2;
 constexpr double kLineThickness = 0.01;
 /// By how much a surface may move, m.
 constexpr double kTolerance = 0.02;
-// Finer cells would be too many, and nobody could see the difference.
+// Finer cells would be too many, and make no visible difference.
 constexpr double kFinestCell = 0.01;
 // Longer than the walls of any building; points beside lines beyond this length keep boxes of their own.
 constexpr double kLongestMarked = 100'000;

@@ -62,7 +62,8 @@ void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
     file_ = place;
     if (left) return;
   }
-  // All are held, or the folder cannot be written: a place that is nobody's, so that nothing is lost.
+  // All are held, or the folder cannot be written: a place that no other program uses, so that nothing is
+  // lost.
   if (!lock_) file_ = fileAt(folder, kMaxPrograms + 1);
 }
 

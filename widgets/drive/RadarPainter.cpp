@@ -246,7 +246,7 @@ void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLoo
   if (readings.silence) painter.setOpacity(kSilentOpacity);
   paintLaser(painter, readings, toWidget, palette);
   paintSonar(painter, readings, look, toWidget, palette);
-  // Nobody knows where a robot goes that is not heard.
+  // It is unknown where a silent robot goes.
   if (!readings.silence) paintMotion(painter, readings, toWidget, palette);
   paintRobot(painter, readings, look, toWidget, palette);
   painter.setOpacity(1);

@@ -290,7 +290,7 @@ QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {
   const std::string robot = robots_->robot(session());
   if (!drives(robot)) return {};
   const auto belief = std::ranges::find(beliefs, robot, &RobotBelief::robot);
-  // What a robot was asked to do does not help while it is not heard.
+  // Requests do not help while the robot is silent.
   if (belief == beliefs.end() || belief->silent) return {};
   const auto* base = session().store().latestAs<robotcontrol::DriveState>(
       robot + '/' + robotlink::kDriveState.name, session().timeline().shown());

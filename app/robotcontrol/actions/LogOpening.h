@@ -24,7 +24,7 @@ class LogOpening : public QObject {
   void fillMenu(QMenu& menu);
   /// Whether the data contains local files.
   static bool takes(const QMimeData& data);
-  /// Opens dropped files: several logs on one time line, with `add` in addition to those that are open.
+  /// Opens dropped files: several logs on one timeline, with `add` in addition to those that are open.
   /// Scenes, layouts, pictures, folders of pictures and color tables are opened as such.
   void drop(const QMimeData& data, bool add);
 

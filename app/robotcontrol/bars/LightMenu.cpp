@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kStepsPerUnit = 100;
 constexpr int kRefreshMs = 100;
-/// How often a light that was asked for may be missing in what the simulation reports.
+/// How often a requested light may be missing in the simulation's reports.
 constexpr int kPatience = 10;
 
 }  // namespace
@@ -154,7 +154,7 @@ void LightMenu::refresh() {
   for (QAction* action : actions()) action->setEnabled(simulated);
   if (!simulated) return;
   const Light reported(status->brightness(), status->warmth());
-  // What was asked for a moment ago may not have arrived yet.
+  // A recent request may not have arrived yet.
   if (asked_ && reported != *asked_ && --patience_ > 0) return;
   asked_.reset();
   brightness_.show(reported.first);

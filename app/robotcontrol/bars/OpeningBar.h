@@ -12,7 +12,7 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// How far the opening of a log, map or scene is, with a button that gives it up. Hidden while none is
+/// How far the opening of a log, map or scene is, with a button that cancels it. Hidden while none is
 /// opened, and for what takes no longer than a moment. GUI thread.
 class OpeningBar : public QWidget {
   Q_OBJECT

@@ -35,7 +35,7 @@ class ExportStatus {
   void add(const Result<ExportReport>& report, const std::string& what, const std::string& to) {
     progress_.erase();
     if (!report) {
-      // What is wrong with standard output is said where the program ends.
+      // Errors of standard output are reported at the end of the program.
       const bool said = report.error().id == "file.io" && report.error().where.file.empty();
       status_ = said ? kFailed : printErrors({report.error()});
       return;
