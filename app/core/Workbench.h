@@ -33,8 +33,8 @@ class Workbench {
   robotlink::CommandTable& commands() { return commands_; }
   Recording& recording() { return recording_; }
 
-  /// Starts loading a simulation. The result arrives in a later tick(), as for all functions up to
-  /// setLayout().
+  /// Starts loading a simulation. The result arrives in a later tick(), as for all functions that open or
+  /// close something or change the layout.
   void load(RunOptions options);
   /// Opens logs. `layout` is that of the programs that run on them; empty: the one in each log.
   void openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout = {});

@@ -9,8 +9,8 @@
 
 namespace robotlink {
 
-/// What resources/robots/<name>.yaml says of where a kind of robot is used, for whoever puts one on a
-/// platform; programs get it as part of their setup. A plain value.
+/// Where a kind of robot is used, as resources/robots/<name>.yaml says. Code that puts a robot on a platform
+/// takes it from here and passes it to the robot's program. A plain value.
 struct RobotUse {
   /// The field (resources/fields/<name>.yaml) that its program knows where neither scene nor log name one;
   /// empty: none.
@@ -18,8 +18,8 @@ struct RobotUse {
   /// The teams that such robots play in; empty: none.
   std::vector<std::string> teams;
 
-  /// The team of a robot of this name that nobody has put in one: that with which its name begins, else the
-  /// first. Empty: such robots play in none.
+  /// The default team of a robot of this name: the one with which its name begins, otherwise the first one.
+  /// Empty if such robots play in none.
   std::string teamOf(const std::string& robot) const;
 };
 

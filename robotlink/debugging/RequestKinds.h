@@ -26,7 +26,7 @@ struct RequestKind {
 
   robotcontrol::Request::WhatCase what;
   RequestDoer doer;
-  const char* words;  ///< for people: "set debug key"
+  const char* words;  ///< for users: "set debug key"
   /// Whether it overrides what the robot's layout and files say, and so holds for later programs of the
   /// robot, too, after a reset or in another layout.
   bool isOverride = false;

@@ -36,7 +36,7 @@ std::string listed(const std::set<std::string>& texts) {
   return all;
 }
 
-/// Makes one plan.
+/// The algorithm of planReplay(); one object makes one plan.
 class Planner {
  public:
   Planner(ReplaySelection selection, const TaskCatalog& catalog)

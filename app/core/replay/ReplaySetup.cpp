@@ -35,8 +35,8 @@ RobotDescription described(const ProgramSetup::File& description) {
   return robot ? std::move(*robot) : RobotDescription();
 }
 
-/// Descriptions in older logs do not contain it; then that of the shipped robot of this name counts, if there
-/// is one.
+/// Returns where a robot is used, as its description says. Descriptions in older logs do not; then that of
+/// the shipped robot of this name counts, if there is one.
 robotlink::RobotUse useOf(const ProgramSetup::File& description, const std::string& kind) {
   auto use = robotlink::parseRobotUse(description.text(), description.name());
   const bool says = use && (!use->teams.empty() || !use->field.empty());

@@ -12,7 +12,7 @@
 
 namespace app {
 
-/// A world of Pioneers without programs of their own, which are driven by whoever connects to their ports.
+/// A world of Pioneers without programs of their own, driven by the programs that connect to their ports.
 /// `robotctl sim --arcos` runs it. It has no thread of its own; one thread steps it.
 class ArcosSimulation {
  public:
