@@ -382,8 +382,7 @@ class Reader {
 
   void problem(int line, const std::string& what, int column) {
     if (read_.problems.size() < kMaxProblems)
-      read_.problems.push_back(
-          {"samples.line", "what this line says is left out: " + what, {}, {file_, line, column}});
+      read_.problems.push_back({"samples.line", "this line is skipped: " + what, {}, {file_, line, column}});
   }
 
   std::string file_;

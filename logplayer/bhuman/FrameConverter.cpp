@@ -165,7 +165,7 @@ Result<void> FrameConverter::convertDoubtful(std::optional<Instant> next) {
   const bool confirmed = next && near(*stated, *next);
   if (!confirmed)
     trouble_(contents.offset, "the time of a frame, " + std::to_string(robotlink::seconds(*stated)) +
-                                  " s, lies far from those around it; that of the one before was taken");
+                                  " s, is far from those around it; that of the frame before was used");
   return convert(contents, confirmed ? stated : std::nullopt);
 }
 
@@ -205,8 +205,8 @@ void FrameConverter::convertCamera(const Contents& contents, Instant time, Frame
   frame.push_back(cameraPose(*contents.place, optics_, time));
   if (contents.place->valid == placeValid_) return;
   placeValid_ = contents.place->valid;
-  frame.push_back(text(placeValid_ ? "the camera's pose can be relied on again"
-                                   : "the robot moved too unsteadily for its camera's pose to be relied on",
+  frame.push_back(text(placeValid_ ? "the camera's pose is reliable again"
+                                   : "the robot moved too unsteadily: its camera's pose is not reliable",
                        placeValid_ ? Level::kInfo : Level::kWarning, contents.process + "/camera-pose",
                        time));
 }

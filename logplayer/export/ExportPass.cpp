@@ -110,7 +110,7 @@ void noteDamage(const LogFile& log, ExportReport& report) {
 Result<void> put(std::ostream& out, const std::string& text) {
   errno = 0;
   if (out << text) return {};
-  const std::string reason = errno != 0 ? std::strerror(errno) : "the system does not say why";
+  const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
   return robotlink::failure("file.io", "cannot write: " + reason, {}, {reason});
 }
 

@@ -55,7 +55,7 @@ class MonteCarloLocalization final : public SelfLocalization {
     if (!localizer_) {
       if (!warned_)
         debug_.text(Level::kWarning, "self-localisation",
-                    "there is no map to find the robot in: open one, or choose the solution wheel-odometry");
+                    "there is no map for localization: open one, or choose the solution wheel-odometry");
       warned_ = true;
       return publish(kNowhere, drive_->timestamp());
     }

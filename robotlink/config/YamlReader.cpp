@@ -247,7 +247,7 @@ double YamlNode::numberIn(std::string_view key, double minimum, double maximum) 
   if (node.empty() || (number >= minimum && number <= maximum)) return number;
   const auto shown = [](double value) { return YAML::Dump(YAML::Node(value)); };
   node.fail("yaml.range",
-            "'" + std::string(key) + "' must lie between " + shown(minimum) + " and " + shown(maximum),
+            "'" + std::string(key) + "' must be between " + shown(minimum) + " and " + shown(maximum),
             {std::string(key)});
   return minimum;
 }

@@ -152,8 +152,7 @@ class Compiler {
     if (text.request != "allMotions") {
       result.request = net_->find(text.request);
       if (result.request < 0) {
-        fail(file, line, "motion.unknown-motion",
-             "there is no motion '" + text.request + "' to be asked for");
+        fail(file, line, "motion.unknown-motion", "there is no motion '" + text.request + "' to request");
       }
     }
     const auto label = labels_.find({text.motion, text.label});

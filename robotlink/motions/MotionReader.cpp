@@ -126,7 +126,7 @@ class Reader {
     }
     if (columnsUsed_ && key != "motion_id") {
       fail(words[0].column, "motion.late-header",
-           "'" + std::string(key) + "' must stand before the first data line");
+           "'" + std::string(key) + "' must come before the first data line");
     }
   }
 

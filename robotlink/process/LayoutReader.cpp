@@ -44,7 +44,7 @@ void readSchedule(const YamlNode& node, Layout::Process& process) {
   }
   const double periodMs = node.optional("period_ms", 0.0);
   if (periodMs < 0 || periodMs > kMaxPeriodMs) {
-    node.optionalChild("period_ms").fail("layout.period", "a period lies between 0 (none) and 60000 ms");
+    node.optionalChild("period_ms").fail("layout.period", "a period is between 0 (none) and 60000 ms");
     return;
   }
   process.period = std::chrono::microseconds(std::llround(periodMs * 1000));

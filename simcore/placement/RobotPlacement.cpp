@@ -298,7 +298,7 @@ robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
     if (!place) {
       return robotlink::failure("scene.no-room",
                                 "there is room for " + std::to_string(i) + " of the " +
-                                    std::to_string(robots.count) + " robots: add fewer of them",
+                                    std::to_string(robots.count) + " robots: add fewer",
                                 {file, 0, 0}, {std::to_string(i), std::to_string(robots.count)});
     }
     ModelInstance model = robotAt(*place, *around.floor - extent.low, type, file);

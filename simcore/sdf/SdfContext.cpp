@@ -64,7 +64,7 @@ double SdfContext::within(double value, double minimum, double maximum, const st
                           const sdf::ElementPtr& element) const {
   if (value >= minimum && value <= maximum) return value;
   fail(element, "scene.range",
-       what + " must lie between " + shortNumber(minimum) + " and " + shortNumber(maximum));
+       what + " must be between " + shortNumber(minimum) + " and " + shortNumber(maximum));
   return minimum;
 }
 

@@ -39,7 +39,7 @@ class DriveReader {
     model_.drive = drive_;
     const double ratio = driveGeometry(model_).slipRatio;
     if (ratio > 1 / kMaxSlipRatio && ratio < kMaxSlipRatio) return;
-    fail("scene.drive", "wheels that stand there cannot turn the model about that track");
+    fail("scene.drive", "wheels at these places cannot turn the model with that track");
     model_.drive.reset();
   }
 
@@ -93,7 +93,7 @@ class DriveReader {
     const bool along = std::abs(solid.linear().col(2).dot(joint.axisInModel)) > 0.9999;
     const Vector3 offset = solid.translation() - joint.anchorInModel;
     const bool centered = offset.cross(joint.axisInModel).norm() < 1e-4;
-    return along && centered ? nullptr : "a wheel's cylinder must lie about the joint's axis";
+    return along && centered ? nullptr : "a wheel's cylinder must be around the joint's axis";
   }
 
   /// What a wheel should have in common with the first one, but has not; null if they agree.

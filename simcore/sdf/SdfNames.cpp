@@ -120,7 +120,7 @@ class NameChecker {
     for (double value = 0; stream >> value;) {
       if (value >= minimum && value <= maximum) continue;
       std::ostringstream text;
-      text << "<" << element.Name() << "> must lie between " << minimum << " and " << maximum << " " << unit;
+      text << "<" << element.Name() << "> must be between " << minimum << " and " << maximum << " " << unit;
       return fail(element, "scene.range", text.str());
     }
   }

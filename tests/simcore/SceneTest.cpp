@@ -102,7 +102,7 @@ TEST_F(SceneTest, aCameraMayHaveVignetting) {
     EXPECT_EQ((*simulation)->cameras()[0].model.vignetting, expected);
   }
   EXPECT_THAT(errorsWithModel("<sensor name=\"touch\"", withCamera(replaced(lens, "0.4", "1.4"))),
-              HasSubstr("vignetting must lie between 0 and 1"));
+              HasSubstr("vignetting must be between 0 and 1"));
 }
 
 TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {
@@ -154,9 +154,9 @@ TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   EXPECT_EQ(errorsWithModel("<collision>hand", "<collision>fist"),
             file + "17: the link 'arm' has no collision 'fist'");
   EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),
-            file + "19: initial_position of 'hip' must lie between -1 and 1");
+            file + "19: initial_position of 'hip' must be between -1 and 1");
   EXPECT_EQ(errorsWithModel("<effort>2</effort>", ""),
-            file + "19: a servo's <effort> must lie between 1e-09 and 1000");
+            file + "19: a servo's <effort> must be between 1e-09 and 1000");
   EXPECT_THAT(errorsWithModel("<parent>foot</parent>", "<parent>arm</parent>"), StartsWith(file));
   EXPECT_THAT(errorsWithModel("type=\"contact\"", "type=\"sonar\""), StartsWith(file + "17: "));
 }

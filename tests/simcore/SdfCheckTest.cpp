@@ -88,13 +88,13 @@ TEST_F(SdfCheck, namesStandOnce) {
 }
 
 TEST_F(SdfCheck, bodiesThatCannotBeAreRefused) {
-  EXPECT_EQ(broken("<mass>1.5", "<mass>-1.5"), "m.sdf:7: <mass> must lie between 1e-06 and 10000 kg");
-  EXPECT_EQ(broken("<mass>1.5", "<mass>1e30"), "m.sdf:7: <mass> must lie between 1e-06 and 10000 kg");
+  EXPECT_EQ(broken("<mass>1.5", "<mass>-1.5"), "m.sdf:7: <mass> must be between 1e-06 and 10000 kg");
+  EXPECT_EQ(broken("<mass>1.5", "<mass>1e30"), "m.sdf:7: <mass> must be between 1e-06 and 10000 kg");
   EXPECT_EQ(broken("<ixx>0.1", "<ixx>5"),
             "m.sdf:8: no body has such moments: ixx exceeds the sum of the other two");
   EXPECT_EQ(broken("<size>0.1 0.1 0.1", "<size>0.1 0 0.1"),
-            "m.sdf:10: <size> must lie between 1e-05 and 1000 m");
-  EXPECT_EQ(broken("<radius>0.02", "<radius>1e9"), "m.sdf:16: <radius> must lie between 1e-05 and 1000 m");
+            "m.sdf:10: <size> must be between 1e-05 and 1000 m");
+  EXPECT_EQ(broken("<radius>0.02", "<radius>1e9"), "m.sdf:16: <radius> must be between 1e-05 and 1000 m");
   EXPECT_EQ(broken("<box><size>0.1 0.1 0.1</size></box>", ""),
             "m.sdf:10: 'sole' has no shape in its <geometry>");
 }

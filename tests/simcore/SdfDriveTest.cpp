@@ -94,19 +94,19 @@ TEST(SdfDrive, whatIsWrongWithADriveIsToldWithItsLine) {
                          "<sphere><radius>0.1</radius></sphere>"),
               HasSubstr("a wheel has one <collision>, a cylinder"));
   EXPECT_THAT(errorsWith("<pose>0 0 0 1.570796 0 0</pose>", ""),
-              HasSubstr("must lie about the joint's axis"));
+              HasSubstr("must be around the joint's axis"));
   EXPECT_THAT(errorsWith("<radius>0.1<", "<radius>0.12<"),
               HasSubstr("a drive's wheels must be of one radius"));
   EXPECT_THAT(errorsWith("<parent>body</parent><child>wheelR<", "<parent>wheelL</parent><child>wheelR<"),
               HasSubstr("nothing may be joined to a wheel"));
-  EXPECT_THAT(errorsWith("<effort>2</effort>", ""), HasSubstr("a wheel's <effort> must lie between"));
-  EXPECT_THAT(errorsWith("<velocity>8</velocity>", ""), HasSubstr("a wheel's <velocity> must lie between"));
+  EXPECT_THAT(errorsWith("<effort>2</effort>", ""), HasSubstr("a wheel's <effort> must be between"));
+  EXPECT_THAT(errorsWith("<velocity>8</velocity>", ""), HasSubstr("a wheel's <velocity> must be between"));
   EXPECT_THAT(errorsWith("track>0.4<", "track>0<"),
-              HasSubstr("m.sdf:2: a drive's track must lie between 0.01 and 10"));
+              HasSubstr("m.sdf:2: a drive's track must be between 0.01 and 10"));
   EXPECT_THAT(errorsWith("track>0.4<", "track>far<"),
               HasSubstr("m.sdf:6: <robotcontrol:track> must be one finite number"));
   EXPECT_THAT(errorsWith("idle_torque>0.5<", "idle_torque>-1<"),
-              HasSubstr("idle_torque must lie between 0 and 1000"));
+              HasSubstr("idle_torque must be between 0 and 1000"));
   EXPECT_THAT(errorsWith("<model name=\"cart\">", "<model name=\"cart\"><static>true</static>"),
               HasSubstr("a static model has no drive"));
 }
@@ -114,11 +114,11 @@ TEST(SdfDrive, whatIsWrongWithADriveIsToldWithItsLine) {
 TEST(SdfDrive, aTrackThatWheelsCannotHaveIsRefused) {
   // Four wheels turn about more than their distance.
   std::string text = replaced(kCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0.3 0.2 0.1 0 0 0</pose>");
-  EXPECT_THAT(read(text).errors, HasSubstr("cannot turn the model about that track"));
+  EXPECT_THAT(read(text).errors, HasSubstr("cannot turn the model with that track"));
   text = replaced(text, "track>0.4<", "track>0.6<");
   EXPECT_EQ(read(text).errors, "");
   EXPECT_THAT(read(replaced(text, "<pose>0 -0.2 0.1 0 0 0</pose>", "<pose>0.3 0.2 0.1 0 0 0</pose>")).errors,
-              HasSubstr("cannot turn the model about that track"))
+              HasSubstr("cannot turn the model with that track"))
       << "both on one side";
 }
 

@@ -119,7 +119,7 @@ void BaseStateView::createRows() {
   link_->addRow("linkGap", tr("Longest gap"),
                 tr("Between two information packets, over the last seconds; they come each 100 ms"));
   link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
-  link_->addText("linkText", tr("What the line says"));
+  link_->addText("linkText", tr("Status of the line"));
   connectNow_ = new QPushButton(icon("connect"), tr("Connect now"), link_);
   describe(*connectNow_, {"linkConnectNow", tr("Connect now"),
                           tr("Tries to reach the robot at once, instead of after the pause")});

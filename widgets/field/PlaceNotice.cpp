@@ -25,24 +25,22 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : placeText("%1 has no map to find itself in: connect it with one (Robot > Connect, Map).")
+               : placeText("%1 has no map for localization: connect it with one (Robot > Connect, Map).")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())
     return placeText(
                "%1 does not know yet where it is, and stands: release its stop button or STOP, so that it "
-               "can drive about.")
+               "can drive around.")
         .arg(name);
   if (base != nullptr && !base->motors_on())
     return placeText(
                "%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere "
-               "(G, and a "
-               "click on the map). It drives about until it has found itself.")
+               "(G, and a click on the map). It drives around until it has localized itself.")
         .arg(name);
   return placeText(
              "%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives "
-             "about until it "
-             "has found itself; or steer it by the motion tester.")
+             "around until it has localized itself; or steer it with the motion tester.")
       .arg(name);
 }
 

@@ -34,8 +34,7 @@ namespace {
 
 const ViewRegistration kSceneViewRegistration{
     {"scene", QT_TRANSLATE_NOOP("widgets::SceneView", "Scene"),
-     QT_TRANSLATE_NOOP("widgets::SceneView",
-                       "The world in three dimensions, with what the robots draw into it"),
+     QT_TRANSLATE_NOOP("widgets::SceneView", "The world in three dimensions, with the robots' drawings"),
      "scene", true, create<SceneView>}};
 
 constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wheels is seen well
@@ -126,7 +125,7 @@ void SceneView::createViews() {
 QWidget* SceneView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("sceneRobot", row->parentWidget());
-  robots_->setToolTip(tr("Whose drawings are shown, and whom the camera follows"));
+  robots_->setToolTip(tr("Whose drawings are shown, and which robot the camera follows"));
   row->addWidget(robots_);
   row->addSpacing(6);
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
@@ -206,7 +205,7 @@ void SceneView::tick() {
   canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
   const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
   canvas_->setHint(
-      log ? tr("This log holds no scene; the field view shows where its robots believe they are.")
+      log ? tr("This log holds no scene; the field view shows the estimated poses of its robots.")
           : tr("No scene yet: start a simulation, or open a log."));
   canvas_->setMovable(scene_.models(), move_->isChecked());
   follow();

@@ -67,7 +67,7 @@ tl::expected<std::unique_ptr<ReplayRun>, Errors> ReplayRun::create(ReplayOptions
 }
 
 Errors ReplayRun::Implementation::open() {
-  if (options.logs.empty()) return {{"replay.no-log", "there is no log to be played", {}, {}}};
+  if (options.logs.empty()) return {{"replay.no-log", "there is no log to play", {}, {}}};
   if (!options.colorTable.empty()) {
     auto table = readColorTable(options.colorTable);
     if (!table) return {table.error()};

@@ -66,7 +66,7 @@ int convert(const ConvertArguments& arguments) {
 void addColorConvertCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = color.add_subcommand(
-      "convert", "Makes a .c64 color table of another team's, with the names of its classes beside it");
+      "convert", "Converts another team's color table to .c64, with a file of the names of its classes");
   command->add_option("from", arguments->from, "The other team's table, also compressed (.bz2)")->required();
   command->add_option("to", arguments->to, "The new table (.c64)")->required();
   std::vector<std::string> names;

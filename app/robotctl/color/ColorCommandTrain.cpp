@@ -123,8 +123,8 @@ int printLosses(const TrainArguments& arguments, const Learned& learned, const C
   if (learned.outside != 0) {
     std::cerr << arguments.strokes << ": "
               << (learned.outside == 1
-                      ? "one stroke lies outside of its image"
-                      : std::to_string(learned.outside) + " strokes lie outside of their images")
+                      ? "one stroke is outside its image"
+                      : std::to_string(learned.outside) + " strokes are outside their images")
               << "\n";
   }
   if (made.reducedCells != 0) {

@@ -91,7 +91,7 @@ Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) cons
     return tl::unexpected(ok.error());
   if (const auto ok = read(to, &logplayer::Bookmark::to, result.to); !ok) return tl::unexpected(ok.error());
   if (result.from && result.to && *result.to < *result.from) {
-    return robotlink::failure("usage", "--to lies before --from");
+    return robotlink::failure("usage", "--to is before --from");
   }
   return result;
 }

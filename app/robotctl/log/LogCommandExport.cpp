@@ -89,7 +89,7 @@ Result<std::shared_ptr<logplayer::LogFile>> opened(const std::filesystem::path& 
 
 int exportLog(const ExportArguments& arguments) {
   if (arguments.images.empty() && arguments.csv.empty() && arguments.json.empty() && !arguments.texts) {
-    std::cerr << "robotctl log export: say what: --images, --csv, --json or --texts\n";
+    std::cerr << "robotctl log export: choose what to export: --images, --csv, --json or --texts\n";
     return kUsage;
   }
   const auto input = LogInput::of(arguments.file);

@@ -155,7 +155,7 @@ int attachment(const AttachmentArguments& arguments) {
 void addLogNoteCommands(CLI::App& log, int& status) {
   auto marks = std::make_shared<BookmarkArguments>();
   CLI::App* command = log.add_subcommand("bookmark", "Lists the bookmarks of a log, adds and removes them");
-  command->add_option("file", marks->file, "A log file; to be listed also - for standard input")->required();
+  command->add_option("file", marks->file, "A log file; for listing also -, standard input")->required();
   auto* added =
       command->add_option("--add", marks->add, "The text of a new bookmark at --from, or from there --to");
   command->add_option("--remove", marks->remove, "The text of those to remove")->excludes(added);
@@ -166,7 +166,7 @@ void addLogNoteCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<AttachmentArguments>();
   command =
       log.add_subcommand("attachment", "Lists the attachments of a log, adds a file to it, or takes one out");
-  command->add_option("file", arguments->file, "A log file; not to be changed also - for standard input")
+  command->add_option("file", arguments->file, "A log file; unless it is changed also -, standard input")
       ->required();
   auto* add = command->add_option("--add", arguments->add, "A file to attach")->check(CLI::ExistingFile);
   command->add_option("--name", arguments->options.name, "Its name there; else the file's")->needs(add);

@@ -376,9 +376,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
   RunRobotArguments& robot = arguments->robot;
   command->add_option("--map", robot.map, "Robots: a map (.map) of where it drives");
-  command->add_option("--robot", robot.robot, "Robots: what it is called")
-      ->check(robotName)
-      ->capture_default_str();
+  command->add_option("--robot", robot.robot, "Robots: its name")->check(robotName)->capture_default_str();
   command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");

@@ -189,7 +189,7 @@ void Scanner::noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::u
   }
   if (data > from) {
     note(from, data - from,
-         goesOn ? "the file is damaged; it can be read again behind that"
+         goesOn ? "the file is damaged; reading continues after that"
                 : "the file ends within a record, or is damaged to its end");
     index_.damage.back().chunks = chunks;
   }

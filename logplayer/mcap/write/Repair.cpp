@@ -174,7 +174,7 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   });
   if (!goOn) return failure("log.given-up", "the repair was canceled");
   if ((*reader)->complete() && (*reader)->damage().empty() && digest == expected) return {};
-  return failure("mcap.repair", "the repaired file does not read as it was written; is the disk in order?",
+  return failure("mcap.repair", "the repaired file does not read as it was written; check the disk",
                  {file.string(), 0, 0});
 }
 

@@ -89,7 +89,7 @@ Result<void> check(const Command& command) {
   if (const int* value = std::get_if<int>(&command.argument)) {
     if (*value < -kMaxArgument || *value > kMaxArgument) {
       return failure("arcos.bad-argument", "the argument of " + name + " is " + std::to_string(*value) +
-                                               "; it must lie between -65535 and 65535");
+                                               "; it must be between -65535 and 65535");
     }
   }
   const auto* text = std::get_if<std::string>(&command.argument);

@@ -145,7 +145,7 @@ constexpr CommandInfo kCommands[] = {
     {150, Type::kUnsigned, "ROTVEL_CLOSEDLOOP", "",
      "1: the rate of turning is controlled by what is measured."},
     {210, Type::kData, "SRECORD", "", "Updates the firmware; larger robots."},
-    {211, Type::kData, "MARCDEBUG", "", "For those who maintain larger robots."},
+    {211, Type::kData, "MARCDEBUG", "", "Maintenance of larger robots."},
     {212, Type::kData, "WHEEL_LIGHT", "", "Lights at the wheels; larger robots."},
     {213, Type::kUnsigned, "ABSOLUTE_MAXES", "",
      "Asks for the speeds and accelerations that can never be exceeded; larger robots."},

@@ -114,7 +114,7 @@ TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
       << "image,class,x,y,radius\n007.yuyv,orange,-50,1,3\n007.yuyv,orange,50,1,3\n";
   const auto outside = color("train --strokes bad.csv --images images --out x.c64");
   EXPECT_EQ(outside.status, 3);
-  EXPECT_THAT(outside.errors, HasSubstr("one stroke lies outside"));
+  EXPECT_THAT(outside.errors, HasSubstr("one stroke is outside"));
 }
 
 TEST(RobotctlColorReal, fewStrokesInTheRealFramesMakeAGoodTable) {

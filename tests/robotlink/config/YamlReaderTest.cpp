@@ -96,7 +96,7 @@ TEST(YamlReader, rangesAndLengthsAreChecked) {
   EXPECT_THAT(yaml.root().numbers("position", 3), ElementsAre(1, 2, 0));
   EXPECT_EQ(
       errorsOf(yaml),
-      "robot.yaml:1:9: 'radius' must lie between 0 and 5\nrobot.yaml:2:11: 'position' must have 3 numbers");
+      "robot.yaml:1:9: 'radius' must be between 0 and 5\nrobot.yaml:2:11: 'position' must have 3 numbers");
 }
 
 TEST(YamlReader, mapsWhoseKeysAreDataKeepTheirOrder) {

@@ -58,7 +58,7 @@ TEST(MotionNetTest, whatOneFileAloneCannotTellIsCheckedHere) {
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\ntransition nod nod stop\n" + end),
             "nod.mof:3:1: the motion 'nod' has no label 'stop'");
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\ntransition wink nod start\n" + end),
-            "nod.mof:3:1: there is no motion 'wink' to be asked for");
+            "nod.mof:3:1: there is no motion 'wink' to request");
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\ntransition nod wink start\n" + end),
             "nod.mof:3:1: there is no motion 'wink' to go to");
   EXPECT_EQ(errorsOf("motion_id = nod\n1 2 1 8\nlabel start\n" + end),

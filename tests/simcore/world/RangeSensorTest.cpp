@@ -155,9 +155,9 @@ TEST_F(RangeSensorTest, whatIsWrongIsSaid) {
   folder_.writeModel("cart", model);
   const std::string errors = folder_.errorsOf(worldAround(kCartHere));
   for (const char* expected :
-       {"model.sdf:8: a sonar's <max> must lie between", "a sonar's <geometry> must be cone",
-        "noise must lie between", "max_angle must lie between", "vertical samples must be 1",
-        "a lidar's samples must lie between"}) {
+       {"model.sdf:8: a sonar's <max> must be between", "a sonar's <geometry> must be cone",
+        "noise must be between", "max_angle must be between", "vertical samples must be 1",
+        "a lidar's samples must be between"}) {
     EXPECT_THAT(errors, HasSubstr(expected));
   }
 }

@@ -60,7 +60,7 @@ void ColorQualityView::createActions() {
                          "with the numbers of the classes")});
   simulated_ = makeAction(this, "simulation",
                           {"qualitySimulated", tr("Simulator's classes"),
-                           tr("Scores the table over what the simulated camera truly sees")});
+                           tr("Scores the table against the simulated camera's true classes")});
   simulated_->setCheckable(true);
   close_ =
       makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Removes the labeled images")});

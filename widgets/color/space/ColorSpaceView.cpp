@@ -211,7 +211,7 @@ void ColorSpaceView::updateHint() {
        std::ranges::all_of(contents_->table->cells(), [](std::uint8_t cell) { return cell == 0; }));
   hint_->setHint(nothing
                      ? tr("There are no colors yet.\nOpen a color image and draw strokes in it: its pixels, "
-                          "the strokes' samples and the table that is made of them appear here.")
+                          "the strokes' samples and the table that is made from them appear here.")
                      : QString());
 }
 

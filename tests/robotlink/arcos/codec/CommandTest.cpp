@@ -85,7 +85,7 @@ TEST(CommandTest, argumentsThatDoNotFitAreToldOf) {
   EXPECT_TRUE(check(command(CommandId::kVel, -65535)));
   const auto large = check(command(CommandId::kVel, 70000));
   ASSERT_FALSE(large);
-  EXPECT_EQ(large.error().text, "the argument of VEL is 70000; it must lie between -65535 and 65535");
+  EXPECT_EQ(large.error().text, "the argument of VEL is 70000; it must be between -65535 and 65535");
   EXPECT_EQ(integerArgument(*toCommand(toPacket(command(CommandId::kVel, 70000)))), 65535);
 
   EXPECT_TRUE(check(command(CommandId::kTty2, std::string(kMaxSentString, 'x'))));
