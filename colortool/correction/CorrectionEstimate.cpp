@@ -127,8 +127,8 @@ void estimateVignetting(Camera& camera, std::vector<std::string>& notes) {
   camera.correction.vignetting = {luma.coefficients, blue.coefficients, red.coefficients};
   if (blue.outcome == Outcome::kTooNarrow) {
     notes.push_back(nameOf(camera) +
-                    ": no vignetting is estimated; for that, make strokes of the same class in the "
-                    "middle of the image and towards its corners.");
+                    ": no vignetting is estimated; for that, make strokes of the same class in the middle of "
+                    "the image and toward its corners.");
     return;
   }
   const auto atCorner = [](const RadialFit& fit) { return fit.coefficients[0] + fit.coefficients[1]; };

@@ -105,8 +105,8 @@ void readKickOff(const YamlNode& root, FieldDescription& field) {
       field.kickOff.push_back({numbers[0], numbers[1], 0});
     } else {
       place.fail("field.kick-off",
-                 "a place at the kick-off is [x, y] in the half of the team that plays towards +x, where x "
-                 "is negative");
+                 "a place at the kick-off is [x, y] in the half of the team that plays toward +x, where x is "
+                 "negative");
     }
   }
 }

@@ -104,7 +104,7 @@ void BaseStateView::createRows() {
   motion_->addRow("baseOdometry", tr("Odometry"), tr("Pose by the wheels: x, y, heading"));
   motion_->addRow("baseAsked", tr("Requested"),
                   tr("What its program requested of the motors (drive/request)"));
-  motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forwards, and counter-clockwise"));
+  motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forward, and counter-clockwise"));
   motion_->addRow("baseWheels", tr("Wheels"), tr("Speeds of the left and right wheels' rims"));
   link_ = new StateRows(tr("Line"), "linkRows", this);
   link_->addRow("linkState", tr("State"), tr("Whether packets come"));

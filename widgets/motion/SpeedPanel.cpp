@@ -20,7 +20,7 @@ SpeedPanel::SpeedPanel(QWidget* parent) : QGroupBox(tr("Speed"), parent) {
 
 void SpeedPanel::createTable() {
   auto* layout = static_cast<QGridLayout*>(this->layout());
-  const QString columns[] = {tr("forwards\nmm/s"), tr("left\nmm/s"), tr("turn\nrad/s")};
+  const QString columns[] = {tr("forward\nmm/s"), tr("left\nmm/s"), tr("turn\nrad/s")};
   const QString rows[] = {tr("asked"), tr("true"), tr("believed")};
   const QString tips[] = {tr("What you request"),
                           tr("How the robot moved in the last half second, as the simulator knows"),

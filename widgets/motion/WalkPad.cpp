@@ -85,9 +85,9 @@ WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
 
 void WalkPad::describeUse() {
   const QString walk =
-      tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
+      tr("Drag to walk, up is forward. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
   const QString drive =
-      tr("Drag to drive: up is forwards, left turns left. Keys: W and S or the arrows drive, A and D or the "
+      tr("Drag to drive: up is forward, left turns left. Keys: W and S or the arrows drive, A and D or the "
          "arrows turn, Shift halves.");
   describe(*this, {"walkPad", wheels_ ? tr("Driving pad") : tr("Walk pad"), wheels_ ? drive : walk});
 }

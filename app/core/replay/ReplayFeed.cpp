@@ -22,7 +22,7 @@ using robotlink::Result;
 constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
 /// The last adapter: every source that no other one opens is a log, or is reported not to be one.
-const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one time line",
+const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one timeline",
                                                 PlatformTime::kLogged, true,
                                                 [](const std::string&) { return true; }, 3}};
 

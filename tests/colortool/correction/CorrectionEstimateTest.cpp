@@ -116,7 +116,7 @@ TEST(CorrectionEstimate, strokesInTheMiddleAloneSayNothing) {
   SyntheticCamera("nao", darkCorners(), 1).touchAll(samples, 25, 0.3);
   const CorrectionEstimate estimate = estimateCorrections(samples);
   EXPECT_TRUE(estimate.corrections.empty());
-  EXPECT_TRUE(isNoted(estimate, "towards its corners"));
+  EXPECT_TRUE(isNoted(estimate, "toward its corners"));
 }
 
 TEST(CorrectionEstimate, chanceIsNotTakenForVignetting) {

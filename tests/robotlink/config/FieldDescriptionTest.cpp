@@ -51,7 +51,7 @@ TEST(FieldDescription, placesOfTheKickOffLieInTheOwnHalf) {
   EXPECT_EQ(field->kickOff[0], (Pose2{-0.8, 0, 0}));
   const std::string wrong = fieldErrors(withReplaced("[[-0.8, 0.0]", "[[0.8, 0.0]"));
   EXPECT_THAT(wrong, HasSubstr("field.yaml:23"));
-  EXPECT_THAT(wrong, HasSubstr("in the half of the team that plays towards +x"));
+  EXPECT_THAT(wrong, HasSubstr("in the half of the team that plays toward +x"));
 }
 
 TEST(FieldDescription, theFieldOf2002IsSymmetric) {

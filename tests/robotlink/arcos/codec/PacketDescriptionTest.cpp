@@ -34,7 +34,7 @@ TEST(PacketDescriptionTest, commandsShowTheirArguments) {
   EXPECT_EQ(line(simulatorControl({SimulatorControl::kInfo, ""})), "SIM_CTRL: operation 6");
   EXPECT_EQ(line(command(static_cast<CommandId>(111), 5)), "command 111 5");
   EXPECT_EQ(describe({11, {}}, Direction::kFromClient).summary,
-            "Drives at that speed, backwards if negative.");
+            "Drives at that speed, backward if negative.");
 }
 
 TEST(PacketDescriptionTest, informationIsShownInUnitsThatPeopleUse) {
