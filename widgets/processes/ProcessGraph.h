@@ -6,17 +6,10 @@
 #include <QStringList>
 #include <vector>
 
-#include "robotlink/base/Clock.h"
-
-namespace robotcontrol {
-class ProcessTable;
-}
-
 namespace widgets {
 
 /// The processes of a robot and the packages between them as a picture: nodes with ports, edges, and their
-/// places in pixels at zoom 1. Built from a ProcessTable; rates are differences to an older one. A plain
-/// value.
+/// places in pixels at zoom 1. Made by processGraph(). A plain value.
 struct ProcessGraph {
   /// An input or output of a process: one package.
   struct Port {
@@ -90,9 +83,5 @@ struct ProcessGraph {
   const Port& output(const Edge& edge) const;
   const Port& input(const Edge& edge) const;
 };
-
-/// Builds and lays out the graph. `before` is an older table, `elapsed` before `now`; null: all rates are 0.
-ProcessGraph processGraph(const robotcontrol::ProcessTable& now, const robotcontrol::ProcessTable* before,
-                          robotlink::Duration elapsed, const ProcessGraph::Options& options);
 
 }  // namespace widgets

@@ -14,6 +14,7 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
 #include "widgets/processes/ProcessGraphWidget.h"
+#include "widgets/processes/TableGraph.h"
 
 namespace widgets {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "foxglove/Scene.pb.h"
 #include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/scene/SceneShapes.h"
 
 namespace widgets {
 

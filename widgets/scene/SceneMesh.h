@@ -9,10 +9,6 @@
 
 #include "robotlink/base/Geometry.h"
 
-namespace foxglove {
-class SceneEntity;
-}
-
 // Shapes of scene entities as a graphics card takes them, and their intersection with rays.
 namespace widgets {
 
@@ -56,7 +52,7 @@ struct SceneText {
   double size;
 };
 
-/// The shape of an entity of the scene or of a drawing, in the entity's frame.
+/// The shape of an entity of the scene or of a drawing, in the entity's frame. Made by shapeOf().
 struct SceneShape {
   /// Alpha is 255 everywhere.
   SceneMesh opaque;
@@ -64,11 +60,6 @@ struct SceneShape {
   SceneLines lines;
   std::vector<SceneText> texts;
 };
-
-/// Converts an entity. Spheres, cubes, cylinders and arrows become triangles; triangles get normals, smooth
-/// where neighbors meet at an angle below 40 degrees. Invalid parts (an index past the end) are left out.
-/// Pure.
-SceneShape shapeOf(const foxglove::SceneEntity& entity);
 
 /// Distance along the ray, which is in the mesh's frame, to its first intersection with the mesh; unset:
 /// none.

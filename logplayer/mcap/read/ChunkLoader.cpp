@@ -19,7 +19,7 @@ tl::unexpected<std::string> problem(std::string text) {
 }  // namespace
 
 tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer& records) {
-  const Reader::ChunkInfo& info = section.info;
+  const ChunkInfo& info = section.info;
   if (info.length > source_.bytes() || info.offset > source_.bytes() - info.length) {
     return problem("the file ends within a chunk");
   }
@@ -59,7 +59,7 @@ tl::expected<void, std::string> ChunkLoader::readPlain(std::uint64_t at, std::ui
 
 tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, const ChunkHead& head,
                                                        std::size_t headBytes, Buffer& records) {
-  const Reader::ChunkInfo& info = section.info;
+  const ChunkInfo& info = section.info;
   Compression compression{};
   if (!compressionOf(head.compression, compression) || compression != info.compression ||
       head.uncompressedBytes != info.uncompressedBytes || head.recordsBytes != info.compressedBytes ||

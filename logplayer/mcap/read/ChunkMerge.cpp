@@ -62,7 +62,7 @@ bool ChunkMerge::overlapsFit() const {
   std::priority_queue<End, std::vector<End>, std::greater<>> begun;
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < order_.size(); ++i) {
-    const Reader::ChunkInfo& info = section(i).info;
+    const ChunkInfo& info = section(i).info;
     for (; !begun.empty() && begun.top().first < info.start; begun.pop()) bytes -= begun.top().second;
     begun.emplace(info.end, info.uncompressedBytes);
     bytes += info.uncompressedBytes;

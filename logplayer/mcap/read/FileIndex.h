@@ -3,14 +3,14 @@
 
 #include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/Summary.h"
-#include "logplayer/mcap/read/Reader.h"
+#include "logplayer/mcap/read/ReadTypes.h"
 
 namespace logplayer::mcap {
 
 /// A part of a file that contains messages: a chunk, or consecutive records outside of chunks.
 struct Section {
   /// Position, size and times.
-  Reader::ChunkInfo info;
+  ChunkInfo info;
   /// The compression's name, if it is not supported; the section cannot be read then. Otherwise empty.
   std::string unknownCompression;
   /// Whether the records lie outside of chunks; `info` then describes their range in the file.
@@ -48,7 +48,7 @@ struct FileIndex {
   std::uint32_t dataCrc = 0;
   /// What could not be read so far.
   std::vector<Damage> damage;
-  /// Whether the scan was canceled by Reader::Options::progress; the index is incomplete then.
+  /// Whether the scan was canceled by ReadOptions::progress; the index is incomplete then.
   bool givenUp = false;
 };
 
@@ -66,7 +66,7 @@ enum class SummaryCheck : std::uint8_t { kSome, kAll };
 
 /// Builds the index from the summary if that passes the check, otherwise by a scan. Fails if nothing in the
 /// file is MCAP, or with "log.given-up" if canceled.
-robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options,
+robotlink::Result<FileIndex> readIndex(const Source& source, const ReadOptions& options,
                                        SummaryCheck check = SummaryCheck::kSome);
 
 /// Whether a chunk with this position, size and these times exists in the file.
@@ -75,7 +75,7 @@ bool chunkIsThere(const Source& source, const Section& section, std::size_t maxR
 /// Scans the file and returns the result if it contains more readable chunks than the summary's index; empty
 /// otherwise. A canceled scan is returned, too, with `givenUp` set.
 std::optional<FileIndex> betterByScan(const Source& source, const FileIndex& bySummary,
-                                      const Reader::Options& options);
+                                      const ReadOptions& options);
 
 /// Reads the summary records, in order to append to a file; empty if that is impossible.
 std::optional<Summary> readSummary(const Source& source, std::size_t maxRecordBytes);

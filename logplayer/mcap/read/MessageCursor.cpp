@@ -2,19 +2,19 @@
 #include "logplayer/mcap/read/MessageCursor.h"
 
 #include "logplayer/mcap/read/ChunkMerge.h"
-#include "logplayer/mcap/read/ReaderImplementation.h"
+#include "logplayer/mcap/read/ReaderParts.h"
 
 namespace logplayer::mcap {
 
 struct MessageCursor::Implementation {
-  Implementation(Reader& from, Reader::Implementation& parts, const std::vector<std::uint16_t>& ids)
+  Implementation(Reader& from, ReaderParts& parts, const std::vector<std::uint16_t>& ids)
       : reader(from),
         file(parts),
         channels(ids),
         merge(parts.index, parts.cache, ids, parts.options.cacheBytes) {}
 
   Reader& reader;
-  Reader::Implementation& file;
+  ReaderParts& file;
   const std::vector<std::uint16_t> channels;
   ChunkMerge merge;
   std::shared_ptr<const Buffer> stepped;  // of the message that a step found
@@ -22,7 +22,7 @@ struct MessageCursor::Implementation {
 };
 
 MessageCursor::MessageCursor(Reader& reader, const std::vector<std::uint16_t>& channels)
-    : implementation_(std::make_unique<Implementation>(reader, *reader.implementation_, channels)),
+    : implementation_(std::make_unique<Implementation>(reader, *reader.parts_, channels)),
       behind_{Instant::min(), 0, 0, 0} {}
 
 MessageCursor::~MessageCursor() = default;

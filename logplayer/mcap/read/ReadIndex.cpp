@@ -62,7 +62,7 @@ robotlink::Error givenUp(const Source& source) {
 bool chunkIsThere(const Source& source, const Section& section, std::size_t maxRecordBytes) {
   SourceWindow window(source, kHeadBytes);
   const std::optional<Section> found = chunkAt(window, source, section.info.offset);
-  const Reader::ChunkInfo& stated = section.info;
+  const ChunkInfo& stated = section.info;
   if (!found || found->info.length != stated.length ||
       found->info.compressedBytes != stated.compressedBytes ||
       found->info.uncompressedBytes != stated.uncompressedBytes ||
@@ -74,7 +74,7 @@ bool chunkIsThere(const Source& source, const Section& section, std::size_t maxR
 }
 
 std::optional<FileIndex> betterByScan(const Source& source, const FileIndex& bySummary,
-                                      const Reader::Options& options) {
+                                      const ReadOptions& options) {
   FileIndex scanned = indexByScan(source, options);
   if (scanned.givenUp) return scanned;
   if (!findsMore(source, scanned, bySummary, options.maxRecordBytes)) return std::nullopt;
@@ -83,8 +83,7 @@ std::optional<FileIndex> betterByScan(const Source& source, const FileIndex& byS
   return scanned;
 }
 
-robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options,
-                                       SummaryCheck check) {
+robotlink::Result<FileIndex> readIndex(const Source& source, const ReadOptions& options, SummaryCheck check) {
   auto index = indexBySummary(source, options.maxRecordBytes);
   if (index) {
     if (chunksAreThere(source, *index, check, options.maxRecordBytes)) return std::move(*index);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/read/ReaderImplementation.h"
+#include "logplayer/mcap/read/ReaderParts.h"
 
 namespace logplayer::mcap {
 
@@ -26,7 +26,7 @@ MessagePosition behind(Instant time) {
 
 }  // namespace
 
-const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
+const Section* ReaderParts::sectionAt(std::uint64_t offset) {
   if (lastSection < index.sections.size() && index.sections[lastSection].info.offset == offset)
     return &index.sections[lastSection];
   const auto section =
@@ -38,7 +38,7 @@ const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
 
 std::unique_ptr<Reader> Reader::of(Source source, Options options, FileIndex index,
                                    std::shared_ptr<const FileIndex> known) {
-  return std::unique_ptr<Reader>(new Reader(std::make_unique<Implementation>(
+  return std::unique_ptr<Reader>(new Reader(std::make_unique<ReaderParts>(
       std::move(source), std::move(options), std::move(index), std::move(known))));
 }
 
@@ -57,75 +57,75 @@ Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, 
   return of(std::move(*source), std::move(options), *known, known);
 }
 
-Reader::Reader(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+Reader::Reader(std::unique_ptr<ReaderParts> parts) : parts_(std::move(parts)) {}
 Reader::~Reader() = default;
 
 const Header& Reader::header() const {
-  return implementation_->index.header;
+  return parts_->index.header;
 }
 const std::map<std::uint16_t, Schema>& Reader::schemas() const {
-  return implementation_->index.schemas;
+  return parts_->index.schemas;
 }
 const std::map<std::uint16_t, Channel>& Reader::channels() const {
-  return implementation_->index.channels;
+  return parts_->index.channels;
 }
 const Statistics& Reader::statistics() const {
-  return implementation_->index.statistics;
+  return parts_->index.statistics;
 }
 const std::vector<Reader::ChunkInfo>& Reader::chunks() const {
-  return implementation_->chunks;
+  return parts_->chunks;
 }
 bool Reader::complete() const {
-  return implementation_->index.complete;
+  return parts_->index.complete;
 }
 std::uint64_t Reader::cutOffBytes() const {
-  return implementation_->source.cutOff();
+  return parts_->source.cutOff();
 }
 const std::vector<Damage>& Reader::damage() const {
-  return implementation_->index.damage;
+  return parts_->index.damage;
 }
 std::uint64_t Reader::fileBytes() const {
-  return implementation_->source.bytes();
+  return parts_->source.bytes();
 }
 
 std::optional<MessagePosition> Reader::latest(std::uint16_t channelId, Instant time) {
-  return implementation_->step(implementation_->newest, behind(time), {channelId});
+  return parts_->step(parts_->newest, behind(time), {channelId});
 }
 
 std::optional<MessagePosition> Reader::next(const MessagePosition& than,
                                             const std::vector<std::uint16_t>& channels) {
-  return implementation_->step(implementation_->forward, than, channels);
+  return parts_->step(parts_->forward, than, channels);
 }
 
 std::optional<MessagePosition> Reader::previous(const MessagePosition& than,
                                                 const std::vector<std::uint16_t>& channels) {
-  return implementation_->step(implementation_->backward, than, channels);
+  return parts_->step(parts_->backward, than, channels);
 }
 
-std::optional<MessagePosition> Reader::Implementation::step(Walk& walk, const MessagePosition& than,
-                                                            const std::vector<std::uint16_t>& channelIds) {
+std::optional<MessagePosition> ReaderParts::step(Walk& walk, const MessagePosition& than,
+                                                 const std::vector<std::uint16_t>& channelIds) {
   const auto found = walk.step(than, channelIds);
   return refit() ? walk.step(than, channelIds) : found;
 }
 
 std::vector<Instant> Reader::times(std::uint16_t channelId) {
   std::vector<Instant> times;
-  for (std::size_t i = 0; i < implementation_->index.sections.size(); ++i) {
-    if (!implementation_->index.sections[i].mayHold(channelId)) continue;
-    const auto list = implementation_->cache.messages(i);
+  for (std::size_t i = 0; i < parts_->index.sections.size(); ++i) {
+    if (!parts_->index.sections[i].mayHold(channelId)) continue;
+    const auto list = parts_->cache.messages(i);
     for (const MessageList::Entry& entry : list->of(channelId)) times.push_back(entry.time);
   }
-  if (implementation_->refit()) return this->times(channelId);
+  if (parts_->refit()) return this->times(channelId);
   if (!std::ranges::is_sorted(times)) std::ranges::sort(times);
   return times;
 }
 
 Result<Reader::MessageData> Reader::read(const MessagePosition& position) {
-  auto data = implementation_->read(position);
-  return !data && implementation_->refit() ? implementation_->read(position) : std::move(data);
+  auto data = parts_->read(position);
+  return !data && parts_->refit() ? parts_->read(position) : std::move(data);
 }
 
-Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& position) {
+Result<Reader::MessageData> ReaderParts::read(const MessagePosition& position) {
   const Section* section = sectionAt(position.chunkOffset);
   if (section == nullptr) return problem("mcap.no-message", position.chunkOffset, "there is no message");
   const auto number = static_cast<std::size_t>(section - index.sections.data());
@@ -140,7 +140,7 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
 }
 
-ChannelSet Reader::Implementation::knownChannels() const {
+ChannelSet ReaderParts::knownChannels() const {
   ChannelSet channels;
   for (const auto& [id, channel] : index.channels) channels.set(id);
   return channels;
@@ -149,14 +149,14 @@ ChannelSet Reader::Implementation::knownChannels() const {
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   Buffer records;
   bool goOn = true;
-  const auto& sections = implementation_->index.sections;
-  ChannelSet known = implementation_->knownChannels();
+  const auto& sections = parts_->index.sections;
+  ChannelSet known = parts_->knownChannels();
   std::uint64_t readTo = 0;
   for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
-    if (!implementation_->cache.readInto(i, records)) {
-      if (!implementation_->refit()) continue;
+    if (!parts_->cache.readInto(i, records)) {
+      if (!parts_->refit()) continue;
       // On with the first that was not read.
-      known = implementation_->knownChannels();
+      known = parts_->knownChannels();
       const auto next =
           std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
       i = static_cast<std::size_t>(next - sections.begin()) - 1;
@@ -171,13 +171,12 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
 
 std::vector<std::string> Reader::attachmentNames() const {
   std::vector<std::string> names;
-  for (const AttachmentIndex& attachment : implementation_->index.attachments)
-    names.push_back(attachment.name);
+  for (const AttachmentIndex& attachment : parts_->index.attachments) names.push_back(attachment.name);
   return names;
 }
 
 Result<Attachment> Reader::attachment(const std::string& name) {
-  const auto& self = *implementation_;
+  const auto& self = *parts_;
   const auto found = std::ranges::find(self.index.attachments, name, &AttachmentIndex::name);
   if (found == self.index.attachments.end()) {
     return failure("mcap.no-attachment", "the log file has no attachment " + name,
@@ -197,7 +196,7 @@ Result<Attachment> Reader::attachment(const std::string& name) {
 }
 
 const std::vector<Metadata>& Reader::metadata() {
-  auto& self = *implementation_;
+  auto& self = *parts_;
   if (self.metadata) return *self.metadata;
   self.metadata.emplace();
   for (const MetadataIndex& index : self.index.metadata) {

@@ -6,38 +6,14 @@
 #include <memory>
 #include <optional>
 
-#include "logplayer/mcap/Records.h"
+#include "logplayer/mcap/read/ReadTypes.h"
 #include "robotlink/base/Error.h"
 
 namespace logplayer::mcap {
 
 class Source;
 struct FileIndex;
-
-/// Where in a file something could not be read.
-struct Damage {
-  /// Where in the file it begins.
-  std::uint64_t offset = 0;
-  /// Number of bytes that were skipped, without zeros at the end of the file.
-  std::uint64_t bytes = 0;
-  /// A sentence for the user.
-  std::string what;
-  /// Number of chunks that were lost here, as far as known.
-  std::uint64_t chunks = 0;
-};
-
-/// The position of a message: sufficient to read it and to compare the order of messages. Positions are
-/// ordered by time; equal times by the order in the file.
-struct MessagePosition {
-  Instant time;
-  /// Offset of the chunk in the file.
-  std::uint64_t chunkOffset = 0;
-  /// Offset within the chunk's decompressed records.
-  std::uint64_t offset = 0;
-  std::uint16_t channelId = 0;
-  /// Positions are ordered by time, equal times as in the file.
-  auto operator<=>(const MessagePosition&) const = default;
-};
+struct ReaderParts;
 
 /// Reads MCAP files (https://mcap.dev/spec) lazily: memory is bounded by the cache of chunks, the index, and
 /// `maxRecordBytes`, whatever the file claims.
@@ -51,29 +27,9 @@ struct MessagePosition {
 /// One thread at a time. See MessageData for the lifetime of message data.
 class Reader {
  public:
-  /// Limits and callbacks.
-  struct Options {
-    /// Maximum size of the decompressed chunks in the cache.
-    std::size_t cacheBytes = 64U << 20U;
-    /// Larger chunks, attachments and records are not read, whatever size they claim.
-    std::size_t maxRecordBytes = 1U << 30U;
-    /// Called repeatedly during a scan with the share done in [0, 1]; false cancels it with the error
-    /// "log.given-up".
-    std::function<bool(double)> progress;
-  };
-  /// Position, size and times of a chunk.
-  struct ChunkInfo {
-    /// Offset of its record in the file.
-    std::uint64_t offset = 0;
-    /// Size of its record, including opcode and length.
-    std::uint64_t length = 0;
-    Instant start, end;
-    Compression compression = Compression::kNone;
-    std::uint64_t compressedBytes = 0;
-    std::uint64_t uncompressedBytes = 0;
-    /// Number of messages, as far as known.
-    std::uint64_t messages = 0;
-  };
+  using Options = ReadOptions;
+  using ChunkInfo = mcap::ChunkInfo;
+  using MessageData = mcap::MessageData;
 
   /// Fails if the file cannot be opened, nothing in it is MCAP, or the scan is canceled.
   static robotlink::Result<std::unique_ptr<Reader>> open(const std::filesystem::path& file, Options options);
@@ -112,11 +68,6 @@ class Reader {
   /// The times of all messages of a channel, sorted. Reads the message indexes of all chunks.
   std::vector<Instant> times(std::uint16_t channelId);
 
-  /// A message that keeps alive the chunk to which its data refers.
-  struct MessageData {
-    Message message;
-    std::shared_ptr<const std::vector<std::uint8_t>> owner;
-  };
   /// Fails if the chunk is damaged, which then is in damage(), too.
   robotlink::Result<MessageData> read(const MessagePosition& position);
 
@@ -142,11 +93,10 @@ class Reader {
 
  private:
   friend class MessageCursor;
-  struct Implementation;
   static std::unique_ptr<Reader> of(Source source, Options options, FileIndex index,
                                     std::shared_ptr<const FileIndex> known);
-  explicit Reader(std::unique_ptr<Implementation> implementation);
-  std::unique_ptr<Implementation> implementation_;
+  explicit Reader(std::unique_ptr<ReaderParts> parts);
+  std::unique_ptr<ReaderParts> parts_;
 };
 
 /// The result of repair().

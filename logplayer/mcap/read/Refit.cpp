@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "logplayer/mcap/read/ReaderImplementation.h"
+#include "logplayer/mcap/read/ReaderParts.h"
 
 namespace logplayer::mcap {
 
-void Reader::Implementation::listChunks() {
+void ReaderParts::listChunks() {
   chunks.clear();
   for (const Section& section : index.sections) {
     if (!section.loose) chunks.push_back(section.info);
   }
 }
 
-bool Reader::Implementation::refit() {
+bool ReaderParts::refit() {
   if (refitted || !cache.misfit()) return false;
   refitted = true;
-  Options silent = options;
+  ReadOptions silent = options;
   silent.progress = nullptr;  // the object of the callback may no longer exist
   std::optional<FileIndex> found = betterByScan(source, index, silent);
   if (!found) return false;

@@ -20,7 +20,7 @@ constexpr std::uint64_t kZeros = 4096;
 
 class Scanner {
  public:
-  Scanner(const Source& source, const Reader::Options& options)
+  Scanner(const Source& source, const ReadOptions& options)
       : source_(source),
         options_(options),
         window_(source),
@@ -65,7 +65,7 @@ class Scanner {
   }
 
   const Source& source_;
-  const Reader::Options& options_;
+  const ReadOptions& options_;
   SourceWindow window_;
   ChunkLoader loader_;
   Resync resync_;
@@ -279,7 +279,7 @@ Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
     index_.sections.push_back(std::move(section));
     open_ = true;
   }
-  Reader::ChunkInfo& info = index_.sections.back().info;
+  ChunkInfo& info = index_.sections.back().info;
   info.length = info.uncompressedBytes = info.compressedBytes = end_ - info.offset;
   info.start = std::min(info.start, message->logTime);
   info.end = std::max(info.end, message->logTime);
@@ -395,7 +395,7 @@ Scanner::Read Scanner::readDefinitions(Section& section) {
     learn(record);
     if (!counts || !record.is(Opcode::kMessage)) return;
     if (const auto message = decodeMessage(record.content)) {
-      Reader::ChunkInfo& info = section.info;
+      ChunkInfo& info = section.info;
       info.start = info.messages == 0 ? message->logTime : std::min(info.start, message->logTime);
       info.end = info.messages == 0 ? message->logTime : std::max(info.end, message->logTime);
       ++info.messages;
@@ -439,7 +439,7 @@ void Scanner::finish() {
 
 }  // namespace
 
-FileIndex indexByScan(const Source& source, const Reader::Options& options) {
+FileIndex indexByScan(const Source& source, const ReadOptions& options) {
   return Scanner(source, options).run();
 }
 

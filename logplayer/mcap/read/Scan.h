@@ -9,6 +9,6 @@ namespace logplayer::mcap {
 /// they have no message index, or if it refers to channels that are not yet known. After damage the scan
 /// continues at the next plausible chunk (or message, if messages lie outside of chunks); skipped places are
 /// in the index's damage. Canceled if options.progress returns false; see FileIndex::givenUp.
-FileIndex indexByScan(const Source& source, const Reader::Options& options);
+FileIndex indexByScan(const Source& source, const ReadOptions& options);
 
 }  // namespace logplayer::mcap

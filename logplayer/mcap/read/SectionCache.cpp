@@ -11,7 +11,7 @@ constexpr int kKeptOnRegret = 64;
 
 }  // namespace
 
-SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader::Options& options)
+SectionCache::SectionCache(const Source& source, FileIndex& index, const ReadOptions& options)
     : source_(source),
       index_(index),
       maxRecordBytes_(options.maxRecordBytes),
@@ -100,7 +100,7 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
 
 /// Nothing guards the times in a chunk's head.
 void SectionCache::correctTimes(std::size_t section, Instant first, Instant last) {
-  Reader::ChunkInfo& info = index_.sections[section].info;
+  ChunkInfo& info = index_.sections[section].info;
   if (info.start <= first && last <= info.end) return;
   info.start = std::min(info.start, first);
   info.end = std::max(info.end, last);

@@ -17,7 +17,7 @@ class SectionCache {
 
   /// Source and index must outlive this object; after sections were added to the index, reset() must be
   /// called.
-  SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
+  SectionCache(const Source& source, FileIndex& index, const ReadOptions& options);
 
   /// To be called when an iteration has left a section. Its buffer is reused for the next section: it is
   /// still in the processor's caches, which makes reading twice as fast.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/mcap/Crc.h"
-#include "logplayer/mcap/read/ReaderImplementation.h"
+#include "logplayer/mcap/read/Reader.h"
+#include "logplayer/mcap/read/ReaderParts.h"
 
 namespace logplayer::mcap {
 namespace {
@@ -108,7 +109,7 @@ std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
 }  // namespace
 
 std::optional<Reader::Readable> Reader::verify() {
-  Implementation& self = *implementation_;
+  ReaderParts& self = *parts_;
   self.cache.doubtAll();
   self.refit();
   for (const std::string& name : attachmentNames()) {

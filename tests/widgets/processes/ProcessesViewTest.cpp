@@ -10,6 +10,7 @@
 
 #include "tests/widgets/Bench.h"
 #include "widgets/processes/ProcessGraphWidget.h"
+#include "widgets/processes/TableGraph.h"
 
 using robotcontrol::ProcessTable;
 using widgets::ProcessGraph;

@@ -8,10 +8,11 @@
 
 namespace logplayer::mcap {
 
-/// The members of a Reader. They refer to each other, so that the object must not move.
-struct Reader::Implementation {
+/// The members of a Reader, for its sources and those of MessageCursor alone. They refer to each other, so
+/// that the object must not move.
+struct ReaderParts {
   /// `shared`: what is known of the file to others, too; may be null.
-  Implementation(Source from, Options choices, FileIndex found, std::shared_ptr<const FileIndex> shared)
+  ReaderParts(Source from, ReadOptions choices, FileIndex found, std::shared_ptr<const FileIndex> shared)
       : options(std::move(choices)),
         source(std::move(from)),
         known(std::move(shared)),
@@ -42,7 +43,7 @@ struct Reader::Implementation {
                               {source.file().string(), 0, 0});
   }
 
-  Options options;
+  ReadOptions options;
   Source source;
   const std::shared_ptr<const FileIndex> known;
   FileIndex index;
