@@ -31,7 +31,9 @@ class OpenedLogsGuiTest : public WindowTest {
     using app::FileKind;
     QCOMPARE(app::kindOfFile("office.map"), FileKind::kScene);
     QCOMPARE(app::kindOfFile("FIELD.SDF"), FileKind::kScene);
+    QCOMPARE(app::kindOfFile("OFFICE.MAP"), FileKind::kScene);
     QCOMPARE(app::kindOfFile("compact.yaml"), FileKind::kLayout);
+    QCOMPARE(app::kindOfFile("COMPACT.YAML"), FileKind::kLayout);
     QCOMPARE(app::kindOfFile("frame.JPG"), FileKind::kPictures);
     QCOMPARE(app::kindOfFile(home_.parent_path()), FileKind::kPictures);
     QCOMPARE(app::kindOfFile("venue.tm"), FileKind::kColorTable);
