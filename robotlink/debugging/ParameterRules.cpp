@@ -11,6 +11,24 @@ namespace robotlink {
 namespace {
 
 using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+/// The message that has the field itself; an empty one if it is not there.
+const Message& ownerOf(const Message& message, const ParameterField& field) {
+  const Message* owner = &message;
+  for (std::size_t i = 0; i + 1 < field.path.size(); ++i)
+    owner =
+        &owner->GetReflection()->GetMessage(*owner, owner->GetDescriptor()->FindFieldByNumber(field.path[i]));
+  return *owner;
+}
+
+Message& mutableOwnerOf(Message& message, const ParameterField& field) {
+  Message* owner = &message;
+  for (std::size_t i = 0; i + 1 < field.path.size(); ++i)
+    owner = owner->GetReflection()->MutableMessage(owner,
+                                                   owner->GetDescriptor()->FindFieldByNumber(field.path[i]));
+  return *owner;
+}
 
 std::string numberText(double value) {
   char text[32];
@@ -29,24 +47,50 @@ std::string ParameterRange::describe() const {
   return "at least " + numberText(minimum);
 }
 
-std::optional<double> numberIn(const google::protobuf::Message& message, int field) {
-  const FieldDescriptor* described = message.GetDescriptor()->FindFieldByNumber(field);
-  const google::protobuf::Reflection& reflection = *message.GetReflection();
-  if (described == nullptr || !reflection.HasField(message, described)) return std::nullopt;
-  if (described->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE)
-    return reflection.GetDouble(message, described);
-  if (described->cpp_type() == FieldDescriptor::CPPTYPE_INT32) return reflection.GetInt32(message, described);
-  return std::nullopt;
+std::optional<double> numberIn(const Message& message, const ParameterField& field) {
+  const Message& owner = ownerOf(message, field);
+  const FieldDescriptor* last = owner.GetDescriptor()->FindFieldByNumber(field.path.back());
+  const google::protobuf::Reflection& reflection = *owner.GetReflection();
+  if (last == nullptr || !reflection.HasField(owner, last)) return std::nullopt;
+  switch (last->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return reflection.GetDouble(owner, last);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return reflection.GetInt32(owner, last);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return reflection.GetUInt32(owner, last);
+    default:
+      return std::nullopt;
+  }
 }
 
-void setNumber(google::protobuf::Message& message, int field, double value) {
-  const FieldDescriptor* described = message.GetDescriptor()->FindFieldByNumber(field);
-  const google::protobuf::Reflection& reflection = *message.GetReflection();
-  if (described->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
-    reflection.SetDouble(&message, described, value);
+void setNumber(Message& message, const ParameterField& field, double value) {
+  Message& owner = mutableOwnerOf(message, field);
+  const FieldDescriptor* last = owner.GetDescriptor()->FindFieldByNumber(field.path.back());
+  const google::protobuf::Reflection& reflection = *owner.GetReflection();
+  if (last->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+    reflection.SetDouble(&owner, last, value);
+  } else if (last->cpp_type() == FieldDescriptor::CPPTYPE_INT32) {
+    reflection.SetInt32(&owner, last, static_cast<std::int32_t>(value));
   } else {
-    reflection.SetInt32(&message, described, static_cast<std::int32_t>(value));
+    reflection.SetUInt32(&owner, last, static_cast<std::uint32_t>(value));
   }
+}
+
+void clearNumber(Message& message, const ParameterField& field) {
+  Message& owner = mutableOwnerOf(message, field);
+  owner.GetReflection()->ClearField(&owner, owner.GetDescriptor()->FindFieldByNumber(field.path.back()));
+}
+
+std::string nameOf(const Message& message, const ParameterField& field) {
+  std::string name;
+  const google::protobuf::Descriptor* type = message.GetDescriptor();
+  for (const int number : field.path) {
+    const FieldDescriptor* described = type->FindFieldByNumber(number);
+    name += (name.empty() ? "" : ".") + described->name();
+    type = described->message_type();
+  }
+  return name;
 }
 
 }  // namespace robotlink

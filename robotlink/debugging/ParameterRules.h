@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace google::protobuf {
 class Message;
@@ -28,19 +31,30 @@ struct ParameterRange {
   std::string describe() const;
 };
 
+/// A field of a parameter message, or of a message in it: the numbers of the fields on the way to it. Numbers
+/// and not names, because rules are made before main(), when messages have no descriptors yet.
+struct ParameterField {
+  std::vector<int> path;
+  ParameterField(int number) : path{number} {}  // NOLINT: most fields are the message's own
+  ParameterField(std::initializer_list<int> numbers) : path(numbers) {}
+  auto operator<=>(const ParameterField&) const = default;
+};
+
 /// What a solution knows about its parameters beyond their types.
 struct ParameterRules {
   /// Makes a message with the built-in value of every field that has one, for a robot; empty: none has one.
   std::function<std::unique_ptr<google::protobuf::Message>(const RobotSetup&)> builtIn = {};
-  /// Keyed by the number of the field. Fields that are not listed take any value.
-  std::map<int, ParameterRange> ranges = {};
+  /// Keyed by the field. Fields that are not listed take any value.
+  std::map<ParameterField, ParameterRange> ranges = {};
 };
 
-// Access to the numbers of a message by the numbers of their fields.
+// Access to the numbers of a message by their fields: of type double, int32 or uint32.
 
-/// The value of a field of type double or int32; empty if it is not set.
-std::optional<double> numberIn(const google::protobuf::Message& message, int field);
-/// Sets a field of type double or int32.
-void setNumber(google::protobuf::Message& message, int field, double value);
+/// Empty if the field is not set.
+std::optional<double> numberIn(const google::protobuf::Message& message, const ParameterField& field);
+void setNumber(google::protobuf::Message& message, const ParameterField& field, double value);
+void clearNumber(google::protobuf::Message& message, const ParameterField& field);
+/// The name of a field as users see it: "gait.maximum_x".
+std::string nameOf(const google::protobuf::Message& message, const ParameterField& field);
 
 }  // namespace robotlink

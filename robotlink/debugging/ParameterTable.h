@@ -28,7 +28,7 @@ class ParameterTable {
   /// A member of the options, or a function that finds it in a part of them.
   using Place = std::variant<double Options::*, int Options::*, double& (*)(Options&), int& (*)(Options&)>;
   struct Entry {
-    int field;
+    ParameterField field;
     Place place;
     ParameterRange range = {};
   };

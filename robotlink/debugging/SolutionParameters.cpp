@@ -94,7 +94,7 @@ std::unique_ptr<pb::Message> copyOf(const pb::Message& message) {
 }  // namespace
 
 SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> builtIn,
-                                       std::map<int, ParameterRange> ranges)
+                                       std::map<ParameterField, ParameterRange> ranges)
     : builtIn_(std::move(builtIn)), ranges_(std::move(ranges)) {
   if (builtIn_ == nullptr) return;
   message_ = copyOf(*builtIn_);
@@ -148,8 +148,7 @@ void SolutionParameters::apply(const pb::Message& wanted) {
 void SolutionParameters::dropUnreasonable(pb::Message& message) const {
   for (const auto& [field, range] : ranges_) {
     const auto number = numberIn(message, field);
-    if (number && !range.has(*number))
-      message.GetReflection()->ClearField(&message, message.GetDescriptor()->FindFieldByNumber(field));
+    if (number && !range.has(*number)) clearNumber(message, field);
   }
 }
 
@@ -177,7 +176,7 @@ Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
   for (const auto& [field, range] : ranges_) {
     const auto number = numberIn(**parsed, field);
     if (!number || range.has(*number)) continue;
-    const std::string& name = message_->GetDescriptor()->FindFieldByNumber(field)->name();
+    const std::string name = nameOf(*message_, field);
     return failure("parameters.range", "'" + name + "' has to be " + range.describe(), {},
                    {name, range.describe()});
   }

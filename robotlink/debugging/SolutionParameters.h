@@ -55,7 +55,7 @@ class SolutionParameters {
  private:
   /// `builtIn` is null if there are no parameters.
   SolutionParameters(std::unique_ptr<google::protobuf::Message> builtIn,
-                     std::map<int, ParameterRange> ranges);
+                     std::map<ParameterField, ParameterRange> ranges);
   /// The value as a message of the right type.
   Result<std::unique_ptr<google::protobuf::Message>> parse(const robotcontrol::PackageCopy& value) const;
   /// Replaces the parameters by what is set in a message, else by the built-in values.
@@ -65,7 +65,7 @@ class SolutionParameters {
 
   /// Null, like message_, if there are no parameters. Its lists are empty.
   std::unique_ptr<google::protobuf::Message> builtIn_;
-  std::map<int, ParameterRange> ranges_;
+  std::map<ParameterField, ParameterRange> ranges_;
   std::unique_ptr<google::protobuf::Message> message_;
   /// The value when it was loaded, serialized.
   std::string defaults_;

@@ -6,7 +6,7 @@
 #include "modules/driving/DynamicWindow.h"
 #include "modules/driving/PathFollower.h"
 #include "modules/driving/Wanderer.h"
-#include "tests/modules/driving/ParametersOf.h"
+#include "tests/modules/ParametersOf.h"
 #include "tests/modules/driving/RollingPackages.h"
 
 namespace modules {
@@ -19,16 +19,16 @@ using robotcontrol::WanderParameters;
 
 TEST(DrivingParameters, withoutAFileAViewIsToldTheBuiltInValues) {
   const ParametersOf<WanderParameters> wander("driving", "wander");
-  EXPECT_EQ("", unsetFields(wander.defaults()));
+  EXPECT_EQ("", namesOfUnset(wander.defaults()));
   EXPECT_EQ(Wanderer::Options{}.speed, wander.defaults().speed());
   EXPECT_EQ(Wanderer::Options{}.novelty, wander.values().novelty());
   const ParametersOf<FollowPathParameters> follow("driving", "follow-path");
-  EXPECT_EQ("", unsetFields(follow.defaults()));
+  EXPECT_EQ("", namesOfUnset(follow.defaults()));
   EXPECT_EQ(PathFollower::Options{}.lookAhead, follow.defaults().look_ahead());
   EXPECT_EQ(
-      "", unsetFields(ParametersOf<VectorFieldParameters>("obstacle-avoidance", "vector-field").defaults()));
+      "", namesOfUnset(ParametersOf<VectorFieldParameters>("obstacle-avoidance", "vector-field").defaults()));
   const ParametersOf<DynamicWindowParameters> window("obstacle-avoidance", "dynamic-window");
-  EXPECT_EQ("", unsetFields(window.defaults()));
+  EXPECT_EQ("", namesOfUnset(window.defaults()));
   EXPECT_EQ(DynamicWindow::Options{}.rotations, window.defaults().rotations());
 }
 

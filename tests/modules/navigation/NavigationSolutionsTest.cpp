@@ -8,7 +8,7 @@
 #include "foxglove/Geometry.pb.h"
 #include "modules/navigation/RangePackages.h"
 #include "robotcontrol/Modeling.pb.h"
-#include "tests/modules/driving/ParametersOf.h"
+#include "tests/modules/ParametersOf.h"
 
 namespace modules {
 namespace {
@@ -268,16 +268,16 @@ TEST(RangePackages, whatIsNoDistanceIsLeftOut) {
 TEST(NavigationParameters, withoutAFileAViewIsToldTheBuiltInValuesOfTheRobot) {
   const ParametersOf<robotcontrol::MonteCarloLocalisationParameters> filter("self-localisation",
                                                                             "monte-carlo");
-  EXPECT_EQ("", unsetFields(filter.defaults()));
+  EXPECT_EQ("", namesOfUnset(filter.defaults()));
   EXPECT_EQ(40, filter.defaults().rays());
   EXPECT_EQ(1, filter.defaults().sonar_after());
-  EXPECT_EQ("", unsetFields(
+  EXPECT_EQ("", namesOfUnset(
                     ParametersOf<robotcontrol::WheelOdometryParameters>("self-localisation", "wheel-odometry")
                         .defaults()));
   robotlink::RobotSetup robot;
   robot.description.drive.emplace().width = 0.2;
   const ParametersOf<robotcontrol::GridPlanningParameters> grid("path-planning", "grid", "", robot);
-  EXPECT_EQ("", unsetFields(grid.defaults()));
+  EXPECT_EQ("", namesOfUnset(grid.defaults()));
   EXPECT_NEAR(0.17, grid.defaults().clearance(), 1e-9);
 }
 

@@ -59,7 +59,7 @@ class ParametersOf {
 };
 
 /// The names of the fields of a message that are not set, apart from those without presence.
-inline std::string unsetFields(const google::protobuf::Message& message) {
+inline std::string namesOfUnset(const google::protobuf::Message& message) {
   std::string unset;
   const auto& descriptor = *message.GetDescriptor();
   for (int i = 0; i < descriptor.field_count(); ++i) {
