@@ -123,3 +123,20 @@ TEST_F(PioneerPackagesTest, aScanIsSeenFromWhereTheLaserIs) {
   EXPECT_NEAR(scan->pose().position().x(), 0.125, 1e-9);
   EXPECT_EQ(robotlink::instant(scan->timestamp()), Instant(milliseconds(5)));
 }
+
+TEST(PioneerDescription, theClientLibraryKnowsTheRobotAsItIsDescribed) {
+  const robotlink::arcos::RobotType type = robotlink::arcos::robotType("p3at-sh");
+  const auto& described = pioneer();
+  EXPECT_EQ(type.track, described.drive->track);
+  EXPECT_EQ(type.length, described.drive->length);
+  EXPECT_EQ(type.width, described.drive->width);
+  EXPECT_EQ(type.sonarMaximum, described.sonars->maximum);
+  EXPECT_NEAR(type.sonarOpeningAngle, described.sonars->openingAngle, 1e-9);
+  EXPECT_EQ(type.laserInRobot, described.laser->inRobot);
+  ASSERT_EQ(type.sonarsInRobot.size(), described.sonars->sensors.size());
+  for (std::size_t i = 0; i < type.sonarsInRobot.size(); ++i) {
+    const robotlink::Pose2 known = type.sonarsInRobot[i], there = described.sonars->sensors[i].inRobot;
+    EXPECT_NEAR((known.translation() - there.translation()).norm(), 0, 1e-9) << i;
+    EXPECT_NEAR(known.heading, there.heading, 1e-9) << i;
+  }
+}
