@@ -83,11 +83,11 @@ TEST(DrivingParameters, aRobotThatShallWanderAtSpeedZeroStandsOrTurns) {
   });
   for (int i = 0; i < 30; ++i) {
     robot.drive({});
-    sense(wander, robot, false);
     wander.pass();
+    sense(wander, robot, false);
     wander.execute();
-    ASSERT_NE(nullptr, wander.sent(robotlink::kDriveRequest));
-    EXPECT_EQ(0, wander.sent(robotlink::kDriveRequest)->velocity().x());
+    ASSERT_NE(nullptr, wander.sent(robotlink::kBehaviorDrive));
+    EXPECT_EQ(0, wander.sent(robotlink::kBehaviorDrive)->velocity().x());
   }
 }
 

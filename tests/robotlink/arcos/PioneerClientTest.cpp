@@ -163,8 +163,7 @@ TEST_F(PioneerClientTest, aScanHasThePoseAndTheAnglesThatItWasTakenWith) {
 
 TEST_F(PioneerClientTest, aPlainScanBringsItsPoseAlongWhichDoesNotWrapEither) {
   connect();
-  client.take(at(32700), now);
-  client.take(at(32750), now);
+  for (const int xMm : {10000, 20000, 30000, 32750}) client.take(at(xMm), now);
   LaserPacket plain = scanPart(0, 5, 5);
   plain.extended = false;
   plain.xMm = static_cast<std::int16_t>(32800 - 65536);
