@@ -2,10 +2,10 @@
 #include "simcore/Scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "simcore/SceneContents.h"
+#include "simcore/SceneFileKind.h"
 #include "simcore/maps/MapWorld.h"
 #include "simcore/placement/RobotPlacement.h"
 #include "simcore/sdf/SceneFiles.h"
@@ -150,13 +150,6 @@ void putRobots(Draft& draft, RobotsToAdd robots, const fs::path& file, const Sdf
   if (!added) errors.push_back(added.error());
 }
 
-bool isMap(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".map";
-}
-
 }  // namespace
 
 Scene::Scene() : contents_(std::make_unique<SceneContents>()) {}
@@ -170,8 +163,8 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   if (!progress.reached(0)) return tl::unexpected(std::move(errors));
   // It takes longer to make than a small map takes to read.
   std::optional<SdfSpec> spec;
-  if (!isMap(file) || robots.count > 0) spec.emplace();
-  Draft draft = isMap(file) ? readMapScene(file, progress, errors) : readSdfScene(file, *spec, errors);
+  if (!isMapFile(file) || robots.count > 0) spec.emplace();
+  Draft draft = isMapFile(file) ? readMapScene(file, progress, errors) : readSdfScene(file, *spec, errors);
   if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
   if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);

@@ -28,8 +28,8 @@ class Scene {
  public:
   using Robot = SceneRobot;
 
-  /// Reads a world file; a file named *.map is a map. `model://NAME` is searched below the file's folder and
-  /// below resources/scenes/models. All errors are reported, each with file and line.
+  /// Reads a world file, or a map (see SceneFileKind.h). `model://NAME` is searched below the file's folder
+  /// and below resources/scenes/models. All errors are reported, each with file and line.
   ///
   /// Robots to add stand at the homes of a map or, by their teams, of a field first, then at free places that
   /// can be reached from there, apart from each other and with room to turn; never in walls, in forbidden

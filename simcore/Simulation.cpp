@@ -284,11 +284,13 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   const auto lift = [](const robotlink::Pose2& p) {
     return Pose3(Eigen::Translation3d(p.x, p.y, 0) * Eigen::AngleAxisd(p.heading, Vector3::UnitZ()));
   };
+  const auto before = i.physics->motionOf(index);
   const Pose3 move = lift(pose) * lift(robotlink::groundPose(i.physics->modelInWorld(index))).inverse();
   i.physics->moveModel(index, move);
   const int other = i.physics->overlappedModel(index, kMaxOverlap);
-  if (other >= 0) i.physics->moveModel(index, move.inverse());
-  i.sensing->forgetVelocitiesOf(index);
+  // A model that stays goes on as it moved.
+  if (other >= 0) i.physics->setMotion(index, before);
+  if (other < 0) i.sensing->forgetVelocitiesOf(index);
   i.invalidate();
   if (other < 0) return {};
   const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;

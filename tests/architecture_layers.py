@@ -14,7 +14,7 @@ import sys
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
 ROBOTLINK = PROGRAM + ["robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
-SIMULATED = ["simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
+SIMULATED = ["robotlink/arcos/server", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
     "robotlink/base": [],
@@ -26,6 +26,7 @@ TARGETS = {
                           "robotlink/debugging"],
     "robotlink/motions": ["robotlink/base"],
     "robotlink/arcos": ["robotlink/base"],
+    "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
     "robotlink/foxglove": ROBOTLINK,
     "simcore": ["robotlink/base"],
     "colortool": ["robotlink/base"],
@@ -41,7 +42,7 @@ TARGETS = {
 # "." is the target's own folder. Targets that are not here have no sub-folders.
 ROOMS = {
     "robotlink/debugging": ["drawing", "."],
-    "robotlink/arcos": ["codec", "stream", ".", "server"],
+    "robotlink/arcos": ["codec", "stream", "."],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
@@ -59,7 +60,7 @@ ROOMS = {
 OUTSIDE = {
     r"^ode/": ["simcore"],
     r"^embree3/": ["simcore"],
-    r"^boost/": ["robotlink/arcos", "robotlink/foxglove"],
+    r"^boost/": ["robotlink/arcos", "robotlink/arcos/server", "robotlink/foxglove"],
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],

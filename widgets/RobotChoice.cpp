@@ -35,7 +35,8 @@ void RobotChoice::list(const std::vector<std::string>& robots) {
 
 std::vector<std::string> RobotChoice::robots(const robotlink::Session& session) const {
   if (choice_ == QLatin1String("*")) return session.robots();
-  return {robot(session)};
+  const std::string one = robot(session);
+  return one.empty() ? std::vector<std::string>() : std::vector<std::string>{one};
 }
 
 std::string RobotChoice::robot(const robotlink::Session& session) const {

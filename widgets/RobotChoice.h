@@ -25,7 +25,7 @@ class RobotChoice final : public QComboBox {
 
   /// Lists the session's robots; returns early while they are unchanged.
   void refresh(const robotlink::Session& session);
-  /// Names of the chosen robots; one empty name if the selected robot is chosen and none is selected.
+  /// Names of the chosen robots; none if the selected robot is chosen and none is selected.
   std::vector<std::string> robots(const robotlink::Session& session) const;
   /// The one robot that a camera can follow: the chosen robot, or the selected one if all or none in
   /// particular is chosen.

@@ -13,6 +13,7 @@
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -33,7 +34,7 @@ std::vector<std::filesystem::path> filesIn(const char* folder, const char* exten
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(robotlink::resource(folder), error)) {
-    if (entry.path().extension() == extension) files.push_back(entry.path());
+    if (robotlink::fileSuffix(entry.path()) == extension) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -15,29 +15,27 @@ constexpr int kLookForSignalsEveryMs = 100;
 std::atomic<bool> wanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void setHandlers(void (*handler)(int), int flags) {
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  action.sa_flags = flags;
-  sigemptyset(&action.sa_mask);
-  for (const int number : kSignals) {
-    struct sigaction before = {};
-    sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // keep signals that nohup ignores
-  }
-}
-
 }  // namespace
 
 QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
   wanted = false;
+  struct sigaction action = {};
+  action.sa_handler = [](int) { wanted = true; };
   // The handler is reset, so that a second signal has its default effect.
-  setHandlers([](int) { wanted = true; }, static_cast<int>(SA_RESETHAND) | SA_RESTART);
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int number : kSignals) {
+    struct sigaction before = {};
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) continue;  // as nohup wants it
+    sigaction(number, &action, nullptr);
+    before_[number] = before;
+  }
   startTimer(kLookForSignalsEveryMs);
 }
 
 QuitSignals::~QuitSignals() {
-  setHandlers(SIG_DFL, 0);
+  for (const auto& [number, before] : before_) sigaction(number, &before, nullptr);
 }
 
 void QuitSignals::timerEvent(QTimerEvent* event) {

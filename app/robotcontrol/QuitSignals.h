@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <csignal>
+#include <map>
 
 namespace app {
 
@@ -12,6 +14,7 @@ namespace app {
 class QuitSignals : public QObject {
   Q_OBJECT
  public:
+  /// Handles the signals until it is destroyed; then they have the effect that they had before.
   explicit QuitSignals(QObject* parent = nullptr);
   ~QuitSignals() override;
 
@@ -22,6 +25,10 @@ class QuitSignals : public QObject {
  protected:
   /// Checks whether a signal has arrived.
   void timerEvent(QTimerEvent* event) override;
+
+ private:
+  /// What was there before, by signal.
+  std::map<int, struct sigaction> before_;
 };
 
 }  // namespace app

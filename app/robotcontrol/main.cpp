@@ -13,8 +13,8 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
-#include "app/robotcontrol/actions/FileKind.h"
 #include "robotlink/base/Resources.h"
+#include "simcore/SceneFileKind.h"
 
 namespace {
 
@@ -116,7 +116,7 @@ bool opensLogs(const Arguments& arguments) {
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
   if (opensLogs(arguments)) return "Log";
-  return app::isMap(arguments.files.front()) || connectsRobot(arguments) ? "Drive" : "";
+  return simcore::isMapFile(arguments.files.front()) || connectsRobot(arguments) ? "Drive" : "";
 }
 
 app::RunOptions simulationOf(const Arguments& arguments) {

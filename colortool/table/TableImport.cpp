@@ -13,6 +13,7 @@
 #include "colortool/table/OtherTeams.h"
 #include "colortool/table/TekkotsuTable.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 
 namespace colortool {
 
@@ -123,16 +124,14 @@ tl::expected<ImportedTable, Errors> fromMasks(std::string_view bytes, const std:
 /// The .col file of a threshold map: the one of the same name, or the only one in its folder.
 std::filesystem::path colorsBeside(const std::filesystem::path& map) {
   std::error_code error;
-  std::filesystem::path same = map;
-  if (std::filesystem::exists(same.replace_extension(".col"), error)) return same;
-  std::filesystem::path only;
+  std::vector<std::filesystem::path> found;
   const auto folder = map.has_parent_path() ? map.parent_path() : std::filesystem::path(".");
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() != ".col") continue;
-    if (!only.empty()) return {};
-    only = entry.path();
+    if (robotlink::fileSuffix(entry.path()) != ".col") continue;
+    if (entry.path().stem() == map.stem()) return entry.path();
+    found.push_back(entry.path());
   }
-  return only;
+  return found.size() == 1 ? found.front() : std::filesystem::path();
 }
 
 tl::expected<std::optional<ColorClasses>, Errors> colorsOf(const std::filesystem::path& map,

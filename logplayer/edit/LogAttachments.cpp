@@ -13,6 +13,7 @@
 #include "logplayer/mcap/read/Reader.h"
 #include "logplayer/record/LogAppend.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 
 namespace logplayer {
 namespace {
@@ -29,7 +30,7 @@ std::string mediaTypeOf(const fs::path& file) {
       {".png", "image/png"},         {".jpg", "image/jpeg"},        {".jpeg", "image/jpeg"},
       {".pdf", "application/pdf"},   {".xml", "text/xml"},          {".zip", "application/zip"},
   };
-  const auto found = kTypes.find(file.extension().string());
+  const auto found = kTypes.find(robotlink::fileSuffix(file));
   return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "logplayer/base/DamageReport.h"
+#include "logplayer/base/LogChannels.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -66,9 +67,7 @@ Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFi
   if (!stored) return tl::unexpected(stored.error());
   source.bookmarks_ = stored->bookmarks();
   if (stored->problem) source.otherLosses_.push_back(stored->problem->describe());
-  for (const auto& [id, channel] : source.reader_->channels()) {
-    if (const std::string robot = robotPartOf(channel.topic); !robot.empty()) source.robots_.insert(robot);
-  }
+  source.robots_ = LogChannels(*source.reader_).robots();
   source.choose({}, {}, {});
   return source;
 }

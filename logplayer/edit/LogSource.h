@@ -57,7 +57,7 @@ class LogSource {
   const std::filesystem::path& file() const { return file_; }
   /// All bookmarks, also those from the file beside the log.
   const std::vector<Bookmark>& bookmarks() const { return bookmarks_; }
-  /// The first parts of all paths that have more than one part.
+  /// The robots of the log, see LogChannels::robots().
   const std::set<std::string>& robots() const { return robots_; }
   /// Information for the user, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }

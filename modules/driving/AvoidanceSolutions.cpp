@@ -9,7 +9,7 @@
 #include "modules/driving/DynamicWindow.h"
 #include "modules/driving/SpeedLimiter.h"
 #include "modules/driving/VectorField.h"
-#include "modules/navigation/ParameterDefaults.h"
+#include "robotlink/debugging/ParameterTable.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace modules {
@@ -28,6 +28,40 @@ const DebugKey kWindowKey{"obstacle-avoidance/window",
                           "brake) (drawn around the robot)"};
 const DebugKey kSpeedKey{"obstacle-avoidance/speed",
                          "The desired, requested and driven speeds and rotations (plots)"};
+
+using robotlink::kAboveZero;
+using robotlink::kAtLeastZero;
+
+using FieldOptions = VectorField::Options;
+using FieldFields = robotcontrol::VectorFieldParameters;
+const robotlink::ParameterTable<FieldOptions> kVectorFieldTable{
+    {FieldFields::kMarginFieldNumber, &FieldOptions::margin, kAtLeastZero},
+    {FieldFields::kReachFieldNumber, &FieldOptions::reach, kAboveZero},
+    {FieldFields::kNeedFieldNumber, &FieldOptions::need, kAtLeastZero},
+    {FieldFields::kNeedAgainFieldNumber, &FieldOptions::needAgain, kAtLeastZero},
+    {FieldFields::kWishTimeFieldNumber, &FieldOptions::desiredTime, kAtLeastZero},
+    {FieldFields::kWishCostFieldNumber, &FieldOptions::desiredCost, kAtLeastZero},
+    {FieldFields::kStraightCostFieldNumber, &FieldOptions::straightCost, kAtLeastZero},
+    {FieldFields::kLastCostFieldNumber, &FieldOptions::lastCost, kAtLeastZero},
+    {FieldFields::kSteeringFieldNumber, &FieldOptions::steering, kAtLeastZero},
+    {FieldFields::kLatencyFieldNumber, &FieldOptions::latency, kAtLeastZero}};
+
+/// Limited, because with too many samples a frame takes too long.
+constexpr robotlink::ParameterRange kSampleCount{1, 50};
+
+using WindowOptions = DynamicWindow::Options;
+using WindowFields = robotcontrol::DynamicWindowParameters;
+const robotlink::ParameterTable<WindowOptions> kDynamicWindowTable{
+    {WindowFields::kMarginFieldNumber, &WindowOptions::margin, kAtLeastZero},
+    {WindowFields::kWindowFieldNumber, &WindowOptions::window, kAboveZero},
+    {WindowFields::kHorizonFieldNumber, &WindowOptions::horizon, kAboveZero},
+    {WindowFields::kLatencyFieldNumber, &WindowOptions::latency, kAtLeastZero},
+    {WindowFields::kSpeedsFieldNumber, &WindowOptions::speeds, kSampleCount},
+    {WindowFields::kRotationsFieldNumber, &WindowOptions::rotations, kSampleCount},
+    {WindowFields::kSpeedWeightFieldNumber, &WindowOptions::speedWeight, kAtLeastZero},
+    {WindowFields::kRotationWeightFieldNumber, &WindowOptions::rotationWeight, kAtLeastZero},
+    {WindowFields::kWayWeightFieldNumber, &WindowOptions::wayWeight, kAtLeastZero},
+    {WindowFields::kRoomWeightFieldNumber, &WindowOptions::roomWeight, kAtLeastZero}};
 
 /// After this time a request has expired, s.
 constexpr double kRequestOutdated = 1.0;
@@ -147,18 +181,8 @@ class VectorFieldAvoidance final : public SeeingAvoidance {
   }
 
   VectorField::Options options() const {
-    VectorField::Options options;
+    VectorField::Options options = kVectorFieldTable.read(parameters_);
     options.outline = outline();
-    replace(options.margin, parameters_.margin());
-    replace(options.reach, parameters_.reach());
-    replace(options.need, parameters_.need());
-    replace(options.needAgain, parameters_.need_again());
-    replace(options.desiredTime, parameters_.wish_time());
-    replace(options.desiredCost, parameters_.wish_cost());
-    replace(options.straightCost, parameters_.straight_cost());
-    replace(options.lastCost, parameters_.last_cost());
-    replace(options.steering, parameters_.steering());
-    replace(options.latency, parameters_.latency());
     return options;
   }
 
@@ -190,7 +214,8 @@ const robotlink::SolutionRegistration kVectorField =
         .uses(robotlink::kLaser)
         .yields(robotlink::kDriveRequest)
         .keys({&kPointsKey, &kHistogramKey, &kSpeedKey})
-        .parameters<robotcontrol::VectorFieldParameters>();
+        .parameters<robotcontrol::VectorFieldParameters>(
+            kVectorFieldTable.rules<robotcontrol::VectorFieldParameters>());
 
 class DynamicWindowAvoidance final : public SeeingAvoidance {
  public:
@@ -208,19 +233,8 @@ class DynamicWindowAvoidance final : public SeeingAvoidance {
   }
 
   DynamicWindow::Options options() const {
-    DynamicWindow::Options options;
+    DynamicWindow::Options options = kDynamicWindowTable.read(parameters_);
     options.outline = outline();
-    replace(options.margin, parameters_.margin());
-    replace(options.window, parameters_.window());
-    replace(options.horizon, parameters_.horizon());
-    replace(options.latency, parameters_.latency());
-    // Limited, because users may set so many samples that a frame takes too long.
-    options.speeds = std::min(50, orBuiltIn(parameters_.speeds(), options.speeds));
-    options.rotations = std::min(50, orBuiltIn(parameters_.rotations(), options.rotations));
-    replace(options.speedWeight, parameters_.speed_weight());
-    replace(options.rotationWeight, parameters_.rotation_weight());
-    replace(options.wayWeight, parameters_.way_weight());
-    replace(options.roomWeight, parameters_.room_weight());
     return options;
   }
 
@@ -259,7 +273,8 @@ const robotlink::SolutionRegistration kDynamicWindow =
         .uses(robotlink::kLaser)
         .yields(robotlink::kDriveRequest)
         .keys({&kPointsKey, &kWindowKey, &kSpeedKey})
-        .parameters<robotcontrol::DynamicWindowParameters>();
+        .parameters<robotcontrol::DynamicWindowParameters>(
+            kDynamicWindowTable.rules<robotcontrol::DynamicWindowParameters>());
 
 class NoAvoidance final : public Avoidance {
  public:

@@ -11,9 +11,9 @@
 #include "modules/driving/DrivingSolution.h"
 #include "modules/driving/PathFollower.h"
 #include "modules/driving/Wanderer.h"
-#include "modules/navigation/ParameterDefaults.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
+#include "robotlink/debugging/ParameterTable.h"
 
 namespace modules {
 namespace {
@@ -29,19 +29,42 @@ const DebugKey kTargetKey{
     "driving/target",
     "The point of the path that is steered for, and what following it does (drawn on the field)"};
 
-Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& p) {
-  Wanderer::Options options;
-  replace(options.speed, p.speed());
-  replace(options.rotation, p.rotation());
-  replace(options.room, p.room());
-  replace(options.roomAgain, p.room_again());
-  replace(options.easyRoom, p.easy_room());
-  replace(options.likingTime, p.liking_time());
-  replace(options.novelty, p.novelty());
-  replace(options.halfWidth, p.half_width());
-  options.seed = static_cast<std::uint64_t>(std::max(0, p.seed())) + 1;
+using robotlink::kAboveZero;
+using robotlink::kAtLeastZero;
+
+using WanderFields = robotcontrol::WanderParameters;
+const robotlink::ParameterTable<Wanderer::Options> kWanderTable{
+    {WanderFields::kSpeedFieldNumber, &Wanderer::Options::speed, kAtLeastZero},
+    {WanderFields::kRotationFieldNumber, &Wanderer::Options::rotation, kAtLeastZero},
+    {WanderFields::kRoomFieldNumber, &Wanderer::Options::room, kAtLeastZero},
+    {WanderFields::kRoomAgainFieldNumber, &Wanderer::Options::roomAgain, kAtLeastZero},
+    {WanderFields::kEasyRoomFieldNumber, &Wanderer::Options::easyRoom, kAboveZero},
+    {WanderFields::kLikingTimeFieldNumber, &Wanderer::Options::likingTime, kAtLeastZero},
+    {WanderFields::kNoveltyFieldNumber, &Wanderer::Options::novelty, kAtLeastZero},
+    {WanderFields::kHalfWidthFieldNumber, &Wanderer::Options::halfWidth, kAtLeastZero}};
+
+Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& parameters) {
+  Wanderer::Options options = kWanderTable.read(parameters);
+  options.seed = static_cast<std::uint64_t>(std::max(0, parameters.seed())) + 1;
   return options;
 }
+
+struct FollowPathOptions : PathFollower::Options {
+  /// Deviations of the pose, m: above the first the robot is lost, until it is below the second.
+  double lostDeviation = 1.0, foundDeviation = 0.3;
+};
+
+using FollowFields = robotcontrol::FollowPathParameters;
+const robotlink::ParameterTable<FollowPathOptions> kFollowPathTable{
+    {FollowFields::kSpeedFieldNumber, &FollowPathOptions::speed, kAtLeastZero},
+    {FollowFields::kRotationFieldNumber, &FollowPathOptions::rotation, kAtLeastZero},
+    {FollowFields::kLookAheadFieldNumber, &FollowPathOptions::lookAhead, kAboveZero},
+    {FollowFields::kBrakingFieldNumber, &FollowPathOptions::braking, kAboveZero},
+    {FollowFields::kNearFieldNumber, &FollowPathOptions::near, kAboveZero},
+    {FollowFields::kHeadingNearFieldNumber, &FollowPathOptions::headingNear, kAboveZero},
+    {FollowFields::kTurnOnSpotFieldNumber, &FollowPathOptions::turnOnSpot, kAboveZero},
+    {FollowFields::kLostDeviationFieldNumber, &FollowPathOptions::lostDeviation, kAboveZero},
+    {FollowFields::kFoundDeviationFieldNumber, &FollowPathOptions::foundDeviation, kAboveZero}};
 
 /// Steers by the sensors; stands without readings.
 class Roaming {
@@ -98,7 +121,7 @@ const robotlink::SolutionRegistration kWander =
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey, &kDirectionKey})
-        .parameters<robotcontrol::WanderParameters>();
+        .parameters<robotcontrol::WanderParameters>(kWanderTable.rules<robotcontrol::WanderParameters>());
 
 class FollowPath final : public DrivingSolution {
  public:
@@ -131,9 +154,8 @@ class FollowPath final : public DrivingSolution {
 
   bool isLost() {
     if (!pose_) return true;
-    const double most =
-        lost_ ? orBuiltIn(parameters_.found_deviation(), 0.3) : orBuiltIn(parameters_.lost_deviation(), 1.0);
-    lost_ = !(pose_->position_deviation() < most);
+    const FollowPathOptions options = kFollowPathTable.read(parameters_);
+    lost_ = !(pose_->position_deviation() < (lost_ ? options.foundDeviation : options.lostDeviation));
     return lost_;
   }
 
@@ -146,7 +168,7 @@ class FollowPath final : public DrivingSolution {
   }
 
   DriveVelocity follow() {
-    follower_.setOptions(options());
+    follower_.setOptions(kFollowPathTable.read(parameters_));
     std::vector<Vector2> points;
     for (const auto& point : path_->points_in_field()) points.push_back(robotlink::vector2(point));
     const robotcontrol::DriveGoal& goal = path_->goal();
@@ -177,18 +199,6 @@ class FollowPath final : public DrivingSolution {
     debug_.text(Level::kInfo, "driving", what);
   }
 
-  PathFollower::Options options() const {
-    PathFollower::Options options;
-    replace(options.speed, parameters_.speed());
-    replace(options.rotation, parameters_.rotation());
-    replace(options.lookAhead, parameters_.look_ahead());
-    replace(options.braking, parameters_.braking());
-    replace(options.near, parameters_.near());
-    replace(options.headingNear, parameters_.heading_near());
-    replace(options.turnOnSpot, parameters_.turn_on_spot());
-    return options;
-  }
-
   const robotcontrol::FollowPathParameters& parameters_;
   robotlink::Input<robotcontrol::DrivePath> path_;
   robotlink::Input<robotcontrol::RobotPose> pose_;
@@ -210,7 +220,8 @@ const robotlink::SolutionRegistration kFollowPath =
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
         .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
-        .parameters<robotcontrol::FollowPathParameters>();
+        .parameters<robotcontrol::FollowPathParameters>(
+            kFollowPathTable.rules<robotcontrol::FollowPathParameters>());
 
 class ObeyOnWheels final : public DrivingSolution {
  public:

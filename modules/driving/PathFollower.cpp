@@ -56,6 +56,10 @@ DriveVelocity PathFollower::decide(const Pose2& robot, std::span<const Vector2> 
   return pursue(robot, left);
 }
 
+double PathFollower::spin(double turn, double slowest) const {
+  return std::copysign(std::min(std::max(1.5 * std::abs(turn), slowest), options_.rotation), turn);
+}
+
 DriveVelocity PathFollower::atTheEnd(const Pose2& robot, std::optional<double> heading) {
   target_ = goal_;
   const double turn = heading ? normalizedAngle(*heading - robot.heading) : 0;
@@ -63,18 +67,18 @@ DriveVelocity PathFollower::atTheEnd(const Pose2& robot, std::optional<double> h
   const double near = state_ == State::kThere ? 2 * options_.headingNear : options_.headingNear;
   state_ = std::abs(turn) < near ? State::kThere : State::kTurning;
   if (state_ == State::kThere) return {};
-  return {0, std::copysign(std::clamp(1.5 * std::abs(turn), 0.1, options_.rotation), turn)};
+  return {0, spin(turn, 0.1)};
 }
 
 DriveVelocity PathFollower::pursue(const Pose2& robot, double left) {
   const Vector2 ahead = robot.inverse() * target_;
   const double turn = std::atan2(ahead.y(), ahead.x());
   spinning_ = std::abs(turn) > (spinning_ ? 0.3 * options_.turnOnSpot : options_.turnOnSpot);
-  if (spinning_) return {0, std::copysign(std::clamp(1.5 * std::abs(turn), 0.2, options_.rotation), turn)};
+  if (spinning_) return {0, spin(turn, 0.2)};
   const double curvature = 2 * ahead.y() / std::max(1e-6, ahead.squaredNorm());
   double speed = std::min(options_.speed, std::sqrt(2 * options_.braking * left));
   if (std::abs(curvature) * speed > options_.rotation) speed = options_.rotation / std::abs(curvature);
-  speed = std::max(options_.slowest, speed * std::cos(turn));
+  speed = std::max(std::min(options_.slowest, options_.speed), speed * std::cos(turn));
   return {speed, std::clamp(curvature * speed, -options_.rotation, options_.rotation)};
 }
 

@@ -49,6 +49,9 @@ class PathFollower {
   /// The steering point: on the path, lookAhead beyond the point nearest to `place`.
   robotlink::Vector2 pointAhead(const robotlink::Vector2& place,
                                 std::span<const robotlink::Vector2> points) const;
+  /// The rotation on the spot for a remaining angle, not slower than `slowest` unless the robot may not turn
+  /// that fast, rad/s.
+  double spin(double turn, double slowest) const;
   /// Turns to the goal's heading.
   DriveVelocity atTheEnd(const robotlink::Pose2& robot, std::optional<double> heading);
   /// Drives along an arc to the steering point; `left` is the remaining length, m.

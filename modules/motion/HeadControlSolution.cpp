@@ -161,7 +161,7 @@ robotlink::SolutionDescription headSolution(const char* name, const char* help) 
       .uses(robotlink::kBallModel)
       .yields(robotlink::kHeadRequest)
       .keys({&kAnglesKey, &kStateKey, &kGazeKey})
-      .template parameters<robotcontrol::HeadControlParameters>();
+      .template parameters<robotcontrol::HeadControlParameters>(headRules());
 }
 
 const robotlink::SolutionRegistration kSearchAndTrack =

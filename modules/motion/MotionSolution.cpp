@@ -56,7 +56,7 @@ robotlink::SolutionDescription described(const char* name, const char* help) {
       .yields(robotlink::kJointRequest)
       .yields(robotlink::kMotionStatus)
       .keys({&kSpeedKey, &kPhaseKey, &kUprightKey, &kJointsKey, &kPawsKey, &kOdometryKey})
-      .template parameters<robotcontrol::GaitMotionParameters>();
+      .template parameters<robotcontrol::GaitMotionParameters>(gaitRules());
 }
 
 const robotlink::SolutionRegistration kRectangle =

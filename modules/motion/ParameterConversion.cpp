@@ -79,8 +79,8 @@ GaitParameters gaitParameters(const robotcontrol::GaitMotionParameters& message,
 MotionEngine::Options motionOptions(const robotcontrol::GaitMotionParameters& from) {
   MotionEngine::Options to;
   if (from.has_get_up_by_itself()) to.getUpByItself = from.get_up_by_itself();
-  if (from.blend_time() > 0) to.blendTime = from.blend_time();
-  if (from.head_speed_share() > 0 && from.head_speed_share() <= 1)
+  if (from.has_blend_time() && from.blend_time() >= 0) to.blendTime = from.blend_time();
+  if (from.has_head_speed_share() && from.head_speed_share() >= 0 && from.head_speed_share() <= 1)
     to.headSpeedShare = from.head_speed_share();
   return to;
 }
@@ -97,9 +97,38 @@ HeadParameters headParameters(const robotcontrol::HeadControlParameters& from) {
   if (from.has_search_near_pan()) to.searchNearPan = from.search_near_pan();
   if (from.has_around_tilt()) to.aroundTilt = from.around_tilt();
   if (from.has_around_pan()) to.aroundPan = from.around_pan();
-  if (from.sweep_speed() > 0) to.sweepSpeed = from.sweep_speed();
-  if (from.lost_after() > 0) to.lostAfter = from.lost_after();
+  if (from.has_sweep_speed() && from.sweep_speed() >= 0) to.sweepSpeed = from.sweep_speed();
+  if (from.has_lost_after() && from.lost_after() >= 0) to.lostAfter = from.lost_after();
   return to;
+}
+
+robotlink::ParameterRules gaitRules() {
+  using Gait = robotcontrol::GaitParameters;
+  using Motion = robotcontrol::GaitMotionParameters;
+  constexpr robotlink::ParameterRange kAboveZero{.above = true};
+  robotlink::ParameterRules rules;
+  for (const int field :
+       {Gait::kMaximumXFieldNumber, Gait::kMaximumBackwardFieldNumber, Gait::kMaximumYFieldNumber,
+        Gait::kMaximumRotationFieldNumber, Gait::kMaximumChangeXFieldNumber, Gait::kMaximumChangeYFieldNumber,
+        Gait::kMaximumChangeRotationFieldNumber, Gait::kMaximumStepXFieldNumber,
+        Gait::kMaximumStepYFieldNumber})
+    rules.ranges[{Motion::kGaitFieldNumber, field}] = kAboveZero;
+  rules.ranges[{Motion::kGaitFieldNumber, Gait::kStepFramesFieldNumber}] = {.minimum = 4, .maximum = 1000};
+  for (const int pair : {Gait::kForeFieldNumber, Gait::kHindFieldNumber}) {
+    for (const int phase : {Gait::LegPair::kGroundPhaseFieldNumber, Gait::LegPair::kLiftPhaseFieldNumber,
+                            Gait::LegPair::kLoweringPhaseFieldNumber})
+      rules.ranges[{Motion::kGaitFieldNumber, pair, phase}] = {.maximum = 1, .above = true};
+  }
+  rules.ranges[Motion::kBlendTimeFieldNumber] = {};
+  rules.ranges[Motion::kHeadSpeedShareFieldNumber] = {.maximum = 1};
+  return rules;
+}
+
+robotlink::ParameterRules headRules() {
+  robotlink::ParameterRules rules;
+  rules.ranges[robotcontrol::HeadControlParameters::kSweepSpeedFieldNumber] = {};
+  rules.ranges[robotcontrol::HeadControlParameters::kLostAfterFieldNumber] = {};
+  return rules;
 }
 
 }  // namespace modules

@@ -4,6 +4,7 @@
 #include "modules/motion/GaitParameters.h"
 #include "modules/motion/HeadController.h"
 #include "modules/motion/MotionEngine.h"
+#include "robotlink/debugging/ParameterRules.h"
 
 namespace robotcontrol {
 class GaitMotionParameters;
@@ -18,5 +19,10 @@ namespace modules {
 GaitParameters gaitParameters(const robotcontrol::GaitMotionParameters& from, FootMode mode);
 MotionEngine::Options motionOptions(const robotcontrol::GaitMotionParameters& from);
 HeadParameters headParameters(const robotcontrol::HeadControlParameters& from);
+
+// The ranges outside of which a value would be refused.
+
+robotlink::ParameterRules gaitRules();
+robotlink::ParameterRules headRules();
 
 }  // namespace modules

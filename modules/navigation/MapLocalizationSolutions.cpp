@@ -9,9 +9,9 @@
 #include "modules/modeling/SelfLocalization.h"
 #include "modules/navigation/MonteCarloLocalizer.h"
 #include "modules/navigation/OdometryHistory.h"
-#include "modules/navigation/ParameterDefaults.h"
 #include "modules/navigation/RangePackages.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotlink/debugging/ParameterTable.h"
 
 namespace modules {
 namespace {
@@ -32,6 +32,57 @@ const DebugKey kFilterKey{
 constexpr std::size_t kMaxDrawn = 1000;
 /// The estimate without a map: completely uncertain.
 constexpr PoseEstimate kNowhere{{}, 1e3, robotlink::kPi};
+
+using robotlink::kAboveZero;
+using robotlink::kAtLeastOne;
+using robotlink::kAtLeastZero;
+using robotlink::kShare;
+using robotlink::ParameterRange;
+
+struct LocalizationOptions : MonteCarloLocalizer::Options {
+  /// Time without a scan of the laser after which the sonars are used, s.
+  double sonarAfter = 1.0;
+};
+
+/// Without any chance of surprises, a measurement could exclude every particle.
+constexpr ParameterRange kRandomShare{0, 1, true};
+constexpr ParameterRange kFit{0, 1, true};
+
+using FilterFields = robotcontrol::MonteCarloLocalisationParameters;
+const robotlink::ParameterTable<LocalizationOptions> kMonteCarloTable{
+    {FilterFields::kParticlesPerAreaFieldNumber, &LocalizationOptions::particlesPerArea, kAtLeastZero},
+    {FilterFields::kFewestParticlesFieldNumber, &LocalizationOptions::fewest, kAtLeastOne},
+    {FilterFields::kMostParticlesFieldNumber, &LocalizationOptions::most, kAtLeastOne},
+    {FilterFields::kRaysFieldNumber, +[](LocalizationOptions& o) -> int& { return o.ranges.rays; },
+     kAtLeastOne},
+    {FilterFields::kEvidenceFieldNumber, +[](LocalizationOptions& o) -> double& { return o.ranges.evidence; },
+     kAtLeastZero},
+    {FilterFields::kRayDeviationFieldNumber, &LocalizationOptions::rayDeviation, kAboveZero},
+    {FilterFields::kStartDeviationFieldNumber, &LocalizationOptions::startDeviation, kAboveZero},
+    {FilterFields::kSonarDeviationFieldNumber,
+     +[](LocalizationOptions& o) -> double& { return o.ranges.sonarDeviation; }, kAboveZero},
+    {FilterFields::kRandomShareFieldNumber,
+     +[](LocalizationOptions& o) -> double& { return o.ranges.randomShare; }, kRandomShare},
+    {FilterFields::kWayNoiseFieldNumber, &LocalizationOptions::wayNoise, kAtLeastZero},
+    {FilterFields::kSkidNoiseFieldNumber, &LocalizationOptions::skidNoise, kAtLeastZero},
+    {FilterFields::kTurnNoiseFieldNumber, &LocalizationOptions::turnNoise, kAtLeastZero},
+    {FilterFields::kDriftNoiseFieldNumber, &LocalizationOptions::driftNoise, kAtLeastZero},
+    {FilterFields::kLeastWayFieldNumber, &LocalizationOptions::leastWay, kAtLeastZero},
+    {FilterFields::kLeastTurnFieldNumber, &LocalizationOptions::leastTurn, kAtLeastZero},
+    {FilterFields::kGoodFitFieldNumber, &LocalizationOptions::goodFit, kFit},
+    {FilterFields::kNewShareFieldNumber, &LocalizationOptions::newShare, kShare},
+    {FilterFields::kLostAfterFieldNumber, &LocalizationOptions::lostAfter, kAtLeastZero},
+    {FilterFields::kSonarAfterFieldNumber, &LocalizationOptions::sonarAfter, kAtLeastZero}};
+
+/// The growth of the standard deviations, m a meter and rad a radian.
+struct WheelDrift {
+  double perMeter = 0.05, perRadian = 0.03;
+};
+
+using DriftFields = robotcontrol::WheelOdometryParameters;
+const robotlink::ParameterTable<WheelDrift> kWheelDriftTable{
+    {DriftFields::kDriftPerMetreFieldNumber, &WheelDrift::perMeter, kAtLeastZero},
+    {DriftFields::kDriftPerRadianFieldNumber, &WheelDrift::perRadian, kAtLeastZero}};
 
 bool finite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
@@ -95,7 +146,7 @@ class MonteCarloLocalization final : public SelfLocalization {
     }
     const double waited =
         laserSeenAt_ ? robotlink::seconds(robotlink::instant(drive_->timestamp()) - *laserSeenAt_) : 1e9;
-    if (sonar_ && sonar_.isNew() && std::abs(waited) > orBuiltIn(parameters_.sonar_after(), 1.0)) {
+    if (sonar_ && sonar_.isNew() && std::abs(waited) > options().sonarAfter) {
       const std::vector<RangeBeam> cones = beams(*sonar_);
       result.insert(result.end(), cones.begin(), cones.end());
     }
@@ -109,29 +160,10 @@ class MonteCarloLocalization final : public SelfLocalization {
     return result;
   }
 
-  MonteCarloLocalizer::Options options() const {
-    const robotcontrol::MonteCarloLocalisationParameters& p = parameters_;
-    MonteCarloLocalizer::Options options;
-    replace(options.particlesPerArea, p.particles_per_area());
-    replace(options.fewest, p.fewest_particles());
-    replace(options.most, p.most_particles());
-    replace(options.ranges.rays, p.rays());
-    replace(options.ranges.evidence, p.evidence());
-    replace(options.ranges.sonarDeviation, p.sonar_deviation());
-    replace(options.ranges.randomShare, p.random_share());
-    replace(options.rayDeviation, p.ray_deviation());
-    replace(options.startDeviation, p.start_deviation());
+  LocalizationOptions options() const {
+    LocalizationOptions options = kMonteCarloTable.read(parameters_);
     options.startDeviation = std::max(options.startDeviation, options.rayDeviation);
-    replace(options.wayNoise, p.way_noise());
-    replace(options.skidNoise, p.skid_noise());
-    replace(options.turnNoise, p.turn_noise());
-    replace(options.driftNoise, p.drift_noise());
-    replace(options.leastWay, p.least_way());
-    replace(options.leastTurn, p.least_turn());
-    replace(options.goodFit, p.good_fit());
-    replace(options.newShare, p.new_share());
-    replace(options.lostAfter, p.lost_after());
-    options.seed = static_cast<std::uint64_t>(std::max(0, p.seed())) + 1;
+    options.seed = static_cast<std::uint64_t>(std::max(0, parameters_.seed())) + 1;
     return options;
   }
 
@@ -176,7 +208,8 @@ const robotlink::SolutionRegistration kMonteCarlo =
         .uses(robotlink::kLaser)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey, &kRaysKey, &kFilterKey})
-        .parameters<robotcontrol::MonteCarloLocalisationParameters>();
+        .parameters<robotcontrol::MonteCarloLocalisationParameters>(
+            kMonteCarloTable.rules<robotcontrol::MonteCarloLocalisationParameters>());
 
 class WheelLocalization final : public SelfLocalization {
  public:
@@ -203,9 +236,9 @@ class WheelLocalization final : public SelfLocalization {
     turn_ += std::abs(step.heading);
     PoseEstimate estimate;
     estimate.robotInField = home_ * now;
-    estimate.headingDeviation = orBuiltIn(parameters_.drift_per_radian(), 0.03) * turn_;
-    estimate.positionDeviation =
-        orBuiltIn(parameters_.drift_per_metre(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
+    const WheelDrift drift = kWheelDriftTable.read(parameters_);
+    estimate.headingDeviation = drift.perRadian * turn_;
+    estimate.positionDeviation = drift.perMeter * way_ + 0.5 * way_ * estimate.headingDeviation;
     publish(estimate, drive_->timestamp());
   }
 
@@ -223,7 +256,8 @@ const robotlink::SolutionRegistration kWheels =
         .needs(robotlink::kDriveState)
         .yields(robotlink::kRobotPose)
         .keys({&kLocatorPoseKey, &kLocatorPlotKey})
-        .parameters<robotcontrol::WheelOdometryParameters>();
+        .parameters<robotcontrol::WheelOdometryParameters>(
+            kWheelDriftTable.rules<robotcontrol::WheelOdometryParameters>());
 
 }  // namespace
 }  // namespace modules

@@ -6,9 +6,9 @@
 #include "NavigationParameters.pb.h"
 #include "foxglove/Geometry.pb.h"
 #include "modules/navigation/GridPlanner.h"
-#include "modules/navigation/ParameterDefaults.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Modeling.pb.h"
+#include "robotlink/debugging/ParameterTable.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -125,6 +125,29 @@ class PathPlanner : public robotlink::Solution {
   double plannedAt_ = 0;
 };
 
+struct GridPlanningOptions : GridPlanner::Options {
+  /// The standard deviation of the pose above which nothing is planned, m.
+  double lostDeviation = 1.0;
+  /// The time between two plans, s.
+  double period = 0.5;
+};
+
+using PlanningFields = robotcontrol::GridPlanningParameters;
+const robotlink::ParameterTable<GridPlanningOptions> kGridPlanningTable{
+    {PlanningFields::kClearanceFieldNumber, &GridPlanningOptions::clearance, robotlink::kAtLeastZero},
+    {PlanningFields::kComfortFieldNumber, &GridPlanningOptions::comfort, robotlink::kAtLeastZero},
+    {PlanningFields::kNearnessFieldNumber, &GridPlanningOptions::nearness, robotlink::kAtLeastZero},
+    {PlanningFields::kLostDeviationFieldNumber, &GridPlanningOptions::lostDeviation, robotlink::kAboveZero},
+    {PlanningFields::kPeriodFieldNumber, &GridPlanningOptions::period, robotlink::kAtLeastZero}};
+
+/// The options of a robot whose parameters say nothing: it needs half of its width, and a little more.
+GridPlanningOptions builtInPlanning(const robotlink::RobotSetup& robot) {
+  GridPlanningOptions options;
+  if (const auto& drive = robot.description.drive; drive && drive->width > 0)
+    options.clearance = 0.5 * drive->width + 0.07;
+  return options;
+}
+
 class GridPathPlanner final : public PathPlanner {
  public:
   explicit GridPathPlanner(robotlink::SolutionContext& context)
@@ -134,18 +157,13 @@ class GridPathPlanner final : public PathPlanner {
                   "there is no map to plan in: open one, or choose the solution direct");
       return;
     }
-    GridPlanner::Options options;
-    if (const auto& drive = context.robot().description.drive; drive && drive->width > 0)
-      options.clearance = 0.5 * drive->width + 0.07;
-    replace(options.clearance, parameters_.clearance());
-    replace(options.comfort, parameters_.comfort());
-    replace(options.nearness, parameters_.nearness());
-    planner_.emplace(*context.robot().map, options);
+    planner_.emplace(*context.robot().map,
+                     kGridPlanningTable.read(parameters_, builtInPlanning(context.robot())));
   }
 
  private:
-  double period() const override { return orBuiltIn(parameters_.period(), 0.5); }
-  double lostDeviation() const override { return orBuiltIn(parameters_.lost_deviation(), 1.0); }
+  double period() const override { return kGridPlanningTable.read(parameters_).period; }
+  double lostDeviation() const override { return kGridPlanningTable.read(parameters_).lostDeviation; }
 
   PlannedPath plan(const Vector2& from, const Vector2& goal) override {
     if (!planner_) return {{}, "there is no map to plan in"};
@@ -174,7 +192,8 @@ const robotlink::SolutionRegistration kGrid =
         .uses(robotlink::kDriveGoal)
         .yields(robotlink::kDrivePath)
         .keys({&kPathKey, &kWaveKey})
-        .parameters<robotcontrol::GridPlanningParameters>();
+        .parameters<robotcontrol::GridPlanningParameters>(
+            kGridPlanningTable.rules<robotcontrol::GridPlanningParameters>(builtInPlanning));
 
 class DirectPathPlanner final : public PathPlanner {
  public:

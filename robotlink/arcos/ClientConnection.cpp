@@ -18,21 +18,19 @@ bool isInformation(std::uint8_t id) {
 
 }  // namespace
 
-void ClientSession::applyConnection(const Packet& packet, Instant now) {
-  if (isInformation(packet.id)) {
-    takeInformation(packet, now);
-  } else if (packet.id == Configuration::kId) {
-    takeConfiguration(packet, now);
-  } else if (packet.id == LaserPacket::kPlainId || packet.id == LaserPacket::kExtendedId) {
-    takeLaser(packet, now);
-  }
+ClientSession::News ClientSession::applyConnection(const Packet& packet, Instant now) {
+  if (isInformation(packet.id)) return takeInformation(packet, now);
+  if (packet.id == Configuration::kId) return takeConfiguration(packet, now);
+  if (packet.id == LaserPacket::kPlainId || packet.id == LaserPacket::kExtendedId)
+    return takeLaser(packet, now);
+  return News::kNothing;
 }
 
-void ClientSession::takeInformation(const Packet& packet, Instant now) {
+ClientSession::News ClientSession::takeInformation(const Packet& packet, Instant now) {
   auto information = decodeStandardInformation(packet);
   if (!information) {
     ++statistics_.undecodable;
-    return;
+    return News::kNothing;
   }
   if (informed_) {
     gaps_.push_back({now, now - informationAt_});
@@ -43,32 +41,35 @@ void ClientSession::takeInformation(const Packet& packet, Instant now) {
   informed_ = true;
   ++statistics_.information;
   if (state_ == State::kOpening && configured_) becomeConnected(now);
+  return News::kInformation;
 }
 
-void ClientSession::takeConfiguration(const Packet& packet, Instant now) {
+ClientSession::News ClientSession::takeConfiguration(const Packet& packet, Instant now) {
   auto configuration = decodeConfiguration(packet);
   if (!configuration) {
     ++statistics_.undecodable;
-    return;
+    return News::kNothing;
   }
   configuration_ = std::move(*configuration);
   if (askedAt_ && !askedTwice_) statistics_.roundTrip = now - *askedAt_;
   askedAt_.reset();
   configured_ = true;
   if (state_ == State::kOpening && informed_) becomeConnected(now);
+  return News::kConfiguration;
 }
 
-void ClientSession::takeLaser(const Packet& packet, Instant now) {
+ClientSession::News ClientSession::takeLaser(const Packet& packet, Instant now) {
   const auto part = decodeLaser(packet);
   if (!part) {
     ++statistics_.undecodable;
-    return;
+    return News::kNothing;
   }
   auto scan = assembler_.take(*part, informed_ ? &*information_ : nullptr, now);
   statistics_.incompleteScans = assembler_.incompleteScans();
-  if (!scan) return;
+  if (!scan) return News::kNothing;
   scan_ = std::move(*scan);
   ++statistics_.scans;
+  return News::kScan;
 }
 
 void ClientSession::askConfiguration(Instant now) {

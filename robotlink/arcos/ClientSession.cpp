@@ -27,9 +27,15 @@ void ClientSession::enter(State state, Instant now) {
 }
 
 void ClientSession::post(const Packet& packet, Instant now) {
-  if (outgoing_.size() > kMaxOutgoing) return;
-  append(packet, outgoing_);
+  if (outgoingBytes_ > kMaxOutgoing) return;
+  outgoing_.push_back(packet);
+  outgoingBytes_ += packet.frameSize();
   sentAt_ = now;
+}
+
+void ClientSession::dropOutgoing() {
+  outgoing_.clear();
+  outgoingBytes_ = 0;
 }
 
 void ClientSession::post(CommandId id, Instant now) {
@@ -58,9 +64,10 @@ void ClientSession::close(Instant now) {
   if (state_ == State::kConnected || state_ == State::kOpening) {
     post(CommandId::kClose, 1, now);
   } else {
-    outgoing_.clear();
+    dropOutgoing();
   }
   problem_.reset();
+  askedAt_.reset();
   enter(State::kClosed, now);
 }
 
@@ -71,7 +78,7 @@ bool ClientSession::wantsLink() const {
 
 void ClientSession::linkOpened(Instant now) {
   if (state_ != State::kWaitingForLink) return;
-  outgoing_.clear();
+  dropOutgoing();
   tries_ = unanswered_ = 0;
   damages_ = 0;
   heard_ = false;
@@ -86,7 +93,7 @@ void ClientSession::linkClosed(const Error& why, Instant now) {
 
 void ClientSession::giveUpLine(Error why, Instant now) {
   problem_ = std::move(why);
-  outgoing_.clear();
+  dropOutgoing();
   pause_ = options_.firstPause;
   for (int i = 0; i < failures_ && pause_ < options_.longestPause; ++i) pause_ *= 2;
   pause_ = std::min(pause_, options_.longestPause);
@@ -148,49 +155,58 @@ void ClientSession::restart(Instant now) {
 }
 
 void ClientSession::take(const PacketParser::Found& found, Instant now) {
-  std::visit([&](const auto& value) { take(value, now); }, found);
+  std::visit([&](const auto& value) { (void)take(value, now); }, found);
 }
 
 void ClientSession::take(const Damage&, Instant) {
   ++damages_;
 }
 
-void ClientSession::take(const Packet& packet, Instant now) {
-  if (!wantsLink() || state_ == State::kWaitingForLink) return;
+ClientSession::News ClientSession::take(const Packet& packet, Instant now) {
+  if (!wantsLink() || state_ == State::kWaitingForLink) return News::kNothing;
   ++statistics_.packets;
   heard_ = true;
   packetAt_ = now;
-  if (state_ == State::kResynchronizing) return;
+  if (state_ == State::kResynchronizing) return News::kNothing;
   if (packet.id >= kFirstControllerReset) {
     restart(now);
-  } else if (state_ == State::kSynchronizing) {
-    applyHandshake(packet, now);
-  } else {
-    applyConnection(packet, now);
+    return News::kNothing;
   }
+  return state_ == State::kSynchronizing ? applyHandshake(packet, now) : applyConnection(packet, now);
 }
 
-void ClientSession::applyHandshake(const Packet& packet, Instant now) {
+ClientSession::News ClientSession::overhear(const Packet& packet, Instant now) {
+  return packet.id == Identity::kId ? takeIdentity(packet) : applyConnection(packet, now);
+}
+
+ClientSession::News ClientSession::takeIdentity(const Packet& packet) {
+  auto identity = decodeIdentity(packet);
+  if (!identity) {
+    ++statistics_.undecodable;
+    return News::kNothing;
+  }
+  identity_ = std::move(*identity);
+  return News::kIdentity;
+}
+
+ClientSession::News ClientSession::applyHandshake(const Packet& packet, Instant now) {
   if (packet.id == sync_ && sync_ < 2) {
     tries_ = 0;
     sendSync(sync_ + 1, now);
   } else if (packet.id == sync_) {
-    auto identity = decodeIdentity(packet);
-    if (!identity) {
-      ++statistics_.undecodable;
-      return;
-    }
-    identity_ = std::move(*identity);
+    if (takeIdentity(packet) == News::kNothing) return News::kNothing;
     tries_ = 0;
     opened_ = informed_ = configured_ = false;
     askedAt_.reset();
     enter(State::kOpening, now);
+    return News::kIdentity;
   } else if (packet.id > 2) {
     // A late reply to an earlier SYNC is ignored; any other packet belongs to a connection that was never
     // closed.
     const Error why{"arcos.busy", "the robot is in another connection, and does not close it", {}, {}};
     if (mayTryAgain(why, now)) resynchronize(now);
   }
+  return News::kNothing;
 }
 
 void ClientSession::tick(Instant now) {
@@ -218,6 +234,14 @@ void ClientSession::tick(Instant now) {
 }
 
 Bytes ClientSession::takeOutgoing() {
+  Bytes bytes;
+  bytes.reserve(outgoingBytes_);
+  for (const Packet& packet : takePackets()) append(packet, bytes);
+  return bytes;
+}
+
+std::vector<Packet> ClientSession::takePackets() {
+  outgoingBytes_ = 0;
   return std::exchange(outgoing_, {});
 }
 
@@ -237,7 +261,7 @@ Result<void> ClientSession::send(const Packet& packet, Instant now) {
                                              " bytes of data; robots take at most " +
                                              std::to_string(kMaxSentData));
   }
-  if (outgoing_.size() > kMaxOutgoing) {
+  if (outgoingBytes_ > kMaxOutgoing) {
     return failure("arcos.line-full", nameOf(packet.id) + " cannot be sent: the line takes no more bytes");
   }
   post(packet, now);

@@ -115,8 +115,12 @@ class ClientSession {
   /// The line could not be opened, broke, or was closed by the robot, for the given reason.
   void linkClosed(const Error& why, Instant now);
 
+  /// What of a packet is new to a client; the data are in the getters below.
+  enum class News { kNothing, kIdentity, kConfiguration, kInformation, kScan };
   /// Processes a received packet.
-  void take(const Packet& packet, Instant now);
+  News take(const Packet& packet, Instant now);
+  /// Takes only the data of a packet that the robot sent to another client, while this session is closed.
+  News overhear(const Packet& packet, Instant now);
   /// Damage is otherwise ignored, but improves error messages (wrong baud rate).
   void take(const Damage& damage, Instant now);
   /// Either of the two, as PacketParser::next() returns it.
@@ -125,6 +129,8 @@ class ClientSession {
   void tick(Instant now);
   /// Removes and returns the bytes to be written to the line, in whole packets.
   Bytes takeOutgoing();
+  /// The same as packets, for where there is no line.
+  std::vector<Packet> takePackets();
 
   /// Sends a command. Fails if there is no connection, the argument does not fit, or the line is congested.
   Result<void> send(const Command& command, Instant now);
@@ -150,10 +156,12 @@ class ClientSession {
  private:
   /// Switches the state and restarts its timeout.
   void enter(State state, Instant now);
-  /// Appends a packet to the outgoing bytes.
+  /// Appends a packet to the outgoing ones.
   void post(const Packet& packet, Instant now);
   void post(CommandId id, Instant now);
   void post(CommandId id, int argument, Instant now);
+
+  void dropOutgoing();
 
   /// Sends SYNC0, SYNC1 or SYNC2.
   void sendSync(int number, Instant now);
@@ -171,11 +179,12 @@ class ClientSession {
   Error silence() const;
 
   // Packets by phase and kind.
-  void applyHandshake(const Packet& packet, Instant now);
-  void applyConnection(const Packet& packet, Instant now);
-  void takeInformation(const Packet& packet, Instant now);
-  void takeConfiguration(const Packet& packet, Instant now);
-  void takeLaser(const Packet& packet, Instant now);
+  News applyHandshake(const Packet& packet, Instant now);
+  News applyConnection(const Packet& packet, Instant now);
+  News takeIdentity(const Packet& packet);
+  News takeInformation(const Packet& packet, Instant now);
+  News takeConfiguration(const Packet& packet, Instant now);
+  News takeLaser(const Packet& packet, Instant now);
   void askConfiguration(Instant now);
 
   void tickOpening(Instant now);
@@ -220,7 +229,9 @@ class ClientSession {
   Instant informationAt_{};
   /// Outlives the line: shown until the next connection.
   std::optional<Error> problem_;
-  Bytes outgoing_;
+  std::vector<Packet> outgoing_;
+  /// The size of all their frames.
+  std::size_t outgoingBytes_ = 0;
 
   std::optional<Identity> identity_;
   std::optional<Configuration> configuration_;

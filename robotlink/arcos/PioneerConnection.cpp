@@ -11,8 +11,6 @@ using namespace std::chrono_literals;
 
 // How often the session gets a chance to act while waiting for bytes.
 constexpr Duration kTurn = 20ms;
-// A packet whose rest has not come after this time never will.
-constexpr Duration kPartialTime = 100ms;
 // The number of bytes read at once, and the number of such reads before read() returns, so that a line that
 // floods cannot block it.
 constexpr std::size_t kPiece = 4096;
@@ -26,25 +24,10 @@ ClientSession::Options sessionOptions() {
   return options;
 }
 
-RangeScan toRangeScan(const LaserScan& laser, const StateDecoder& decoder) {
-  RangeScan scan;
-  scan.time = laser.takenAt;
-  scan.robot = decoder.state().pose;
-  scan.laserInRobot = decoder.type().laserInRobot;
-  scan.startAngle = -kPi / 2;
-  const std::size_t count = laser.rangesMm.size();
-  if (count > 1) scan.angleStep = kPi / static_cast<double>(count - 1);
-  for (const std::uint16_t range : laser.rangesMm) scan.ranges.push_back(range / 1000.0);
-  return scan;
-}
-
 }  // namespace
 
 PioneerConnection::PioneerConnection(StreamOpener opener, std::shared_ptr<const Clock> clock)
-    : opener_(std::move(opener)),
-      clock_(std::move(clock)),
-      session_(sessionOptions()),
-      decoder_(robotType({})) {}
+    : opener_(std::move(opener)), clock_(std::move(clock)), client_(*this, sessionOptions()) {}
 
 std::shared_ptr<ByteStream> PioneerConnection::stream() const {
   const std::lock_guard lock(mutex_);
@@ -55,7 +38,7 @@ std::shared_ptr<ByteStream> PioneerConnection::stream() const {
 tl::unexpected<Error> PioneerConnection::lose(const ByteStream& line, const Error& why) {
   const std::lock_guard lock(mutex_);
   if (stream_.get() == &line) {
-    session_.linkClosed(why, clock_->now());
+    client_.linkClosed(why, clock_->now());
     stream_->close();
     stream_.reset();
     problem_ = why.text;
@@ -84,25 +67,22 @@ Result<void> PioneerConnection::begin(Duration timeLimit) {
     const std::lock_guard lock(mutex_);
     const Instant now = clock_->now();
     stream_ = line;
-    parser_ = {};
-    session_ = ClientSession(sessionOptions());
-    decoder_ = StateDecoder(robotType({}));
-    scan_.reset();
+    client_.reset();
     latest_.clear();
     goal_.reset();
     ended_.reset();
     fresh_ = false;
     silence_ = {};
     problem_.clear();
-    session_.open(now);
-    session_.linkOpened(now);
+    client_.open(now);
+    client_.linkOpened(now);
   }
   return greet(*line, timeLimit);
 }
 
 Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit) {
   const Instant limit = clock_->now() + timeLimit;
-  while (!inspect([](const auto& c) { return c.session_.isConnected(); })) {
+  while (!inspect([](const auto& c) { return c.client_.isConnected(); })) {
     if (clock_->now() >= limit) {
       return lose(line, {"pioneer.no-robot",
                          "the line is open, but no robot answered in time: is it switched on, and is its "
@@ -131,7 +111,7 @@ void PioneerConnection::end() {
   {
     const std::lock_guard lock(mutex_);
     if (!stream_) return;
-    session_.close(clock_->now());
+    client_.close(clock_->now());
   }
   // If this does not reach the robot, its watchdog stops it.
   flush();
@@ -195,7 +175,7 @@ Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
   takeBytes(std::span(bytes).first(*count), clock_->now() - before);
   if (const auto flushed = flush(); !flushed) return tl::unexpected(flushed.error());
   const auto problem = inspect([](const auto& c) -> std::optional<Error> {
-    return c.session_.wantsLink() ? std::nullopt : c.session_.problem();
+    return c.client_.wantsLink() ? std::nullopt : c.client_.session().problem();
   });
   if (problem) return lose(*line, *problem);
   return *count > 0 ? Line::kBusy : Line::kSilent;
@@ -206,26 +186,19 @@ void PioneerConnection::takeBytes(std::span<const std::uint8_t> bytes, Duration 
   const Instant now = clock_->now();
   // Only time spent waiting counts: the bytes may have been there while the program did something else.
   silence_ = bytes.empty() ? silence_ + waited : Duration::zero();
-  if (parser_.isPartial() && silence_ >= kPartialTime) parser_.dropPartial();
-  parser_.push(bytes);
-  while (const auto found = parser_.next()) takeFound(*found, now);
-  session_.tick(now);
+  client_.lineSilent(silence_);
+  client_.take(bytes, now);
+  client_.tick(now);
 }
 
-void PioneerConnection::takeFound(const PacketParser::Found& found, Instant now) {
-  const auto informationBefore = session_.statistics().information;
-  const auto scansBefore = session_.statistics().scans;
-  session_.take(found, now);
-  if (const auto* packet = std::get_if<Packet>(&found)) latest_[packet->id] = *packet;
-  if (session_.statistics().information != informationBefore) {
-    const Identity* identity = session_.identity();
-    if (identity && identity->subclass != decoder_.type().subclass)
-      decoder_ = StateDecoder(robotType(identity->subclass));
-    decoder_.take(*session_.information(), now);
-    fresh_ = true;
-    if (goal_ && !ended_) ended_ = goal_->take(decoder_.state());
-  }
-  if (session_.statistics().scans != scansBefore) scan_ = toRangeScan(*session_.laserScan(), decoder_);
+void PioneerConnection::packetPassed(Direction direction, const Packet& packet, std::span<const std::uint8_t>,
+                                     Instant) {
+  if (direction == Direction::kFromRobot) latest_[packet.id] = packet;
+}
+
+void PioneerConnection::stateCame(const StandardInformation&, Instant) {
+  fresh_ = true;
+  if (goal_ && !ended_) ended_ = goal_->take(client_.state());
 }
 
 Result<void> PioneerConnection::flush() {
@@ -234,25 +207,13 @@ Result<void> PioneerConnection::flush() {
   std::shared_ptr<ByteStream> line;
   {
     const std::lock_guard lock(mutex_);
-    bytes = session_.takeOutgoing();
+    for (const Bytes& frame : client_.takeOutgoingFrames(clock_->now()))
+      bytes.insert(bytes.end(), frame.begin(), frame.end());
     line = stream_;
   }
   if (!line || bytes.empty()) return {};
   if (const auto written = line->write(bytes); !written) return lose(*line, written.error());
   return {};
-}
-
-void PioneerConnection::forgetScan() {
-  const std::lock_guard lock(mutex_);
-  scan_.reset();
-}
-
-Result<void> PioneerConnection::resetOdometry() {
-  {
-    const std::lock_guard lock(mutex_);
-    decoder_.expectReset(clock_->now());
-  }
-  return send(command(CommandId::kSetO));
 }
 
 }  // namespace robotlink::arcos

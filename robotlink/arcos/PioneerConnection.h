@@ -5,23 +5,21 @@
 #include <map>
 #include <mutex>
 
-#include "robotlink/arcos/ClientSession.h"
 #include "robotlink/arcos/MotionGoal.h"
-#include "robotlink/arcos/StateDecoder.h"
-#include "robotlink/arcos/codec/RangeScan.h"
+#include "robotlink/arcos/PioneerClient.h"
 #include "robotlink/arcos/stream/OpenStream.h"
 
 namespace robotlink::arcos {
 
-/// The implementation of PioneerRobot: the line, the session on it, and the received data. Thread-safe.
+/// The implementation of PioneerRobot: the line, the client on it, and the received data. Thread-safe.
 ///
 /// The mutexes are locked in the order of their declaration. No thread blocks on the line while it holds
 /// `mutex_`, so getters return immediately.
-class PioneerConnection {
+class PioneerConnection final : private PioneerClient::Listener {
  public:
   /// `clock` must advance while the line waits for bytes.
   PioneerConnection(StreamOpener opener, std::shared_ptr<const Clock> clock);
-  ~PioneerConnection() { end(); }
+  ~PioneerConnection() override { end(); }
   PioneerConnection(const PioneerConnection&) = delete;
   PioneerConnection& operator=(const PioneerConnection&) = delete;
 
@@ -38,26 +36,31 @@ class PioneerConnection {
   Result<void> send(const Message& message) {
     {
       const std::lock_guard lock(mutex_);
-      if (const auto sent = session_.send(message, clock_->now()); !sent) return notSent(sent.error());
+      if (const auto sent = client_.send(message, clock_->now()); !sent) return notSent(sent.error());
     }
     return flush();
   }
-  /// Sends SETO and prepares the decoder for the jump.
-  Result<void> resetOdometry();
+  /// Sends what `act(client, now)` gives to the client, a command or several.
+  template <typename Act>
+  Result<void> sendBy(Act act) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto sent = act(client_, clock_->now()); !sent) return notSent(sent.error());
+    }
+    return flush();
+  }
   /// Sends a command whose end waitForMotion() detects; `goalFor(state, now)` returns its goal.
   template <typename GoalFor>
   Result<void> beginMotion(const Command& command, GoalFor goalFor) {
     {
       const std::lock_guard lock(mutex_);
-      goal_ = goalFor(decoder_.state(), clock_->now());
+      goal_ = goalFor(client_.state(), clock_->now());
       ended_.reset();
     }
     return send(command);
   }
   /// Reads until the goal of beginMotion() is decided.
   Result<MotionEnd> waitForMotion(Duration timeLimit);
-  /// Drops the last scan when the laser is switched off.
-  void forgetScan();
 
   /// Returns get(*this) under the lock, so that nothing changes meanwhile.
   template <typename Get>
@@ -66,10 +69,7 @@ class PioneerConnection {
     return get(*this);
   }
   // For inspect() only.
-  const ClientSession& session() const { return session_; }
-  const StateDecoder& decoder() const { return decoder_; }
-  const PacketParser& parser() const { return parser_; }
-  const std::optional<RangeScan>& scan() const { return scan_; }
+  const PioneerClient& client() const { return client_; }
   const std::map<std::uint8_t, Packet>& latest() const { return latest_; }
   const std::string& problem() const { return problem_; }
 
@@ -81,8 +81,10 @@ class PioneerConnection {
   /// Processes everything that has already arrived.
   Result<void> drain();
   void takeBytes(std::span<const std::uint8_t> bytes, Duration waited);
-  void takeFound(const PacketParser::Found& found, Instant now);
-  /// Writes the session's outgoing bytes.
+  void packetPassed(Direction direction, const Packet& packet, std::span<const std::uint8_t> frame,
+                    Instant now) override;
+  void stateCame(const StandardInformation& information, Instant now) override;
+  /// Writes the client's outgoing bytes.
   Result<void> flush();
   /// Pumps until the session is connected.
   Result<void> greet(const ByteStream& line, Duration timeLimit);
@@ -103,11 +105,8 @@ class PioneerConnection {
   /// Protects everything below.
   mutable std::mutex mutex_;
   std::shared_ptr<ByteStream> stream_;
-  PacketParser parser_;
-  ClientSession session_;
-  StateDecoder decoder_;
-  std::optional<RangeScan> scan_;
-  /// Keyed by packet id; at most 256.
+  PioneerClient client_;
+  /// By packet id, at most 256.
   std::map<std::uint8_t, Packet> latest_;
   /// There is a state that no read() has reported yet.
   bool fresh_ = false;

@@ -6,18 +6,12 @@
 #include <limits>
 
 #include "robotlink/arcos/PioneerConnection.h"
+#include "robotlink/arcos/WireUnits.h"
 #include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/codec/SimulatorCommands.h"
 
 namespace robotlink::arcos {
 namespace {
-
-int inMillimeters(double meters) {
-  return static_cast<int>(std::lround(meters * 1000));
-}
-int inDegrees(double angle) {
-  return static_cast<int>(std::lround(degrees(angle)));
-}
 
 /// Success, or the first error of the two.
 Result<void> both(Result<void> first, Result<void> second) {
@@ -51,7 +45,7 @@ Result<void> PioneerRobot::write(const Packet& packet) {
 }
 
 bool PioneerRobot::isConnected() const {
-  return connection_->inspect([](const auto& c) { return c.session().isConnected(); });
+  return connection_->inspect([](const auto& c) { return c.client().isConnected(); });
 }
 
 std::string PioneerRobot::problem() const {
@@ -59,35 +53,35 @@ std::string PioneerRobot::problem() const {
 }
 
 RobotState PioneerRobot::state() const {
-  return connection_->inspect([](const auto& c) { return c.decoder().state(); });
+  return connection_->inspect([](const auto& c) { return c.client().state(); });
 }
 
 RobotType PioneerRobot::type() const {
-  return connection_->inspect([](const auto& c) { return c.decoder().type(); });
+  return connection_->inspect([](const auto& c) { return c.client().type(); });
 }
 
 double PioneerRobot::sonar(std::size_t number) const {
   return connection_->inspect([number](const auto& c) {
-    const auto& sonars = c.decoder().state().sonars;
-    return number < sonars.size() ? sonars[number].range : c.decoder().type().sonarMaximum;
+    const auto& sonars = c.client().state().sonars;
+    return number < sonars.size() ? sonars[number].range : c.client().type().sonarMaximum;
   });
 }
 
 std::optional<RangeScan> PioneerRobot::laser() const {
-  return connection_->inspect([](const auto& c) { return c.scan(); });
+  return connection_->inspect([](const auto& c) { return c.client().scan(); });
 }
 
 std::vector<Vector2> PioneerRobot::echoes() const {
   return connection_->inspect([](const auto& c) {
     std::vector<Vector2> points;
-    const RobotState& state = c.decoder().state();
+    const RobotState& state = c.client().state();
     const Pose2 fromOdometry = state.pose.inverse();
     for (const SonarReading& sonar : state.sonars) {
       if (sonar.echo && state.time - sonar.time <= kEchoTime) {
         points.push_back(fromOdometry * sonar.robot * sonar.pointInRobot());
       }
     }
-    const auto& scan = c.scan();
+    const auto& scan = c.client().scan();
     if (!scan || state.time - scan->time > kEchoTime) return points;
     const Pose2 then = fromOdometry * scan->robot;
     for (std::size_t i = 0; i < scan->ranges.size(); ++i) {
@@ -108,18 +102,13 @@ double PioneerRobot::nearestEcho(double fromAngle, double toAngle) const {
 
 std::string PioneerRobot::name() const {
   return connection_->inspect([](const auto& c) {
-    const Identity* identity = c.session().identity();
+    const Identity* identity = c.client().session().identity();
     return identity ? identity->name : std::string();
   });
 }
 
 bool PioneerRobot::isSimulated() const {
-  return connection_->inspect([](const auto& c) {
-    const Configuration* configuration = c.session().configuration();
-    const Identity* identity = c.session().identity();
-    return (configuration && configuration->serialNumber == "SIM") ||
-           (identity && identity->name == "MobileSim");
-  });
+  return connection_->inspect([](const auto& c) { return c.client().isSimulated(); });
 }
 
 Result<void> PioneerRobot::requireSimulator(const std::string& why) const {
@@ -136,9 +125,9 @@ std::optional<Packet> PioneerRobot::latest(std::uint8_t packetId) const {
 
 PioneerRobot::LinkCounts PioneerRobot::linkCounts() const {
   return connection_->inspect([](const auto& c) {
-    const PacketParser::Counters& counters = c.parser().counters();
-    return LinkCounts{c.session().statistics().information, counters.packets, counters.checksumErrors,
-                      counters.skippedBytes};
+    const PacketParser::Counters& counters = c.client().received();
+    return LinkCounts{c.client().session().statistics().information, counters.packets,
+                      counters.checksumErrors, counters.skippedBytes};
   });
 }
 
@@ -152,18 +141,10 @@ Result<void> PioneerRobot::setSonar(bool on) {
 Result<void> PioneerRobot::setLaser(bool on) {
   if (const auto simulated = requireSimulator("its laser has a line of its own"); !simulated)
     return simulated;
-  if (!on) {
-    connection_->forgetScan();
-    return write(command(CommandId::kSimLaserEnable, 0));
-  }
-  // 181 readings, one degree apart; 2 requests extended packets.
-  for (const auto& [id, argument] : {std::pair(CommandId::kSimLaserStart, -90),
-                                     {CommandId::kSimLaserEnd, 90},
-                                     {CommandId::kSimLaserResolution, 100},
-                                     {CommandId::kSimLaserEnable, 2}}) {
-    if (const auto sent = write(command(id, argument)); !sent) return sent;
-  }
-  return {};
+  return connection_->sendBy([on](PioneerClient& client, Instant now) {
+    if (!on) return client.stopLaser(now);
+    return client.startLaser(-kPi / 2, kPi / 2, PioneerClient::LaserCommands::kUsual, now);
+  });
 }
 
 Result<void> PioneerRobot::setSpeed(double speed) {
@@ -216,7 +197,7 @@ Result<void> PioneerRobot::emergencyStop() {
   return write(command(CommandId::kEStop));
 }
 Result<void> PioneerRobot::resetOdometry() {
-  return connection_->resetOdometry();
+  return connection_->sendBy([](PioneerClient& client, Instant now) { return client.resetOdometry(now); });
 }
 
 Result<void> PioneerRobot::setDigitalOutputs(std::uint8_t which, std::uint8_t values) {

@@ -41,6 +41,12 @@ void StateDecoder::followOdometry(const StandardInformation& information, Instan
   last_ = counts;
 }
 
+Pose2 StateDecoder::odometryAt(int xMm, int yMm, double heading) const {
+  if (!last_) return {type_.distance * xMm, type_.distance * yMm, normalizedAngle(heading)};
+  return {state_.pose.x + type_.distance * difference(xMm, last_->x),
+          state_.pose.y + type_.distance * difference(yMm, last_->y), normalizedAngle(heading)};
+}
+
 void StateDecoder::takeSonars(const StandardInformation& information, Instant now) {
   for (const StandardInformation::Sonar& sonar : information.sonars) {
     // A sonar of an array that this type of robot does not have.

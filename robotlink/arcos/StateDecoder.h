@@ -20,6 +20,10 @@ class StateDecoder {
   /// Prepares for a reset of the robot's odometry commanded at `now`: it will jump within half a second.
   void expectReset(Instant now) { resetUntil_ = now + kResetTime; }
 
+  /// The pose that corresponds to an odometry of the wire, as of a scan: near state().pose, because it does
+  /// not wrap, either. `heading` in rad.
+  Pose2 odometryAt(int xMm, int yMm, double heading) const;
+
   const RobotState& state() const { return state_; }
   const RobotType& type() const { return type_; }
 

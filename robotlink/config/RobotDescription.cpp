@@ -67,6 +67,16 @@ RobotDescription::Laser readLaser(const YamlNode& node) {
   return laser;
 }
 
+RobotDescription::Battery readBattery(const YamlNode& node) {
+  RobotDescription::Battery battery;
+  battery.empty = node.numberIn("empty", 0, 1000);
+  battery.low = node.numberIn("low", 0, 1000);
+  battery.full = node.numberIn("full", 0, 1000);
+  if (battery.low < battery.empty || battery.full <= battery.low)
+    node.fail("robot.battery", "empty, low and full must be voltages in that order");
+  return battery;
+}
+
 }  // namespace
 
 int RobotDescription::jointIndex(const std::string& joint) const {
@@ -95,6 +105,8 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty())
     robot.sonars = readSonars(sonars);
   if (const YamlNode laser = root.optionalChild("laser"); !laser.empty()) robot.laser = readLaser(laser);
+  if (const YamlNode battery = root.optionalChild("battery"); !battery.empty())
+    robot.battery = readBattery(battery);
   readRobotUse(root);  // Those keys belong to the file, too.
   if (robot.joints.empty() && !robot.drive) root.fail("robot.moves", "a robot needs joints or a drive");
   const YamlNode platform = root.child("platform");

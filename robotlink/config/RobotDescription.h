@@ -64,6 +64,15 @@ struct RobotDescription {
     /// The range, m.
     double maximum = 0;
   };
+  /// What the voltages of the battery mean, V.
+  struct Battery {
+    /// At this voltage the robot switches itself off.
+    double empty = 0;
+    /// Below this voltage it should be charged soon.
+    double low = 0;
+    double full = 0;
+    bool operator==(const Battery&) const = default;
+  };
   /// The identifier in scenes and packages: "ers210".
   std::string name;
   /// The name that users see: "Sony Aibo ERS-210".
@@ -80,6 +89,8 @@ struct RobotDescription {
   std::optional<Drive> drive;
   std::optional<Sonars> sonars;
   std::optional<Laser> laser;
+  /// Only of robots that report the voltage of their battery.
+  std::optional<Battery> battery;
   /// Packages that its platforms receive.
   std::vector<std::string> takes;
 

@@ -44,12 +44,9 @@ std::string RequestPreview::addTo(const TaskProcess& process, const Request& req
     case Request::kSetParameters:
       return setParameters(process, request.set_parameters());
     case Request::kGetParameters: {
-      const auto& details = request.get_parameters();
-      const std::string solution = solutionOf(process, details.task(), details.solution());
-      const SolutionParameters* known = process.solutionParameters(details.task(), solution);
-      if (known == nullptr) return "task " + details.task() + " has no solution '" + details.solution() + "'";
-      if (known->message() != nullptr) return "";
-      return "solution " + details.solution() + " of " + details.task() + " has no parameters";
+      const auto known =
+          parametersOf(process, request.get_parameters().task(), request.get_parameters().solution());
+      return known ? std::string() : known.error().text;
     }
     default:
       return "";
@@ -65,11 +62,23 @@ std::string RequestPreview::selectSolution(const TaskProcess& process,
 
 std::string RequestPreview::setParameters(const TaskProcess& process,
                                           const robotcontrol::SetParameters& details) {
+  const auto known = parametersOf(process, details.task(), details.solution());
+  if (!known) return known.error().text;
   const std::string solution = solutionOf(process, details.task(), details.solution());
-  const SolutionParameters* known = process.solutionParameters(details.task(), solution);
-  if (known == nullptr) return "task " + details.task() + " has no solution '" + details.solution() + "'";
-  const auto entry = parameters_.try_emplace({details.task(), solution}, known->clone()).first;
+  const auto entry = parameters_.try_emplace({details.task(), solution}, (*known)->clone()).first;
   return reasonOf(entry->second.set(details.value()));
+}
+
+Result<const SolutionParameters*> RequestPreview::parametersOf(const TaskProcess& process,
+                                                               const std::string& task,
+                                                               const std::string& solution) const {
+  const std::string meant = solutionOf(process, task, solution);
+  const SolutionParameters* known = process.solutionParameters(task, meant);
+  if (known == nullptr)
+    return failure("solution.unknown", "task " + task + " has no solution '" + solution + "'");
+  if (known->message() == nullptr)
+    return failure("parameters.none", "solution " + meant + " of " + task + " has no parameters");
+  return known;
 }
 
 /// The solution that is meant: the task's active one if `solution` is empty.

@@ -48,6 +48,9 @@ class RequestPreview {
   /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
                          const std::string& solution) const;
+  /// The parameters that a request means, as the program has them; fails if there are none.
+  Result<const SolutionParameters*> parametersOf(const TaskProcess& process, const std::string& task,
+                                                 const std::string& solution) const;
   void describeParameters(const robotcontrol::Request& request);
   void describeTables();
   void describeColorTable();

@@ -10,6 +10,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/DebugContext.h"
+#include "robotlink/debugging/ParameterRules.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/process/Link.h"
 
@@ -131,6 +132,8 @@ struct SolutionDescription {
   std::vector<int> keys;
   /// The prototype of its parameter message; null if it has none.
   const google::protobuf::Message* parameters = nullptr;
+  /// Built-in values and ranges of its parameters.
+  ParameterRules parameterRules;
   std::function<std::unique_ptr<Solution>(SolutionContext&)> create;
 };
 
@@ -178,10 +181,12 @@ class SolutionBuilder {
     for (const DebugKey* key : keys) description_.keys.push_back(key->index());
     return *this;
   }
-  /// Declares the message type of the solution's parameters.
+  /// Declares the message type of the solution's parameters, and the rules for them; without rules, what is
+  /// not set is 0.
   template <typename P>
-  SolutionBuilder& parameters() {
+  SolutionBuilder& parameters(ParameterRules rules = {}) {
     description_.parameters = &P::default_instance();
+    description_.parameterRules = std::move(rules);
     return *this;
   }
   operator SolutionDescription() const { return description_; }  // NOLINT: the builder's purpose

@@ -81,31 +81,48 @@ bool isSound(const pb::Message& message, const pb::FieldDescriptor& field) {
   return true;
 }
 
+std::unique_ptr<pb::Message> newOf(const pb::Message& message) {
+  return std::unique_ptr<pb::Message>(message.New());
+}
+
+std::unique_ptr<pb::Message> copyOf(const pb::Message& message) {
+  auto copy = newOf(message);
+  copy->CopyFrom(message);
+  return copy;
+}
+
 }  // namespace
 
-SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> message)
-    : message_(std::move(message)), defaults_(message_ ? message_->SerializeAsString() : std::string()) {}
+SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> builtIn,
+                                       std::map<ParameterField, ParameterRange> ranges)
+    : builtIn_(std::move(builtIn)), ranges_(std::move(ranges)) {
+  if (builtIn_ == nullptr) return;
+  message_ = copyOf(*builtIn_);
+  defaults_ = message_->SerializeAsString();
+}
 SolutionParameters::SolutionParameters(SolutionParameters&&) noexcept = default;
 SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept = default;
 SolutionParameters::~SolutionParameters() = default;
 
 SolutionParameters SolutionParameters::clone() const {
-  std::unique_ptr<pb::Message> copy(message_ ? message_->New() : nullptr);
-  if (copy) copy->CopyFrom(*message_);
-  SolutionParameters result(std::move(copy));
+  SolutionParameters result(builtIn_ ? copyOf(*builtIn_) : nullptr, ranges_);
+  if (message_) result.message_->CopyFrom(*message_);
   result.defaults_ = defaults_;
   return result;
 }
 
 tl::expected<SolutionParameters, Errors> SolutionParameters::load(const SolutionDescription& solution,
-                                                                  const std::filesystem::path& folder) {
-  if (solution.parameters == nullptr) return SolutionParameters(nullptr);
-  std::unique_ptr<pb::Message> message(solution.parameters->New());
+                                                                  const std::filesystem::path& folder,
+                                                                  const RobotSetup& robot) {
+  if (solution.parameters == nullptr) return SolutionParameters(nullptr, {});
+  const ParameterRules& rules = solution.parameterRules;
+  SolutionParameters loaded(rules.builtIn ? rules.builtIn(robot) : newOf(*solution.parameters), rules.ranges);
   const auto file = folder / (solution.task + "." + solution.name + ".textproto");
   std::error_code error;
-  if (folder.empty() || !std::filesystem::exists(file, error)) return SolutionParameters(std::move(message));
+  if (folder.empty() || !std::filesystem::exists(file, error)) return loaded;
   const auto text = readFile(file);
   if (!text) return tl::unexpected(Errors{text.error()});
+  const auto message = newOf(*solution.parameters);
   Collector collector(file.string());
   pb::TextFormat::Parser parser;
   parser.RecordErrorsTo(&collector);
@@ -117,17 +134,32 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
                                     : "not readable as text of protobuf";
     return tl::unexpected(Errors{{"parameters.value", what, {unsound}, {file.string(), 0, 0}}});
   }
-  return SolutionParameters(std::move(message));
+  loaded.dropUnreasonable(*message);
+  loaded.apply(*message);
+  loaded.defaults_ = loaded.message_->SerializeAsString();
+  return loaded;
 }
 
-Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
+void SolutionParameters::apply(const pb::Message& wanted) {
+  message_->CopyFrom(*builtIn_);
+  message_->MergeFrom(wanted);
+}
+
+void SolutionParameters::dropUnreasonable(pb::Message& message) const {
+  for (const auto& [field, range] : ranges_) {
+    const auto number = numberIn(message, field);
+    if (number && !range.has(*number)) clearNumber(message, field);
+  }
+}
+
+Result<std::unique_ptr<pb::Message>> SolutionParameters::parse(const robotcontrol::PackageCopy& value) const {
   if (!message_) return failure("parameters.none", "the solution has no parameters");
   const std::string& type = message_->GetDescriptor()->full_name();
   if (value.type() != type) {
     return failure("parameters.type", "its parameters are a " + type + ", not a '" + value.type() + "'", {},
                    {type, value.type()});
   }
-  const std::unique_ptr<pb::Message> parsed(message_->New());
+  std::unique_ptr<pb::Message> parsed = newOf(*message_);
   if (!parsed->ParseFromString(value.data())) {
     return failure("parameters.damaged", "the bytes are no " + type, {}, {type});
   }
@@ -135,7 +167,28 @@ Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
     return failure("parameters.value", "'" + field + "' is not a finite number, or not a text in UTF-8", {},
                    {field});
   }
-  message_->CopyFrom(*parsed);
+  return parsed;
+}
+
+Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
+  const auto parsed = parse(value);
+  if (!parsed) return tl::unexpected(parsed.error());
+  for (const auto& [field, range] : ranges_) {
+    const auto number = numberIn(**parsed, field);
+    if (!number || range.has(*number)) continue;
+    const std::string name = nameOf(*message_, field);
+    return failure("parameters.range", "'" + name + "' has to be " + range.describe(), {},
+                   {name, range.describe()});
+  }
+  apply(**parsed);
+  return {};
+}
+
+Result<void> SolutionParameters::restore(const robotcontrol::PackageCopy& value) {
+  const auto parsed = parse(value);
+  if (!parsed) return tl::unexpected(parsed.error());
+  dropUnreasonable(**parsed);
+  apply(**parsed);
   return {};
 }
 

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/debugging/ParameterRules.h"
 
 namespace robotlink {
 
+struct RobotSetup;
 struct SolutionDescription;
 
 /// The sources of a program's parameters: files <task>.<solution>.textproto of a folder
@@ -21,15 +24,17 @@ struct ParameterSource {
   std::vector<robotcontrol::ParameterValues> recorded = {};
 };
 
-/// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in
-/// protobuf's text format if there is one. They persist while another solution is active. The message's
-/// address never changes, even when this object is moved.
+/// The parameters of one solution on one robot: the built-in values that its registration states, overwritten
+/// by a file in protobuf's text format if there is one. They persist while another solution is active. The
+/// message's address never changes, even when this object is moved.
 class SolutionParameters {
  public:
-  /// The file <task>.<solution>.textproto or the whole folder may be missing. Fails with all errors of the
-  /// file, each with its line and column.
+  /// The file <task>.<solution>.textproto or the whole folder may be missing. A number that makes no sense
+  /// keeps its built-in value, because 0 stood for that in older files. Fails with all errors of the file,
+  /// each with its line and column.
   static tl::expected<SolutionParameters, Errors> load(const SolutionDescription& solution,
-                                                       const std::filesystem::path& folder);
+                                                       const std::filesystem::path& folder,
+                                                       const RobotSetup& robot);
   SolutionParameters(SolutionParameters&&) noexcept;
   SolutionParameters& operator=(SolutionParameters&&) noexcept;
   ~SolutionParameters();
@@ -37,14 +42,30 @@ class SolutionParameters {
 
   /// Null if the solution has no parameters.
   const google::protobuf::Message* message() const { return message_.get(); }
-  /// Replaces the parameters. Fails without changing anything if there are none, or if the value has another
-  /// type, is damaged, or contains a number that is not finite or a text that is not UTF-8.
+  /// Replaces the parameters; what is not set gets its built-in value. Fails without changing anything if
+  /// there are none, or if the value has another type, is damaged, or contains a number that is not finite or
+  /// makes no sense, or a text that is not UTF-8.
   Result<void> set(const robotcontrol::PackageCopy& value);
+  /// The same with a value from a log, which may be older than the rules: a number that makes no sense gets
+  /// its built-in value.
+  Result<void> restore(const robotcontrol::PackageCopy& value);
   /// Writes the current value, its schema, and as the default the value when it was loaded.
   void describe(robotcontrol::ParameterValues& to) const;
 
  private:
-  explicit SolutionParameters(std::unique_ptr<google::protobuf::Message> message);
+  /// `builtIn` is null if there are no parameters.
+  SolutionParameters(std::unique_ptr<google::protobuf::Message> builtIn,
+                     std::map<ParameterField, ParameterRange> ranges);
+  /// The value as a message of the right type.
+  Result<std::unique_ptr<google::protobuf::Message>> parse(const robotcontrol::PackageCopy& value) const;
+  /// Replaces the parameters by what is set in a message, else by the built-in values.
+  void apply(const google::protobuf::Message& wanted);
+  /// Clears the numbers of a message that make no sense.
+  void dropUnreasonable(google::protobuf::Message& message) const;
+
+  /// Null, like message_, if there are no parameters. Its lists are empty.
+  std::unique_ptr<google::protobuf::Message> builtIn_;
+  std::map<ParameterField, ParameterRange> ranges_;
   std::unique_ptr<google::protobuf::Message> message_;
   /// The value when it was loaded, serialized.
   std::string defaults_;

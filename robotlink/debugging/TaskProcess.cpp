@@ -358,6 +358,10 @@ Result<std::pair<TaskRunner*, SolutionParameters*>> TaskProcess::Implementation:
   SolutionParameters* parameters = found->parameters(solution.empty() ? found->active() : solution);
   if (parameters == nullptr)
     return refused("solution.unknown", "task " + task + " has no solution '" + solution + "'");
+  if (parameters->message() == nullptr) {
+    return refused("parameters.none", "solution " + (solution.empty() ? found->active() : solution) + " of " +
+                                          task + " has no parameters");
+  }
   return std::pair(found, parameters);
 }
 
@@ -365,9 +369,6 @@ Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
                                                         const std::string& solution) {
   const auto found = parametersOf(task, solution);
   if (!found) return tl::unexpected(found.error());
-  if (found->second->message() == nullptr) {
-    return refused("parameters.none", "solution " + solution + " of " + task + " has no parameters");
-  }
   const std::string name = solution.empty() ? found->first->active() : solution;
   auto& values = *debug.add(streams::kParameters + (task + "/" + name)).mutable_parameters();
   values.set_task(task);

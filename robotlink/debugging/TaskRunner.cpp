@@ -89,7 +89,7 @@ const SolutionParameters* TaskRunner::parameters(const std::string& solution) co
 Errors TaskRunner::loadParameters(const ParameterSource& source) {
   Errors errors = filesOfNoSolution(source.folder);
   for (const SolutionDescription* solution : solutions_) {
-    auto loaded = SolutionParameters::load(*solution, source.folder);
+    auto loaded = SolutionParameters::load(*solution, source.folder, environment_.robot);
     if (loaded) {
       parameters_.emplace(solution->name, std::move(*loaded));
     } else {
@@ -104,7 +104,7 @@ Errors TaskRunner::loadParameters(const ParameterSource& source) {
 void TaskRunner::takeRecorded(const ParameterSource& source) {
   for (const robotcontrol::ParameterValues& values : source.recorded) {
     SolutionParameters* known = values.task() == task_ ? parameters(values.solution()) : nullptr;
-    if (known != nullptr) (void)known->set(values.value());
+    if (known != nullptr) (void)known->restore(values.value());
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/motions/MotionReader.h"
 
 namespace robotlink {
@@ -29,7 +30,7 @@ tl::expected<std::shared_ptr<const MotionNet>, Errors> loadMotions(const std::fi
   std::error_code error;
   std::vector<std::filesystem::path> paths;
   for (std::filesystem::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
-    if (i->path().extension() == ".mof") paths.push_back(i->path());
+    if (fileSuffix(i->path()) == ".mof") paths.push_back(i->path());
   }
   if (error) {
     return tl::unexpected(Errors{

@@ -157,6 +157,35 @@ void Physics::moveModel(int model, const Pose3& transform) {
   }
 }
 
+std::vector<Physics::BodyMotion> Physics::motionOf(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  std::vector<BodyMotion> motion;
+  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    if (ode_->bodies[i].wheel >= 0) continue;
+    const dBodyID body = ode_->bodies[i].id;
+    const dReal* q = dBodyGetQuaternion(body);
+    const auto vector = [](const dReal* values) { return Vector3(values[0], values[1], values[2]); };
+    motion.push_back({vector(dBodyGetPosition(body)), vector(dBodyGetLinearVel(body)),
+                      vector(dBodyGetAngularVel(body)), Eigen::Quaterniond(q[0], q[1], q[2], q[3])});
+  }
+  return motion;
+}
+
+void Physics::setMotion(int model, const std::vector<BodyMotion>& motion) {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  auto next = motion.begin();
+  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    if (ode_->bodies[i].wheel >= 0) continue;
+    const dBodyID body = ode_->bodies[i].id;
+    const BodyMotion& was = *next++;
+    const dQuaternion rotation = {was.rotation.w(), was.rotation.x(), was.rotation.y(), was.rotation.z()};
+    dBodySetPosition(body, was.position.x(), was.position.y(), was.position.z());
+    dBodySetQuaternion(body, rotation);
+    dBodySetLinearVel(body, was.velocity.x(), was.velocity.y(), was.velocity.z());
+    dBodySetAngularVel(body, was.angularVelocity.x(), was.angularVelocity.y(), was.angularVelocity.z());
+  }
+}
+
 int Physics::overlappedModel(int model, double tolerance) const {
   prepareOdeForThread();
   const Overlap overlap = deepestOverlap(*ode_, model);

@@ -73,6 +73,14 @@ class Physics {
   Pose3 modelInWorld(int model) const;
   /// Moves all bodies of a model by a rigid transform and brings them to rest.
   void moveModel(int model, const Pose3& transform);
+  /// How a body stands and moves, in the world.
+  struct BodyMotion {
+    Vector3 position, velocity, angularVelocity;
+    Eigen::Quaterniond rotation;
+  };
+  /// How all bodies of a model stand and move, so that setMotion() can undo a moveModel().
+  std::vector<BodyMotion> motionOf(int model) const;
+  void setMotion(int model, const std::vector<BodyMotion>& motion);
   /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none.
   int overlappedModel(int model, double tolerance) const;
 

@@ -11,6 +11,8 @@ using std::chrono::milliseconds;
 
 namespace {
 
+/// Its frame has ten bytes.
+const robotlink::arcos::Packet kPacket{11, {0x3B, 1, 2, 3}};
 const std::array<std::uint8_t, 10> kBytes{};
 
 robotcontrol::LinkStatus statusOf(LinkMeter& meter, Instant now) {
@@ -26,9 +28,9 @@ TEST(LinkMeterTest, ratesAndGapsAreThoseOfTheLastSeconds) {
   Instant now;
   for (int i = 0; i < 100; ++i) {
     now += milliseconds(i == 90 ? 400 : 100);
-    meter.packet(true, kBytes, now);
+    meter.packet(true, kPacket, kBytes, now);
     meter.cycle(now);
-    if (i % 2 == 0) meter.packet(false, kBytes, now);
+    if (i % 2 == 0) meter.packet(false, kPacket, {}, now);
   }
   const auto status = statusOf(meter, now);
   EXPECT_NEAR(status.packets_per_second(), 9.5, 1);
@@ -49,10 +51,10 @@ TEST(LinkMeterTest, silenceIsAGapUntilTheConnectionBeginsAnew) {
 
 TEST(LinkMeterTest, packetsAreKeptOnlyWhileSomebodyWantsThemAndNeverTooMany) {
   LinkMeter meter;
-  meter.packet(true, kBytes, {});
+  meter.packet(true, kPacket, kBytes, {});
   EXPECT_EQ(meter.takePackets({}), nullptr);
   meter.setKeeping(true);
-  for (int i = 0; i < 3000; ++i) meter.packet(i % 2 == 0, kBytes, {});
+  for (int i = 0; i < 3000; ++i) meter.packet(i % 2 == 0, kPacket, kBytes, {});
   meter.damage(kBytes, {});
   const auto packets = meter.takePackets({});
   ASSERT_NE(packets, nullptr);
@@ -61,4 +63,16 @@ TEST(LinkMeterTest, packetsAreKeptOnlyWhileSomebodyWantsThemAndNeverTooMany) {
   EXPECT_TRUE(packets->packets(0).from_robot());
   EXPECT_FALSE(packets->packets(1).from_robot());
   EXPECT_EQ(meter.takePackets({}), nullptr);
+}
+
+TEST(LinkMeterTest, packetsAreKeptWithTheBytesThatTheyHadOrWouldHave) {
+  LinkMeter meter;
+  meter.setKeeping(true);
+  meter.packet(true, kPacket, kBytes, {});
+  meter.packet(false, kPacket, {}, {});
+  const auto packets = meter.takePackets({});
+  ASSERT_EQ(packets->packets_size(), 2);
+  EXPECT_EQ(packets->packets(0).bytes(), std::string(10, '\0'));
+  const auto frame = robotlink::arcos::encode(kPacket);
+  EXPECT_EQ(packets->packets(1).bytes(), std::string(frame.begin(), frame.end()));
 }

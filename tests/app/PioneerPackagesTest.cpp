@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "robotlink/arcos/StateDecoder.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/packages/Conversions.h"
 
 using namespace app;
 using robotlink::Instant;
-using robotlink::arcos::LaserPacket;
 using robotlink::arcos::StandardInformation;
 using std::chrono::milliseconds;
 
@@ -32,9 +32,15 @@ class PioneerPackagesTest : public testing::Test {
  protected:
   robotcontrol::DriveState state(const StandardInformation& information) {
     time_ += milliseconds(100);
-    return *packages_.state(information, time_);
+    decoder_.take(information, time_);
+    return *packages_.state(decoder_.state(), information, time_);
+  }
+  void restart() {
+    decoder_ = robotlink::arcos::StateDecoder(decoder_.type());
+    packages_.restart();
   }
   Instant time_;
+  robotlink::arcos::StateDecoder decoder_{robotlink::arcos::robotType({})};
   PioneerPackages packages_{"p3at1", pioneer()};
 };
 
@@ -49,7 +55,7 @@ TEST_F(PioneerPackagesTest, theOdometryBeginsAtZeroAndGoesOnPastSixteenBits) {
 TEST_F(PioneerPackagesTest, afterAnotherConnectionTheOdometryGoesOnFromWhereItWas) {
   state(at(0, 0, 0));
   state(at(500, 0, 1024));  // a quarter to the left
-  packages_.restart();
+  restart();
   state(at(0, 0, 0));  // the robot was switched on anew
   const auto last = state(at(200, 0, 0)).odometry();
   EXPECT_NEAR(last.x(), 0.5, 1e-9);
@@ -93,10 +99,10 @@ TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetersAndRadians) {
 }
 
 TEST_F(PioneerPackagesTest, sonarReadingsSayWhereTheirSensorsAre) {
-  EXPECT_EQ(packages_.sonars(at(0, 0, 0), time_), nullptr);
+  EXPECT_EQ(packages_.sonars(at(0, 0, 0), 0.001, time_), nullptr);
   StandardInformation information = at(0, 0, 0);
   information.sonars = {{3, 1500}, {8, 9999}, {31, 700}};  // there is no 31
-  const auto readings = packages_.sonars(information, time_);
+  const auto readings = packages_.sonars(information, 0.001, time_);
   ASSERT_EQ(readings->readings_size(), 2);
   EXPECT_EQ(readings->readings(0).number(), 3U);
   EXPECT_NEAR(readings->readings(0).range(), 1.5, 1e-9);
@@ -105,18 +111,32 @@ TEST_F(PioneerPackagesTest, sonarReadingsSayWhereTheirSensorsAre) {
   EXPECT_EQ(readings->readings(1).range(), readings->maximum());
 }
 
-TEST_F(PioneerPackagesTest, aScanIsToldWhenItsLastPartHasCome) {
-  LaserPacket part;
-  part.total = 40;
-  part.readings.resize(32, {.rangeMm = 2000});
-  EXPECT_EQ(packages_.laser(part, Instant(milliseconds(5))), nullptr);
-  part.first = 32;
-  part.readings.resize(8);
-  const auto scan = packages_.laser(part, Instant(milliseconds(9)));
+TEST_F(PioneerPackagesTest, aScanIsSeenFromWhereTheLaserIs) {
+  robotlink::arcos::RangeScan seen;
+  seen.time = Instant(milliseconds(5));
+  seen.ranges.assign(40, 2.0);
+  const auto scan = packages_.laser(seen);
   ASSERT_NE(scan, nullptr);
   EXPECT_EQ(scan->ranges_size(), 40);
   EXPECT_NEAR(scan->ranges(39), 2.0, 1e-9);
   EXPECT_NEAR(scan->start_angle(), -robotlink::kPi / 2, 1e-9);
   EXPECT_NEAR(scan->pose().position().x(), 0.125, 1e-9);
   EXPECT_EQ(robotlink::instant(scan->timestamp()), Instant(milliseconds(5)));
+}
+
+TEST(PioneerDescription, theClientLibraryKnowsTheRobotAsItIsDescribed) {
+  const robotlink::arcos::RobotType type = robotlink::arcos::robotType("p3at-sh");
+  const auto& described = pioneer();
+  EXPECT_EQ(type.track, described.drive->track);
+  EXPECT_EQ(type.length, described.drive->length);
+  EXPECT_EQ(type.width, described.drive->width);
+  EXPECT_EQ(type.sonarMaximum, described.sonars->maximum);
+  EXPECT_NEAR(type.sonarOpeningAngle, described.sonars->openingAngle, 1e-9);
+  EXPECT_EQ(type.laserInRobot, described.laser->inRobot);
+  ASSERT_EQ(type.sonarsInRobot.size(), described.sonars->sensors.size());
+  for (std::size_t i = 0; i < type.sonarsInRobot.size(); ++i) {
+    const robotlink::Pose2 known = type.sonarsInRobot[i], there = described.sonars->sensors[i].inRobot;
+    EXPECT_NEAR((known.translation() - there.translation()).norm(), 0, 1e-9) << i;
+    EXPECT_NEAR(known.heading, there.heading, 1e-9) << i;
+  }
 }

@@ -33,6 +33,8 @@ TEST(PlatformAdapter, filesAndAddressesAreOpenedByWhoeverIsRegisteredForThem) {
   ASSERT_EQ(platformAdapters().size(), 3U);
   EXPECT_EQ(opensIt("field2002.sdf"), "simulation");
   EXPECT_EQ(opensIt("/home/somebody/house.map"), "simulation");
+  EXPECT_EQ(opensIt("/media/DISK/HOUSE.MAP"), "simulation");
+  EXPECT_EQ(opensIt("Arena.World"), "simulation");
   EXPECT_EQ(opensIt("tcp://localhost:8101"), "pioneer");
   EXPECT_EQ(opensIt("serial:///dev/ttyUSB0"), "pioneer");
   EXPECT_EQ(opensIt("localhost:8101"), "pioneer");

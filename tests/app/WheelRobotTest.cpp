@@ -12,6 +12,8 @@
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/session/QueueMessages.h"
+#include "simcore/Scene.h"
+#include "tests/TestFolder.h"
 
 using namespace app;
 using robotcontrol::DriveState;
@@ -124,6 +126,16 @@ TEST_F(WheelRobot, itsLaserIsFoundWhateverItIsCalledAndMeasuresFiveTimesASecond)
   }
   const auto& ranges = scans.back()->ranges();
   EXPECT_LT(*std::min_element(ranges.begin(), ranges.end()), 3.5) << "it sees a wall";
+}
+
+TEST(MapInCapitals, hasARobotAsAnyMap) {
+  const TestFolder folder;
+  std::filesystem::copy_file(robotlink::resource("scenes/house.map"), folder / "HOUSE.MAP");
+  RunOptions options;
+  options.scene = folder / "HOUSE.MAP";
+  const auto run = SimulatedRun::create(options, {});
+  ASSERT_TRUE(run) << robotlink::describe(run.error());
+  EXPECT_EQ((*run)->world().simulation().scene().robots().size(), 1U);
 }
 
 TEST_F(WheelRobot, itStandsWhileStopIsEngaged) {

@@ -207,6 +207,27 @@ TEST_F(SimulationTest, aPlaceWhereAModelDoesNotFitIsRefused) {
   EXPECT_FALSE(simulation_->modelPose("nobody"));
 }
 
+TEST_F(SimulationTest, aBallThatDoesNotFitElsewhereRollsOn) {
+  const auto speedAfter = [this](bool refused) {
+    start({.seed = 1, .noise = false});
+    // A fore leg swings forward and pushes it away.
+    EXPECT_TRUE(simulation_->placeModel("ball", {-0.8 + 0.0725 + 0.06, 0.066, 0}));
+    simulation_->requestAngle(servo("legFL1"), robotlink::radians(60));
+    simulation_->requestAngle(servo("legFL3"), robotlink::radians(20));
+    run(100);
+    const Vector3 before = position("ball");
+    if (refused) {
+      EXPECT_FALSE(simulation_->placeModel("ball", {0, 1.35, 0}));
+    }
+    EXPECT_LT((position("ball") - before).norm(), 1e-12);
+    run(10);
+    return (position("ball") - before).norm() / 0.04;
+  };
+  const double undisturbed = speedAfter(false);
+  EXPECT_GT(undisturbed, 0.02) << "it rolls";
+  EXPECT_NEAR(speedAfter(true), undisturbed, 1e-6);
+}
+
 TEST_F(SimulationTest, aTouchOfTheBallCountsWhenItBegins) {
   EXPECT_EQ(simulation_->ballContacts(), 0U);
   run(100);

@@ -15,6 +15,14 @@ run(${CMAKE_COMMAND} --install ${BUILD_DIR} --component arcos --prefix ${WORK_DI
 
 # Of the installed headers none may need what the library promises not to.
 file(GLOB_RECURSE headers ${WORK_DIR}/prefix/include/*.h)
+if("${headers}" MATCHES "/arcos/server/")
+  message(FATAL_ERROR "headers of the robot's side were installed")
+endif()
+file(GLOB_RECURSE archive ${WORK_DIR}/prefix/*.a)
+execute_process(COMMAND nm -C ${archive} OUTPUT_VARIABLE symbols ERROR_QUIET)
+if(NOT symbols MATCHES "PioneerRobot::begin" OR symbols MATCHES "arcos::(ServerSession|RobotPorts)::")
+  message(FATAL_ERROR "${archive} lacks the client's side, or has the robot's side, too")
+endif()
 list(LENGTH headers count)
 if(count LESS 20)
   message(FATAL_ERROR "only ${count} headers were installed")

@@ -181,6 +181,14 @@ class FieldViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(1, 0.9), s.named("green")));
   }
 
+  void whereNoRobotIsSelectedNoneIsChosen() {
+    const robotlink::Session empty;
+    RobotChoice choice("choice");
+    QVERIFY(choice.robots(empty).empty());
+    choice.setChoice(QStringLiteral("red1"));
+    QVERIFY(choice.robots(empty) == std::vector<std::string>{"red1"});
+  }
+
   void aDrawingRelativeToTheRobotLiesWhereTheRobotIs() {
     Shown s;
     s.world.pushScene();

@@ -45,7 +45,7 @@ fs::path labelFolder(const fs::path& folder) {
 std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path& labels) {
   std::map<std::string, fs::path> images;
   const auto add = [&images, &labels](const fs::path& file) {
-    const bool isLabel = pictureSuffix(file) == ".png" && file.parent_path() == labels;
+    const bool isLabel = robotlink::fileSuffix(file) == ".png" && file.parent_path() == labels;
     if (!isLabel && isPictureFile(file)) images.try_emplace(file.stem().string(), file);
   };
   for (const fs::path& file : filesOf(folder)) {
@@ -135,8 +135,8 @@ Result<LabeledFolder::Read> LabeledFolder::readAll() {
     std::error_code error;
     if (!fs::exists(label, error)) continue;
     const auto image = readPicture(file, YuyvPixels::kAll);
-    auto values =
-        image ? labelsFor(*image, label, pictureSuffix(file) == ".yuyv") : tl::unexpected(image.error());
+    auto values = image ? labelsFor(*image, label, robotlink::fileSuffix(file) == ".yuyv")
+                        : tl::unexpected(image.error());
     if (!values) {
       read.problems.push_back(values.error());
       continue;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string>
 
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 
 namespace widgets {
 namespace {
@@ -50,24 +50,18 @@ Result<Image> yuyvImage(const std::string& bytes, const fs::path& file, YuyvPixe
 
 }  // namespace
 
-std::string pictureSuffix(const fs::path& file) {
-  std::string suffix = file.extension().string();
-  std::ranges::transform(suffix, suffix.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
-
 bool isPictureFile(const fs::path& file) {
   constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
-  return std::ranges::find(kEndings, pictureSuffix(file)) != kEndings.end();
+  return std::ranges::find(kEndings, robotlink::fileSuffix(file)) != kEndings.end();
 }
 
 Result<Image> readPicture(const fs::path& file, YuyvPixels yuyv) {
   const auto bytes = robotlink::readFile(file, kLargestFile);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (pictureSuffix(file) == ".yuyv") return yuyvImage(*bytes, file, yuyv);
+  if (robotlink::fileSuffix(file) == ".yuyv") return yuyvImage(*bytes, file, yuyv);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-  auto image = pictureSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
+  auto image =
+      robotlink::fileSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
   if (!image) image.error().where = {file.string(), 0, 0};
   return image;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "robotlink/base/Error.h"
@@ -14,8 +13,6 @@ namespace widgets {
 
 /// Whether a file is a picture, by its extension only.
 bool isPictureFile(const std::filesystem::path& file);
-/// The extension in small letters: ".png".
-std::string pictureSuffix(const std::filesystem::path& file);
 
 /// Which pixels of a .yuyv file are read.
 enum class YuyvPixels {

@@ -90,7 +90,8 @@ void BaseStateView::createRows() {
   base_ = new StateRows(tr("Base"), "baseRows", this);
   base_->addText("baseAge", tr("Age of this state"));
   battery_ = new BatteryGauge(base_);
-  base_->addRow(tr("Battery"), tr("Below 11.5 V it is low, at 11 V robots switch themselves off"), battery_);
+  base_->addRow(tr("Battery"), tr("How full it is; at its lowest voltage the robot switches itself off"),
+                battery_);
   base_->addText("baseBatteryWarning", tr("What the battery needs"));
   base_->addRow("baseMotorsState", tr("Motors"), tr("Whether the motors hold and turn the wheels"));
   base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
@@ -257,9 +258,11 @@ void BaseStateView::showBase(const DriveState* state, std::optional<double> stal
       base_->set(row, {});
     return;
   }
+  const auto known = context().robots.find(robot_);
+  const auto* description = known == context().robots.end() ? nullptr : known->second.get();
   BatteryLevel level = BatteryLevel::of(
       state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
-      state->charging() == DriveState::CHARGING);
+      state->charging() == DriveState::CHARGING, description ? description->battery : std::nullopt);
   level.age = staleAge;
   battery_->show(level);
   base_->set("baseBatteryWarning", level.warning(),

@@ -11,7 +11,6 @@
 namespace widgets {
 namespace {
 
-constexpr double kEmptyVolts = 11, kLowVolts = 11.5, kFullVolts = 13;
 constexpr double kEmptyShare = 0.05, kLowShare = 0.2;
 
 QColor colorFor(BatteryLevel::State state, const QPalette& palette) {
@@ -34,22 +33,25 @@ QString batteryText(const char* source) {
 
 }  // namespace
 
-BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge, bool charging) {
+BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge, bool charging,
+                              const std::optional<robotlink::RobotDescription::Battery>& battery) {
   BatteryLevel level;
   level.volts = volts;
   level.charging = charging;
   if (!(volts > 0)) return level;
-  level.share =
-      std::clamp(stateOfCharge.value_or((volts - kEmptyVolts) / (kFullVolts - kEmptyVolts)), 0.0, 1.0);
-  const bool empty = volts < kEmptyVolts || (stateOfCharge && *stateOfCharge < kEmptyShare);
-  const bool low = volts < kLowVolts || (stateOfCharge && *stateOfCharge < kLowShare);
+  level.share = stateOfCharge;
+  if (!level.share && battery) level.share = (volts - battery->empty) / (battery->full - battery->empty);
+  if (level.share) level.share = std::clamp(*level.share, 0.0, 1.0);
+  const bool empty = (battery && volts < battery->empty) || (stateOfCharge && *stateOfCharge < kEmptyShare);
+  const bool low = (battery && volts < battery->low) || (stateOfCharge && *stateOfCharge < kLowShare);
   level.state = empty ? State::kEmpty : low ? State::kLow : State::kGood;
   return level;
 }
 
 QString BatteryLevel::text() const {
   if (state == State::kUnknown) return batteryText("unknown");
-  const QString text = batteryText("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
+  const QString text = share ? batteryText("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(*share * 100))
+                             : batteryText("%1 V").arg(volts, 0, 'f', 1);
   if (age) return batteryText("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
   return charging ? batteryText("%1, charging").arg(text) : text;
 }
@@ -88,9 +90,9 @@ void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLev
   painter.drawRoundedRect(body, 2, 2);
   painter.setBrush(palette.color(QPalette::WindowText));
   painter.drawRect(QRectF(body.right() + 0.6, body.center().y() - body.height() / 5, 2, body.height() / 2.5));
-  if (level.state != BatteryLevel::State::kUnknown) {
+  if (level.share) {
     QRectF filled = body.adjusted(2.5, 2.5, -2.5, -2.5);
-    filled.setWidth(std::max(1.5, filled.width() * level.share));
+    filled.setWidth(std::max(1.5, filled.width() * *level.share));
     painter.fillRect(filled, color);
   }
   const bool plain =

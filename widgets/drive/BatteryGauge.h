@@ -4,24 +4,28 @@
 #include <QWidget>
 #include <optional>
 
+#include "robotlink/config/RobotDescription.h"
+
 namespace widgets {
 
 /// The charge of a battery and what it means.
 struct BatteryLevel {
-  /// kUnknown: not reported; kLow: below 11.5 V or 20 %; kEmpty: below 11 V or 5 %.
+  /// kUnknown: not reported; kLow: below 20 %, or below the low voltage of its description; kEmpty: below 5
+  /// %, or below the empty voltage.
   enum class State : std::uint8_t { kUnknown, kGood, kLow, kEmpty };
   State state = State::kUnknown;
-  /// State of charge, 0 to 1.
-  double share = 0;
+  /// State of charge, 0 to 1; empty if nothing tells it.
+  std::optional<double> share;
   double volts = 0;
   /// Whether the robot is being charged.
   bool charging = false;
   /// Age of the report in s if it is too old to be current.
   std::optional<double> age;
 
-  /// Computes the level. If the base does not report a state of charge, it is estimated from the voltage of a
-  /// 12 V battery: 0 at 11 V, where robots switch themselves off, 1 at 13 V. A voltage of 0 is unknown.
-  static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging);
+  /// Computes the level. If the base does not report a state of charge, it is estimated from the voltage,
+  /// where the robot's description says what its voltages mean. A voltage of 0 is unknown.
+  static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging,
+                         const std::optional<robotlink::RobotDescription::Battery>& battery);
   /// "12.4 V, 70 %, charging"; translated.
   QString text() const;
   /// One sentence that says what to do; empty if all is well, the robot is charging, or the report is old.

@@ -54,6 +54,30 @@ bool parse(Message& message, const QByteArray& bytes) {
   return message.ParseFromArray(bytes.constData(), bytes.size());
 }
 
+/// The sizes of all lists in a message, in order: two messages of a type with equal ones have equal rows.
+void addListSizes(const Message& message, std::vector<int>& sizes) {
+  const auto& reflection = *message.GetReflection();
+  for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+    const FieldDescriptor* field = message.GetDescriptor()->field(i);
+    const bool group = field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    if (!field->is_repeated()) {
+      if (group) addListSizes(reflection.GetMessage(message, field), sizes);
+      continue;
+    }
+    const int size = reflection.FieldSize(message, field);
+    sizes.push_back(size);
+    for (int element = 0; group && element < size; ++element)
+      addListSizes(reflection.GetRepeatedMessage(message, field, element), sizes);
+  }
+}
+
+bool haveEqualRows(const Message& one, const Message& other) {
+  std::vector<int> oneSizes, otherSizes;
+  addListSizes(one, oneSizes);
+  addListSizes(other, otherSizes);
+  return oneSizes == otherSizes;
+}
+
 QString shown(const QVariant& value) {
   if (value.type() == QVariant::Double) return QString::number(value.toDouble(), 'g', 9);
   return value.toString();
@@ -106,7 +130,18 @@ std::string ParameterModel::typeName() const {
 }
 
 void ParameterModel::setValue(const QByteArray& value) {
-  if (values_ == nullptr || !parse(*values_->now, value)) return;
+  if (values_ == nullptr) return;
+  std::unique_ptr<Message> parsed(values_->now->New());
+  if (!parse(*parsed, value)) return;
+  if (!haveEqualRows(*values_->now, *parsed)) {
+    beginResetModel();
+    root_ = std::make_unique<Node>();
+    values_->now = std::move(parsed);
+    build();
+    endResetModel();
+    return;
+  }
+  values_->now->CopyFrom(*parsed);
   const std::function<void(const QModelIndex&)> notify = [&](const QModelIndex& parent) {
     const int rows = rowCount(parent);
     if (rows == 0) return;

@@ -39,8 +39,8 @@ class ParameterModel final : public QAbstractItemModel {
   void clear();
   /// The message, serialized, as setValue() takes it; empty without parameters.
   QByteArray value() const;
-  /// Replaces the values. Bytes that cannot be parsed are ignored. The rows are not rebuilt, so lists should
-  /// have as many elements as before.
+  /// Replaces the values. Bytes that cannot be parsed are ignored. The model is reset only if a list has
+  /// another number of elements than before.
   void setValue(const QByteArray& value);
   QByteArray defaults() const;
   /// Full name of the message's type; empty without parameters.

@@ -89,6 +89,7 @@ void ParameterPanel::createViews() {
 }
 
 void ParameterPanel::connectSignals() {
+  connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
   connect(&model_, &ParameterModel::edited, this,
           [this](const QByteArray& before, const QByteArray& after, const QString& what) {
             undo_.push(
@@ -158,7 +159,6 @@ void ParameterPanel::tick() {
       model_.setValue(QByteArray::fromStdString(values->value().data()));
     } else if (model_.setParameters(*values)) {
       hint_->setHint({});
-      tree_->expandAll();
       tree_->resizeColumnToContents(ParameterModel::kField);
     } else {
       hint_->setHint(tr("These parameters are of the type %1, which cannot be read here.")

@@ -20,11 +20,17 @@ void LinkMeter::setKeeping(bool keeping) {
   if (!keeping) kept_.clear_packets();
 }
 
-void LinkMeter::packet(bool fromRobot, std::span<const std::uint8_t> bytes, robotlink::Instant now) {
+void LinkMeter::packet(bool fromRobot, const robotlink::arcos::Packet& packet,
+                       std::span<const std::uint8_t> frame, robotlink::Instant now) {
   if (fromRobot) ++packets_;
   if (samples_.size() >= kMaxSamples) samples_.pop_front();
-  samples_.push_back({now, bytes.size(), fromRobot});
-  keep(fromRobot, false, bytes, now);
+  samples_.push_back({now, packet.frameSize(), fromRobot});
+  if (!keeping_) return;
+  if (frame.empty()) {
+    keep(fromRobot, false, robotlink::arcos::encode(packet), now);
+  } else {
+    keep(fromRobot, false, frame, now);
+  }
 }
 
 void LinkMeter::damage(std::span<const std::uint8_t> bytes, robotlink::Instant now) {

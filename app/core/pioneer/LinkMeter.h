@@ -8,6 +8,7 @@
 #include <span>
 
 #include "robotcontrol/Driving.pb.h"
+#include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/base/Clock.h"
 
 namespace app {
@@ -21,8 +22,10 @@ class LinkMeter {
 
   /// Whether packets are kept for takePackets(). Switching it off drops those that are kept.
   void setKeeping(bool keeping);
-  /// Counts a whole packet as it is on the line, with header and checksum.
-  void packet(bool fromRobot, std::span<const std::uint8_t> bytes, robotlink::Instant now);
+  /// Counts a packet that passed; `frame` has its bytes with header and checksum, or is empty if it was
+  /// handed over as a value.
+  void packet(bool fromRobot, const robotlink::arcos::Packet& packet, std::span<const std::uint8_t> frame,
+              robotlink::Instant now);
   /// Keeps bytes that were no packet, or one with a wrong checksum. They count in no rate.
   void damage(std::span<const std::uint8_t> bytes, robotlink::Instant now);
   /// To be called for the packet that the robot sends once a cycle; gaps are measured between these.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotlink/arcos/WireUnits.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 
@@ -17,8 +19,6 @@ using robotlink::Instant;
 
 namespace {
 
-/// After this time without a byte, a partial packet is dropped.
-constexpr Duration kPartialLimit = std::chrono::milliseconds(100);
 /// Interval in which unchanged speeds are repeated, as ARIA does.
 constexpr Duration kRepeat = std::chrono::milliseconds(500);
 constexpr Duration kStatusPeriod = std::chrono::milliseconds(500);
@@ -38,14 +38,6 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
   }
   if (parser.isPartial()) return robotlink::failure("drive.packet", "the bytes to send end within a packet");
   return packets;
-}
-
-/// Decides as ARIA does whether a robot is simulated and so understands the commands of simulators.
-bool isSimulator(const arcos::ClientSession& session) {
-  const auto* identity = session.identity();
-  const auto* configuration = session.configuration();
-  return (identity != nullptr && identity->name == "MobileSim") ||
-         (configuration != nullptr && configuration->serialNumber == "SIM");
 }
 
 /// Returns " MobileSim (p3at-sh)", or an empty text before the robot has reported its identity.
@@ -83,90 +75,78 @@ PioneerDriver::PioneerDriver(robotlink::Process& platform, std::string robot,
       statusSender_(platform, robotlink::kLinkStatus.name, Blocking::kNo),
       packetsSender_(platform, robotlink::kLinkPackets.name, Blocking::kNo),
       request_(platform, robotlink::kDriveRequest.name, Blocking::kNo) {
-  session_.open(platform.clock().now());
+  client_.open(platform.clock().now());
 }
 
 // ---- From the robot
 
 void PioneerDriver::lineOpened(Instant now) {
-  parser_.clear();
   lineOpened_ = now;
-  session_.linkOpened(now);
+  client_.linkOpened(now);
 }
 
 void PioneerDriver::lineLost(const robotlink::Error& why, Instant now) {
-  session_.linkClosed(why, now);
+  client_.linkClosed(why, now);
 }
 
 void PioneerDriver::take(std::span<const std::uint8_t> bytes, Instant now) {
   lastBytes_ = now;
-  parser_.push(bytes);
-  while (auto found = parser_.next()) {
-    if (const auto* packet = std::get_if<arcos::Packet>(&*found)) {
-      take(*packet, now);
-    } else {
-      meter_.damage(std::get<arcos::Damage>(*found).bytes, now);
-      session_.take(*found, now);
-    }
-  }
+  client_.take(bytes, now);
 }
 
 void PioneerDriver::take(const arcos::Packet& packet, Instant now) {
-  meter_.packet(true, arcos::encode(packet), now);
-  session_.take(packet, now);
-  use(packet, now);
+  client_.take(packet, now);
 }
 
 void PioneerDriver::overhear(const arcos::Packet& packet, bool fromRobot, Instant now) {
-  meter_.packet(fromRobot, arcos::encode(packet), now);
-  if (fromRobot) use(packet, now);
+  client_.overhear(packet, fromRobot ? arcos::Direction::kFromRobot : arcos::Direction::kFromClient, now);
 }
 
 void PioneerDriver::setOtherClient(const std::string& address, Instant now) {
   if (address == otherClient_) return;
   otherClient_ = address;
   if (address.empty()) {
-    session_.open(now);
+    client_.open(now);
   } else {
-    session_.close(now);
+    client_.close(now);
     // Drop the closing packets: the line belongs to the other client now.
-    session_.takeOutgoing();
+    client_.dropOutgoing();
   }
 }
 
-void PioneerDriver::use(const arcos::Packet& packet, Instant now) {
-  if (const arcos::Identity* identity = session_.identity()) packages_.setSubclass(identity->subclass);
-  if (packet.id == arcos::Configuration::kId) {
-    if (const auto configuration = arcos::decodeConfiguration(packet)) {
-      packages_.setBumpers(configuration->frontBumpers, configuration->rearBumpers);
-    }
-  }
-  if (packet.id == arcos::StandardInformation::kStandingId ||
-      packet.id == arcos::StandardInformation::kMovingId) {
-    const auto information = arcos::decodeStandardInformation(packet);
-    if (!information) return;
-    meter_.cycle(now);
-    state_ = packages_.state(*information, now);
-    if (auto sonars = packages_.sonars(*information, now)) sonars_ = std::move(sonars);
-  }
-  if (packet.id == arcos::LaserPacket::kPlainId || packet.id == arcos::LaserPacket::kExtendedId) {
-    const auto part = arcos::decodeLaser(packet);
-    if (!part) return;
-    if (auto scan = packages_.laser(*part, now)) laser_ = std::move(scan);
-  }
+void PioneerDriver::packetPassed(arcos::Direction direction, const arcos::Packet& packet,
+                                 std::span<const std::uint8_t> frame, Instant now) {
+  meter_.packet(direction == arcos::Direction::kFromRobot, packet, frame, now);
+}
+
+void PioneerDriver::damageCame(const arcos::Damage& damage, Instant now) {
+  meter_.damage(damage.bytes, now);
+}
+
+void PioneerDriver::configurationCame(const arcos::Configuration& configuration) {
+  packages_.setBumpers(configuration.frontBumpers, configuration.rearBumpers);
+}
+
+void PioneerDriver::stateCame(const arcos::StandardInformation& information, Instant now) {
+  meter_.cycle(now);
+  state_ = packages_.state(client_.state(), information, now);
+  if (auto sonars = packages_.sonars(information, client_.type().range, now)) sonars_ = std::move(sonars);
+}
+
+void PioneerDriver::scanCame(const arcos::RangeScan& scan) {
+  laser_ = packages_.laser(scan);
 }
 
 // ---- To the robot
 
 void PioneerDriver::command(CommandId id, int argument, Instant now) {
-  // Without a connection the command is dropped; becomeConnected() sends what is still valid.
-  if (session_.isConnected()) (void)session_.send(arcos::command(id, argument), now);
+  // Without a connection the command is dropped; setUp() sends what is still valid.
+  if (client_.isConnected()) (void)client_.send(arcos::command(id, argument), now);
 }
 
 void PioneerDriver::actuate(bool stopEngaged, Instant now) {
-  if (parser_.isPartial() && now - lastBytes_ > kPartialLimit) parser_.dropPartial();
-  session_.tick(now);
-  followConnection(now);
+  client_.lineSilent(now - lastBytes_);
+  client_.tick(now);
   if (stopEngaged != held_) {
     held_ = stopEngaged;
     driving_ = false;
@@ -176,35 +156,28 @@ void PioneerDriver::actuate(bool stopEngaged, Instant now) {
   if (!held_) drive(now);
 }
 
-void PioneerDriver::followConnection(Instant now) {
-  if (session_.isConnected() == connected_) return;
-  connected_ = !connected_;
-  if (connected_) {
-    becomeConnected(now);
+void PioneerDriver::connectionChanged(bool connected, Instant now) {
+  if (connected) {
+    setUp(now);
   } else {
     packages_.restart();
     meter_.restart();
   }
 }
 
-void PioneerDriver::becomeConnected(Instant now) {
+void PioneerDriver::setUp(Instant now) {
   driving_ = false;
   command(CommandId::kSonar, 1, now);
-  const bool laser = options_.laser && description_.laser && isSimulator(session_);
-  if (laser) startLaser(now);
+  const bool laser = options_.laser && description_.laser && client_.isSimulated();
+  if (laser) {
+    (void)client_.startLaser(description_.laser->startAngle, description_.laser->endAngle,
+                             arcos::PioneerClient::LaserCommands::kLegacy, now);
+  }
   const bool motors = motorsWanted_ && !held_;
   if (motors) command(CommandId::kEnable, 1, now);
   const auto milliseconds = static_cast<long>(std::lround(1000 * robotlink::seconds(now - lineOpened_)));
-  report_ = "The robot" + nameOf(session_) + " was set up in " + std::to_string(milliseconds) +
+  report_ = "The robot" + nameOf(session()) + " was set up in " + std::to_string(milliseconds) +
             " ms: sonars on, " + (laser ? "laser on, " : "") + "motors " + (motors ? "on." : "off.");
-}
-
-void PioneerDriver::startLaser(Instant now) {
-  const auto degrees = [](double angle) { return static_cast<int>(std::lround(robotlink::degrees(angle))); };
-  command(CommandId::kLegacyLaserStart, degrees(description_.laser->startAngle), now);
-  command(CommandId::kLegacyLaserEnd, degrees(description_.laser->endAngle), now);
-  command(CommandId::kLegacyLaserResolution, 100, now);
-  command(CommandId::kLegacyLaserEnable, 2, now);
 }
 
 void PioneerDriver::drive(Instant now) {
@@ -219,10 +192,8 @@ void PioneerDriver::drive(Instant now) {
   const auto limited = [](double value, double limit) {
     return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
   };
-  const auto speedMmS =
-      static_cast<int>(std::lround(1000 * limited(request->velocity().x(), limits.maximumSpeed)));
-  const auto rotationDegS = static_cast<int>(
-      std::lround(robotlink::degrees(limited(request->velocity().rotation(), limits.maximumRotation))));
+  const int speedMmS = arcos::inMillimeters(limited(request->velocity().x(), limits.maximumSpeed));
+  const int rotationDegS = arcos::inDegrees(limited(request->velocity().rotation(), limits.maximumRotation));
   const bool same = driving_ && speedMmS == speedMmS_ && rotationDegS == rotationDegS_;
   if (same && now - commandSent_ < kRepeat) return;
   command(CommandId::kVel, speedMmS, now);
@@ -233,22 +204,10 @@ void PioneerDriver::drive(Instant now) {
   driving_ = true;
 }
 
-std::vector<arcos::Packet> PioneerDriver::takeOutgoing(Instant now) {
-  std::vector<arcos::Packet> packets;
-  outgoingParser_.push(session_.takeOutgoing());
-  while (auto found = outgoingParser_.next()) {
-    auto* packet = std::get_if<arcos::Packet>(&*found);
-    if (packet == nullptr) continue;
-    meter_.packet(false, arcos::encode(*packet), now);
-    packets.push_back(std::move(*packet));
-  }
-  return packets;
-}
-
 robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive& details, Instant now) {
-  if (!session_.isConnected()) {
+  if (!client_.isConnected()) {
     return robotlink::failure("drive.not-connected",
-                              otherClient_.empty() ? "the robot is not connected: " + session_.describe()
+                              otherClient_.empty() ? "the robot is not connected: " + session().describe()
                                                    : "a client at " + otherClient_ + " drives the robot now");
   }
   std::vector<arcos::Packet> packets;
@@ -266,7 +225,7 @@ robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive&
   if (details.has_sonar()) command(CommandId::kSonar, details.sonar() ? 1 : 0, now);
   if (details.reset_odometry()) packages_.resetOdometry();
   for (const arcos::Packet& packet : packets) {
-    if (auto sent = session_.send(packet, now); !sent) return sent;
+    if (auto sent = client_.send(packet, now); !sent) return sent;
   }
   return {};
 }
@@ -290,21 +249,21 @@ void PioneerDriver::sendStatus(Instant now) {
   statusSent_ = now;
   auto status = std::make_shared<robotcontrol::LinkStatus>();
   robotlink::assign(*status->mutable_timestamp(), now);
-  status->set_state(otherClient_.empty() ? stateOf(session_) : robotcontrol::LinkStatus::CONNECTED);
+  status->set_state(otherClient_.empty() ? stateOf(session()) : robotcontrol::LinkStatus::CONNECTED);
   status->set_address(options_.address);
   status->set_client(otherClient_);
-  if (const arcos::Identity* identity = session_.identity()) {
+  if (const arcos::Identity* identity = session().identity()) {
     status->set_robot_name(identity->name);
     status->set_robot_class(identity->robotClass);
     status->set_robot_subclass(identity->subclass);
   }
   meter_.fill(*status, now);
-  status->set_checksum_errors(parser_.counters().checksumErrors);
-  status->set_skipped_bytes(parser_.counters().skippedBytes);
-  const auto& statistics = session_.statistics();
+  status->set_checksum_errors(client_.received().checksumErrors);
+  status->set_skipped_bytes(client_.received().skippedBytes);
+  const auto& statistics = session().statistics();
   status->set_round_trip(robotlink::seconds(statistics.roundTrip));
   status->set_reconnects(statistics.connections > 0 ? statistics.connections - 1 : 0);
-  status->set_text(otherClient_.empty() ? session_.describe() : "driven by a client at " + otherClient_);
+  status->set_text(otherClient_.empty() ? session().describe() : "driven by a client at " + otherClient_);
   statusSender_.send(std::move(status));
 }
 

@@ -10,8 +10,7 @@
 
 #include "app/core/pioneer/LinkMeter.h"
 #include "app/core/pioneer/PioneerPackages.h"
-#include "robotlink/arcos/ClientSession.h"
-#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/PioneerClient.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/process/Receiver.h"
 #include "robotlink/process/Sender.h"
@@ -32,7 +31,7 @@ namespace app {
 ///
 /// The owner moves the packets between this object and the line. All times are those of the platform's clock.
 /// One thread.
-class PioneerDriver {
+class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
  public:
   /// How long a drive request is valid.
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
@@ -53,10 +52,10 @@ class PioneerDriver {
                 const robotlink::RobotDescription& description, Options options);
 
   /// Whether the line should be open.
-  bool wantsLine() const { return session_.wantsLink(); }
+  bool wantsLine() const { return client_.wantsLink(); }
   /// Whether the connection can continue only after lineOpened().
   bool waitsForLine() const {
-    return session_.state() == robotlink::arcos::ClientSession::State::kWaitingForLink;
+    return session().state() == robotlink::arcos::ClientSession::State::kWaitingForLink;
   }
   /// The owner has opened the line.
   void lineOpened(robotlink::Instant now);
@@ -77,32 +76,41 @@ class PioneerDriver {
   /// takeOutgoing().
   void actuate(bool stopEngaged, robotlink::Instant now);
   /// Removes and returns the packets for the robot.
-  std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now);
+  std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now) {
+    return client_.takeOutgoing(now);
+  }
+  /// The same for a line: the bytes of a packet each.
+  std::vector<robotlink::arcos::Bytes> takeOutgoingFrames(robotlink::Instant now) {
+    return client_.takeOutgoingFrames(now);
+  }
   /// Sends packages with what was received since the last call.
   void sendPackages(robotlink::Instant now);
   /// Removes and returns a sentence for the user about the last connection; empty if there is nothing new.
   std::string takeReport() { return std::exchange(report_, {}); }
   /// Ends the pause between two attempts to connect.
-  void connectNow(robotlink::Instant now) { session_.connectNow(now); }
+  void connectNow(robotlink::Instant now) { client_.connectNow(now); }
   /// Ends the connection properly: motors off, then CLOSE.
-  void end(robotlink::Instant now) { session_.close(now); }
+  void end(robotlink::Instant now) { client_.close(now); }
 
   /// Fulfills a request of the user for the base: motors, sonars, odometry, packets. Fails if the robot is
   /// not connected, if STOP forbids the motors, or if bytes that are to be sent are no packets.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details, robotlink::Instant now);
   /// All senders. A layout may need some of them or none; see Platform::onRequest().
   std::vector<robotlink::AnySender*> senders();
-  const robotlink::arcos::ClientSession& session() const { return session_; }
+  const robotlink::arcos::ClientSession& session() const { return client_.session(); }
 
  private:
-  /// Takes data for packages from a packet of the robot.
-  void use(const robotlink::arcos::Packet& packet, robotlink::Instant now);
-  /// Reacts if the connection was established or lost since the last call.
-  void followConnection(robotlink::Instant now);
+  // What the client reports.
+  void packetPassed(robotlink::arcos::Direction direction, const robotlink::arcos::Packet& packet,
+                    std::span<const std::uint8_t> frame, robotlink::Instant now) override;
+  void damageCame(const robotlink::arcos::Damage& damage, robotlink::Instant now) override;
+  void robotIdentified() override { packages_.restart(); }
+  void configurationCame(const robotlink::arcos::Configuration& configuration) override;
+  void stateCame(const robotlink::arcos::StandardInformation& information, robotlink::Instant now) override;
+  void scanCame(const robotlink::arcos::RangeScan& scan) override;
+  void connectionChanged(bool connected, robotlink::Instant now) override;
   /// Sets the robot up after connecting: sonars, laser, motors.
-  void becomeConnected(robotlink::Instant now);
-  /// Requests the scans of a simulated laser.
-  void startLaser(robotlink::Instant now);
+  void setUp(robotlink::Instant now);
   /// Sends speeds if they have changed or are to be repeated, and a stop command once when the request
   /// expires.
   void drive(robotlink::Instant now);
@@ -114,9 +122,7 @@ class PioneerDriver {
   const Options options_;
   const robotlink::RobotDescription& description_;
   PioneerPackages packages_;
-  robotlink::arcos::ClientSession session_;
-  /// For bytes from the line, and for those of the session.
-  robotlink::arcos::PacketParser parser_, outgoingParser_;
+  robotlink::arcos::PioneerClient client_{*this};
   LinkMeter meter_;
   /// Whether the user wants the motors on, apart from STOP.
   bool motorsWanted_;
@@ -128,9 +134,8 @@ class PioneerDriver {
   robotlink::Instant lineOpened_, lastBytes_, requestCame_, commandSent_, statusSent_;
   /// The speeds that were last commanded, mm/s and degrees/s; valid while driving_.
   int speedMmS_ = 0, rotationDegS_ = 0;
-  /// As of the last actuate(): whether the robot is connected, whether STOP is engaged, and whether the last
-  /// command made it drive.
-  bool connected_ = false, held_ = false, driving_ = false;
+  /// As of the last actuate(): whether STOP is engaged, and whether the last command made it drive.
+  bool held_ = false, driving_ = false;
 
   /// Received data that was not sent yet; null if there is none.
   std::shared_ptr<const robotcontrol::DriveState> state_;

@@ -8,12 +8,9 @@
 namespace app {
 namespace {
 
-using robotlink::arcos::LaserPacket;
 using robotlink::arcos::RobotState;
 using robotlink::arcos::StandardInformation;
 
-/// Millimeters in a meter.
-constexpr double kMeter = 1000;
 // The largest plausible motion between two packets, m and rad. With a larger one the robot's client has set
 // the odometry, which is no motion.
 constexpr double kMaxStep = 1.0;
@@ -28,16 +25,9 @@ robotcontrol::DriveState::Charging chargingOf(const RobotState& state) {
 }  // namespace
 
 PioneerPackages::PioneerPackages(std::string robot, const robotlink::RobotDescription& description)
-    : robot_(std::move(robot)), description_(description), decoder_(robotlink::arcos::robotType({})) {}
-
-void PioneerPackages::setSubclass(const std::string& subclass) {
-  if (decoder_.type().subclass == subclass) return;
-  decoder_ = robotlink::arcos::StateDecoder(robotlink::arcos::robotType(subclass));
-  last_.reset();
-}
+    : robot_(std::move(robot)), description_(description) {}
 
 void PioneerPackages::restart() {
-  decoder_ = robotlink::arcos::StateDecoder(decoder_.type());
   last_.reset();
 }
 
@@ -50,8 +40,7 @@ void PioneerPackages::resetOdometry() {
   odometry_ = {};
 }
 
-void PioneerPackages::followOdometry() {
-  const robotlink::Pose2 now = decoder_.state().pose;
+void PioneerPackages::followOdometry(const robotlink::Pose2& now) {
   if (last_) {
     const robotlink::Pose2 step = last_->inverse() * now;
     if (step.translation().norm() <= kMaxStep && std::abs(step.heading) <= kMaxTurn)
@@ -60,11 +49,10 @@ void PioneerPackages::followOdometry() {
   last_ = now;
 }
 
-std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const StandardInformation& information,
+std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const RobotState& said,
+                                                                       const StandardInformation& information,
                                                                        robotlink::Instant now) {
-  decoder_.take(information, now);
-  followOdometry();
-  const RobotState& said = decoder_.state();
+  followOdometry(said.pose);
   auto state = std::make_shared<robotcontrol::DriveState>();
   robotlink::assign(*state->mutable_timestamp(), now);
   robotlink::assign(*state->mutable_odometry(), odometry_);
@@ -93,7 +81,7 @@ std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const Sta
 }
 
 std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(
-    const StandardInformation& information, robotlink::Instant now) const {
+    const StandardInformation& information, double unit, robotlink::Instant now) const {
   if (information.sonars.empty() || !description_.sonars) return nullptr;
   auto readings = std::make_shared<robotcontrol::SonarReadings>();
   robotlink::assign(*readings->mutable_timestamp(), now);
@@ -104,18 +92,17 @@ std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(
     auto& reading = *readings->add_readings();
     reading.set_number(sonar.number);
     robotlink::assign(*reading.mutable_sensor_in_robot(), description_.sonars->sensors[sonar.number].inRobot);
-    reading.set_range(std::min(decoder_.type().range * sonar.rangeMm, description_.sonars->maximum));
+    reading.set_range(std::min(unit * sonar.rangeMm, description_.sonars->maximum));
     robotlink::assign(*reading.mutable_timestamp(), now);
   }
   return readings;
 }
 
-std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(const LaserPacket& part,
-                                                                  robotlink::Instant now) {
-  const auto whole = assembler_.take(part, nullptr, now);
-  if (!whole || !description_.laser) return nullptr;
+std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(
+    const robotlink::arcos::RangeScan& seen) const {
+  if (!description_.laser) return nullptr;
   auto scan = std::make_shared<foxglove::LaserScan>();
-  robotlink::assign(*scan->mutable_timestamp(), whole->takenAt);
+  robotlink::assign(*scan->mutable_timestamp(), seen.time);
   scan->set_frame_id(robot_);
   const auto& laser = *description_.laser;
   robotlink::Pose3 pose = robotlink::Pose3::Identity();
@@ -124,7 +111,7 @@ std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(const LaserPac
   robotlink::assign(*scan->mutable_pose(), pose);
   scan->set_start_angle(laser.startAngle);
   scan->set_end_angle(laser.endAngle);
-  for (const std::uint16_t rangeMm : whole->rangesMm) scan->add_ranges(rangeMm / kMeter);
+  scan->mutable_ranges()->Add(seen.ranges.begin(), seen.ranges.end());
   return scan;
 }
 

@@ -41,7 +41,7 @@ void PioneerPlatform::takeEvents() {
 }
 
 void PioneerPlatform::sendWaiting() {
-  for (const auto& packet : driver_.takeOutgoing(clock().now())) line_.send(robotlink::arcos::encode(packet));
+  for (auto& frame : driver_.takeOutgoingFrames(clock().now())) line_.send(std::move(frame));
 }
 
 void PioneerPlatform::engageStop(bool engaged) {

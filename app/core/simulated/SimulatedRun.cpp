@@ -22,6 +22,7 @@
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 #include "simcore/Scene.h"
+#include "simcore/SceneFileKind.h"
 
 namespace app {
 
@@ -59,7 +60,7 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
 
 Errors SimulatedRun::load() {
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
-  if (!options_.robots && options_.scene.extension() == ".map") added.count = 1;
+  if (!options_.robots && simcore::isMapFile(options_.scene)) added.count = 1;
   auto scene = simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}));
   if (!scene) return scene.error();
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);

@@ -11,6 +11,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "simcore/Scene.h"
+#include "simcore/SceneFileKind.h"
 
 namespace app {
 namespace {
@@ -18,15 +19,14 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
-/// Whether a source is a file that can be simulated, by its extension.
-bool isWorld(const std::string& source) {
-  const auto extension = std::filesystem::path(source).extension();
-  return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
+/// Whether a source is a file that can be simulated, by its name.
+bool isScene(const std::string& source) {
+  return simcore::isSceneFile(source);
 }
 
 const PlatformRegistration kSimulationRegistration{
     {SimulationFeed::kAdapter, "a world (.sdf, .world) or the map of a building (.map) to simulate",
-     PlatformTime::kSimulated, false, isWorld, 1}};
+     PlatformTime::kSimulated, false, isScene, 1}};
 
 }  // namespace
 

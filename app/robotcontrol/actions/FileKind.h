@@ -16,7 +16,5 @@ enum class FileKind {
 
 /// Decides by the suffix, in capitals or not, and by whether it is a folder. The file need not exist.
 FileKind kindOfFile(const std::filesystem::path& file);
-/// Whether a scene is the map of a building.
-bool isMap(const std::filesystem::path& file);
 
 }  // namespace app

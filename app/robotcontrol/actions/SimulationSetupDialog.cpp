@@ -17,7 +17,7 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/actions/FileKind.h"
+#include "simcore/SceneFileKind.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -170,13 +170,13 @@ void SimulationSetupDialog::chooseFile() {
                                    tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
   if (file.isEmpty()) return;
   scene_->setEditText(file);
-  if (isMap(file.toStdString()) && robots_->value() == 0) robots_->setValue(1);
+  if (simcore::isMapFile(file.toStdString()) && robots_->value() == 0) robots_->setValue(1);
 }
 
 /// The default is to add robots of the kind that the scene contains.
 void SimulationSetupDialog::followScene() {
   const int kind = kind_ != nullptr
-                       ? kind_->findData(isMap(scene_->currentText().toStdString())
+                       ? kind_->findData(simcore::isMapFile(scene_->currentText().toStdString())
                                              ? QString::fromStdString(simcore::RobotsToAdd{}.model)
                                              : kindIn(scene_->currentText()))
                        : -1;
@@ -196,7 +196,7 @@ void SimulationSetupDialog::update() {
   network_->setEnabled(ports_->isChecked());
   buttons_->button(QDialogButtonBox::Open)->setEnabled(!scene_->currentText().trimmed().isEmpty());
   QString text;
-  if (isMap(scene_->currentText().toStdString()) && !adds)
+  if (simcore::isMapFile(scene_->currentText().toStdString()) && !adds)
     text = tr("A map has no robots of its own: there will be none.");
   if (ports_->isChecked() && network_->isChecked()) {
     text = tr("Anyone who can reach this computer over the network will be able to drive these robots.");

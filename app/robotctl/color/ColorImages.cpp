@@ -10,6 +10,7 @@
 #include "logplayer/file/LogFile.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 
@@ -28,16 +29,9 @@ constexpr std::size_t kLargestFile = 256U << 20U;
 constexpr int kYuyvWidth = 320, kYuyvHeight = 240;
 constexpr std::size_t kYuyvBytes = std::size_t{kYuyvWidth} * kYuyvHeight * 4;
 
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 bool isImageFile(const fs::path& file) {
   constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
-  return std::ranges::find(kEndings, endingOf(file)) != kEndings.end();
+  return std::ranges::find(kEndings, robotlink::fileSuffix(file)) != kEndings.end();
 }
 
 Result<ColorImage> yuyvImage(const std::string& bytes, const fs::path& file) {
@@ -58,7 +52,8 @@ Result<ColorImage> yuyvImage(const std::string& bytes, const fs::path& file) {
 
 Result<Image> decoded(const std::string& bytes, const fs::path& file) {
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  auto image = endingOf(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
+  auto image =
+      robotlink::fileSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
   if (!image) image.error().where = {file.string(), 0, 0};
   return image;
 }
@@ -166,7 +161,7 @@ Result<std::optional<Image>> ColorImages::trueClasses(const std::string& name) c
 Result<ColorImage> ColorImages::loadFile(const fs::path& file) {
   const auto bytes = robotlink::readFile(file, kLargestFile);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (endingOf(file) == ".yuyv") return yuyvImage(*bytes, file);
+  if (robotlink::fileSuffix(file) == ".yuyv") return yuyvImage(*bytes, file);
   const auto image = decoded(*bytes, file);
   if (!image) return tl::unexpected(image.error());
   return ColorImage::of(image->view());

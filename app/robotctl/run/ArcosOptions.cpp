@@ -11,6 +11,7 @@
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/TextMessages.h"
 #include "simcore/Scene.h"
+#include "simcore/SceneFileKind.h"
 
 namespace app {
 
@@ -52,7 +53,7 @@ simcore::RobotsToAdd ArcosOptions::robotsFor(const std::filesystem::path& scene,
   simcore::RobotsToAdd add;
   // Only Pioneers speak ARCOS.
   add.model = robot.empty() && given() ? simcore::RobotsToAdd{}.model : robot;
-  add.count = asked ? robots : scene.extension() == ".map" ? 1 : 0;
+  add.count = asked ? robots : simcore::isMapFile(scene) ? 1 : 0;
   add.seed = seed;
   add.teams = teamsNamed(teams);
   return add;

@@ -36,6 +36,8 @@ struct Packet {
 
   /// The COUNT of its frame.
   std::size_t count() const { return data.size() + kMinimumCount; }
+  /// The size of its frame: header and COUNT come before what COUNT counts.
+  std::size_t frameSize() const { return count() + 3; }
   bool operator==(const Packet&) const = default;
 };
 

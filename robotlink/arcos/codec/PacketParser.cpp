@@ -27,7 +27,7 @@ const char* describe(Damage::Kind kind) {
 void PacketParser::push(std::span<const std::uint8_t> bytes) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
   giveUpBefore_ -= std::min(giveUpBefore_, begin_);
-  begin_ = 0;
+  begin_ = frameSize_ = 0;
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   if (buffer_.size() > kMaxBuffered) {
     begin_ = buffer_.size() - kMaxBuffered;
@@ -37,7 +37,7 @@ void PacketParser::push(std::span<const std::uint8_t> bytes) {
 
 void PacketParser::clear() {
   buffer_.clear();
-  begin_ = giveUpBefore_ = 0;
+  begin_ = giveUpBefore_ = frameSize_ = 0;
 }
 
 /// The position of the next header, perhaps without its second byte at the end of the range; `end` if there
@@ -65,6 +65,7 @@ std::optional<PacketParser::Found> PacketParser::needMore() {
 }
 
 std::optional<PacketParser::Found> PacketParser::next() {
+  frameSize_ = 0;
   if (begin_ == buffer_.size()) return std::nullopt;
   const std::size_t header = nextHeader(begin_, buffer_.size());
   if (header != begin_) return takeDamage(Damage::Kind::kGarbage, header);
@@ -83,6 +84,7 @@ std::optional<PacketParser::Found> PacketParser::next() {
     return takeDamage(Damage::Kind::kChecksum, nextHeader(begin_ + 2, end));
   }
   begin_ = end;
+  frameSize_ = count + 3;
   ++counters_.packets;
   return Packet{idAndData[0], Bytes(idAndData.begin() + 1, idAndData.end())};
 }

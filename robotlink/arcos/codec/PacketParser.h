@@ -58,6 +58,8 @@ class PacketParser {
   void push(std::span<const std::uint8_t> bytes);
   /// The next packet or damage; empty if more bytes are needed.
   std::optional<Found> next();
+  /// The bytes of the packet that next() found last, as they came; valid until the next push().
+  std::span<const std::uint8_t> frame() const { return std::span(buffer_).first(begin_).last(frameSize_); }
 
   /// Whether the beginning of a packet waits for its rest. If nothing arrives for 100 ms, it never will: see
   /// dropPartial().
@@ -81,6 +83,8 @@ class PacketParser {
   Bytes buffer_;
   /// Start of the unread bytes in buffer_.
   std::size_t begin_ = 0;
+  /// The size of the packet that ends at begin_; 0 if none does.
+  std::size_t frameSize_ = 0;
   /// Packets that start before this position get no more bytes.
   std::size_t giveUpBefore_ = 0;
   Counters counters_;

@@ -13,7 +13,7 @@ namespace robotlink::arcos {
 struct RangeScan {
   /// When its first part arrived.
   Instant time;
-  /// The latest pose by odometry when the scan was complete, which is slightly later than `time`.
+  /// The robot's pose by odometry at that time.
   Pose2 robot;
   Pose2 laserInRobot;
   double startAngle = 0, angleStep = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "robotlink/arcos/RobotType.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
 
@@ -32,7 +33,7 @@ struct MotionParameters {
   double rotationTop = radians(300.0), rotationAccelerationTop = radians(600.0);
   /// The effective distance of the wheels, m: rotation is (right - left) / track. For skid steering it is
   /// larger than the distance between the wheels.
-  double track = 0.588;
+  double track = RobotType{}.track;
   /// How long the motors have no power after a stall.
   Duration stallPause = std::chrono::milliseconds(200);
 };

@@ -43,7 +43,7 @@ struct ServerSettings {
 
   /// In arrays of eight.
   int sonars = 16;
-  double sonarMaximum = 5.0;  ///< m; also the reading if there is no echo
+  double sonarMaximum = RobotType{}.sonarMaximum;  ///< m; also the reading if there is no echo
   /// All sonars are measured each cycle, rather than one of each array after the other.
   bool allSonarsEachCycle = false;
   /// Empty if it has none.

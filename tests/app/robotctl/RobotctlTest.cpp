@@ -88,6 +88,17 @@ TEST(Robotctl, robotsAreAddedToAGame) {
   EXPECT_EQ(house.status, 0) << house.text;
 }
 
+TEST(Robotctl, aMapInCapitalsHasARobotAsAnyMap) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "capitals";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map", folder / "HOUSE.MAP",
+                             std::filesystem::copy_options::overwrite_existing);
+  const Outcome outcome = robotctl("sim " + (folder / "HOUSE.MAP").string() + " --seconds 0.1 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 1);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
   const Outcome wrong = robotctl("sim " + kScene, "ROBOTCONTROL_RESOURCES=/no/such/folder ");
   EXPECT_EQ(wrong.status, 1);

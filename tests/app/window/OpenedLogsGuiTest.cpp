@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <fstream>
 
+#include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/actions/FileKind.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/app/ShortLog.h"
@@ -27,11 +28,35 @@ class OpenedLogsGuiTest : public WindowTest {
     for (const char* name : {"first.mcap", "second.mcap"})
       QCOMPARE(ShortLog::write(file(name)), std::string());
   }
+  void signalsHaveTheEffectThatTheyHadOnceNobodyWaitsForThem() {
+    static int caught = 0;
+    caught = 0;
+    struct sigaction mine = {}, ignore = {}, keptHup = {}, keptTerm = {};
+    mine.sa_handler = [](int) { ++caught; };
+    ignore.sa_handler = SIG_IGN;
+    sigaction(SIGHUP, &mine, &keptHup);
+    sigaction(SIGTERM, &ignore, &keptTerm);
+    {
+      const app::QuitSignals signals;
+      ::raise(SIGHUP);
+      QCOMPARE(caught, 0);
+    }
+    ::raise(SIGHUP);
+    QCOMPARE(caught, 1);
+    struct sigaction now = {};
+    sigaction(SIGTERM, nullptr, &now);
+    QVERIFY(now.sa_handler == SIG_IGN);
+    sigaction(SIGTERM, &keptTerm, nullptr);
+    sigaction(SIGHUP, &keptHup, nullptr);
+  }
+
   void aFileIsWhatItsSuffixSaysInCapitalsOrNot() {
     using app::FileKind;
     QCOMPARE(app::kindOfFile("office.map"), FileKind::kScene);
     QCOMPARE(app::kindOfFile("FIELD.SDF"), FileKind::kScene);
+    QCOMPARE(app::kindOfFile("OFFICE.MAP"), FileKind::kScene);
     QCOMPARE(app::kindOfFile("compact.yaml"), FileKind::kLayout);
+    QCOMPARE(app::kindOfFile("COMPACT.YAML"), FileKind::kLayout);
     QCOMPARE(app::kindOfFile("frame.JPG"), FileKind::kPictures);
     QCOMPARE(app::kindOfFile(home_.parent_path()), FileKind::kPictures);
     QCOMPARE(app::kindOfFile("venue.tm"), FileKind::kColorTable);

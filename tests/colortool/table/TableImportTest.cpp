@@ -134,6 +134,9 @@ TEST(TableImport, colorsAreFoundBesideTheirMap) {
   EXPECT_EQ(firstName({{}, folder / "other.col"}), "another");
   std::ofstream(folder / "map.col") << "1 (0 0 0) \"of the same name\"\n";
   EXPECT_EQ(firstName(), "of the same name");
+  std::filesystem::rename(folder / "map.col", folder / "map.COL");
+  EXPECT_EQ(firstName(), "of the same name") << "capitals or not";
+  std::filesystem::rename(folder / "map.COL", folder / "map.col");
   std::ofstream(folder / "map.col") << "1 (0 0 0)\n";
   EXPECT_THAT(firstName(), HasSubstr("map.col:1: the class's name is expected after its color"));
   EXPECT_THAT(firstName({{}, folder / "no.col"}), HasSubstr("no.col"));

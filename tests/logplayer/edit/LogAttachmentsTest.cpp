@@ -26,6 +26,15 @@ class LogAttachmentsTest : public ::testing::Test {
 
 }  // namespace
 
+TEST_F(LogAttachmentsTest, aFileInCapitalsHasTheTypeOfOneInSmallLetters) {
+  std::ofstream(folder_ / "PLAN.PNG") << "a picture";
+  ASSERT_TRUE(attach(log(), folder_ / "PLAN.PNG", {}));
+  const auto all = attachmentsOf(log());
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->size(), 1U);
+  EXPECT_EQ(all->front().mediaType, "image/png");
+}
+
 TEST_F(LogAttachmentsTest, aFileIsAttachedListedAndTakenOut) {
   ASSERT_TRUE(attach(log(), folder_ / "note.txt", {}));
   ASSERT_TRUE(attach(log(), folder_ / "note.txt", {.name = "other", .mediaType = "text/x-other"}));

@@ -12,6 +12,7 @@
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/logplayer/ForeignLog.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace logplayer {
@@ -144,6 +145,20 @@ TEST_F(LogCutTest, robotsOfEqualNamesGetNewOnesAndTheWorldIsThatOfTheFirst) {
   EXPECT_EQ(latest<foxglove::RawImage>(*file, "red1/camera/image", sampleTime(5)).frame_id(), "red1/camera");
   EXPECT_EQ(latest<foxglove::RawImage>(*file, "red1-2/camera/image", sampleTime(5)).frame_id(),
             "red1-2/camera");
+}
+
+TEST_F(LogCutTest, onlyRobotsGetNewNames) {
+  for (const char* name : {"one.mcap", "two.mcap"}) {
+    tests::ForeignLog foreign(folder_ / name);
+    const auto channel =
+        foreign.add({"camera/front/info", "their.Pose", "jsonschema", tests::kPoseSchema, "json"});
+    foreign.write(channel, 1, "{}");
+    foreign.write(channel, 2, "{}");
+    ASSERT_TRUE(foreign.close());
+  }
+  const auto report = rewritten({.inputs = {{folder_ / "one.mcap"}, {folder_ / "two.mcap"}}});
+  EXPECT_THAT(report.renamed, IsEmpty());
+  EXPECT_EQ(count(*log(), "camera/front/info"), 4U);
 }
 
 TEST_F(LogCutTest, twoCutsOfOneLogMakeThatLogAgain) {

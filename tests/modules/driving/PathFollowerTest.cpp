@@ -87,5 +87,16 @@ TEST(PathFollower, withoutAPathItStandsAndANewGoalSetsItGoingAgain) {
   EXPECT_EQ(DriveVelocity{}, follower.decide({3, 0, 0}, std::vector<Vector2>{{3, 0}}, {}));
 }
 
+TEST(PathFollower, neitherDrivesNorTurnsFasterThanItMay) {
+  PathFollower::Options options;
+  options.speed = 0;
+  options.rotation = 0.05;
+  PathFollower follower(options);
+  const std::vector<Vector2> path{{0, 0}, {2, 0.2}};
+  EXPECT_EQ(0, follower.decide({0, 0, 0}, path, {}).forward);
+  EXPECT_NEAR(0.05, follower.decide({0, 0, -robotlink::kPi / 2}, path, {}).rotation, 1e-9);
+  EXPECT_NEAR(0.05, follower.decide({2, 0.2, 0}, path, 1.0).rotation, 1e-9);
+}
+
 }  // namespace
 }  // namespace modules

@@ -7,6 +7,7 @@
 
 #include "MotionParameters.pb.h"
 #include "modules/motion/ParameterConversion.h"
+#include "tests/modules/ParametersOf.h"
 
 namespace modules {
 namespace {
@@ -74,9 +75,35 @@ TEST(ParameterTest, whatWouldBreakAGaitIsIgnored) {
   gait.mutable_hind()->set_lift_phase(0.45);
   gait.mutable_hind()->set_ground_phase(0.5);
   gait.add_leg_phases(0.3);
-  message.set_blend_time(0);
+  message.set_blend_time(-1);
   EXPECT_EQ(gaitParameters(message, FootMode::kRectangle), GaitParameters{});
   EXPECT_EQ(motionOptions(message), MotionEngine::Options{});
+}
+
+TEST(ParameterTest, zeroIsUsedWhereItMakesSense) {
+  robotcontrol::GaitMotionParameters motion;
+  motion.set_blend_time(0);
+  motion.set_head_speed_share(0);
+  EXPECT_EQ(motionOptions(motion).blendTime, 0);
+  EXPECT_EQ(motionOptions(motion).headSpeedShare, 0);
+  robotcontrol::HeadControlParameters head;
+  head.set_lost_after(0);
+  head.set_sweep_speed(0);
+  EXPECT_EQ(headParameters(head).lostAfter, 0);
+  EXPECT_EQ(headParameters(head).sweepSpeed, 0);
+}
+
+TEST(ParameterTest, whatWouldBreakAGaitIsRefusedWithAReason) {
+  ParametersOf<robotcontrol::GaitMotionParameters> parameters("motion", "wheel-model-rectangle");
+  robotcontrol::GaitMotionParameters values;
+  values.mutable_gait()->set_maximum_x(0);
+  EXPECT_EQ(parameters.set(values), "'gait.maximum_x' has to be more than 0");
+  values.mutable_gait()->set_maximum_x(0.1);
+  values.mutable_gait()->mutable_hind()->set_lift_phase(1.5);
+  EXPECT_EQ(parameters.set(values), "'gait.hind.lift_phase' has to be more than 0 and at most 1");
+  values.mutable_gait()->mutable_hind()->set_lift_phase(0.1);
+  EXPECT_EQ(parameters.set(values), "");
+  EXPECT_EQ(parameters.values().gait().maximum_x(), 0.1);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "foxglove/Geometry.pb.h"
 #include "modules/navigation/RangePackages.h"
 #include "robotcontrol/Modeling.pb.h"
+#include "tests/modules/ParametersOf.h"
 
 namespace modules {
 namespace {
@@ -262,6 +263,56 @@ TEST(RangePackages, whatIsNoDistanceIsLeftOut) {
   foxglove::LaserScan scan;
   for (int i = 0; i < 100'000; ++i) scan.add_ranges(1);
   EXPECT_LE(beams(scan, 32).size(), 4096U);
+}
+
+TEST(NavigationParameters, withoutAFileAViewIsToldTheBuiltInValuesOfTheRobot) {
+  const ParametersOf<robotcontrol::MonteCarloLocalisationParameters> filter("self-localisation",
+                                                                            "monte-carlo");
+  EXPECT_EQ("", namesOfUnset(filter.defaults()));
+  EXPECT_EQ(40, filter.defaults().rays());
+  EXPECT_EQ(1, filter.defaults().sonar_after());
+  EXPECT_EQ("", namesOfUnset(
+                    ParametersOf<robotcontrol::WheelOdometryParameters>("self-localisation", "wheel-odometry")
+                        .defaults()));
+  robotlink::RobotSetup robot;
+  robot.description.drive.emplace().width = 0.2;
+  const ParametersOf<robotcontrol::GridPlanningParameters> grid("path-planning", "grid", "", robot);
+  EXPECT_EQ("", namesOfUnset(grid.defaults()));
+  EXPECT_NEAR(0.17, grid.defaults().clearance(), 1e-9);
+}
+
+TEST(NavigationParameters, zeroIsUsedOrRefusedWithAReason) {
+  ParametersOf<robotcontrol::MonteCarloLocalisationParameters> filter("self-localisation", "monte-carlo");
+  robotcontrol::MonteCarloLocalisationParameters values = filter.values();
+  values.set_way_noise(0);
+  EXPECT_EQ("", filter.set(values));
+  EXPECT_TRUE(filter.values().has_way_noise());
+  EXPECT_EQ(0, filter.values().way_noise());
+  values.set_random_share(0);
+  EXPECT_EQ("'random_share' has to be more than 0 and at most 1", filter.set(values));
+  values = filter.values();
+  values.set_rays(0);
+  EXPECT_EQ("'rays' has to be at least 1", filter.set(values));
+}
+
+TEST(NavigationParameters, anOdometryWithoutDriftStaysCertain) {
+  const auto map = crookedRoom();
+  const FlatWorld world(*map);
+  RollingRobot robot(world, {.start = {3, 1.5, 0}});
+  OneSolution locator("self-localisation", "wheel-odometry", map, [](google::protobuf::Message& parameters) {
+    auto& drift = static_cast<robotcontrol::WheelOdometryParameters&>(parameters);
+    drift.set_drift_per_metre(0);
+    drift.set_drift_per_radian(0);
+  });
+  for (int i = 0; i < 30; ++i) {
+    robot.drive({0.3, 0.5});
+    locator.set(robotlink::kDriveState, driveState(robot));
+    locator.pass();
+    locator.execute();
+  }
+  ASSERT_NE(nullptr, locator.sent(robotlink::kRobotPose));
+  EXPECT_EQ(0, locator.sent(robotlink::kRobotPose)->position_deviation());
+  EXPECT_EQ(0, locator.sent(robotlink::kRobotPose)->heading_deviation());
 }
 
 }  // namespace

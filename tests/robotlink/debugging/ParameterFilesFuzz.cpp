@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::ofstream file(folder / "task.solution.textproto", std::ios::binary);
     file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
-  const auto loaded = SolutionParameters::load(solution, folder.path());
+  const auto loaded = SolutionParameters::load(solution, folder.path(), {});
   if (loaded || !loaded.error().empty()) return 0;
   std::fputs("a refusal has no errors\n", stderr);
   std::abort();

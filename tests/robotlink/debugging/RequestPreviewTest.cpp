@@ -64,6 +64,8 @@ std::vector<Request> manyRequests() {
                            getParameters("ball-percept", "region"),
                            getParameters("ball-percept", ""),
                            getParameters("motion", "walk"),
+                           getParameters("motion", ""),
+                           setParameters("motion", "", 7),
                            getParameters("ball-percept", "x"),
                            setParameters("ball-percept", "region", 7),
                            setParameters("ball-percept", "", 8),

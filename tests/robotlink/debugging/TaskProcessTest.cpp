@@ -238,6 +238,12 @@ TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
   EXPECT_NE(later.value().data(), later.defaults().data());
   request.mutable_get_parameters()->set_solution("broken");
   EXPECT_EQ("solution broken of ball-percept has no parameters", robot.ask(request).reason());
+  request.mutable_get_parameters()->set_task("motion");
+  request.mutable_get_parameters()->set_solution("");
+  EXPECT_EQ("solution walk of motion has no parameters", robot.ask(request).reason());
+  Request set = parametersRequest("", velocity(1));
+  set.mutable_set_parameters()->set_task("motion");
+  EXPECT_EQ("solution walk of motion has no parameters", robot.ask(set).reason());
 }
 
 TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {

@@ -39,15 +39,24 @@ QString text(QWidget& view, const char* name) {
 class BaseStateViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void aBatteryIsLowBelowElevenAndAHalfVolts() {
-    QVERIFY(BatteryLevel::of(12.6, {}, false).state == BatteryLevel::State::kGood);
-    QVERIFY(BatteryLevel::of(11.4, {}, false).state == BatteryLevel::State::kLow);
-    QVERIFY(BatteryLevel::of(10.9, {}, false).state == BatteryLevel::State::kEmpty);
-    QVERIFY(BatteryLevel::of(12.6, 0.1, false).state == BatteryLevel::State::kLow);
-    QVERIFY(BatteryLevel::of(0, {}, false).state == BatteryLevel::State::kUnknown);
-    QCOMPARE(BatteryLevel::of(12, {}, false).share, 0.5);
-    QVERIFY(BatteryLevel::of(11.4, {}, false).warning().contains(QStringLiteral("low")));
-    QVERIFY(BatteryLevel::of(11.4, {}, true).warning().isEmpty());
+  void aBatteryIsLowBelowTheVoltageOfItsDescription() {
+    const robotlink::RobotDescription::Battery lead{11, 11.5, 13};
+    QVERIFY(BatteryLevel::of(12.6, {}, false, lead).state == BatteryLevel::State::kGood);
+    QVERIFY(BatteryLevel::of(11.4, {}, false, lead).state == BatteryLevel::State::kLow);
+    QVERIFY(BatteryLevel::of(10.9, {}, false, lead).state == BatteryLevel::State::kEmpty);
+    QVERIFY(BatteryLevel::of(12.6, 0.1, false, lead).state == BatteryLevel::State::kLow);
+    QVERIFY(BatteryLevel::of(0, {}, false, lead).state == BatteryLevel::State::kUnknown);
+    QCOMPARE(BatteryLevel::of(12, {}, false, lead).share.value_or(-1), 0.5);
+    QVERIFY(BatteryLevel::of(11.4, {}, false, lead).warning().contains(QStringLiteral("low")));
+    QVERIFY(BatteryLevel::of(11.4, {}, true, lead).warning().isEmpty());
+  }
+
+  void voltsOfARobotWhoseDescriptionSaysNothingOfThemMeanNothing() {
+    const BatteryLevel level = BatteryLevel::of(7.4, {}, false, {});
+    QVERIFY(level.state == BatteryLevel::State::kGood);
+    QCOMPARE(level.text(), QStringLiteral("7.4 V"));
+    QVERIFY(level.warning().isEmpty());
+    QVERIFY(BatteryLevel::of(7.4, 0.1, false, {}).state == BatteryLevel::State::kLow);
   }
 
   void theStateIsTold() {

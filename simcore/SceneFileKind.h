@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/base/FileSuffix.h"
+
+namespace simcore {
+
+// What a file is by its name, in small letters or capitals. The file need not exist.
+
+/// Whether a scene is the map of a building's floor: *.map.
+inline bool isMapFile(const std::filesystem::path& file) {
+  return robotlink::fileSuffix(file) == ".map";
+}
+
+/// Whether a file is a scene: a world (*.sdf, *.world, *.xml) or a map.
+inline bool isSceneFile(const std::filesystem::path& file) {
+  const std::string suffix = robotlink::fileSuffix(file);
+  return suffix == ".sdf" || suffix == ".world" || suffix == ".xml" || suffix == ".map";
+}
+
+}  // namespace simcore
