@@ -70,12 +70,10 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   if (!header) return tl::unexpected(header.error());
   reader.take(sizeof(std::int32_t));  // the JPEG's size: the rest
   // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
-  auto jpeg = decodeJpegComponents(reader.rest(), kMaxCameraPixels);
+  auto jpeg = decodeJpegQuads(reader.rest(), kMaxCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
-  if (jpeg->width != header->width || jpeg->height != header->height ||
-      jpeg->count != static_cast<int>(kQuad))
-    return robotlink::failure("bhuman.image",
-                              "the JPEG has another size than the image, or not four components");
+  if (jpeg->width != header->width || jpeg->height != header->height)
+    return robotlink::failure("bhuman.image", "the JPEG has another size than the image");
   return CameraImage{header->time, fromQuads(*header, jpeg->data), std::move(jpeg->damage)};
 }
 
