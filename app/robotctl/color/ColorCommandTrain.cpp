@@ -171,7 +171,8 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   number("--rejection", settings.votes.rejection,
          "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
-         "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
+         "What a sample of the background counts against one of a class",
+         CLI::Range(0.0, Votes::kMaxBackgroundWeight));
   number("--shading", settings.votes.shading,
          "What a sample says of its color in shadow and glare, as a share of its own vote",
          CLI::Range(0.0, Votes::kMaxShading));
