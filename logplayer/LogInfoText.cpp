@@ -37,7 +37,7 @@ std::string bytesText(std::uint64_t bytes) {
 /// A number with separators: "12,345".
 std::string countText(std::uint64_t count) {
   std::string digits = std::to_string(count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
   return digits;
 }
 

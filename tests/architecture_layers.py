@@ -65,7 +65,7 @@ OUTSIDE = {
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
     r"^bzlib": ["colortool"],
-    r"^(jpeglib|png)\.h": ["logplayer"],
+    r"^(turbojpeg|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],
 }
 QT_WIDGETS = re.compile(r"^(QtWidgets|QWidget|Q(Abstract)?(Button|ItemView|ScrollArea|Slider)|QApplication|QStyle\w*|"

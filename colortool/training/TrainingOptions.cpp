@@ -25,7 +25,7 @@ constexpr std::array kOptions = {
     TrainingOption{"rejection", kVotes, false, 0, 2, false,
                    [](const Settings& s) { return s.votes.rejection; },
                    [](Settings& s, double value) { s.votes.rejection = value; }},
-    TrainingOption{"background-weight", kVotes, false, 0, 2, false,
+    TrainingOption{"background-weight", kVotes, false, 0, VoteOptions::kMaxBackgroundWeight, false,
                    [](const Settings& s) { return s.votes.backgroundWeight; },
                    [](Settings& s, double value) { s.votes.backgroundWeight = value; }},
     TrainingOption{"shading", kVotes, false, 0, VoteOptions::kMaxShading, false,

@@ -88,7 +88,7 @@ void ColorVotes::setOptions(const VoteOptions& options) {
   options_.radius = std::clamp(options.radius, VoteOptions::kMinRadius, VoteOptions::kMaxRadius);
   options_.brightnessWeight = std::clamp(options.brightnessWeight, VoteOptions::kMinBrightnessWeight, 1.0);
   options_.rejection = std::max(options.rejection, 0.0);
-  options_.backgroundWeight = std::clamp(options.backgroundWeight, 0.0, 1.0);
+  options_.backgroundWeight = std::clamp(options.backgroundWeight, 0.0, VoteOptions::kMaxBackgroundWeight);
   options_.shading = std::clamp(options.shading, 0.0, VoteOptions::kMaxShading);
   options_.grayGuard = std::max(options.grayGuard, 0.0);
   makeKernels();

@@ -24,8 +24,8 @@ struct VoteOptions {
   /// Minimum votes that a class needs to win a cell, as a share of the vote of a single sample pixel for its
   /// own cell; 0 or more.
   double rejection = 0.05;
-  /// Weight of a background sample relative to one of a class, 0 to 1. It is below 1 because background has
-  /// many colors, most of which no stroke ever touches.
+  /// Weight of a background sample relative to one of a class, 0 to kMaxBackgroundWeight. It is below 1
+  /// because background has many colors, most of which no stroke ever touches.
   double backgroundWeight = 0.3;
   /// Strength of the second, wider vote along the shade of the color, as a share of the vote for the sample's
   /// own cell; 0 disables it, kMaxShading is the maximum. It decides where no sample is near: shadow and
@@ -37,6 +37,7 @@ struct VoteOptions {
 
   static constexpr double kMinRadius = 2, kMaxRadius = 24;
   static constexpr double kMinBrightnessWeight = 0.1;
+  static constexpr double kMaxBackgroundWeight = 1;
   static constexpr double kMaxShading = 0.5;
   bool operator==(const VoteOptions&) const = default;
 };

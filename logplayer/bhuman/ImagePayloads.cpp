@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/bhuman/PayloadReader.h"
 #include "logplayer/bhuman/Payloads.h"
 #include "logplayer/images/ImageCoding.h"
+#include "robotlink/base/ByteReader.h"
 
 namespace logplayer::bhuman {
 namespace {
 
+using robotlink::ByteReader;
 using robotlink::Image;
 using robotlink::PixelFormat;
 using robotlink::Result;
@@ -21,11 +22,11 @@ struct ImageHeader {
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-Result<ImageHeader> readHeader(PayloadReader& payload) {
+Result<ImageHeader> readHeader(ByteReader& payload) {
   ImageHeader header;
-  header.width = payload.takeInt32();
-  header.height = payload.takeInt32();
-  header.time = robotlink::Instant(std::chrono::milliseconds(payload.takeUint32()));
+  header.width = payload.take<std::int32_t>();
+  header.height = payload.take<std::int32_t>();
+  header.time = robotlink::Instant(std::chrono::milliseconds(payload.take<std::uint32_t>()));
   constexpr int kMaxSide = 1 << 14;
   const bool possible = header.width > 0 && header.width % 2 == 0 && header.height > 0 &&
                         header.width <= kMaxSide && header.height <= kMaxSide &&
@@ -54,7 +55,7 @@ Image fromQuads(const ImageHeader& header, std::span<const std::uint8_t> quads) 
 }  // namespace
 
 Result<CameraImage> readImage(std::span<const std::uint8_t> payload) {
-  PayloadReader reader(payload);
+  ByteReader reader(payload);
   const auto header = readHeader(reader);
   if (!header) return tl::unexpected(header.error());
   if (reader.rest().size() != header->pixels() * kQuad)
@@ -64,17 +65,15 @@ Result<CameraImage> readImage(std::span<const std::uint8_t> payload) {
 }
 
 Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
-  PayloadReader reader(payload);
+  ByteReader reader(payload);
   const auto header = readHeader(reader);
   if (!header) return tl::unexpected(header.error());
-  reader.skip(sizeof(std::int32_t));  // the JPEG's size: the rest
+  reader.take(sizeof(std::int32_t));  // the JPEG's size: the rest
   // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
-  auto jpeg = decodeJpegComponents(reader.rest(), kMaxCameraPixels);
+  auto jpeg = decodeJpegQuads(reader.rest(), kMaxCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
-  if (jpeg->width != header->width || jpeg->height != header->height ||
-      jpeg->count != static_cast<int>(kQuad))
-    return robotlink::failure("bhuman.image",
-                              "the JPEG has another size than the image, or not four components");
+  if (jpeg->width != header->width || jpeg->height != header->height)
+    return robotlink::failure("bhuman.image", "the JPEG has another size than the image");
   return CameraImage{header->time, fromQuads(*header, jpeg->data), std::move(jpeg->damage)};
 }
 

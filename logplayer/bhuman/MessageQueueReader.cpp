@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "logplayer/bhuman/MessageKinds.h"
-#include "logplayer/bhuman/PayloadReader.h"
+#include "robotlink/base/ByteReader.h"
 
 namespace logplayer::bhuman {
 namespace {
+
+using robotlink::ByteReader;
 
 constexpr std::uint64_t kFileHeader = 8;
 constexpr std::uint64_t kMessageHeader = 4;
@@ -20,8 +22,7 @@ bool isProcess(std::uint8_t name) {
 }
 
 std::uint32_t sizeIn(const std::array<std::uint8_t, kMessageHeader>& header) {
-  return header[1] | static_cast<std::uint32_t>(header[2]) << 8U |
-         static_cast<std::uint32_t>(header[3]) << 16U;
+  return robotlink::loadNumber<std::uint32_t>(header.data()) >> 8U;  // the first byte is the id
 }
 
 }  // namespace
@@ -29,9 +30,9 @@ std::uint32_t sizeIn(const std::array<std::uint8_t, kMessageHeader>& header) {
 MessageQueueReader::MessageQueueReader(ByteSource& bytes) : bytes_(bytes) {
   std::array<std::uint8_t, kFileHeader> header{};
   const std::size_t count = bytes_.read(0, header);
-  PayloadReader reader{std::span<const std::uint8_t>(header).first(count)};
-  statedBytes_ = reader.takeInt32();
-  statedMessages_ = reader.takeInt32();
+  ByteReader reader{std::span<const std::uint8_t>(header).first(count)};
+  statedBytes_ = reader.take<std::int32_t>();
+  statedMessages_ = reader.take<std::int32_t>();
   // Files of other years have the same structure but other payloads; the first message of a kind with a known
   // size decides.
   std::uint64_t offset = kFileHeader;
@@ -74,16 +75,16 @@ bool MessageQueueReader::certain(const Header& header) {
     case Kind::kProcessFinished:
       return header.size == 1 && isProcess(begin[0]);
     case Kind::kImage: {
-      PayloadReader reader(std::span<const std::uint8_t>(begin).first(count));
-      const std::int64_t width = reader.takeInt32(), height = reader.takeInt32();
+      ByteReader reader(std::span<const std::uint8_t>(begin).first(count));
+      const std::int64_t width = reader.take<std::int32_t>(), height = reader.take<std::int32_t>();
       constexpr std::int64_t kMaxSide = 1 << 14;
       const bool possible = width > 0 && height > 0 && width <= kMaxSide && height <= kMaxSide;
       return possible && width * height * 4 + 12 == header.size;
     }
     case Kind::kJpegImage: {
-      PayloadReader reader(std::span<const std::uint8_t>(begin).first(count));
-      reader.skip(12);
-      return count == begin.size() && std::int64_t{reader.takeInt32()} + 16 == header.size;
+      ByteReader reader(std::span<const std::uint8_t>(begin).first(count));
+      reader.take(12);
+      return count == begin.size() && std::int64_t{reader.take<std::int32_t>()} + 16 == header.size;
     }
     default:
       return !otherSizes_ && fixedSize(header.id) == header.size;

@@ -17,7 +17,7 @@ class RawImage;
 
 namespace logplayer {
 
-// Encoding and decoding of images as JPEG and PNG (libjpeg-turbo, libpng). Images of more than 64 megapixels
+// Encoding and decoding of images as JPEG and PNG (libturbojpeg, libpng). Images of more than 64 megapixels
 // are not decoded. All functions may be called from any thread.
 
 /// Encodes as JPEG; `quality` is 1 to 100. The YCbCr values of a kYuyv image are encoded directly (4:2:2),
@@ -26,26 +26,24 @@ robotlink::Result<std::vector<std::uint8_t>> encodeJpeg(const robotlink::ImageVi
 /// Encodes as PNG, in RGB or gray.
 robotlink::Result<std::vector<std::uint8_t>> encodePng(const robotlink::ImageView& image);
 
-/// Decodes a YCbCr JPEG to kYuyv (to kRgb8 if its width is odd), a gray one to kMono8, any other to kRgb8.
-/// Missing parts of a truncated file are gray.
+/// Decodes a YCbCr JPEG to kYuyv (to kRgb8 if its width is odd, or its color is sampled in an unusual way), a
+/// gray one to kMono8, any other to kRgb8. Missing parts of a truncated file are gray.
 robotlink::Result<robotlink::Image> decodeJpeg(std::span<const std::uint8_t> data);
 /// Decodes to kMono8 or kRgb8.
 robotlink::Result<robotlink::Image> decodePng(std::span<const std::uint8_t> data);
 
-/// The components of a JPEG as they were encoded, interleaved, without any color conversion.
-struct JpegComponents {
+/// The components of a JPEG of four a pixel (CMYK) as they were encoded, interleaved, without any color
+/// conversion.
+struct JpegQuads {
   int width = 0;
   int height = 0;
-  /// Components per pixel, 1 to 4.
-  int count = 0;
-  /// width * height * count bytes, top row first.
+  /// width * height * 4 bytes, top row first.
   std::vector<std::uint8_t> data;
   /// The decoder's first warning; empty if the file is intact.
   std::string damage;
 };
 /// Fails for images of more than `maximumPixels` before it allocates memory for them.
-robotlink::Result<JpegComponents> decodeJpegComponents(std::span<const std::uint8_t> data,
-                                                       std::size_t maximumPixels);
+robotlink::Result<JpegQuads> decodeJpegQuads(std::span<const std::uint8_t> data, std::size_t maximumPixels);
 
 /// Conversions between compressed messages and raw ones as cameras publish them; timestamp and frame id are
 /// kept.

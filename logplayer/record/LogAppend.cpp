@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "robotlink/base/LittleEndian.h"
+
 namespace logplayer {
 namespace {
 
@@ -59,8 +61,7 @@ class LogEnd {
   off_t beginOfEnd(off_t size) const {
     std::array<std::uint8_t, 8> start{};
     if (!readAll(file_, start.data(), start.size(), size - kFooterBytes + 9)) return -1;
-    std::uint64_t summary = 0;
-    for (std::size_t i = start.size(); i-- > 0;) summary = summary << 8U | start[i];
+    auto summary = robotlink::loadNumber<std::uint64_t>(start.data());
     if (summary == 0) summary = static_cast<std::uint64_t>(size - kFooterBytes);  // there is no summary
     if (summary < kDataEndBytes || summary > static_cast<std::uint64_t>(size)) return -1;
     return static_cast<off_t>(summary) - kDataEndBytes;

@@ -19,7 +19,9 @@ namespace logplayer {
 /// callers never wait for the disk. Frames are discarded while no file is open, and after the file has
 /// failed.
 ///
-/// All functions may be called from any thread; callbacks run in the worker thread.
+/// All functions may be called from any thread; callbacks run in the worker thread. No robotlink::Worker,
+/// which keeps the newest job only: this takes many frames at once from a queue that is bounded by their
+/// bytes.
 class RecordingThread {
  public:
   /// Latched messages with which a file begins.

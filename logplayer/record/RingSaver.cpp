@@ -7,45 +7,9 @@ namespace logplayer {
 
 using robotlink::Result;
 
-RingSaver::RingSaver(Done done) : done_(std::move(done)), thread_([this] { run(); }) {}
-
-RingSaver::~RingSaver() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-bool RingSaver::start(Job job) {
-  const std::lock_guard lock(mutex_);
-  if (busy_) return false;
-  busy_ = true;
-  waiting_ = std::move(job);
-  changed_.notify_all();
-  return true;
-}
-
-void RingSaver::finish() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !busy_; });
-}
-
-void RingSaver::run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [this] { return quit_ || waiting_; });
-    if (!waiting_) return;
-    Job job = std::move(*waiting_);
-    waiting_.reset();
-    lock.unlock();
-    done_(save(std::move(job)));
-    lock.lock();
-    busy_ = false;
-    changed_.notify_all();
-  }
-}
+RingSaver::RingSaver(Done done)
+    : worker_([done = std::move(done)](Job job, const std::stop_token&) { done(save(std::move(job))); },
+              {.finishesJobs = true}) {}
 
 Result<std::filesystem::path> RingSaver::save(Job job) {
   if (!job.file) {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <utility>
 
 #include "logplayer/record/FrameRing.h"
 #include "logplayer/record/RecordingFile.h"
+#include "robotlink/base/Worker.h"
 
 namespace logplayer {
 
@@ -30,34 +28,19 @@ class RingSaver {
   /// Called in the worker thread with the path of the file, or the error.
   using Done = std::function<void(const robotlink::Result<std::filesystem::path>&)>;
 
+  /// The destructor waits until the current job is done.
   explicit RingSaver(Done done);
-  /// Waits until the current job is done.
-  ~RingSaver();
-  RingSaver(const RingSaver&) = delete;
-  RingSaver& operator=(const RingSaver&) = delete;
 
   /// Starts a job; returns false without any effect if another one is running.
-  bool start(Job job);
+  bool start(Job job) { return worker_.postIfFree(std::move(job)); }
   /// Blocks until no job is running.
-  void finish();
+  void finish() { worker_.finish(); }
 
  private:
-  /// The loop of the worker thread.
-  void run();
   /// Writes one file; called in the worker thread.
   static robotlink::Result<std::filesystem::path> save(Job job);
 
-  const Done done_;
-  /// Protects all members from here to quit_.
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  /// The job that the worker thread has not started yet.
-  std::optional<Job> waiting_;
-  /// Whether a job is waiting or running.
-  bool busy_ = false;
-  bool quit_ = false;
-  /// Declared last, since it uses all others.
-  std::thread thread_;
+  robotlink::Worker<Job> worker_;
 };
 
 }  // namespace logplayer

@@ -20,7 +20,7 @@ pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 find_package(BZip2 REQUIRED)
-find_package(JPEG REQUIRED)
+pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 find_package(PNG REQUIRED)
 # Of OpenCV only what learns; its CMake files come with all of it, which is ten times as much.
 find_path(OPENCV_INCLUDE_DIR opencv2/ml.hpp PATH_SUFFIXES opencv4 REQUIRED)
@@ -31,6 +31,7 @@ target_include_directories(opencv_learning SYSTEM INTERFACE ${OPENCV_INCLUDE_DIR
 target_link_libraries(opencv_learning INTERFACE ${OPENCV_ML} ${OPENCV_CORE})
 if(ROBOTCONTROL_TESTS)
   find_package(GTest REQUIRED)
+  find_package(JPEG REQUIRED)  # images as the robots of 2009 coded them
 endif()
 if(ROBOTCONTROL_BENCHMARKS)
   find_package(benchmark REQUIRED)

@@ -93,7 +93,6 @@ struct DebugProcess::Implementation {
   bool solutionsDue = false;  // to be sent although no process has sent its own
   std::shared_ptr<const robotcontrol::ColorTable> colorTableInUse;  // null: the built-in one
   bool colorTableDue = true;
-  bool colorTablePublished = false;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 };
@@ -295,11 +294,12 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
   answer(request, "");
 }
 
-/// A table without cells removes the one that was set.
+/// A table without cells removes the one that was set. Nothing changes for a person by a request that is
+/// repeated.
 void DebugProcess::Implementation::sendColorTable(const Request& request) {
   const robotcontrol::ColorTable& table = request.set_color_table().table();
   useColorTable(std::make_shared<robotcontrol::ColorTable>(table));
-  if (colorTablePublished)
+  if (!isRepeated(request))
     debug.text(Level::kInfo, "colors", describeColorTable(robotlink::colorTableInUse(&table)));
   answer(request, "", checksum(table));
 }
@@ -398,7 +398,6 @@ void DebugProcess::Implementation::sendTables() {
 void DebugProcess::Implementation::publishColorTable() {
   if (!colorTable.connected()) return;
   debug.package(streams::kColorTableInUse, robotlink::colorTableInUse(colorTableInUse.get()));
-  colorTablePublished = true;
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -52,5 +53,12 @@ std::string wrongWith(const robotcontrol::Request& request);
 std::string wrongWith(const robotcontrol::ColorTable& table);
 /// Whether both set the same thing, so that the later one takes the place of the one before.
 bool setTheSame(const robotcontrol::Request& a, const robotcontrol::Request& b);
+
+/// Ids with this bit are those of requests that repeat what a person chose, for a program that takes the
+/// place of another one. Sessions count from 1.
+inline constexpr std::uint64_t kRepeatedIds = std::uint64_t{1} << 63U;
+inline bool isRepeated(const robotcontrol::Request& request) {
+  return (request.id() & kRepeatedIds) != 0;
+}
 
 }  // namespace robotlink

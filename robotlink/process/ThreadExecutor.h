@@ -11,7 +11,8 @@ namespace robotlink {
 
 /// Runs each process in a thread of its own, as on real robots. Processes must outlive it. Platforms are not
 /// added: their owner drives them, and calls clockAdvanced() after it has advanced a clock that is not real
-/// time. add(), start() and stop() are called by one thread.
+/// time. add(), start() and stop() are called by one thread. No Workers, since a process decides itself when
+/// its next frame begins.
 class ThreadExecutor {
  public:
   struct Options {

@@ -43,10 +43,18 @@ void attachMesh(RTCDevice device, RTCScene scene, const Mesh& mesh, const Pose3&
 
 }  // namespace
 
-RTCDevice newRayDevice() {
-  // The instruction set is fixed because others give other bits for some rays. One thread is enough, as the
-  // trees are small.
-  return rtcNewDevice("threads=1,set_affinity=0,isa=avx2");
+RayInstructions fastestRayInstructions() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) return RayInstructions::kAvx2;
+#endif
+  return RayInstructions::kSse2;
+}
+
+RTCDevice newRayDevice(RayInstructions instructions) {
+  // The instruction set is one of two because others give other bits for some rays. One thread is enough, as
+  // the trees are small.
+  return rtcNewDevice(instructions == RayInstructions::kAvx2 ? "threads=1,set_affinity=0,isa=avx2"
+                                                             : "threads=1,set_affinity=0,isa=sse2");
 }
 
 BodyTrees::~BodyTrees() {

@@ -11,9 +11,13 @@
 
 namespace simcore::rendering {
 
-/// Creates an Embree device for scenes that one thread uses; its settings are in the source. The caller
-/// releases it.
-RTCDevice newRayDevice();
+/// The instruction sets by which rays are traced. Results differ in the last bits for some rays.
+enum class RayInstructions { kAvx2, kSse2 };
+/// AVX2 if the processor has it.
+RayInstructions fastestRayInstructions();
+/// Creates an Embree device for scenes that one thread uses; its settings are in the source. The processor
+/// must have the instructions. The caller releases it.
+RTCDevice newRayDevice(RayInstructions instructions = fastestRayInstructions());
 
 /// Which instances of a body a tree contains.
 enum class Contents {

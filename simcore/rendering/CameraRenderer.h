@@ -12,7 +12,8 @@ namespace simcore {
 
 /// Renders a RenderScene on the CPU: a visibility buffer (AVX2 if the processor has it, otherwise the same
 /// arithmetic without it), lighting per pixel, shadows by Embree rays. It needs no GPU and no display. The
-/// same inputs give the same bytes.
+/// same inputs give the same bytes; only where a processor without AVX2 traces the rays, edges of shadows may
+/// differ.
 ///
 /// Only the outer sides of triangles are visible, so a camera inside a closed mesh sees through it. There is
 /// no near plane. Coplanar surfaces of different instances must be at least 1 mm apart. A point on a triangle

@@ -38,8 +38,6 @@ class ShadowCaster {
   const Kernels& kernels_;
   BodyTree tree_;
   std::vector<LampGrid> grids_;
-  /// Not used: FrameMemory provides the buffer for Kernels::settle().
-  std::vector<std::int32_t> traced_;
 };
 
 }  // namespace simcore::rendering

@@ -14,6 +14,7 @@
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/OpenStream.h"
+#include "tests/Eventually.h"
 
 namespace {
 
@@ -40,7 +41,7 @@ class Simulator {
     }
     ::close(errors[1]);
     reader_ = std::thread([this, descriptor = errors[0]] { read(descriptor); });
-    for (int i = 0; i < 1000 && urls().size() <= kFlooders; ++i) std::this_thread::sleep_for(10ms);
+    eventually([this] { return urls().size() > kFlooders; });
   }
   ~Simulator() { interrupt(); }
   Simulator(const Simulator&) = delete;

@@ -7,6 +7,8 @@
 #include <future>
 #include <vector>
 
+#include "tests/Eventually.h"
+
 using namespace app;
 using namespace std::chrono_literals;
 using Clock = PacedThread::Clock;
@@ -50,8 +52,7 @@ TEST(PacedThread, aJobWakesItUpToSteps) {
   ASSERT_TRUE(finish(thread));
   EXPECT_EQ(steps.done, 0);
   thread.post([&] { steps.wanted = 3; });
-  const auto end = Clock::now() + kLongest;
-  while (steps.done < 3 && Clock::now() < end) std::this_thread::yield();
+  EXPECT_TRUE(eventually([&] { return steps.done == 3; }));
   ASSERT_TRUE(finish(thread));
   EXPECT_EQ(steps.done, 3);
 }
@@ -81,9 +82,7 @@ TEST(PacedThread, jobsAreDoneBetweenStepsThatAreAlwaysDue) {
   std::atomic<int> steps = 0;
   PacedThread thread({[] { return Clock::now() - 1s; }, [&] { ++steps; }, {}});
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(finish(thread));
-  const auto end = Clock::now() + kLongest;
-  while (steps == 0 && Clock::now() < end) std::this_thread::yield();
-  EXPECT_GT(steps, 0);
+  EXPECT_TRUE(eventually([&] { return steps > 0; }));
 }
 
 TEST(PacedThread, itEndsWhileItWaitsAndItsLastCallIsInItsOwnThread) {
@@ -111,11 +110,7 @@ TEST(PacedThread, itEndsThoughJobsNeverRunOut) {
       thread.post(again);
     };
     thread.post(again);
-    const auto end = Clock::now() + kLongest;
-    while (done < 10 && Clock::now() < end) std::this_thread::yield();
+    EXPECT_TRUE(eventually([&] { return done >= 10; }));
   }
-  const int atEnd = done;
-  EXPECT_GE(atEnd, 10);
-  std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(done, atEnd);
+  EXPECT_EQ(steps.ended, 1);
 }

@@ -15,6 +15,7 @@
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
+#include "tests/Eventually.h"
 #include "tests/app/ServedWorld.h"
 
 using namespace app;
@@ -63,7 +64,7 @@ class Hanging final : public robotlink::Solution {
   explicit Hanging(robotlink::SolutionContext& context) : drive_(context.input(robotlink::kDriveState)) {}
   void execute() override {
     hangs = true;
-    while (!letGo) std::this_thread::sleep_for(1ms);
+    letGo.wait(false);
   }
 
  private:
@@ -91,14 +92,11 @@ class PioneerRunTest : public testing::Test {
       EXPECT_TRUE(run_->request(request));
     }
   }
-  /// Whether it happens within some seconds.
   bool playUntil(const std::function<bool()>& happens) {
-    for (int i = 0; i < 1500; ++i) {
+    return eventually([&] {
       run_->step();
-      if (happens()) return true;
-      std::this_thread::sleep_for(5ms);
-    }
-    return false;
+      return happens();
+    });
   }
   bool connected() const { return run_->platform().driver().session().isConnected(); }
   std::shared_ptr<const robotcontrol::DriveState> state() {
@@ -152,7 +150,10 @@ TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) 
          "  - {name: debug, debug: true, period_ms: 16}\n";
   letGo = hangs = false;
   struct AtTheEnd {
-    ~AtTheEnd() { letGo = true; }
+    ~AtTheEnd() {
+      letGo = true;
+      letGo.notify_all();
+    }
   } atTheEnd;
   connect();
   ASSERT_TRUE(playUntil([&] { return connected(); }));
@@ -175,9 +176,9 @@ TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) 
   stopSwitch->engage("p3at2", true);
   EXPECT_TRUE(world_.motorsOn());
   stopSwitch->engage("p3at1", true);
-  for (int i = 0; i < 300 && world_.motorsOn(); ++i) std::this_thread::sleep_for(5ms);
-  EXPECT_FALSE(world_.motorsOn());
+  EXPECT_TRUE(eventually([&] { return !world_.motorsOn(); }));
   letGo = true;
+  letGo.notify_all();
   ending.join();
   stopSwitch->engage("p3at1", true);  // of a robot that is gone
 }

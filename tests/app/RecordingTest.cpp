@@ -12,6 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "tests/Eventually.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace app;
@@ -34,7 +35,10 @@ class RecordingTest : public ::testing::Test {
     recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
     if (recordFromTheStart) start("a.mcap");
     SimulatedRun::Listeners listeners;
-    listeners.queue = [this](const std::string&, const auto& queue) { reported += queue->ByteSizeLong(); };
+    listeners.queue = [this](const std::string&, const auto& queue) {
+      reported += queue->ByteSizeLong();
+      if (queue->process() == "cognition") ++thoughts;
+    };
     auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
     ASSERT_TRUE(made.has_value());
     run = std::move(*made);
@@ -69,6 +73,7 @@ class RecordingTest : public ::testing::Test {
   std::unique_ptr<logplayer::Recorder> recorder;
   std::unique_ptr<SimulatedRun> run;
   std::atomic<std::size_t> reported{0};
+  std::atomic<int> thoughts{0};  // queues of frames of cognition
 };
 
 template <typename T>
@@ -316,10 +321,9 @@ TEST_F(RecordingTest, anotherLayoutGoesOnInTheSameFileAndAResetInANewOne) {
 
 TEST_F(RecordingTest, threadsAreRecordedInWholeFramesToo) {
   make(true, ExecutorKind::kThreads);
-  for (int i = 0; i < 100; ++i) {
-    run->step();
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  steps(50);
+  ASSERT_TRUE(eventually([&] { return thoughts > 0; })) << "though the platform does not go on";
+  steps(50);
   const ReadLog log = stop();
   EXPECT_EQ(log.count("red1/frames/platform"), 100U);
   EXPECT_EQ(log.count("red1/joints/states"), 100U);

@@ -107,19 +107,18 @@ TEST_F(ReplayFeedTest, aLogOpensPausedAtItsFirstImage) {
 
 TEST_F(ReplayFeedTest, itIsPlayedAtItsSpeedUntilItIsPaused) {
   run("log.speed 0.5");
+  const auto start = std::chrono::steady_clock::now();
   run("log.play");
   ASSERT_TRUE(waitFor([this] { return newest("red1/frames/planner") >= 4; }));
   EXPECT_TRUE(status()->playing());
-  const auto start = std::chrono::steady_clock::now();
-  const int from = newest("red1/frames/planner");
-  ASSERT_TRUE(waitFor([&] { return newest("red1/frames/planner") >= from + 5; }));
+  ASSERT_TRUE(waitFor([this] { return newest("red1/frames/planner") >= 9; }));
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_GT(real, 0.28) << "five frames of 40 ms at half speed take 0.4 s";
+  EXPECT_GE(real, (secondsOf(newest("red1/frames/planner")) - secondsOf(1)) / 0.5 - 0.1)
+      << "it is never ahead of its speed, however busy the machine is";
   runAll("log.pause");
   const int paused = newest("red1/frames/planner");
   EXPECT_FALSE(status()->playing());
-  std::this_thread::sleep_for(std::chrono::milliseconds(120));
-  workbench.tick();
+  ASSERT_TRUE(settle()) << "what is asked in the pause is answered";
   EXPECT_EQ(newest("red1/frames/planner"), paused);
   EXPECT_EQ(shownFrame(), paused);
 }
@@ -263,11 +262,11 @@ TEST_F(ReplayFeedTest, aRangeIsPlayedInALoop) {
 TEST_F(ReplayFeedTest, gapsAreSkippedOnRequest) {
   runAll("log.skip-gaps on");
   EXPECT_TRUE(status()->skip_gaps());
-  runAll(jumpTo(23));
-  const auto start = std::chrono::steady_clock::now();
+  runAll(jumpTo(24));
+  run("log.speed 0.05");
   run("log.play");
-  ASSERT_TRUE(waitFor([this] { return newest("red1/frames/planner") >= 27; }));
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), kGap / 2);
+  EXPECT_TRUE(waitFor([this] { return newest("red1/frames/planner") >= 25; }))
+      << "at this speed the gap would take a minute";
 }
 
 TEST_F(ReplayFeedTest, inAGapTheTimeGoesOn) {

@@ -13,6 +13,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
+#include "tests/Eventually.h"
 
 using namespace app;
 using robotlink::Pose2;
@@ -294,6 +295,14 @@ TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
   EXPECT_THAT(reported.texts, ElementsAre("The color table is now the built-in one"));
 }
 
+TEST(SimulatedRun, aColorTableThatIsGivenBeforeTheFirstFrameIsLoggedToo) {
+  Reported reported;
+  const auto run = makeRun(options(), reported.listeners());
+  ASSERT_TRUE(run->request(tableRequest()).has_value());
+  play(*run, 0.5);
+  EXPECT_THAT(reported.texts, ElementsAre("The color table is now /home/me/orange.c64"));
+}
+
 TEST(SimulatedRun, inAPauseTheColorTableThatWasGivenIsSaidAtOnce) {
   Reported reported;
   const auto run = makeRun(options(), reported.listeners());
@@ -452,11 +461,11 @@ TEST(SimulatedRun, threadsPlayToo) {
   SimulatedRun::Listeners listeners;
   listeners.queue = [&](const std::string&, const auto& queue) { frames += queue->messages_size(); };
   const auto run = makeRun(chosen, std::move(listeners));
-  for (int i = 0; i < 125; ++i) {
+  for (int i = 0; i < 125; ++i) run->step();
+  EXPECT_TRUE(eventually([&] {
     run->step();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  EXPECT_GT(frames.load(), 0);
+    return frames > 0;
+  }));
 }
 
 TEST(SlowSimulatedRun, theRobotTouchesBallsAroundItButNoneWithoutEyes) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "simcore/rendering/BodyTree.h"
+
 namespace simcore::testing {
 namespace {
 
@@ -38,7 +40,7 @@ struct ReferenceCamera::Hits {
 ReferenceCamera::ReferenceCamera(std::shared_ptr<const RenderScene> scene, bool shadows)
     : scene_(std::move(scene)),
       shadows_(shadows),
-      device_(rtcNewDevice("threads=1,set_affinity=0,isa=avx2")),
+      device_(rendering::newRayDevice()),
       seen_(rtcNewScene(device_)),
       casting_(rtcNewScene(device_)),
       rotations_(scene_->instances.size(), Eigen::Matrix3f::Identity()) {

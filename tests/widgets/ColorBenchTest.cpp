@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QTest>
+#include <algorithm>
+#include <numeric>
 
 #include "tests/widgets/ColorWorld.h"
 
@@ -96,7 +98,49 @@ class ColorBenchTest : public QObject {
     QVERIFY(bench_->collected().empty());
   }
 
+  void anImageThatIsPutAsideAgainCountsOnceInTheScore() {
+    const ColorFramePtr first = world_->frame(40, 30, 10), second = world_->frame(40, 30, 20);
+    QCOMPARE(bench_->collect({first, second, first}), std::size_t{2});
+    bench_->removeCollected(0);
+    QCOMPARE(bench_->collect({first}), std::size_t{1});
+    stroke("orange", 8, 7);
+    waitForColors();
+    QTRY_VERIFY(bench_->quality() != nullptr && bench_->quality()->task == bench_->colors()->task);
+    QCOMPARE(bench_->quality()->others.images, 2);
+  }
+
+  void suspiciousPixelsAreCountedInTheCorrectedImage() {
+    colortool::ColorTable brightIsOrange;
+    const auto& classes = bench_->samples().classes;
+    for (int y = 32; y < colortool::ColorTable::kCells; ++y)
+      brightIsOrange.setCell(y, 32, 32, classes.index("orange"));
+    robotlink::Image image(320, 240, robotlink::PixelFormat::kYuyv);
+    std::ranges::fill(image.data, std::uint8_t{128});
+    for (std::size_t i = 0; i < image.data.size(); i += 2) image.data[i] = 20;
+    for (int x = 0; x < 4; ++x) image.row(100)[200 + 2 * x] = 200;
+    auto message = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*message, image.view(), {}, "camera");
+    colortool::Samples samples = bench_->samples();
+    QCOMPARE(suspiciousPixels(samples, brightIsOrange, message), std::uint64_t{4});
+    colortool::ColorCorrection darker;
+    darker.channels[0] = {1, -100};
+    samples.corrections = {{"red1", darker}};
+    samples.settings.correctCameras = true;
+    QCOMPARE(suspiciousPixels(samples, brightIsOrange, message), std::uint64_t{0});
+  }
+
  private:
+  /// As a scorer counts them in an image of red1.
+  static std::uint64_t suspiciousPixels(const colortool::Samples& samples, const colortool::ColorTable& table,
+                                        const std::shared_ptr<const foxglove::RawImage>& image) {
+    ColorScorer scorer([] {});
+    const auto frame = std::make_shared<ColorFrame>(image, ColorWorld::kStream, "", robotlink::Instant{});
+    scorer.ask({1, samples, std::make_shared<colortool::ColorTable>(table), {}, {}, {frame}});
+    std::optional<ColorQuality> quality;
+    if (!QTest::qWaitFor([&] { return (quality = scorer.take()).has_value(); })) return 0;
+    return std::accumulate(quality->others.suspicious.begin(), quality->others.suspicious.end(),
+                           std::uint64_t{0});
+  }
   void choose(const char* name) { bench_->setCurrentClass(bench_->samples().classes.index(name)); }
   void stroke(const char* name, double x, double y) {
     choose(name);

@@ -237,6 +237,23 @@ class ColorImageViewTest : public QObject {
     QVERIFY(!strip->isVisible());
   }
 
+  void aSelectionIsOfTheCorrectedColors() {
+    Shown s;
+    colortool::Samples samples = s.bench.samples();
+    colortool::ColorCorrection darker;
+    darker.channels[0] = {1, -60};
+    samples.corrections = {{"red1", darker}};
+    samples.settings.correctCameras = true;
+    s.bench.change(QStringLiteral("correct"), std::move(samples));
+    s.settle();
+    const QColor orange = s.pixel(*s.left, 8, 7), green = s.pixel(*s.left, 30, 7);
+    s.tool("colorToolSelect");
+    s.drag({{4, 4}, {8, 7}});
+    QVERIFY(s.bench.hasSelection());
+    QCOMPARE(s.pixel(*s.left, 16, 12), orange);
+    QVERIFY2(s.pixel(*s.left, 30, 7).lightness() < green.lightness() / 2, "what is not selected is dark");
+  }
+
   void aSelectionDarkensTheRest() {
     Shown s;
     s.tool("colorToolSelect");

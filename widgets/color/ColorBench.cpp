@@ -162,10 +162,14 @@ std::size_t ColorBench::collect(const std::vector<ColorFramePtr>& frames) {
   std::size_t bytes = 0, added = 0;
   for (const CollectedFrame& collected : collected_) bytes += collected.frame->message()->data().size();
   for (const ColorFramePtr& frame : frames) {
-    if (others_.size() < kMaxOthers && frame != frame_) others_.push_back(frame);
-    const bool there = std::ranges::any_of(
-        collected_, [&](const CollectedFrame& each) { return each.frame->place() == frame->place(); });
+    const auto isThis = [&frame](const ColorFrame& other) { return other.place() == frame->place(); };
+    const bool there =
+        std::ranges::any_of(collected_, [&](const CollectedFrame& each) { return isThis(*each.frame); });
     if (there || bytes > kMaxCollectedBytes) continue;
+    const bool counted = frame == frame_ || std::ranges::any_of(others_, [&](const ColorFramePtr& each) {
+                           return isThis(*each);
+                         });
+    if (!counted && others_.size() < kMaxOthers) others_.push_back(frame);
     bytes += frame->message()->data().size();
     const QImage image = toQImage(frame->view());
     collected_.push_back({frame, image.scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)});

@@ -54,79 +54,32 @@ struct ColorLearner::Work {
 };
 
 ColorLearner::ColorLearner(std::function<void()> news)
-    : news_(std::move(news)), scorer_(news_), thread_([this] { run(); }) {}
+    : scorer_(news),
+      work_(std::make_unique<Work>()),
+      worker_([this](const ColorTask& task, const std::stop_token& stop) { learn(task, stop); },
+              {.news = std::move(news)}) {}
 
-ColorLearner::~ColorLearner() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  wakeUp_.notify_all();
-  thread_.join();
+ColorLearner::~ColorLearner() = default;
+
+void ColorLearner::learn(const ColorTask& task, const std::stop_token& stop) {
+  LearnedColors colors = work_->learn(task);
+  worker_.publish(colors);
+  askForScore(task);
+  if (work_->margins || stop.stop_requested()) return;
+  work_->margins = std::make_shared<std::vector<std::uint8_t>>(work_->trainer.margins());
+  colors.margins = work_->margins;
+  worker_.publish(std::move(colors));
 }
 
-void ColorLearner::ask(ColorTask task) {
-  {
-    const std::lock_guard lock(mutex_);
-    task_ = std::move(task);
-  }
-  wakeUp_.notify_all();
-}
-
-std::optional<LearnedColors> ColorLearner::takeColors() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(colors_, std::nullopt);
-}
-
-std::optional<ColorQuality> ColorLearner::takeQuality() {
-  return scorer_.take();
-}
-
-bool ColorLearner::idle() const {
-  const std::lock_guard lock(mutex_);
-  return !task_ && !busy_ && !colors_ && scorer_.idle();
-}
-
-bool ColorLearner::newTask() const {
-  const std::lock_guard lock(mutex_);
-  return quit_ || task_.has_value();
-}
-
-void ColorLearner::run() {
-  Work work;
-  const auto publish = [this](LearnedColors colors) {
-    {
-      const std::lock_guard lock(mutex_);
-      colors_ = std::move(colors);
-    }
-    news_();
-  };
-  while (true) {
-    ColorTask task;
-    {
-      std::unique_lock lock(mutex_);
-      busy_ = false;
-      wakeUp_.wait(lock, [this] { return quit_ || task_; });
-      if (quit_) return;
-      task = std::move(*task_);
-      task_.reset();
-      busy_ = true;
-    }
-    LearnedColors colors = work.learn(task);
-    publish(colors);
-    if (work.scoredTable != work.table || work.scoredImages != task.labeled ||
-        work.scoredReference != task.reference || work.scoredOthers != task.others) {
-      work.scoredTable = work.table;
-      work.scoredImages = task.labeled;
-      work.scoredReference = task.reference;
-      work.scoredOthers = task.others;
-      scorer_.ask({task.number, task.samples, work.table, task.labeled, task.reference, task.others});
-    }
-    if (work.margins || newTask()) continue;
-    work.margins = std::make_shared<std::vector<std::uint8_t>>(work.trainer.margins());
-    colors.margins = work.margins;
-    publish(std::move(colors));
-  }
+void ColorLearner::askForScore(const ColorTask& task) {
+  if (work_->scoredTable == work_->table && work_->scoredImages == task.labeled &&
+      work_->scoredReference == task.reference && work_->scoredOthers == task.others)
+    return;
+  work_->scoredTable = work_->table;
+  work_->scoredImages = task.labeled;
+  work_->scoredReference = task.reference;
+  work_->scoredOthers = task.others;
+  scorer_.ask({task.number, task.samples, work_->table, task.labeled, task.reference, task.others});
 }
 
 }  // namespace widgets

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "colortool/samples/Samples.h"
 #include "robotlink/base/Image.h"
+#include "robotlink/base/Worker.h"
 #include "widgets/color/ColorFrame.h"
 #include "widgets/color/ColorScorer.h"
 
@@ -67,34 +66,25 @@ class ColorLearner {
   ColorLearner& operator=(const ColorLearner&) = delete;
 
   /// Replaces a task that has not begun.
-  void ask(ColorTask task);
+  void ask(ColorTask task) { worker_.post(std::move(task)); }
   /// The newest result that was not taken yet.
-  std::optional<LearnedColors> takeColors();
+  std::optional<LearnedColors> takeColors() { return worker_.take(); }
   /// The newest score that was not taken yet.
-  std::optional<ColorQuality> takeQuality();
+  std::optional<ColorQuality> takeQuality() { return scorer_.take(); }
   /// Whether all tasks are done and all results were taken.
-  bool idle() const;
+  bool idle() const { return worker_.idle() && scorer_.idle(); }
 
  private:
+  void learn(const ColorTask& task, const std::stop_token& stop);
+  /// Gives the table to the scorer if anything has changed for it.
+  void askForScore(const ColorTask& task);
+
+  ColorScorer scorer_;
   /// State of the thread: trainer, last table, what was scored last.
   struct Work;
-  void run();
-  /// Whether the thread should begin something else.
-  bool newTask() const;
-
-  const std::function<void()> news_;
-  /// Protects task_, colors_, busy_ and quit_.
-  mutable std::mutex mutex_;
-  /// Signaled when task_ or quit_ is set.
-  std::condition_variable wakeUp_;
-  std::optional<ColorTask> task_;
-  std::optional<LearnedColors> colors_;
-  bool busy_ = false;
-  bool quit_ = false;
-  /// Has a mutex of its own.
-  ColorScorer scorer_;
+  std::unique_ptr<Work> work_;
   /// Last, since it uses the other members.
-  std::thread thread_;
+  robotlink::Worker<ColorTask, LearnedColors> worker_;
 };
 
 }  // namespace widgets

@@ -30,21 +30,14 @@ std::filesystem::path setAside(const std::filesystem::path& file) {
 }  // namespace
 
 ColorRecovery::ColorRecovery(std::filesystem::path folder, std::function<void(robotlink::Error)> failed)
-    : failed_(std::move(failed)) {
+    : failed_(std::move(failed)),
+      worker_([this](const Job& job, const std::stop_token&) { work(job); }, {.finishesJobs = true}) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);  // if this fails, writing fails as well and is reported
   choosePlace(folder);
-  thread_ = std::thread([this] { run(); });
 }
 
-ColorRecovery::~ColorRecovery() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  wakeUp_.notify_all();
-  thread_.join();
-}
+ColorRecovery::~ColorRecovery() = default;
 
 /// Chooses the first unlocked file that was left behind, else the first unlocked name.
 void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
@@ -82,51 +75,15 @@ std::optional<robotlink::Result<colortool::ReadSamples>> ColorRecovery::left() {
   return read;
 }
 
-void ColorRecovery::keep(colortool::Samples samples) {
-  ask({std::move(samples)});
-}
-
-void ColorRecovery::drop() {
-  ask({});
-}
-
-void ColorRecovery::ask(Job job) {
-  {
-    const std::lock_guard lock(mutex_);
-    job_ = std::move(job);
-  }
-  wakeUp_.notify_all();
-}
-
-void ColorRecovery::finish() {
-  std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return !job_ && !busy_; });
-}
-
-void ColorRecovery::run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    wakeUp_.wait(lock, [this] { return quit_ || job_; });
-    if (!job_) return;  // jobs are finished before the end
-    const Job job = *std::exchange(job_, std::nullopt);
-    busy_ = true;
-    lock.unlock();
-    work(job);
-    lock.lock();
-    busy_ = false;
-    done_.notify_all();
-  }
-}
-
 void ColorRecovery::work(const Job& job) const {
-  if (!job.samples) {
+  if (!job) {
     std::error_code error;
     std::filesystem::remove(file_, error);
     if (error)
       failed_({"color.recovery", "the file cannot be removed: " + error.message(), {}, {file_.string()}});
     return;
   }
-  if (const auto saved = colortool::saveSamples(*job.samples, file_); !saved) failed_(saved.error());
+  if (const auto saved = colortool::saveSamples(*job, file_); !saved) failed_(saved.error());
 }
 
 }  // namespace widgets

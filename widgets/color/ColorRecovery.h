@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
 #include "colortool/samples/SampleFile.h"
+#include "robotlink/base/Worker.h"
 
 class QLockFile;
 
@@ -33,24 +32,19 @@ class ColorRecovery {
   /// keep() or drop(). A file that cannot be read whole is renamed, which the errors say.
   std::optional<robotlink::Result<colortool::ReadSamples>> left();
   /// Writes the samples to the file; replaces a job that has not begun.
-  void keep(colortool::Samples samples);
+  void keep(colortool::Samples samples) { worker_.post(std::move(samples)); }
   /// Deletes the file.
-  void drop();
+  void drop() { worker_.post(std::nullopt); }
   /// Blocks until all jobs are done.
-  void finish();
+  void finish() { worker_.finish(); }
 
   const std::filesystem::path& file() const { return file_; }
 
  private:
-  /// One write or deletion.
-  struct Job {
-    /// Unset: delete the file.
-    std::optional<colortool::Samples> samples;
-  };
+  /// The samples to write; unset: delete the file.
+  using Job = std::optional<colortool::Samples>;
   /// Sets file_ and lock_.
   void choosePlace(const std::filesystem::path& folder);
-  void ask(Job job);
-  void run();
   /// Executes a job, in the thread.
   void work(const Job& job) const;
 
@@ -58,14 +52,7 @@ class ColorRecovery {
   std::filesystem::path file_;
   /// Null: no file could be locked; file_ is then a name that no other program uses.
   std::unique_ptr<QLockFile> lock_;
-  /// Protects job_, busy_ and quit_.
-  std::mutex mutex_;
-  /// wakeUp_: job_ or quit_ was set; done_: a job was done.
-  std::condition_variable wakeUp_, done_;
-  std::optional<Job> job_;
-  bool busy_ = false;
-  bool quit_ = false;
-  std::thread thread_;
+  robotlink::Worker<Job> worker_;
 };
 
 }  // namespace widgets

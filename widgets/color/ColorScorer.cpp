@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "colortool/correction/ImageCorrector.h"
 #include "colortool/training/Suspicion.h"
 
 namespace widgets {
@@ -44,104 +45,84 @@ void add(Evaluation& evaluation, const LabeledFrame& labeled, const ColorScorer:
   evaluation.add(table, seen(*labeled.frame, task.samples), labels);
 }
 
-/// Adds the pixels of an image that are suspicious.
-void add(ColorQuality::Others& others, colortool::SuspicionMeter& meter, const ColorFrame& frame) {
-  const colortool::Suspicion suspicion = meter.measure(frame.view());
-  others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
-  for (std::size_t i = 0; i < suspicion.byClass.size(); ++i)
-    others.suspicious[i] +=
-        suspicion.byClass[i].specks + suspicion.byClass[i].enclosed + suspicion.byClass[i].vast;
-  others.pixels += static_cast<std::uint64_t>(frame.width()) * static_cast<std::uint64_t>(frame.height());
-  ++others.images;
-}
+/// Counts the suspicious pixels of images, which the table sees with their cameras' corrections.
+class SuspicionCount {
+ public:
+  explicit SuspicionCount(const ColorScorer::Task& task)
+      : samples_(task.samples), meter_(*task.table, {}, colortool::objectClasses(task.samples.classes)) {}
 
-}  // namespace
-
-ColorScorer::ColorScorer(std::function<void()> news) : news_(std::move(news)), thread_([this] { run(); }) {}
-
-ColorScorer::~ColorScorer() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
+  void add(const ColorFrame& frame, ColorQuality::Others& others) {
+    const colortool::Suspicion suspicion = meter_.measure(corrected(frame));
+    others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
+    for (std::size_t i = 0; i < suspicion.byClass.size(); ++i)
+      others.suspicious[i] +=
+          suspicion.byClass[i].specks + suspicion.byClass[i].enclosed + suspicion.byClass[i].vast;
+    others.pixels += static_cast<std::uint64_t>(frame.width()) * static_cast<std::uint64_t>(frame.height());
+    ++others.images;
   }
-  wakeUp_.notify_all();
-  thread_.join();
-}
 
-void ColorScorer::ask(Task task) {
-  {
-    const std::lock_guard lock(mutex_);
-    task_ = std::move(task);
+ private:
+  robotlink::ImageView corrected(const ColorFrame& frame) {
+    const colortool::ColorCorrection correction = samples_.correctionOf(frame.place().camera);
+    if (correction.none()) return frame.view();
+    if (!corrector_ || !(corrector_->correction() == correction)) corrector_.emplace(correction);
+    corrector_->correct(frame.view(), image_);
+    return image_.view();
   }
-  wakeUp_.notify_all();
-}
 
-std::optional<ColorQuality> ColorScorer::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(quality_, std::nullopt);
-}
+  const colortool::Samples& samples_;
+  colortool::SuspicionMeter meter_;
+  std::optional<colortool::ImageCorrector> corrector_;
+  /// The image that was corrected last.
+  robotlink::Image image_;
+};
 
-bool ColorScorer::idle() const {
-  const std::lock_guard lock(mutex_);
-  return !task_ && !busy_ && !quality_;
-}
-
-bool ColorScorer::goOn() const {
-  const std::lock_guard lock(mutex_);
-  return !quit_ && !task_;
-}
-
-bool ColorScorer::scoreImages(const Task& task, ColorQuality& quality) const {
+/// Scores labeled and unlabeled images. False: canceled.
+bool scoreImages(const ColorScorer::Task& task, const std::stop_token& stop, ColorQuality& quality) {
   if (task.labeled && !task.labeled->empty()) {
     Evaluation evaluation(task.samples.classes.size()), reference = evaluation;
     for (const LabeledFrame& labeled : *task.labeled) {
-      if (!goOn()) return false;
+      if (stop.stop_requested()) return false;
       add(evaluation, labeled, task, *task.table);
       if (task.reference) add(reference, labeled, task, *task.reference);
     }
     quality.labeled = std::move(evaluation);
     if (task.reference) quality.referenceLabeled = std::move(reference);
   }
-  colortool::SuspicionMeter meter(*task.table, {}, colortool::objectClasses(task.samples.classes));
+  SuspicionCount count(task);
   for (const ColorFramePtr& frame : task.others) {
-    if (!goOn()) return false;
-    add(quality.others, meter, *frame);
+    if (stop.stop_requested()) return false;
+    count.add(*frame, quality.others);
   }
   return true;
 }
 
-std::optional<ColorQuality> ColorScorer::score(const Task& task) const {
+/// Unset: canceled.
+std::optional<ColorQuality> scoredQuality(const ColorScorer::Task& task, const std::stop_token& stop) {
   ColorQuality quality;
   quality.task = task.number;
   quality.classes = task.samples.classes;
-  if (!scoreImages(task, quality)) return std::nullopt;
+  if (!scoreImages(task, stop, quality)) return std::nullopt;
   if (!task.samples.strokes.empty()) {
-    quality.strokes = colortool::crossValidate(task.samples, [this] { return goOn(); });
+    quality.strokes = colortool::crossValidate(task.samples, [&stop] { return !stop.stop_requested(); });
     if (!quality.strokes) return std::nullopt;
     if (task.reference) quality.referenceStrokes = colortool::scoreStrokes(task.samples, *task.reference);
   }
   return quality;
 }
 
-void ColorScorer::run() {
-  // The user waits for the picture, not for the figures. Every thread may lower its own priority.
+/// The user waits for the picture, not for the figures. Every thread may lower its own priority.
+void lowerPriority() {
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
-  std::unique_lock lock(mutex_);
-  while (true) {
-    busy_ = false;
-    wakeUp_.wait(lock, [this] { return quit_ || task_; });
-    if (quit_) return;
-    const Task task = *std::exchange(task_, std::nullopt);
-    busy_ = true;
-    lock.unlock();
-    auto quality = score(task);
-    lock.lock();
-    if (!quality) continue;
-    quality_ = std::move(quality);
-    lock.unlock();
-    news_();
-    lock.lock();
-  }
 }
+
+}  // namespace
+
+ColorScorer::ColorScorer(std::function<void()> news)
+    : worker_(
+          [this](const Task& task, const std::stop_token& stop) {
+            if (auto quality = scoredQuality(task, stop)) worker_.publish(*std::move(quality));
+          },
+          {.news = std::move(news), .begin = &lowerPriority}) {}
 
 }  // namespace widgets

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 #include "colortool/scoring/CrossValidation.h"
 #include "colortool/table/ColorTable.h"
+#include "robotlink/base/Worker.h"
 #include "widgets/color/ColorFrame.h"
 
 namespace widgets {
@@ -71,35 +70,16 @@ class ColorScorer {
   };
   /// `news` is called in the scorer's thread whenever there is a score to take; it must not block.
   explicit ColorScorer(std::function<void()> news);
-  ~ColorScorer();
-  ColorScorer(const ColorScorer&) = delete;
-  ColorScorer& operator=(const ColorScorer&) = delete;
 
   /// Replaces the task.
-  void ask(Task task);
+  void ask(Task task) { worker_.post(std::move(task)); }
   /// The newest score that was not taken yet.
-  std::optional<ColorQuality> take();
+  std::optional<ColorQuality> take() { return worker_.take(); }
   /// Whether the task is done and its score was taken.
-  bool idle() const;
+  bool idle() const { return worker_.idle(); }
 
  private:
-  void run();
-  /// Unset: canceled.
-  std::optional<ColorQuality> score(const Task& task) const;
-  /// Scores labeled and unlabeled images. False: canceled.
-  bool scoreImages(const Task& task, ColorQuality& quality) const;
-  /// False if there is a new task, or the scorer is being destroyed.
-  bool goOn() const;
-
-  const std::function<void()> news_;
-  /// Protects all following members but the thread.
-  mutable std::mutex mutex_;
-  std::condition_variable wakeUp_;
-  std::optional<Task> task_;
-  std::optional<ColorQuality> quality_;
-  bool busy_ = false;
-  bool quit_ = false;
-  std::thread thread_;
+  robotlink::Worker<Task, ColorQuality> worker_;
 };
 
 }  // namespace widgets

@@ -53,12 +53,17 @@ FrameSearch::FrameSearch(FrameQuery query, std::function<void()> news)
     : query_(std::move(query)),
       news_(std::move(news)),
       eye_(std::make_unique<Eye>(query_)),
-      thread_([this] { run(); }) {}
-
-FrameSearch::~FrameSearch() {
-  cancel();
-  thread_.join();
+      worker_([this](std::monostate, const std::stop_token& stop) {
+        stop_ = stop;
+        if (const auto* logged = std::get_if<LoggedImages>(&query_.images))
+          searchLog(*logged);
+        else
+          searchHistory(std::get<KeptImages>(query_.images));
+      }) {
+  worker_.post({});
 }
+
+FrameSearch::~FrameSearch() = default;
 
 std::vector<SuspiciousFrame> FrameSearch::take() {
   const std::lock_guard lock(mutex_);
@@ -70,18 +75,11 @@ FrameSearch::Progress FrameSearch::progress() const {
   return progress_;
 }
 
-void FrameSearch::run() {
-  if (const auto* logged = std::get_if<LoggedImages>(&query_.images))
-    searchLog(*logged);
-  else
-    searchHistory(std::get<KeptImages>(query_.images));
-}
-
 void FrameSearch::end(std::string failure) {
   {
     const std::lock_guard lock(mutex_);
     progress_.ended = true;
-    progress_.canceled = canceled_;
+    progress_.canceled = stop_.stop_requested();
     progress_.failure = std::move(failure);
   }
   news_();
@@ -96,10 +94,10 @@ void FrameSearch::searchLog(const LoggedImages& images) {
       progress_.opening = share;
     }
     news_();
-    return !canceled_;
+    return !stop_.stop_requested();
   };
   const auto log = logplayer::LogFile::open(images.log, options);
-  if (canceled_) return end();
+  if (stop_.stop_requested()) return end();
   if (!log) return end(log.error().describe());
   const auto stream = std::ranges::find((*log)->streams(), images.stream, &logplayer::LogFile::Stream::path);
   if (stream == (*log)->streams().end())
@@ -135,7 +133,7 @@ bool FrameSearch::isKept(double score) {
 }
 
 bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Duration offset) {
-  if (canceled_) return false;
+  if (stop_.stop_requested()) return false;
   const auto image = rawImageIn(message);
   const robotlink::ImageView view = image ? robotlink::imageView(*image) : robotlink::ImageView();
   const colortool::Suspicion found = view.empty() ? colortool::Suspicion() : eye_->measure(view);

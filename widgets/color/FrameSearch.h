@@ -2,19 +2,18 @@
 #pragma once
 
 #include <QImage>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <variant>
 #include <vector>
 
 #include "colortool/image/ColorCorrection.h"
 #include "colortool/training/Suspicion.h"
+#include "robotlink/base/Worker.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace widgets {
@@ -68,7 +67,7 @@ class FrameSearch {
   FrameSearch& operator=(const FrameSearch&) = delete;
 
   /// Ends the search; what was found can still be taken.
-  void cancel() { canceled_ = true; }
+  void cancel() { worker_.cancel(); }
   /// The frames found since the last call, in the order of the stream.
   std::vector<SuspiciousFrame> take();
 
@@ -93,8 +92,6 @@ class FrameSearch {
   Progress progress() const;
 
  private:
-  /// The thread's function.
-  void run();
   void searchLog(const LoggedImages& images);
   void searchHistory(const KeptImages& images);
   /// Examines an image. False: canceled.
@@ -106,16 +103,16 @@ class FrameSearch {
 
   const FrameQuery query_;
   const std::function<void()> news_;
-  /// Set by cancel(), read by the thread.
-  std::atomic<bool> canceled_{false};
-  /// Meter and buffers; used by the thread only.
+  /// Says whether the search was canceled. Used by the thread only, as are meter and buffers.
+  std::stop_token stop_;
   struct Eye;
   std::unique_ptr<Eye> eye_;
   /// Protects progress_ and found_.
   mutable std::mutex mutex_;
   Progress progress_;
   std::vector<SuspiciousFrame> found_;
-  std::thread thread_;
+  /// Has one job: the search.
+  robotlink::Worker<std::monostate> worker_;
 };
 
 }  // namespace widgets

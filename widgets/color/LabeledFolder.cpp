@@ -99,27 +99,17 @@ Result<std::vector<std::string>> namesOf(const fs::path& labels) {
 }  // namespace
 
 LabeledFolder::LabeledFolder(fs::path folder, std::string camera)
-    : folder_(std::move(folder)), camera_(std::move(camera)), thread_([this] {
-        auto read = readAll();
-        const std::lock_guard lock(mutex_);
-        read_ = std::move(read);
-      }) {}
-
-LabeledFolder::~LabeledFolder() {
-  quit_ = true;
-  thread_.join();
+    : camera_(std::move(camera)), worker_([this](const fs::path& chosen, const std::stop_token& stop) {
+        worker_.publish(readAll(chosen, stop));
+      }) {
+  worker_.post(std::move(folder));
 }
 
-std::optional<Result<LabeledFolder::Read>> LabeledFolder::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(read_, std::nullopt);
-}
-
-Result<LabeledFolder::Read> LabeledFolder::readAll() {
+Result<LabeledFolder::Read> LabeledFolder::readAll(const fs::path& chosen, const std::stop_token& stop) {
   std::error_code none;
-  if (!fs::is_directory(folder_, none))
-    return failure("image.labels", "there is no such folder", {folder_.string(), 0, 0});
-  const fs::path given = folder_.has_filename() ? folder_ : folder_.parent_path();
+  if (!fs::is_directory(chosen, none))
+    return failure("image.labels", "there is no such folder", {chosen.string(), 0, 0});
+  const fs::path given = chosen.has_filename() ? chosen : chosen.parent_path();
   const bool isLabels = given.filename() == "labels";
   const fs::path folder = isLabels ? given.parent_path() : given;
   const fs::path labels = isLabels ? given : labelFolder(folder);
@@ -129,7 +119,7 @@ Result<LabeledFolder::Read> LabeledFolder::readAll() {
   Read read;
   std::size_t done = 0;
   for (const auto& [name, file] : images) {
-    if (quit_) break;
+    if (stop.stop_requested()) break;
     progress_ = static_cast<double>(done++) / static_cast<double>(images.size());
     const fs::path label = labels / (name + ".png");
     std::error_code error;
@@ -160,7 +150,7 @@ Result<LabeledFolder::Read> LabeledFolder::readAll() {
                         : "none of the " + std::to_string(count) + " images here has labels") +
                 std::string(": a gray PNG of the same name in a folder \"labels\" inside of this one "
                             "or beside it"),
-      {folder_.string()});
+      {chosen.string()});
 }
 
 }  // namespace widgets

@@ -3,13 +3,12 @@
 
 #include <atomic>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/base/Worker.h"
 #include "widgets/color/ColorScorer.h"
 
 namespace widgets {
@@ -32,28 +31,20 @@ class LabeledFolder {
   };
   /// Begins at once. `camera`: name of the robot whose corrections apply to the images; empty: none.
   LabeledFolder(std::filesystem::path folder, std::string camera);
-  ~LabeledFolder();
-  LabeledFolder(const LabeledFolder&) = delete;
-  LabeledFolder& operator=(const LabeledFolder&) = delete;
 
   /// 0 to 1.
   double progress() const { return progress_; }
   /// The result, once, when everything is read; an error if nothing could be read.
-  std::optional<robotlink::Result<Read>> take();
+  std::optional<robotlink::Result<Read>> take() { return worker_.take(); }
 
  private:
-  robotlink::Result<Read> readAll();
+  robotlink::Result<Read> readAll(const std::filesystem::path& chosen, const std::stop_token& stop);
 
-  const std::filesystem::path folder_;
   const std::string camera_;
   /// Written by the thread.
   std::atomic<double> progress_{0};
-  /// Set by the destructor.
-  std::atomic<bool> quit_{false};
-  /// Protects read_.
-  std::mutex mutex_;
-  std::optional<robotlink::Result<Read>> read_;
-  std::thread thread_;
+  /// Its job: the folder.
+  robotlink::Worker<std::filesystem::path, robotlink::Result<Read>> worker_;
 };
 
 }  // namespace widgets

@@ -13,32 +13,21 @@ using robotlink::Result;
 
 PictureReading::PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera,
                                std::size_t mostBytes)
-    : filesOrFolders_(std::move(filesOrFolders)),
-      camera_(std::move(camera)),
+    : camera_(std::move(camera)),
       mostBytes_(mostBytes),
-      thread_([this] {
-        auto read = readAll();
-        const std::lock_guard lock(mutex_);
-        read_ = std::move(read);
-      }) {}
-
-PictureReading::~PictureReading() {
-  quit_ = true;
-  thread_.join();
+      worker_(
+          [this](const auto& given, const std::stop_token& stop) { worker_.publish(readAll(given, stop)); }) {
+  worker_.post(std::move(filesOrFolders));
 }
 
-std::optional<Result<PictureReading::Read>> PictureReading::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(read_, std::nullopt);
-}
-
-Result<PictureReading::Read> PictureReading::readAll() {
-  const auto files = pictureFiles(filesOrFolders_);
+Result<PictureReading::Read> PictureReading::readAll(const std::vector<std::filesystem::path>& filesOrFolders,
+                                                     const std::stop_token& stop) {
+  const auto files = pictureFiles(filesOrFolders);
   if (!files) return tl::unexpected(files.error());
   Read read;
   std::size_t bytes = 0, done = 0;
   for (const auto& file : *files) {
-    if (quit_) break;
+    if (stop.stop_requested()) break;
     progress_ = static_cast<double>(done++) / static_cast<double>(files->size());
     if (bytes > mostBytes_) {
       ++read.leftOut;

@@ -3,13 +3,12 @@
 
 #include <atomic>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/base/Worker.h"
 #include "widgets/color/ColorFrame.h"
 
 namespace widgets {
@@ -30,29 +29,22 @@ class PictureReading {
   /// all pictures; the one that crosses it is still read.
   PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera,
                  std::size_t mostBytes);
-  ~PictureReading();
-  PictureReading(const PictureReading&) = delete;
-  PictureReading& operator=(const PictureReading&) = delete;
 
   /// 0 to 1.
   double progress() const { return progress_; }
   /// The result, once, when everything is read; an error if nothing could be read.
-  std::optional<robotlink::Result<Read>> take();
+  std::optional<robotlink::Result<Read>> take() { return worker_.take(); }
 
  private:
-  robotlink::Result<Read> readAll();
+  robotlink::Result<Read> readAll(const std::vector<std::filesystem::path>& filesOrFolders,
+                                  const std::stop_token& stop);
 
-  const std::vector<std::filesystem::path> filesOrFolders_;
   const std::string camera_;
   const std::size_t mostBytes_;
   /// Written by the thread.
   std::atomic<double> progress_{0};
-  /// Set by the destructor.
-  std::atomic<bool> quit_{false};
-  /// Protects read_.
-  std::mutex mutex_;
-  std::optional<robotlink::Result<Read>> read_;
-  std::thread thread_;
+  /// Its job: files or folders.
+  robotlink::Worker<std::vector<std::filesystem::path>, robotlink::Result<Read>> worker_;
 };
 
 }  // namespace widgets

@@ -83,7 +83,7 @@ void LogJobBar::start(const QString& title, LogJob::Work work) {
 void LogJobBar::tick() {
   if (job_ == nullptr) return;
   progress_->setValue(static_cast<int>(job_->share() * 1000));
-  const auto outcome = job_->outcome();
+  const auto outcome = job_->takeOutcome();
   if (!outcome) return;
   job_.reset();
   showOutcome(*outcome);

@@ -3,26 +3,16 @@
 
 namespace widgets {
 
-LogJob::LogJob(QString title, Work work) : title_(std::move(title)) {
-  thread_ = std::thread([this, work = std::move(work)] {
-    Outcome outcome = work([this](double share) {
-      share_ = share;
-      return !canceled_;
-    });
-    outcome.canceled = canceled_ && !outcome.done;
-    const std::lock_guard lock(mutex_);
-    outcome_ = std::move(outcome);
-  });
-}
-
-LogJob::~LogJob() {
-  cancel();
-  thread_.join();
-}
-
-std::optional<LogJob::Outcome> LogJob::outcome() {
-  const std::lock_guard lock(mutex_);
-  return outcome_;
+LogJob::LogJob(QString title, Work work)
+    : title_(std::move(title)), worker_([this](const Work& operation, const std::stop_token& stop) {
+        Outcome outcome = operation([&](double share) {
+          share_ = share;
+          return !stop.stop_requested();
+        });
+        outcome.canceled = stop.stop_requested() && !outcome.done;
+        worker_.publish(std::move(outcome));
+      }) {
+  worker_.post(std::move(work));
 }
 
 }  // namespace widgets

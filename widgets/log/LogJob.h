@@ -5,9 +5,9 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <optional>
-#include <thread>
+
+#include "robotlink/base/Worker.h"
 
 namespace widgets {
 
@@ -33,28 +33,20 @@ class LogJob {
 
   /// Starts at once. `title` is shown during the work.
   LogJob(QString title, Work work);
-  ~LogJob();
-  LogJob(const LogJob&) = delete;
-  LogJob& operator=(const LogJob&) = delete;
 
   const QString& title() const { return title_; }
   /// Progress, 0 to 1.
   double share() const { return share_; }
   /// Asks the operation to end; it does at its next report of progress.
-  void cancel() { canceled_ = true; }
-  /// Unset until the operation has ended.
-  std::optional<Outcome> outcome();
+  void cancel() { worker_.cancel(); }
+  /// The outcome, once, after the operation has ended.
+  std::optional<Outcome> takeOutcome() { return worker_.take(); }
 
  private:
   const QString title_;
   /// Written by the thread.
   std::atomic<double> share_{0};
-  /// Set by cancel(), read by the thread.
-  std::atomic<bool> canceled_{false};
-  /// Protects outcome_.
-  std::mutex mutex_;
-  std::optional<Outcome> outcome_;
-  std::thread thread_;
+  robotlink::Worker<Work, Outcome> worker_;
 };
 
 }  // namespace widgets

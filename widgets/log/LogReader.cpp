@@ -38,23 +38,21 @@ std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file) {
   return std::make_unique<LogReader>(file);
 }
 
-LogReader::LogReader(std::filesystem::path file) : file_(std::move(file)) {
+LogReader::LogReader(std::filesystem::path file)
+    : file_(std::move(file)),
+      thumbnailWorker_(
+          [this](const Wanted& wanted, const std::stop_token& stop) { readThumbnails(wanted, stop); }),
+      overviewWorker_([this](std::monostate, const std::stop_token& stop) {
+        stop_ = stop;
+        readAll();
+      }) {
   LogOverview overview;
   overview.file = file_.string();
   publish(overview);
-  overviewThread_ = std::thread([this] { readAll(); });
-  thumbnailThread_ = std::thread([this] { readThumbnails(); });
+  overviewWorker_.post({});
 }
 
-LogReader::~LogReader() {
-  {
-    const std::lock_guard lock(mutex_);
-    quit_ = true;
-  }
-  wakeUp_.notify_all();
-  overviewThread_.join();
-  thumbnailThread_.join();
-}
+LogReader::~LogReader() = default;
 
 std::shared_ptr<const LogOverview> LogReader::overview() {
   const std::lock_guard lock(mutex_);
@@ -80,7 +78,7 @@ bool LogReader::report(LogOverview& overview, double share) {
     overview.progress = share;
     publish(overview);
   }
-  return !quit_;
+  return !stop_.stop_requested();
 }
 
 void LogReader::readAll() {
@@ -88,9 +86,9 @@ void LogReader::readAll() {
   overview.file = file_.string();
   if (!open(overview)) return;
   readTimes(overview);
-  if (!quit_) readBookmarks();
-  if (!quit_) readTexts(overview);
-  if (!quit_) countSizes(overview);
+  if (!stop_.stop_requested()) readBookmarks();
+  if (!stop_.stop_requested()) readTexts(overview);
+  if (!stop_.stop_requested()) countSizes(overview);
 }
 
 bool LogReader::open(LogOverview& overview) {
@@ -119,11 +117,9 @@ bool LogReader::open(LogOverview& overview) {
   overview.stage = Stage::kTimes;
   overview.progress = 0;
   publish(overview);
-  {
-    const std::lock_guard lock(mutex_);
-    log_ = std::move(*opened);
-  }
-  wakeUp_.notify_all();
+  const std::lock_guard lock(mutex_);
+  log_ = std::move(*opened);
+  thumbnailWorker_.post(wanted_);
   return true;
 }
 
@@ -140,8 +136,8 @@ void LogReader::readTimes(LogOverview& overview) {
 }
 
 void LogReader::readBookmarks() {
-  auto bookmarks = logplayer::Bookmarks::open(file_, [this](double) { return !quit_; });
-  if (quit_) return;
+  auto bookmarks = logplayer::Bookmarks::open(file_, [this](double) { return !stop_.stop_requested(); });
+  if (stop_.stop_requested()) return;
   const std::lock_guard lock(mutex_);
   bookmarks_.emplace(std::move(bookmarks));
 }
@@ -179,7 +175,7 @@ void LogReader::readTexts(LogOverview& overview) {
 
 void LogReader::countSizes(LogOverview& overview) {
   const auto counted = log_->countBytes([&](double share) { return report(overview, share); });
-  if (quit_) return;
+  if (stop_.stop_requested()) return;
   for (const auto& stream : counted) {
     for (auto& shown : overview.streams) {
       if (shown.path == stream.path) shown.bytes = stream.bytes;
@@ -193,13 +189,10 @@ void LogReader::countSizes(LogOverview& overview) {
 }
 
 void LogReader::wantThumbnails(const std::string& stream, std::vector<Instant> times, int height) {
-  std::reverse(times.begin(), times.end());
-  {
-    const std::lock_guard lock(mutex_);
-    if (stream != wanted_.stream) thumbnails_.clear();
-    wanted_ = {stream, std::move(times), height};
-  }
-  wakeUp_.notify_all();
+  const std::lock_guard lock(mutex_);
+  if (stream != wanted_.stream) thumbnails_.clear();
+  wanted_ = {stream, std::move(times), height};
+  if (log_) thumbnailWorker_.post(wanted_);
 }
 
 std::vector<Thumbnail> LogReader::takeThumbnails() {
@@ -207,19 +200,12 @@ std::vector<Thumbnail> LogReader::takeThumbnails() {
   return std::exchange(thumbnails_, {});
 }
 
-void LogReader::readThumbnails() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    wakeUp_.wait(lock, [this] { return quit_ || (log_ != nullptr && !wanted_.times.empty()); });
-    if (quit_) return;
-    const Instant time = wanted_.times.back();
-    const std::string stream = wanted_.stream;
-    const int height = wanted_.height;
-    wanted_.times.pop_back();
-    lock.unlock();
-    QImage image = thumbnail(stream, time, height);
-    lock.lock();
-    if (stream == wanted_.stream) thumbnails_.push_back({time, std::move(image)});
+void LogReader::readThumbnails(const Wanted& wanted, const std::stop_token& stop) {
+  for (const Instant time : wanted.times) {
+    if (stop.stop_requested()) return;
+    QImage image = thumbnail(wanted.stream, time, wanted.height);
+    const std::lock_guard lock(mutex_);
+    if (wanted.stream == wanted_.stream) thumbnails_.push_back({time, std::move(image)});
   }
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
 #include <mutex>
-#include <thread>
 
+#include "robotlink/base/Worker.h"
 #include "widgets/log/LogOverview.h"
 
 namespace logplayer {
@@ -36,13 +34,13 @@ class LogReader final : public LogReading {
   /// The thumbnails that are requested.
   struct Wanted {
     std::string stream;
-    /// Most urgent last.
+    /// Most urgent first.
     std::vector<robotlink::Instant> times;
     /// Pixels.
     int height = 0;
   };
 
-  /// Function of the thread that makes the overview; the next functions are its steps.
+  /// Makes the overview, in one thread; the next functions are its steps.
   void readAll();
   /// False: the file cannot be opened.
   bool open(LogOverview& overview);
@@ -55,20 +53,18 @@ class LogReader final : public LogReading {
   /// Publishes the progress, at most ten times per step. False: the reader is being destroyed.
   bool report(LogOverview& overview, double share);
 
-  /// Function of the thread that reads thumbnails.
-  void readThumbnails();
+  /// Reads thumbnails, in the other thread.
+  void readThumbnails(const Wanted& wanted, const std::stop_token& stop);
   /// Null: there is no image or it cannot be decoded.
   QImage thumbnail(const std::string& stream, robotlink::Instant time, int height);
 
   const std::filesystem::path file_;
-  /// Set by the destructor; read without the mutex while reading.
-  std::atomic<bool> quit_{false};
+  /// Says that the reader is being destroyed. Used by the thread that makes the overview only.
+  std::stop_token stop_;
 
   /// Protects all following members but the threads. log_ is set once; the threads use it afterwards without
   /// the mutex.
   std::mutex mutex_;
-  /// Signaled when log_, wanted_ or quit_ change.
-  std::condition_variable wakeUp_;
   /// Null until it is open.
   std::shared_ptr<logplayer::LogFile> log_;
   std::shared_ptr<const LogOverview> overview_;
@@ -76,7 +72,10 @@ class LogReader final : public LogReading {
   Wanted wanted_;
   std::vector<Thumbnail> thumbnails_;
 
-  std::thread overviewThread_, thumbnailThread_;
+  /// Gets what is wanted once log_ is open.
+  robotlink::Worker<Wanted> thumbnailWorker_;
+  /// Has one job. Last, since it uses all others.
+  robotlink::Worker<std::monostate> overviewWorker_;
 };
 
 /// The ReadLog that is used outside of tests.

@@ -32,29 +32,13 @@ std::chrono::duration<double> threadTime() {
 }  // namespace
 
 RenderThread::RenderThread(MakeRenderer makeRenderer, std::function<void()> finished)
-    : makeRenderer_(std::move(makeRenderer)), finished_(std::move(finished)), thread_([this] { run(); }) {}
-
-RenderThread::~RenderThread() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void RenderThread::request(std::shared_ptr<const SceneFrame> frame) {
-  {
-    const std::lock_guard lock(mutex_);
-    wanted_ = std::move(frame);
-  }
-  changed_.notify_all();
-}
-
-std::optional<RenderThread::Picture> RenderThread::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(picture_, std::nullopt);
-}
+    : finished_(finished),
+      worker_([this](Request frame, const std::stop_token&) { draw(std::move(frame)); },
+              {.news = std::move(finished),
+               .begin = [this, make = std::move(makeRenderer)] { create(make); },
+               // Its context belongs to the thread.
+               .end = [this] { renderer_.reset(); },
+               .due = [this](const Request& frame) { return due(frame); }}) {}
 
 std::string RenderThread::error() const {
   const std::lock_guard lock(mutex_);
@@ -66,24 +50,9 @@ std::string RenderThread::device() const {
   return device_;
 }
 
-std::shared_ptr<const SceneFrame> RenderThread::next(Clock::time_point start,
-                                                     std::chrono::duration<double> cost) {
-  std::unique_lock lock(mutex_);
-  while (!ending_) {
-    if (!wanted_) {
-      changed_.wait(lock);
-      continue;
-    }
-    const auto due = start + std::chrono::duration_cast<Clock::duration>(interval(cost, wanted_->hurry));
-    if (Clock::now() >= due) return std::exchange(wanted_, nullptr);
-    changed_.wait_until(lock, due);
-  }
-  return nullptr;
-}
-
-void RenderThread::run() {
+void RenderThread::create(const MakeRenderer& makeRenderer) {
   pthread_setname_np(pthread_self(), "scene-renderer");
-  auto renderer = makeRenderer_();
+  auto renderer = makeRenderer();
   {
     const std::lock_guard lock(mutex_);
     if (renderer) {
@@ -93,19 +62,20 @@ void RenderThread::run() {
     }
   }
   if (!renderer) return finished_();
-  Clock::time_point start;
-  std::chrono::duration<double> cost{};
-  while (auto frame = next(start, cost)) {
-    start = Clock::now();
-    const auto before = threadTime();
-    Picture picture{renderer->render(*frame), frame};
-    cost = threadTime() - before;
-    {
-      const std::lock_guard lock(mutex_);
-      picture_ = std::move(picture);
-    }
-    finished_();
-  }
+  renderer_.emplace(*std::move(renderer));
+}
+
+RenderThread::Drawing::Clock::time_point RenderThread::due(const Request& frame) const {
+  return start_ + std::chrono::duration_cast<Drawing::Clock::duration>(interval(cost_, frame->hurry));
+}
+
+void RenderThread::draw(Request frame) {
+  if (!renderer_) return;
+  start_ = Drawing::Clock::now();
+  const auto before = threadTime();
+  Picture picture{renderer_->render(*frame), frame};
+  cost_ = threadTime() - before;
+  worker_.publish(std::move(picture));
 }
 
 }  // namespace widgets

@@ -3,14 +3,14 @@
 
 #include <QImage>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
+#include <utility>
 
+#include "robotlink/base/Worker.h"
 #include "widgets/scene/SceneFrame.h"
 #include "widgets/scene/SceneRenderer.h"
 
@@ -35,14 +35,11 @@ class RenderThread {
   /// `finished` is called in the drawing thread when there is a picture to take, or an error; it must not
   /// block.
   RenderThread(MakeRenderer makeRenderer, std::function<void()> finished);
-  ~RenderThread();
-  RenderThread(const RenderThread&) = delete;
-  RenderThread& operator=(const RenderThread&) = delete;
 
   /// Replaces a request that has not begun.
-  void request(std::shared_ptr<const SceneFrame> frame);
+  void request(std::shared_ptr<const SceneFrame> frame) { worker_.post(std::move(frame)); }
   /// The newest picture that was not taken yet.
-  std::optional<Picture> take();
+  std::optional<Picture> take() { return worker_.take(); }
   /// Why there will never be a picture, because the renderer could not be created; empty: it could, or has
   /// not been tried.
   std::string error() const;
@@ -50,24 +47,24 @@ class RenderThread {
   std::string device() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Request = std::shared_ptr<const SceneFrame>;
+  using Drawing = robotlink::Worker<Request, Picture>;
 
-  void run();
-  /// Waits for a request and until the last picture, begun at `start`, no longer exceeds its share of the
-  /// core. `cost`: its processor time. Null when the thread shall end.
-  std::shared_ptr<const SceneFrame> next(Clock::time_point start, std::chrono::duration<double> cost);
+  void create(const MakeRenderer& makeRenderer);
+  void draw(Request frame);
+  /// The time from which on the last picture no longer exceeds its share of the core.
+  Drawing::Clock::time_point due(const Request& frame) const;
 
-  /// This and finished_ are used by the thread only.
-  MakeRenderer makeRenderer_;
-  std::function<void()> finished_;
-  /// Protects all following members but the thread.
+  /// These are used by the drawing thread only: unset without a renderer; when the last picture was begun,
+  /// and its processor time.
+  std::optional<SceneRenderer> renderer_;
+  Drawing::Clock::time_point start_;
+  std::chrono::duration<double> cost_{};
+  const std::function<void()> finished_;
+  /// Protects error_ and device_.
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ending_ = false;
-  std::shared_ptr<const SceneFrame> wanted_;
-  std::optional<Picture> picture_;
   std::string error_, device_;
-  std::thread thread_;
+  Drawing worker_;
 };
 
 }  // namespace widgets

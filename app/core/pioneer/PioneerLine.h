@@ -24,7 +24,7 @@ namespace app {
 ///
 /// Any thread may call. Only the destructor may block, while the line is being opened (up to 3 s). Memory is
 /// bounded: received data that is not taken is dropped, and so is what the robot does not accept. The clock
-/// must outlive it.
+/// must outlive it. It is no robotlink::Worker, since it does no jobs: it waits for the line.
 class PioneerLine {
  public:
   using Bytes = std::vector<std::uint8_t>;

@@ -14,13 +14,6 @@ namespace {
 
 /// How many requests may be open.
 constexpr std::size_t kMaxOpen = 1000;
-/// Marks the ids of requests that are made here on behalf of the user; sessions count from 1.
-constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63U;
-
-bool isOwn(const Request& request) {
-  return (request.id() & kOwnIds) != 0;
-}
-
 /// What the user chose by a request, for a sentence about its loss; empty if nobody would miss it.
 std::string choiceOf(const Request& request) {
   const robotlink::RequestKind& kind = robotlink::kindOf(request);
@@ -34,7 +27,7 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
   preview_.reset();
   // Requests whose acceptance was reported are among the overrides already.
   std::deque<Open> asked = std::exchange(open_, {});
-  std::erase_if(asked, [](const Open& open) { return open.reported || isOwn(open.request); });
+  std::erase_if(asked, [](const Open& open) { return open.reported || robotlink::isRepeated(open.request); });
   std::vector<std::string> lost;
   robotlink::RequestPreview preview(program);
   for (Request& request : overrides_.requests(robot_)) {
@@ -49,7 +42,7 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
 }
 
 void ProgramRequests::addOwn(Request request) {
-  request.set_id(kOwnIds | ++ownRequests_);
+  request.set_id(robotlink::kRepeatedIds | ++ownRequests_);
   open_.push_back({std::move(request)});
 }
 
@@ -87,7 +80,7 @@ void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
       return open.request.id() == message.result().id();
     });
     if (found == open_.end()) continue;
-    if (message.result().accepted() && !found->reported && !isOwn(found->request))
+    if (message.result().accepted() && !found->reported && !robotlink::isRepeated(found->request))
       overrides_.note(found->request);
     open_.erase(found);
   }
@@ -105,7 +98,7 @@ std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
     if (std::exchange(open.previewed, true)) continue;
     if (std::exchange(open.reported, true)) {
       preview_->add(open.request);
-    } else if (preview_->answer(open.request) && !isOwn(open.request)) {
+    } else if (preview_->answer(open.request) && !robotlink::isRepeated(open.request)) {
       overrides_.note(open.request);
     }
   }

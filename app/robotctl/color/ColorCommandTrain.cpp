@@ -170,7 +170,8 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   number("--rejection", settings.votes.rejection,
          "Votes that a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
-         "Weight of a background sample, relative to one of a class", CLI::Range(0.0, 1.0));
+         "Weight of a background sample, relative to one of a class",
+         CLI::Range(0.0, Votes::kMaxBackgroundWeight));
   number("--shading", settings.votes.shading,
          "Vote of a sample for its color in shadow and glare, as a share of its own vote",
          CLI::Range(0.0, Votes::kMaxShading));

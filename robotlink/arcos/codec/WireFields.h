@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <concepts>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 
 #include "robotlink/arcos/codec/Packet.h"
+#include "robotlink/base/ByteReader.h"
 
 // How the structs of server packets are read and written. Each struct has one function, visitFields(packet,
 // visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers
@@ -24,30 +22,6 @@
 //
 // Internal to this folder.
 namespace robotlink::arcos {
-
-/// Reads an integer; `from` must have sizeof(T) bytes and need not be aligned.
-template <std::integral T>
-T loadLittleEndian(const std::uint8_t* from) {
-  std::make_unsigned_t<T> bits = 0;
-  if constexpr (std::endian::native == std::endian::little) {
-    std::memcpy(&bits, from, sizeof bits);
-  } else {
-    for (std::size_t i = sizeof(T); i-- > 0;)
-      bits = static_cast<decltype(bits)>((std::uint64_t{bits} << 8U) | from[i]);
-  }
-  return static_cast<T>(bits);
-}
-
-/// Writes an integer to sizeof(T) bytes.
-template <std::integral T>
-void storeLittleEndian(T value, std::uint8_t* to) {
-  if constexpr (std::endian::native == std::endian::little) {
-    std::memcpy(to, &value, sizeof value);
-  } else {
-    const auto bits = static_cast<std::uint64_t>(value);
-    for (std::size_t i = 0; i < sizeof(T); ++i) to[i] = static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFU);
-  }
-}
 
 /// The visitor that reads fields from a packet's data. A missing required field makes ok() false; a missing
 /// optional field ends the packet: it and all optional fields after it stay empty. The data must outlive it.
@@ -78,7 +52,7 @@ class FieldReader {
   void size(const char* name, std::vector<T>& list) {
     Count count = 0;
     (*this)(name, count);
-    if (count > data_.size()) fail(name);
+    if (count > data_.rest().size()) fail(name);
     if (ok_) list.resize(count);
   }
   /// The names of lists are only for missing().
@@ -86,15 +60,15 @@ class FieldReader {
   void leave() {}
   /// Takes all remaining data.
   void rest(Bytes& bytes) {
-    bytes.assign(data_.begin(), data_.end());
-    data_ = {};
+    const auto all = data_.take(data_.rest().size());
+    bytes.assign(all.begin(), all.end());
   }
   /// Takes exactly `count` bytes.
   void bytes(Bytes& taken, std::size_t count) {
-    if (count > data_.size()) fail("end");
+    if (count > data_.rest().size()) fail("end");
     if (!ok_) return;
-    taken.assign(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(count));
-    data_ = data_.subspan(count);
+    const auto these = data_.take(count);
+    taken.assign(these.begin(), these.end());
   }
 
   /// Whether all required fields were there so far.
@@ -105,16 +79,16 @@ class FieldReader {
   /// Reads an integer, or a string up to its NUL. Returns false, reading nothing, if it is incomplete.
   template <std::integral T>
   bool take(T& value) {
-    if (data_.size() < sizeof(T)) return false;
-    value = loadLittleEndian<T>(data_.data());
-    data_ = data_.subspan(sizeof(T));
+    if (data_.rest().size() < sizeof(T)) return false;
+    value = data_.take<T>();
     return true;
   }
   bool take(std::string& value) {
-    const auto end = std::find(data_.begin(), data_.end(), std::uint8_t{0});
-    if (end == data_.end()) return false;
-    value.assign(data_.begin(), end);
-    data_ = data_.subspan(value.size() + 1);
+    const auto data = data_.rest();
+    const auto end = std::find(data.begin(), data.end(), std::uint8_t{0});
+    if (end == data.end()) return false;
+    value.assign(data.begin(), end);
+    data_.take(value.size() + 1);
     return true;
   }
 
@@ -124,8 +98,7 @@ class FieldReader {
     ok_ = false;
   }
 
-  /// The data not read yet.
-  std::span<const std::uint8_t> data_;
+  ByteReader data_;
   const char* missing_ = "";
   const char* list_ = "";
   bool ok_ = true;
@@ -145,7 +118,7 @@ class FieldWriter {
   template <std::integral T>
   void operator()(const char*, const T& value, const char* = "") {
     if (used_ + sizeof(T) > buffer_.size()) finish();
-    storeLittleEndian(value, buffer_.data() + used_);
+    storeNumber(buffer_.data() + used_, value);
     used_ += sizeof(T);
   }
   /// Writes a string up to its first NUL, and a NUL.

@@ -107,13 +107,14 @@ TEST(RobotctlArcos, c3InformationComesAtTenHertzByTheClockAndCtrlCEndsInGoodOrde
   ASSERT_FALSE(line.empty());
   auto stream = open(urlIn(line));
   ASSERT_TRUE(stream) << stream.error().text;
+  const auto start = Clock::now();
   for (const auto id : {CommandId::kSync0, CommandId::kSync1, CommandId::kSync2, CommandId::kOpen}) {
     ASSERT_TRUE((*stream)->write(encode(toPacket(command(id)))));
   }
   PacketParser parser;
   std::vector<Clock::time_point> informed;
   Bytes bytes(4096);
-  for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
+  while (informed.size() < 20 && Clock::now() < start + 30s) {
     const auto count = (*stream)->read(bytes, 50ms);
     ASSERT_TRUE(count);
     parser.push(std::span(bytes).first(*count));
@@ -123,8 +124,8 @@ TEST(RobotctlArcos, c3InformationComesAtTenHertzByTheClockAndCtrlCEndsInGoodOrde
     }
   }
   // A busy machine may be late, but time must neither stop nor run away.
-  EXPECT_GE(informed.size(), 15U);
-  EXPECT_LE(informed.size(), 22U);
+  ASSERT_GE(informed.size(), 20U);
+  EXPECT_GT(informed[19] - start, 1600ms);
   robotctl.interrupt();
   std::string printed;
   EXPECT_EQ(robotctl.finish(printed), 0);

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "colortool/votes/ColorVotes.h"
+
 namespace colortool {
 namespace {
 
@@ -22,6 +24,19 @@ TEST(TrainingOptionsTest, eachOptionIsWhatItWasSetTo) {
     const double usual = option.get({});
     EXPECT_GE(usual, option.least) << option.name;
     EXPECT_LE(usual, option.most) << option.name;
+  }
+}
+
+TEST(TrainingOptionsTest, noOptionGoesBeyondWhatTheTrainingHeeds) {
+  for (const TrainingOption& option : trainingOptions()) {
+    for (const double value : {option.least, option.most}) {
+      const auto changed = withOption({}, option.name, value);
+      ASSERT_TRUE(changed) << option.name;
+      const VoteOptions heeded = ColorVotes(2, changed->votes).options();
+      TrainingSettings back = *changed;
+      back.votes = heeded;
+      EXPECT_EQ(option.get(back), value) << option.name;
+    }
   }
 }
 

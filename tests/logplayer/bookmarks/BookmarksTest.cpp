@@ -10,7 +10,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "robotlink/base/AtomicFile.h"
@@ -322,16 +321,21 @@ TEST_F(BookmarksTest, whoeverIsKilledWhileSavingLeavesALogThatCanBeRead) {
     std::filesystem::remove(log());
     std::filesystem::remove(fileBeside(log()));
     SampleLog{.frames = 30}.write(log());
+    int saved[2] = {};
+    ASSERT_EQ(::pipe(saved), 0);
     const pid_t child = ::fork();
     if (child == 0) {
       Bookmarks bookmarks = opened();
       for (int i = 0;; ++i) {
         bookmarks.add(Instant(i * 1ms), Instant(i * 1ms), std::to_string(i));
-        if (!bookmarks.save()) ::_exit(1);
+        if (!bookmarks.save() || ::write(saved[1], "s", 1) != 1) ::_exit(1);
       }
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(3 * round + 2));
-    ::kill(child, SIGKILL);
+    ::close(saved[1]);
+    char byte = 0;
+    for (int i = 0; i < round; ++i) EXPECT_EQ(::read(saved[0], &byte, 1), 1);
+    ::kill(child, SIGKILL);  // somewhere in the next one
+    ::close(saved[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status)) << "saving failed";

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/base/Random.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using robotlink::Image;
@@ -27,6 +29,16 @@ Image testImage(int width, int height, PixelFormat format) {
     image.data[i] = static_cast<std::uint8_t>(value);
   }
   return image;
+}
+
+/// Four components a pixel, each of them smooth.
+std::vector<std::uint8_t> fourOf(int width, int height) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < width * height; ++i) {
+    for (int k = 0; k < 4; ++k)
+      pixels.push_back(static_cast<std::uint8_t>(60 * k + i % width / 2 + i / width / 2));
+  }
+  return pixels;
 }
 
 int largestDifference(const Image& a, const Image& b) {
@@ -95,15 +107,41 @@ TEST(ImageCoding, rowsWithGapsAreCodedWithoutThem) {
   EXPECT_EQ(decodePng(*encodePng(left))->width, 32);
 }
 
-TEST(ImageCoding, componentsAreYieldedAsTheyWereCoded) {
-  const Image image = testImage(64, 48, PixelFormat::kYuyv);
-  const auto components = decodeJpegComponents(jpegOf(image, 100), 64 * 48);
-  ASSERT_TRUE(components) << components.error().describe();
-  EXPECT_EQ(components->count, 3);
-  EXPECT_EQ(components->damage, "");
-  EXPECT_NEAR(components->data[0], image.data[0], 4);
-  EXPECT_NEAR(components->data[1], image.data[1], 4);
-  EXPECT_EQ(decodeJpegComponents(jpegOf(image), 64 * 48 - 1).error().id, "image.size");
+TEST(ImageCoding, fourComponentsAreYieldedAsTheyWereCoded) {
+  const auto pixels = fourOf(64, 48);
+  const auto jpeg = bhuman::fourComponentJpeg(pixels, 64, 48);
+  const auto quads = decodeJpegQuads(jpeg, 64 * 48);
+  ASSERT_TRUE(quads) << quads.error().describe();
+  EXPECT_EQ(quads->damage, "");
+  ASSERT_EQ(quads->data.size(), pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) ASSERT_NEAR(quads->data[i], pixels[i], 12) << i;
+  EXPECT_EQ(decodeJpegQuads(jpeg, 64 * 48 - 1).error().id, "image.size");
+  EXPECT_EQ(decodeJpegQuads(jpegOf(testImage(64, 48, PixelFormat::kYuyv)), 64 * 48).error().id, "image.jpeg");
+}
+
+TEST(ImageCoding, fourInksOfAdobeAreShownInTheirColors) {
+  const std::vector<std::uint8_t> red = {255, 0, 0, 255};  // inverted, as Adobe's programs store them
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < 16 * 16; ++i) pixels.insert(pixels.end(), red.begin(), red.end());
+  auto jpeg = bhuman::fourComponentJpeg(pixels, 16, 16);
+  auto image = decodeJpeg(jpeg);
+  ASSERT_TRUE(image) << image.error().describe();
+  ASSERT_EQ(image->format, PixelFormat::kRgb8);
+  EXPECT_NEAR(image->data[0], 255, 3);
+  EXPECT_NEAR(image->data[1], 0, 3);
+  const auto adobe = std::search(jpeg.begin(), jpeg.end(), std::begin("Adobe"), std::end("Adobe") - 1);
+  ASSERT_NE(adobe, jpeg.end());
+  *adobe = 'a';  // and so it is of others
+  image = decodeJpeg(jpeg);
+  ASSERT_TRUE(image) << image.error().describe();
+  EXPECT_NEAR(image->data[0], 0, 3);
+}
+
+TEST(ImageCoding, endlessScansAreRefused) {
+  auto jpeg = jpegOf(testImage(16, 16, PixelFormat::kYuyv));
+  const std::vector<std::uint8_t> scan = {0xFF, 0xDA, 0, 12, 3, 1, 0, 2, 0x11, 3, 0x11, 0, 63, 0};
+  for (int i = 0; i < 200; ++i) jpeg.insert(jpeg.end() - 2, scan.begin(), scan.end());
+  EXPECT_NE(decodeJpeg(jpeg).error().text.find("too many scans"), std::string::npos);
 }
 
 TEST(ImageCoding, whatIsNoImageIsRefusedInWords) {
@@ -138,10 +176,15 @@ TEST(ImageCoding, cutAndDamagedImagesNeverDoHarm) {
   const auto jpeg = jpegOf(image);
   const auto png = *encodePng(image.view());
   for (std::size_t size = 0; size < jpeg.size(); ++size) {
-    const auto cut = decodeJpegComponents(std::span(jpeg).first(size), 10000);
+    const auto cut = decodeJpeg(std::span(jpeg).first(size));
+    if (cut) EXPECT_EQ(cut->width, 48);
+  }
+  const auto four = bhuman::fourComponentJpeg(fourOf(48, 40), 48, 40);
+  for (std::size_t size = 0; size < four.size(); ++size) {
+    const auto cut = decodeJpegQuads(std::span(four).first(size), 10000);
     if (!cut) continue;
     EXPECT_EQ(cut->width, 48);
-    EXPECT_TRUE(!cut->damage.empty() || size + 2 >= jpeg.size()) << size;
+    EXPECT_TRUE(!cut->damage.empty() || size + 2 >= four.size()) << size;
   }
   for (std::size_t size = 0; size + 12 < png.size(); ++size)
     EXPECT_FALSE(decodePng(std::span(png).first(size))) << size;

@@ -12,6 +12,7 @@
 
 #include "logplayer/base/RecordedStreams.h"
 #include "logplayer/images/ImageCoding.h"
+#include "tests/Eventually.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace logplayer;
@@ -428,11 +429,8 @@ TEST_F(RecorderTest, aFullDiskEndsTheRecordingAndLeavesAReadableFile) {
 TEST_F(RecorderTest, whatIsWrittenIsOnItsWayToTheDiskAfterHalfASecond) {
   start();
   addFrame(1);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-  while (log().count("red1/plots/x") == 0 && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  EXPECT_EQ(log().count("red1/plots/x"), 1U);  // though nothing came after it
+  EXPECT_TRUE(eventually([this] { return log().count("red1/plots/x") == 1; }))
+      << "though nothing came after it";
   EXPECT_TRUE(recorder->status().recording());
 }
 
@@ -455,7 +453,7 @@ TEST_F(RecorderTest, manyThreadsMayAddAndControl) {
     start("many" + std::to_string(i) + ".mcap");
     (void)act(ControlRecording::SAVE_LAST, folder.path());
     (void)recorder->status();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(eventually([this] { return recorder->status().messages() > 0; }));
     ASSERT_TRUE(act(ControlRecording::STOP).has_value());
   }
   quit = true;

@@ -7,6 +7,7 @@
 #include "robotlink/arcos/PioneerRobot.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/MemoryStream.h"
+#include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 #include "tests/robotlink/arcos/PseudoTerminal.h"
@@ -23,6 +24,8 @@ class RobotInMemory {
       : ends_(memoryStreams("robot")), thread_([this](const std::stop_token& stop) { run(stop); }) {}
   std::unique_ptr<ByteStream> clientEnd() { return std::move(ends_.first); }
   bool clientLeft() const { return left_; }
+  /// From now on it sends nothing.
+  void fallSilent() { silent_ = true; }
 
  private:
   void run(const std::stop_token& stop) {
@@ -39,13 +42,13 @@ class RobotInMemory {
       Bytes out;
       for (const Packet& packet : robot.received) append(packet, out);
       robot.forget();
-      if (!ends_.second->write(out)) break;
+      if (!silent_ && !ends_.second->write(out)) break;
     }
     left_ = true;
   }
 
   std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> ends_;
-  std::atomic<bool> left_{false};
+  std::atomic<bool> left_{false}, silent_{false};
   std::jthread thread_;
 };
 
@@ -62,25 +65,24 @@ TEST(PioneerRobotThreads, allThreadsMayCallEverything) {
     };
     const auto driver = [&](const std::stop_token& stop) {
       while (!stop.stop_requested()) {
-        sent += robot.drive(0.1, 0.1) ? 1 : 0;
-        std::this_thread::sleep_for(5ms);
+        const int seen = states;
+        for (int i = 0; i < 5; ++i) sent += robot.drive(0.1, 0.1) ? 1 : 0;
+        while (states == seen && !stop.stop_requested()) std::this_thread::yield();
       }
     };
     const auto looker = [&](const std::stop_token& stop) {
       while (!stop.stop_requested()) {
         const double battery = robot.battery() + robot.sonar(3) + robot.nearestEcho(-1, 1);
         EXPECT_GT(battery, 0);
-        std::this_thread::sleep_for(1ms);
+        std::this_thread::yield();
       }
     };
     robot.setMotors(true);
     robot.setSonar(true);
     robot.setLaser(true);
     const std::jthread a(reader), b(reader), c(driver), d(looker);
-    std::this_thread::sleep_for(600ms);
+    EXPECT_TRUE(eventually([&] { return states >= 4 && sent >= 20; }));
   }
-  EXPECT_GE(states, 4);
-  EXPECT_GE(sent, 20);
   EXPECT_EQ(robot.linkCounts().checksumErrors, 0u);
   EXPECT_GT(robot.speed(), 0.01);
 }
@@ -90,13 +92,20 @@ TEST(PioneerRobotThreads, commandsDoNotWaitForAReadThatWaits) {
   PioneerRobot robot([&]() -> Result<std::unique_ptr<ByteStream>> { return far.clientEnd(); },
                      std::make_shared<SteadyClock>());
   ASSERT_TRUE(robot.begin());
+  std::atomic<int> begun{0}, ended{0};
   const std::jthread reader([&](const std::stop_token& stop) {
-    while (!stop.stop_requested()) robot.read(1s);
+    while (!stop.stop_requested() && robot.isConnected()) {
+      ++begun;
+      robot.read(1h);
+      ++ended;
+    }
   });
-  // A command that waits for the reader takes some of 100 ms.
-  const auto start = std::chrono::steady_clock::now();
+  ASSERT_TRUE(eventually([&] { return ended > 0; }));
+  far.fallSilent();
+  const int before = begun;
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(robot.setSpeed(0));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, 500ms);
+  EXPECT_LE(begun - before, 2) << "what was on its way may still have been read";
+  robot.end();
 }
 
 TEST(PioneerRobotThreads, endingWakesWhoReads) {
@@ -109,8 +118,7 @@ TEST(PioneerRobotThreads, endingWakesWhoReads) {
   while (read) read = robot.read(5s);
   EXPECT_FALSE(robot.isConnected());
   ender.join();
-  for (int i = 0; i < 1000 && !far.clientLeft(); ++i) std::this_thread::sleep_for(1ms);
-  EXPECT_TRUE(far.clientLeft());
+  EXPECT_TRUE(eventually([&] { return far.clientLeft(); }));
 }
 
 }  // namespace

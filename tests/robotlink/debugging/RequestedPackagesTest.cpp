@@ -100,7 +100,7 @@ TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
     steps.advance(std::chrono::milliseconds(8));
     executor.clockAdvanced();
     platform.runFrame();
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    std::this_thread::yield();
   }
   (*program)->stop();
   executor.stop();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "simcore/rendering/BodyTree.h"
 #include "tests/simcore/CameraScenes.h"
 
 using namespace simcore;
@@ -139,4 +140,32 @@ TEST(RayCaster, anglesOfACirclesRaysGiveTheWallsOfARoom) {
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->distance, 1 / std::max(std::abs(c), std::abs(s)), 1e-5);
   }
+}
+
+TEST(RayCaster, raysAreTracedOnProcessorsWithoutAvx2Too) {
+  const Room room;
+  const RTCDevice device = rendering::newRayDevice(rendering::RayInstructions::kSse2);
+  ASSERT_NE(device, nullptr);
+  EXPECT_EQ(rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED), 0) << "packets of AVX";
+  {
+    rendering::BodyTrees trees(device, *room.scene, rendering::Contents::kEverything);
+    const RTCScene ball = trees.treeOf(2);
+    ASSERT_NE(ball, nullptr);
+    alignas(32) const int valid[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    alignas(32) RTCRay8 rays{};
+    for (int i = 0; i < 8; ++i) {
+      rays.org_x[i] = -1;
+      rays.org_z[i] = 0.05F * static_cast<float>(i);  // past the ball from the third on
+      rays.dir_x[i] = 1;
+      rays.tfar[i] = 10;
+      rays.mask[i] = ~0U;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded8(valid, ball, &context, &rays);
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(rays.tfar[i] < 0, i < 2) << i;
+    rtcReleaseScene(ball);
+  }
+  EXPECT_EQ(rtcGetDeviceError(device), RTC_ERROR_NONE);
+  rtcReleaseDevice(device);
 }

@@ -64,9 +64,7 @@ void ColorImageView::commitGesture() {
       return bench_.erase(gesture_->area(), name);
     case ColorTool::kSelect: {
       colortool::CellSet cells;
-      const LearnedColors* colors = bench_.colors();
-      const bool known = colors != nullptr && colors->frame == bench_.frame();
-      const robotlink::ImageView image = known ? colors->seen() : bench_.frame()->view();
+      const robotlink::ImageView image = seen();
       for (const colortool::PixelRun& run : gesture_->area()) {
         for (int x = run.begin; x < run.end; ++x)
           cells.set(colortool::ColorTable::cellOf(robotlink::pixelYCbCr(image, x, run.y)));

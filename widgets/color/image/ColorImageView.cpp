@@ -306,10 +306,14 @@ void ColorImageView::showMarks() {
 }
 
 void ColorImageView::showSelection() {
-  const ColorFramePtr& frame = bench_.frame();
   leftLayers_.shade =
-      frame && bench_.hasSelection() ? selectionShade(frame->view(), bench_.selection()) : QImage();
+      bench_.frame() && bench_.hasSelection() ? selectionShade(seen(), bench_.selection()) : QImage();
   applyLayers();
+}
+
+robotlink::ImageView ColorImageView::seen() const {
+  const LearnedColors* colors = bench_.colors();
+  return colors != nullptr && colors->frame == bench_.frame() ? colors->seen() : bench_.frame()->view();
 }
 
 void ColorImageView::showColors() {

@@ -69,6 +69,9 @@ class ColorImageView final : public View {
   void showMarks();
   /// Updates the shade that highlights the selection.
   void showSelection();
+  /// The image as the table sees it, with its camera's correction; without it as long as that is being made.
+  /// There must be an image.
+  robotlink::ImageView seen() const;
   /// Passes the layers to both canvases.
   void applyLayers();
   /// The image for the chosen RightLayer.

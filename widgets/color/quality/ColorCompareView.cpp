@@ -36,7 +36,12 @@ constexpr std::size_t kStepsListed = 30;
 }  // namespace
 
 ColorCompareView::ColorCompareView(ViewContext& context, QWidget* parent)
-    : View(context, parent), bench_(colorBench(context)), files_(colorFiles(context)) {
+    : View(context, parent),
+      bench_(colorBench(context)),
+      files_(colorFiles(context)),
+      trainer_([this](const Step& step, const std::stop_token&) {
+        trainer_.publish({step.number, trainedReference(step.samples, step.name)});
+      }) {
   setObjectName(QStringLiteral("colorCompareView"));
   createActions();
   createViews();
@@ -129,7 +134,10 @@ void ColorCompareView::createViews() {
 void ColorCompareView::connectSignals() {
   connect(open_, &QAction::triggered, this, &ColorCompareView::askForFile);
   connect(now_, &QAction::triggered, this, [this] { takeStep(bench_.document().position()); });
-  connect(none_, &QAction::triggered, &bench_, [this] { bench_.setReference({}); });
+  connect(none_, &QAction::triggered, &bench_, [this] {
+    awaited_ = false;
+    bench_.setReference({});
+  });
   connect(showInImage_, &QAction::triggered, &bench_, &ColorBench::differenceWanted);
   connect(deselect_, &QAction::triggered, &bench_, &ColorBench::clearSelection);
   connect(stepMenu_, &QMenu::aboutToShow, this, &ColorCompareView::listSteps);
@@ -164,7 +172,7 @@ void ColorCompareView::askForFile() {
 void ColorCompareView::useFile(const QString& file) {
   const auto read = files_.importReference(file.toStdString());
   report(read ? QString() : QString::fromStdString(read.error().describe()));
-  if (read) training_ = {};
+  if (read) awaited_ = false;
   tick();
 }
 
@@ -172,12 +180,12 @@ void ColorCompareView::takeStep(std::size_t position) {
   const colortool::SampleDocument& document = bench_.document();
   report({});
   if (position == document.position() && bench_.upToDate()) {
-    training_ = {};
+    awaited_ = false;
     bench_.setReference(referenceOfNow(bench_));
   } else {
     // Some training methods take a second.
-    training_ = std::async(std::launch::async, trainedReference, document.samplesAt(position),
-                           stepName(document, position));
+    awaited_ = true;
+    trainer_.post({++step_, document.samplesAt(position), stepName(document, position)});
   }
   tick();
 }
@@ -195,16 +203,17 @@ void ColorCompareView::listSteps() {
 }
 
 void ColorCompareView::takeTrained() {
-  if (!training_.valid() || training_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-  bench_.setReference(training_.get());
+  const auto trained = trainer_.take();
+  if (!awaited_ || !trained || trained->first != step_) return;
+  awaited_ = false;
+  bench_.setReference(trained->second);
 }
 
 // The comparison.
 
 void ColorCompareView::tick() {
   takeTrained();
-  const bool busy = training_.valid();
-  hint_->setHint(busy                 ? tr("The table of that step is being made…")
+  hint_->setHint(awaited_             ? tr("The table of that step is being made…")
                  : bench_.reference() ? QString()
                                       : tr("There is no table to compare with.\nTake one from a file, or "
                                            "keep the current one and go on drawing."));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 
+#include "robotlink/base/Worker.h"
 #include "widgets/View.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
@@ -76,12 +77,21 @@ class ColorCompareView final : public View {
   QToolButton* steps_ = nullptr;
   QMenu* stepMenu_ = nullptr;
 
+  /// The table after a step, which is to be trained.
+  struct Step {
+    std::uint64_t number;
+    colortool::Samples samples;
+    QString name;
+  };
   /// Whether the tables changed since the last comparison.
   bool dirty_ = true;
-  /// A table that is being trained; invalid: none.
-  std::future<ReferenceTable> training_;
   /// What this view selected last; while the bench's selection is still the same, it follows the difference.
   std::optional<colortool::CellSet> selected_;
+  /// The newest step, and whether its table is still wanted.
+  std::uint64_t step_ = 0;
+  bool awaited_ = false;
+  /// Trains the table of a step; its result is with the step's number.
+  robotlink::Worker<Step, std::pair<std::uint64_t, ReferenceTable>> trainer_;
 };
 
 }  // namespace widgets

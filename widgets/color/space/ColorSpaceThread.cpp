@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "widgets/color/space/ColorSpaceRenderer.h"
-
 namespace widgets {
 namespace {
 
@@ -18,57 +16,17 @@ constexpr auto kShortestPictureInterval = 30ms;
 }  // namespace
 
 ColorSpaceThread::ColorSpaceThread(std::function<void()> finished)
-    : finished_(std::move(finished)), thread_([this] { run(); }) {}
+    : worker_([this](Request request, const std::stop_token&) { draw(std::move(request)); },
+              {.news = std::move(finished),
+               .begin = [] { pthread_setname_np(pthread_self(), "color-space"); },
+               .due = [this](const Request&) { return due_; }}) {}
 
-ColorSpaceThread::~ColorSpaceThread() {
-  {
-    const std::lock_guard lock(mutex_);
-    ending_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void ColorSpaceThread::request(std::shared_ptr<const ColorSpaceRequest> request) {
-  {
-    const std::lock_guard lock(mutex_);
-    wanted_ = std::move(request);
-  }
-  changed_.notify_all();
-}
-
-std::optional<ColorSpacePicture> ColorSpaceThread::take() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(picture_, std::nullopt);
-}
-
-std::shared_ptr<const ColorSpaceRequest> ColorSpaceThread::next(Clock::time_point due) {
-  std::unique_lock lock(mutex_);
-  while (!ending_) {
-    if (!wanted_) {
-      changed_.wait(lock);
-      continue;
-    }
-    if (Clock::now() >= due) return std::exchange(wanted_, nullptr);
-    changed_.wait_until(lock, due);
-  }
-  return nullptr;
-}
-
-void ColorSpaceThread::run() {
-  pthread_setname_np(pthread_self(), "color-space");
-  ColorSpaceRenderer renderer;
-  Clock::time_point due;
-  while (auto request = next(due)) {
-    const auto start = Clock::now();
-    ColorSpacePicture picture = renderer.render(std::move(request));
-    due = start + std::max<Clock::duration>(kShortestPictureInterval, 2 * (Clock::now() - start));
-    {
-      const std::lock_guard lock(mutex_);
-      picture_ = std::move(picture);
-    }
-    finished_();
-  }
+void ColorSpaceThread::draw(Request request) {
+  const auto start = Drawing::Clock::now();
+  ColorSpacePicture picture = renderer_.render(std::move(request));
+  due_ = start +
+         std::max<Drawing::Clock::duration>(kShortestPictureInterval, 2 * (Drawing::Clock::now() - start));
+  worker_.publish(std::move(picture));
 }
 
 }  // namespace widgets

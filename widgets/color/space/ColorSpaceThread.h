@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
+#include "robotlink/base/Worker.h"
+#include "widgets/color/space/ColorSpaceRenderer.h"
 #include "widgets/color/space/ColorSpaceScene.h"
 
 namespace widgets {
@@ -22,30 +21,22 @@ class ColorSpaceThread {
  public:
   /// `finished` is called in the drawing thread when a picture can be taken; it must not block.
   explicit ColorSpaceThread(std::function<void()> finished);
-  ~ColorSpaceThread();
-  ColorSpaceThread(const ColorSpaceThread&) = delete;
-  ColorSpaceThread& operator=(const ColorSpaceThread&) = delete;
 
   /// Replaces a request that has not begun.
-  void request(std::shared_ptr<const ColorSpaceRequest> request);
+  void request(std::shared_ptr<const ColorSpaceRequest> request) { worker_.post(std::move(request)); }
   /// The newest picture that was not taken yet.
-  std::optional<ColorSpacePicture> take();
+  std::optional<ColorSpacePicture> take() { return worker_.take(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Request = std::shared_ptr<const ColorSpaceRequest>;
+  using Drawing = robotlink::Worker<Request, ColorSpacePicture>;
 
-  void run();
-  /// Waits for a request and until `due`. Null when the thread shall end.
-  std::shared_ptr<const ColorSpaceRequest> next(Clock::time_point due);
+  void draw(Request request);
 
-  std::function<void()> finished_;
-  /// Protects all following members but the thread.
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ending_ = false;
-  std::shared_ptr<const ColorSpaceRequest> wanted_;
-  std::optional<ColorSpacePicture> picture_;
-  std::thread thread_;
+  /// Used by the drawing thread only, as is the time before which no picture must be begun.
+  ColorSpaceRenderer renderer_;
+  Drawing::Clock::time_point due_;
+  Drawing worker_;
 };
 
 }  // namespace widgets
