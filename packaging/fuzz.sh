@@ -19,6 +19,6 @@ for program in "${programs[@]}"; do
   awk '/number_of_executed_units/ {print "  " $2 " inputs"}' "$broken/log"
 done
 if [ ${#failed[@]} -gt 0 ]; then
-  echo "These broke: ${failed[*]}; the inputs are below $folder/broken" >&2
+  echo "These failed: ${failed[*]}; the inputs are below $folder/broken" >&2
   exit 1
 fi

@@ -19,11 +19,11 @@ install_missing_packages() {
   local privileged=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || {
-      echo "These packages need the right of root to be installed, and there is no sudo. As root, run:" >&2
+      echo "Installing these packages needs root privileges, and there is no sudo. As root, run:" >&2
       echo "  apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
       return 1
     }
-    echo "This needs the right of root: sudo may ask for your password."
+    echo "This needs root privileges: sudo may ask for your password."
     privileged=(sudo)
   fi
   "${privileged[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
@@ -53,6 +53,6 @@ build() {
   local preset=$1
   shift
   if ninja -C "build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
-  echo "Building $* (the first time takes some minutes)"
+  echo "Building $* (the first build takes some minutes)"
   ninja -C "build/$preset" "$@"
 }

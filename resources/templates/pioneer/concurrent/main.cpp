@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   robot.setMotors(true);
   robot.setSonar(true);
   PeriodicTask reading{"reading", 50ms}, control{"control", 100ms}, planning{"planning", 500ms};
-  std::atomic<double> wantedHeading = robot.heading();  // what planning tells control
+  std::atomic<double> wantedHeading = robot.heading();  // from planning to control
   {
     const std::jthread reader(
         [&](const std::stop_token& stop) { reading.run(stop, [&] { robot.read(0ms); }); });

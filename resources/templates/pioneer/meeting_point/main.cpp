@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three robots meet: each tells the others where it is, all drive to the middle of them and stop around it.
+// Three robots meet: each shares where it is, all drive to the middle between them and stop around it.
 // Real robots are put where kStarts says; simulated ones ask their simulator where they are.
 #include <algorithm>
 #include <array>
