@@ -11,6 +11,8 @@
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/TickUntil.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 
 using namespace app;
 using app::test::ShortLog;
@@ -443,15 +445,20 @@ TEST_F(ReplayFeedTest, afterItIsClosedNothingIsShown) {
   EXPECT_FALSE(workbench.commands().runLine("log.close").has_value());
 }
 
-TEST_F(ReplayFeedTest, theRealLogOpensAtItsFirstImage) {
-  const auto file = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "../shared/data/logs/bhuman2009.log";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+/// The parameter is the source of a whole log of 2009.
+class WholeLogFeed : public ReplayFeedTest, public testing::WithParamInterface<std::string> {};
+
+TEST_P(WholeLogFeed, opensAtItsFirstImage) {
+  const auto file = game::dataOf(GetParam()) / "logs/bhuman2009.log";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the real log is not at " << file;
   run("log.open \"" + file.string() + "\"");
   ASSERT_TRUE(waitFor([this] { return !workbench.loading(); }));
   ASSERT_EQ(errors, "");
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"nao"});
-  EXPECT_EQ(status()->time(), 486'749'000'000) << "the time stamp of the first image";
+  const robotlink::Instant first =
+      GetParam() == "real" ? robotlink::Instant(std::chrono::milliseconds(486'749)) : game::Log::imageTime(0);
+  EXPECT_EQ(status()->time(), first.time_since_epoch().count()) << "the time stamp of the first image";
   EXPECT_FALSE(status()->playing());
   const auto imageTime = [this] {
     const auto* image =
@@ -469,3 +476,6 @@ TEST_F(ReplayFeedTest, theRealLogOpensAtItsFirstImage) {
   }
   EXPECT_EQ(errors, "");
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, WholeLogFeed, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });

@@ -28,11 +28,6 @@ inline Instant at(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
 }
 
-/// The log of a real NAO; it may be missing.
-inline std::filesystem::path realLog() {
-  return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
-}
-
 inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task,
                                            const std::string& solution) {
   robotcontrol::Request request;
