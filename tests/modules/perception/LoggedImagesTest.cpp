@@ -71,7 +71,7 @@ class ImagesOf {
     table.set_cells(cells.data(), cells.size());
     return table;
   }
-  /// With labels; the first two of them show the ball.
+  /// The images with labels; two of them show the ball.
   std::vector<int> labeled() const { return real_ ? std::vector{0, 32, 66} : std::vector{0, 5, 11}; }
 
   /// Read once for all tests.
