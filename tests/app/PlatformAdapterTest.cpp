@@ -42,7 +42,8 @@ TEST(PlatformAdapter, filesAndAddressesAreOpenedByWhoeverIsRegisteredForThem) {
 
 TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   const ServedWorld world;
-  Workbench workbench(std::filesystem::path(testing::TempDir()) / "connected-again");
+  const TestFolder home;
+  Workbench workbench(home.path());
   std::string errors;
   workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   const auto connect = [&] {

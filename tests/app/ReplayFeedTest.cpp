@@ -2,13 +2,13 @@
 #include "app/core/replay/ReplayFeed.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <thread>
 
 #include "app/core/Workbench.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/TickUntil.h"
 #include "tests/game/Data.h"
@@ -27,17 +27,13 @@ constexpr double kGap = 3;  // s, in the middle of the log
 class ReplayFeedTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    std::filesystem::create_directories(folder());
+    folder_ = std::make_unique<TestFolder>();
     EXPECT_EQ(ShortLog::write(logFile()), "");
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
-  /// Of this process alone: the same tests may run in another one.
-  static std::filesystem::path folder() {
-    return std::filesystem::path(testing::TempDir()) / ("replay-feed-" + std::to_string(::getpid()));
-  }
-  static std::filesystem::path logFile() { return folder() / "replay-feed.mcap"; }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::filesystem::path logFile() { return *folder_ / "replay-feed.mcap"; }
 
-  ReplayFeedTest() : workbench(folder() / "workbench") {
+  ReplayFeedTest() : workbench(*folder_ / "workbench") {
     workbench.onErrors(
         [this](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
     run("log.open \"" + logFile().string() + "\"");

@@ -13,11 +13,11 @@
 #include "app/core/Workbench.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/simulated/SimulatedRun.h"
-#include "logplayer/base/TemporaryFolder.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/session/QueueMessages.h"
+#include "tests/TestFolder.h"
 
 namespace app::testing {
 

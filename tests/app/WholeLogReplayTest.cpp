@@ -92,9 +92,9 @@ TEST_P(WholeLogReplay, perceptionIsRecomputedOnTheLoggedImagesAndPoses) {
 
 /// As if the robot had told less of itself.
 TEST_P(WholeLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
-  const auto folder = logplayer::TemporaryFolder::make();
+  const TestFolder folder;
   ReplayOptions compact = options();
-  compact.logs = {{folder->path() / "less.mcap"}};
+  compact.logs = {{folder / "less.mcap"}};
   compact.layout = robotlink::resource("layouts/compact.yaml");
   copyWithout({"nao/joints/states", "nao/camera/pose"}, log(), compact.logs[0].file);
   Replay replay(compact);
