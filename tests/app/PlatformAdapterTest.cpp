@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "ServedWorld.h"
-#include "TickUntil.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
+#include "tests/app/ServedWorld.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 
