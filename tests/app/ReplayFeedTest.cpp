@@ -84,6 +84,7 @@ class ReplayFeedTest : public testing::Test {
   static double secondsOf(int frame) { return robotlink::seconds(ShortLog::time(frame) - ShortLog::time(0)); }
   static std::string jumpTo(int frame) { return "log.jump " + std::to_string(secondsOf(frame)); }
 
+  static inline std::unique_ptr<TestFolder> folder_;
   Workbench workbench;
   std::string errors;
 };

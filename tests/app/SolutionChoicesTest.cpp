@@ -22,7 +22,7 @@ TaskCatalog catalog() {
       solution.name = name;
       added.solutions.push_back(solution);
     }
-    catalog.tasks.push_back(added);
+    catalog.tasks[task] = added;
   }
   return catalog;
 }

@@ -67,12 +67,13 @@ std::vector<AiboPixel> madePatches() {
   const auto seen = [&random](std::uint8_t value, double cast, double noise) {
     return static_cast<std::uint8_t>(std::clamp(value + cast + noise * random.normal(), 0.0, 255.0));
   };
-  for (const double cast : {-3.0, 0.0, 3.0}) {
+  for (const double cast : {-1.0, 0.0, 1.0}) {
     for (const auto& [label, color] : colors) {
       for (int i = 0; i < 300; ++i) {
-        pixels.push_back({"a day, cast " + std::to_string(cast),
-                          label,
-                          {seen(color.y, 2 * cast, 6), seen(color.cb, cast, 2), seen(color.cr, -cast, 2)}});
+        pixels.push_back(
+            {"a day, cast " + std::to_string(cast),
+             label,
+             {seen(color.y, 2 * cast, 4), seen(color.cb, cast, 1.5), seen(color.cr, -cast, 1.5)}});
       }
     }
   }

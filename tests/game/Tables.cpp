@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/game/Tables.h"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "tests/game/View.h"
@@ -9,27 +9,35 @@
 namespace game {
 namespace {
 
+/// How far a color's class reaches in the chroma channels; twice as far in Y.
+constexpr double kReach = 12;
 constexpr std::uint8_t kLabels[] = {View::kOrange, View::kBlue, View::kWhite, View::kGreen};
 
-/// The label of a color; 0 if it is none of the game's.
-std::uint8_t labelOf(double y, double cb, double cr, double reach) {
-  for (const std::uint8_t label : kLabels) {
-    const robotlink::YCbCr color = colorOf(label);
-    if (std::abs(y - color.y) < 2 * reach && std::abs(cb - color.cb) < reach &&
-        std::abs(cr - color.cr) < reach)
-      return label;
+/// For each cell of an axis the labels whose color is near in this channel: bit i for kLabels[i].
+std::vector<unsigned> near(int side, std::uint8_t robotlink::YCbCr::*channel, double reach) {
+  std::vector<unsigned> labels;
+  for (int cell = 0; cell < side; ++cell) {
+    const double value = (cell + 0.5) * 256 / side;
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < std::size(kLabels); ++i)
+      bits |= std::abs(value - colorOf(kLabels[i]).*channel) < reach ? 1U << i : 0U;
+    labels.push_back(bits);
   }
-  return 0;
+  return labels;
 }
 
-/// Calls add(label) for each cell of a table, in the order of a file.
+/// Calls add(label) for each cell of a table, in the order of a file; 0: it is of none of the game's colors.
 template <typename Add>
-void visit(int ySide, int side, bool crFirst, Add add) {
-  for (int y = 0; y < ySide; ++y) {
-    for (int first = 0; first < side; ++first) {
-      for (int second = 0; second < side; ++second) {
-        const double a = (first + 0.5) * 256 / side, b = (second + 0.5) * 256 / side;
-        add(labelOf((y + 0.5) * 256 / ySide, crFirst ? b : a, crFirst ? a : b, 12));
+void visit(int ySide, int side, bool crFirst, double reach, Add add) {
+  using robotlink::YCbCr;
+  const auto ys = near(ySide, &YCbCr::y, 2 * reach);
+  const auto firsts = near(side, crFirst ? &YCbCr::cr : &YCbCr::cb, reach);
+  const auto seconds = near(side, crFirst ? &YCbCr::cb : &YCbCr::cr, reach);
+  for (const unsigned y : ys) {
+    for (const unsigned first : firsts) {
+      for (const unsigned second : seconds) {
+        const unsigned labels = y & first & second;
+        add(labels == 0 ? std::uint8_t{0} : kLabels[std::countr_zero(labels)]);
       }
     }
   }
@@ -38,7 +46,7 @@ void visit(int ySide, int side, bool crFirst, Add add) {
 /// A file of one byte a cell.
 ForeignTable numbered(ForeignTable about, int ySide, int side, bool crFirst,
                       const std::map<std::uint8_t, int>& bytes) {
-  visit(ySide, side, crFirst,
+  visit(ySide, side, crFirst, kReach,
         [&](std::uint8_t label) { about.bytes.push_back(static_cast<char>(bytes.at(label))); });
   return about;
 }
@@ -53,7 +61,7 @@ ForeignTable ofBHuman() {
       "c64", "default.c64", "", {{1, "orange"}, {3, "blue"}, {4, "white"}, {5, "green"}}, ""};
   std::uint32_t length = 0;
   std::uint8_t last = 0;
-  visit(64, 64, false, [&](std::uint8_t label) {
+  visit(64, 64, false, kReach, [&](std::uint8_t label) {
     if (label != last && length > 0) {
       addRun(written.bytes, length, last);
       length = 0;
@@ -71,25 +79,21 @@ ForeignTable ofBHuman() {
 colortool::ColorTableFile table() {
   colortool::ColorTableFile file;
   std::size_t cell = 0;
-  visit(64, 64, false, [&](std::uint8_t label) { file.cells[cell++] = label; });
+  visit(64, 64, false, kReach, [&](std::uint8_t label) { file.cells[cell++] = label; });
   return file;
 }
 
 colortool::ColorTableFile roughTable() {
   colortool::ColorTableFile file = table();
   std::size_t cell = 0;
-  for (int y = 0; y < 64; ++y) {
-    for (int cb = 0; cb < 64; ++cb) {
-      for (int cr = 0; cr < 64; ++cr, ++cell) {
-        const std::uint8_t wide = labelOf(4 * y + 2, 4 * cb + 2, 4 * cr + 2, 18);
-        // On the way from one cell to the other they were of the class of black, too.
-        constexpr unsigned kBlack = 6;
-        if (file.cells[cell] == 0 && wide != 0)
-          file.cells[cell] = static_cast<std::uint8_t>(colortool::ColorTableFile::kSeveral |
-                                                       (1U << (wide - 1U)) | (1U << (kBlack - 1U)));
-      }
-    }
-  }
+  visit(64, 64, false, 1.5 * kReach, [&](std::uint8_t label) {
+    // At the rim of their colors cells are of the class of black, too.
+    constexpr unsigned kBlack = 6;
+    if (file.cells[cell] == 0 && label != 0)
+      file.cells[cell] = static_cast<std::uint8_t>(colortool::ColorTableFile::kSeveral |
+                                                   (1U << (label - 1U)) | (1U << (kBlack - 1U)));
+    ++cell;
+  });
   return file;
 }
 

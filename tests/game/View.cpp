@@ -74,6 +74,7 @@ View made(int number) {
   const auto noisy = [&random](std::uint8_t value, double most) {
     return static_cast<std::uint8_t>(std::lround(value + random.uniform(-most, most)));
   };
+  image.quads.reserve(std::size_t{4} * View::kWidth * View::kHeight);
   for (int y = 0; y < sharp.height; ++y) {
     for (int x = 0; x < sharp.width; ++x) {
       sharp.row(y)[x] = seen(image, rayOf(image, x, y));
@@ -100,21 +101,6 @@ const View& View::at(int number) {
   auto& image = images.at(static_cast<std::size_t>(number));
   if (!image) image = made(number);
   return *image;
-}
-
-robotlink::YCbCr colorOf(std::uint8_t label) {
-  switch (label) {
-    case View::kOrange:
-      return {140, 80, 190};
-    case View::kBlue:
-      return {90, 165, 100};
-    case View::kWhite:
-      return {205, 128, 128};
-    case View::kGreen:
-      return {90, 108, 104};
-    default:
-      return {115, 126, 132};
-  }
 }
 
 std::vector<PixelPlace> placesInside(const robotlink::Image& labels, std::uint8_t label, int distance,

@@ -35,7 +35,20 @@ struct View {
 };
 
 /// The colors that the camera sees, without its noise; `label` is a number of a class, or 0.
-robotlink::YCbCr colorOf(std::uint8_t label);
+constexpr robotlink::YCbCr colorOf(std::uint8_t label) {
+  switch (label) {
+    case View::kOrange:
+      return {140, 80, 190};
+    case View::kBlue:
+      return {90, 165, 100};
+    case View::kWhite:
+      return {205, 128, 128};
+    case View::kGreen:
+      return {90, 108, 104};
+    default:
+      return {115, 126, 132};
+  }
+}
 
 /// A pixel of an image.
 struct PixelPlace {

@@ -212,7 +212,7 @@ TEST_P(WholeLogImport, aLogOf2009BecomesAWholeFileInShortTime) {
                                                {"nao/body/readings", motions},
                                                {"nao/motion/status", motions},
                                                {"nao/frames/cognition", images},
-                                               {"nao/log", real ? 1 : 2}};
+                                               {"nao/log", real ? 1 : 3}};
   EXPECT_EQ(counts, expected);
 }
 

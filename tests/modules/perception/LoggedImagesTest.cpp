@@ -203,9 +203,9 @@ INSTANTIATE_TEST_SUITE_P(All, LabeledImages,
                                                           Solutions{"scan-lines", "circle-fit"}),
                                           testing::ValuesIn(game::kSources)),
                          [](const auto& parameters) {
-                           const auto& [solutions, source] = parameters.param;
+                           const Solutions& solutions = std::get<0>(parameters.param);
                            std::string name = std::string(solutions.segmentation) + "_" +
-                                              solutions.ballPercept + "_" + source;
+                                              solutions.ballPercept + "_" + std::get<1>(parameters.param);
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
