@@ -2,17 +2,28 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 /// A new temporary folder for the files of a test, removed with all its contents by the destructor.
 class TestFolder {
  public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "robotcontrol-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
+  /// In memory, where that can be: thousands of small files take long on a disk.
+  enum class Where : std::uint8_t { kDisk, kMemory };
+
+  explicit TestFolder(Where where = Where::kDisk) {
+    std::error_code ignored;
+    const std::filesystem::path memory = "/dev/shm";
+    const bool inMemory = where == Where::kMemory && std::filesystem::is_directory(memory, ignored);
+    const auto parent = inMemory ? memory : std::filesystem::temp_directory_path();
+    std::string name = (parent / "robotcontrol-test-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+    path_ = name;
   }
   ~TestFolder() {
     std::error_code ignored;
@@ -23,6 +34,13 @@ class TestFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  /// Writes a file, creating its folders; returns its path.
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    const auto file = path_ / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
+  }
   /// The names of all files in the folder, sorted.
   std::vector<std::string> files() const {
     std::vector<std::string> names;

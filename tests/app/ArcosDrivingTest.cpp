@@ -142,27 +142,30 @@ TEST(ArcosDriving, c11OdometryWrapsUnseenByClients) {
   EXPECT_LT(std::abs(client.latest().xMm), 200) << "SETO zeroes";
 }
 
-/// The client half of a recording, said at the times at which it was.
-bool replay(ArcosBench& bench, WireClient& client, const std::string& name) {
-  for (const auto& file : recordings()) {
-    if (file.filename() != name + ".wire.xz") continue;
-    const auto conversation = readConversation(uncompressed(file), file.string());
-    EXPECT_TRUE(conversation);
-    const Instant begin = bench.now();
-    for (const auto& event : conversation->events) {
-      while (bench.now() < begin + event.at) bench.step();
-      if (event.kind == Conversation::Kind::kPacket && event.direction == Direction::kFromClient)
-        client.send(event.bytes);
-    }
-    return true;
+/// The client half of a conversation, said at the times of its file. Returns whether there is one.
+bool replay(ArcosBench& bench, WireClient& client, const std::string& source, const std::string& name) {
+  const auto found = conversation(source, name);
+  if (!found) return false;
+  const Instant begin = bench.now();
+  for (const auto& event : found->events) {
+    while (bench.now() < begin + event.at) bench.step();
+    if (event.kind == Conversation::Kind::kPacket && event.direction == Direction::kFromClient)
+      client.send(event.bytes);
   }
-  return false;
+  return true;
+}
+
+/// The wheels skid, and yet the track that the odometry goes by is about right.
+void expectTruthNear(ArcosBench& bench, const Sip& odometry) {
+  const auto truth = robotlink::groundPose(*bench.world().simulation().modelPose("p3at1"));
+  EXPECT_NEAR(truth.x * 1000, odometry.xMm, 80);
+  EXPECT_NEAR(truth.y * 1000, odometry.yMm, 80);
 }
 
 TEST(ArcosDriving, c12SimpleMotionCommandsEndNearTheReference) {
   ArcosBench bench;
   WireClient& client = bench.connect();
-  if (!replay(bench, client, "simpleMotionCommands"))
+  if (!replay(bench, client, "real", "simpleMotionCommands"))
     GTEST_SKIP() << "there are no recordings in ../shared/data/arcos/wire";
   const auto information = client.information();
   ASSERT_GT(information.size(), 290U);
@@ -173,10 +176,21 @@ TEST(ArcosDriving, c12SimpleMotionCommandsEndNearTheReference) {
   const Sip& last = information.back();
   EXPECT_NEAR(last.xMm, 1703, 80);
   EXPECT_NEAR(last.yMm, -540, 80);
-  // The wheels skid, and yet the track that the odometry goes by is about right.
-  const auto truth = robotlink::groundPose(*bench.world().simulation().modelPose("p3at1"));
-  EXPECT_NEAR(truth.x * 1000, last.xMm, 80);
-  EXPECT_NEAR(truth.y * 1000, last.yMm, 80);
+  expectTruthNear(bench, last);
+}
+
+TEST(ArcosDriving, c12AMadeClientsCommandsEndWhereTheyLead) {
+  ArcosBench bench;
+  WireClient& client = bench.connect();
+  ASSERT_TRUE(replay(bench, client, "made", "drive"));
+  const auto information = client.information();
+  ASSERT_GT(information.size(), 105U);
+  EXPECT_NEAR(information[58].xMm, 1000, 60);
+  const Sip& last = information.back();
+  EXPECT_NEAR(last.heading4096, 512, 40);
+  EXPECT_NEAR(last.xMm, 1280, 80);
+  EXPECT_NEAR(last.yMm, 280, 80);
+  expectTruthNear(bench, last);
 }
 
 TEST(ArcosDriving, c12ThreeGoalsAreReachedInThirtySeconds) {

@@ -2,10 +2,10 @@
 #include "app/core/LogCommands.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
 
 using namespace app;
 using robotcontrol::ControlReplay;
@@ -16,9 +16,7 @@ namespace {
 /// A workbench whose requests are seen, with the status of a log of ten seconds that begins at 486 s.
 class LogCommandsTest : public testing::Test {
  protected:
-  LogCommandsTest()
-      : workbench(std::filesystem::path(testing::TempDir()) /
-                  ("log-commands-" + std::to_string(::getpid()))) {
+  LogCommandsTest() {
     workbench.session().setRequestSink(
         [this](const robotcontrol::Request& request) { asked.push_back(request); });
     workbench.onErrors([this](const robotlink::Errors& reported) { errors = robotlink::describe(reported); });
@@ -42,7 +40,8 @@ class LogCommandsTest : public testing::Test {
     return asked[0].control_replay().ShortDebugString();
   }
 
-  Workbench workbench;
+  const TestFolder home;
+  Workbench workbench{home.path()};
   std::vector<robotcontrol::Request> asked;
   std::string errors;
 };

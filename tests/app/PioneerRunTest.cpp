@@ -16,6 +16,7 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
 #include "tests/Eventually.h"
+#include "tests/TestFolder.h"
 #include "tests/app/ServedWorld.h"
 
 using namespace app;
@@ -76,7 +77,7 @@ const robotlink::SolutionRegistration kHanging =
 
 class PioneerRunTest : public testing::Test {
  protected:
-  PioneerRunTest() : layout_(std::filesystem::path(testing::TempDir()) / "bare.yaml") {
+  PioneerRunTest() {
     std::ofstream(layout_) << "version: 1\nname: bare\nhelp: Nothing but debugging.\n"
                               "processes:\n  - {name: debug, debug: true, period_ms: 16}\n";
   }
@@ -111,7 +112,8 @@ class PioneerRunTest : public testing::Test {
 
   ServedWorld world_;
   Ears ears_;
-  const std::filesystem::path layout_;
+  const TestFolder folder_;
+  const std::filesystem::path layout_ = folder_ / "bare.yaml";
   std::unique_ptr<PioneerRun> run_;
 };
 

@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "ServedWorld.h"
-#include "TickUntil.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
+#include "tests/app/ServedWorld.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 
@@ -44,7 +45,8 @@ TEST(PlatformAdapter, filesAndAddressesAreOpenedByWhoeverIsRegisteredForThem) {
 
 TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   const ServedWorld world;
-  Workbench workbench(std::filesystem::path(testing::TempDir()) / "connected-again");
+  const TestFolder home;
+  Workbench workbench(home.path());
   std::string errors;
   workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   const auto connect = [&] {

@@ -2,15 +2,17 @@
 #include "app/core/replay/ReplayFeed.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <thread>
 
 #include "app/core/Workbench.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/TickUntil.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 
 using namespace app;
 using app::test::ShortLog;
@@ -25,17 +27,13 @@ constexpr double kGap = 3;  // s, in the middle of the log
 class ReplayFeedTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    std::filesystem::create_directories(folder());
+    folder_ = std::make_unique<TestFolder>();
     EXPECT_EQ(ShortLog::write(logFile()), "");
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
-  /// Of this process alone: the same tests may run in another one.
-  static std::filesystem::path folder() {
-    return std::filesystem::path(testing::TempDir()) / ("replay-feed-" + std::to_string(::getpid()));
-  }
-  static std::filesystem::path logFile() { return folder() / "replay-feed.mcap"; }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::filesystem::path logFile() { return *folder_ / "replay-feed.mcap"; }
 
-  ReplayFeedTest() : workbench(folder() / "workbench") {
+  ReplayFeedTest() : workbench(*folder_ / "workbench") {
     workbench.onErrors(
         [this](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
     run("log.open \"" + logFile().string() + "\"");
@@ -86,6 +84,7 @@ class ReplayFeedTest : public testing::Test {
   static double secondsOf(int frame) { return robotlink::seconds(ShortLog::time(frame) - ShortLog::time(0)); }
   static std::string jumpTo(int frame) { return "log.jump " + std::to_string(secondsOf(frame)); }
 
+  static inline std::unique_ptr<TestFolder> folder_;
   Workbench workbench;
   std::string errors;
 };
@@ -442,15 +441,20 @@ TEST_F(ReplayFeedTest, afterItIsClosedNothingIsShown) {
   EXPECT_FALSE(workbench.commands().runLine("log.close").has_value());
 }
 
-TEST_F(ReplayFeedTest, theRealLogOpensAtItsFirstImage) {
-  const auto file = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "../shared/data/logs/bhuman2009.log";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+/// The parameter is the source of a whole log of 2009.
+class WholeLogFeed : public ReplayFeedTest, public testing::WithParamInterface<std::string> {};
+
+TEST_P(WholeLogFeed, opensAtItsFirstImage) {
+  const auto file = game::dataOf(GetParam()) / "logs/bhuman2009.log";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the real log is not at " << file;
   run("log.open \"" + file.string() + "\"");
   ASSERT_TRUE(waitFor([this] { return !workbench.loading(); }));
   ASSERT_EQ(errors, "");
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"nao"});
-  EXPECT_EQ(status()->time(), 486'749'000'000) << "the time stamp of the first image";
+  const robotlink::Instant first =
+      GetParam() == "real" ? robotlink::Instant(std::chrono::milliseconds(486'749)) : game::Log::imageTime(0);
+  EXPECT_EQ(status()->time(), first.time_since_epoch().count()) << "the time stamp of the first image";
   EXPECT_FALSE(status()->playing());
   const auto imageTime = [this] {
     const auto* image =
@@ -468,3 +472,6 @@ TEST_F(ReplayFeedTest, theRealLogOpensAtItsFirstImage) {
   }
   EXPECT_EQ(errors, "");
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, WholeLogFeed, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });

@@ -13,11 +13,11 @@
 #include "app/core/Workbench.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/simulated/SimulatedRun.h"
-#include "logplayer/base/TemporaryFolder.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/session/QueueMessages.h"
+#include "tests/TestFolder.h"
 
 namespace app::testing {
 
@@ -26,11 +26,6 @@ using robotlink::StreamMessage;
 
 inline Instant at(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
-}
-
-/// The log of a real NAO; it may be missing.
-inline std::filesystem::path realLog() {
-  return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
 }
 
 inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task,

@@ -31,27 +31,22 @@ const std::string kRegions = "red1/percepts/regions";
 class ReplayRunTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new logplayer::TemporaryFolder(std::move(*logplayer::TemporaryFolder::make()));
+    folder_ = std::make_unique<TestFolder>();
     recordSimulation(file(), "compact", 254, [](SimulatedRun& run, int step) {
       if (step == 20) (void)run.request(keyRequest("red1", "segmentation/regions"));
       if (step == 20) (void)run.request(keyRequest("red1", "camera-pose/horizon"));
     });
   }
-  static void TearDownTestSuite() {
-    delete folder_;
-    folder_ = nullptr;
-  }
-  static std::filesystem::path file() { return folder_->path() / "sim.mcap"; }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::filesystem::path file() { return *folder_ / "sim.mcap"; }
   static ReplayOptions recomputingRegions() {
     ReplayOptions options = replayOf({{file()}});
     options.packages[kRegions] = ControlReplay::RECOMPUTED;
     options.publishAllPackages = true;
     return options;
   }
-  static logplayer::TemporaryFolder* folder_;
+  static inline std::unique_ptr<TestFolder> folder_;
 };
-
-logplayer::TemporaryFolder* ReplayRunTest::folder_ = nullptr;
 
 std::vector<std::string> recomputedPackages(const robotcontrol::ReplayStatus& status) {
   std::vector<std::string> names;
@@ -68,8 +63,8 @@ class RecomputedLayout : public ::testing::TestWithParam<std::string> {};
 
 /// With requests at times at which the debug process does not run.
 TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
-  const auto folder = logplayer::TemporaryFolder::make();
-  const auto file = folder->path() / "sim.mcap";
+  const TestFolder folder;
+  const auto file = folder / "sim.mcap";
   recordSimulation(file, GetParam(), 400, [](SimulatedRun& run, int step) {
     if (step == 101) (void)run.request(selectRequest("red1", "ball-model", "last-percept"));
     if (step == 203) (void)run.request(selectRequest("red1", "segmentation", "whole-image"));
@@ -101,17 +96,17 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
 
 /// It localizes itself in the map, which the log holds.
 TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
-  const auto folder = logplayer::TemporaryFolder::make();
-  const auto map = folder->path() / "room.map";
+  const TestFolder folder;
+  const auto map = folder / "room.map";
   std::ofstream(map)
       << "2D-Map\nCairn: RobotHome 1000 1000 0 \"\" ICON \"Home\"\nLINES\n0 0 6000 0\n6000 0 6000 4000\n"
          "6000 4000 0 4000\n0 4000 0 0\n3000 0 3000 1500\nDATA\n";
   RunOptions options;
   options.scene = map;
   options.solutions["driving"] = "wander";
-  recordSimulation(folder->path() / "sim.mcap", options, 1000);
+  recordSimulation(folder / "sim.mcap", options, 1000);
   std::filesystem::remove(map);
-  Replay replay(recomputingAll(folder->path() / "sim.mcap"));
+  Replay replay(recomputingAll(folder / "sim.mcap"));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   replay.playToEnd();
   EXPECT_THAT(replay.troubles, IsEmpty());
@@ -126,8 +121,8 @@ TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
 }
 
 TEST(ReplayRun, aLayoutThatWasChangedInTheRecordingChangesInItsReplay) {
-  const auto folder = logplayer::TemporaryFolder::make();
-  const auto file = folder->path() / "sim.mcap";
+  const TestFolder folder;
+  const auto file = folder / "sim.mcap";
   recordSimulation(file, "compact", 304, [](SimulatedRun& run, int step) {
     if (step != 131) return;
     EXPECT_TRUE(run.setLayout(robotlink::resource("layouts/parallel.yaml")).empty());
@@ -221,7 +216,7 @@ TEST_F(ReplayRunTest, theColorTableInUseIsThatOfTheLogOrTheOneThatIsBuiltIn) {
   builtIn.playToEnd();
   EXPECT_THAT(sourcesIn(builtIn), ::testing::ElementsAre("built-in"));
 
-  const auto file = folder_->path() / "table.mcap";
+  const auto file = *folder_ / "table.mcap";
   recordSimulation(file, "compact", 200, [](SimulatedRun& run, int step) {
     if (step != 100) return;
     robotcontrol::Request request;
@@ -382,7 +377,7 @@ TEST_F(ReplayRunTest, aLayoutCanBeChosenAndABadOneChangesNothing) {
   replay.reported.clear();
   for (int i = 0; i < 100; ++i) replay.run->step();
   EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 5U);
-  const auto bad = std::filesystem::path(::testing::TempDir()) / "bad.yaml";
+  const auto bad = *folder_ / "bad.yaml";
   std::ofstream(bad) << "version: 1\nname: bad\n";
   EXPECT_FALSE(replay.run->setLayout(bad).empty());
   EXPECT_EQ(replay.run->options().layout.stem(), "parallel");
@@ -480,8 +475,8 @@ TEST_F(ReplayRunTest, afterAJumpTheLoggedPackageIsThereToBeComparedWith) {
 }
 
 TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
-  const auto folder = logplayer::TemporaryFolder::make();
-  const auto later = folder->path() / "later.mcap";
+  const TestFolder folder;
+  const auto later = folder / "later.mcap";
   {
     auto writer = logplayer::LogWriter::create(later, {});
     const auto value = std::make_shared<robotcontrol::PlotValue>();
@@ -508,7 +503,7 @@ class ForeignSetup : public ::testing::Test {
     setup->mutable_layout()->set_text(layout);
     setup->mutable_description()->set_text(description);
     auto image = std::make_shared<foxglove::RawImage>();
-    const auto file = folder_->path() / "foreign.mcap";
+    const auto file = folder_ / "foreign.mcap";
     auto writer = logplayer::LogWriter::create(file, {});
     EXPECT_TRUE(
         (*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
@@ -524,7 +519,7 @@ class ForeignSetup : public ::testing::Test {
   }
 
  private:
-  robotlink::Result<logplayer::TemporaryFolder> folder_ = logplayer::TemporaryFolder::make();
+  const TestFolder folder_;
 };
 
 TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {

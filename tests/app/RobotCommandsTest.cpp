@@ -5,6 +5,7 @@
 
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "tests/TestFolder.h"
 #include "tests/app/TickUntil.h"
 
 using namespace app;
@@ -13,12 +14,12 @@ namespace {
 
 class RobotCommandsTest : public testing::Test {
  protected:
-  RobotCommandsTest() : workbench_(std::filesystem::path(testing::TempDir()) / "robot-commands") {}
   std::string refusal(const std::string& command, const std::vector<robotlink::CommandTable::Value>& values) {
     const auto done = workbench_.commands().run(command, values);
     return done ? std::string() : done.error().id;
   }
-  Workbench workbench_;
+  const TestFolder home_;
+  Workbench workbench_{home_.path()};
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "tests/Eventually.h"
+#include "tests/TestFolder.h"
 
 using namespace app;
 using robotlink::Pose2;
@@ -370,7 +371,8 @@ TEST(SimulatedRun, inAPauseTheNewestValueOfOneThingTakesThePlaceOfThoseBefore) {
 
 TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {
   const auto run = makeRun(options());
-  const auto file = std::filesystem::path(testing::TempDir()) / "broken-layout.yaml";
+  const TestFolder folder;
+  const auto file = folder / "broken-layout.yaml";
   std::ofstream(file)
       << "version: 1\nname: broken\nprocesses:\n  - name: cognition\n    blocking: [camera/image]\n"
          "    tasks:\n      - segmentation: telepathy\n";
@@ -382,10 +384,10 @@ TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {
 }
 
 TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "soon-broken-layout.yaml";
+  const TestFolder folder;
+  const auto file = folder / "soon-broken-layout.yaml";
   RunOptions chosen = options();
-  std::filesystem::copy_file(Workbench::layoutNamed("compact"), file,
-                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(Workbench::layoutNamed("compact"), file);
   chosen.layout = file;
   const auto run = makeRun(chosen);
   play(*run, 0.8);

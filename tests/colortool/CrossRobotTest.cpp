@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table learned from what one real Aibo saw, and scored on what the others saw.
+// A table learned from what one Aibo saw, and scored on what the others saw: real ones, and made ones.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -7,7 +7,9 @@
 
 #include "colortool/votes/ColorVotes.h"
 #include "colortool/votes/TableCleanUp.h"
+#include "robotlink/base/Random.h"
 #include "tests/colortool/AiboPatches.h"
+#include "tests/game/Data.h"
 
 namespace {
 
@@ -54,8 +56,35 @@ void addScore(Score& score, const ColorTable& table, const Session& session) {
   }
 }
 
-TEST(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
-  const auto robots = sessions(readAiboPatches());
+/// Pixels of three cameras, which see the same seven colors each with a cast of its own, and with noise.
+std::vector<AiboPixel> madePatches() {
+  const std::map<std::string, robotlink::YCbCr> colors{
+      {"blue", {60, 160, 110}},  {"green", {80, 105, 100}}, {"lightblue", {130, 165, 95}},
+      {"pink", {120, 120, 180}}, {"red", {80, 110, 190}},   {"white", {200, 128, 128}},
+      {"yellow", {150, 70, 150}}};
+  robotlink::Random random(7);
+  std::vector<AiboPixel> pixels;
+  const auto seen = [&random](std::uint8_t value, double cast, double noise) {
+    return static_cast<std::uint8_t>(std::clamp(value + cast + noise * random.normal(), 0.0, 255.0));
+  };
+  for (const double cast : {-1.0, 0.0, 1.0}) {
+    for (const auto& [label, color] : colors) {
+      for (int i = 0; i < 300; ++i) {
+        pixels.push_back(
+            {"a day, cast " + std::to_string(cast),
+             label,
+             {seen(color.y, 2 * cast, 4), seen(color.cb, cast, 1.5), seen(color.cr, -cast, 1.5)}});
+      }
+    }
+  }
+  return pixels;
+}
+
+/// The parameter is the source of the pixels.
+class CrossRobot : public testing::TestWithParam<std::string> {};
+
+TEST_P(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
+  const auto robots = sessions(GetParam() == "real" ? readAiboPatches() : madePatches());
   if (robots.empty())
     GTEST_SKIP() << "the labeled pixels are not in ../shared/data/colour/ers7, or xz is missing";
   ASSERT_GE(robots.size(), 2U);
@@ -76,5 +105,8 @@ TEST(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
   }
   EXPECT_GE(total.share(), 0.998) << total.right << " of " << total.all;
 }
+
+INSTANTIATE_TEST_SUITE_P(Pixels, CrossRobot, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real tables of other teams: what they make of colors that real robots saw, and that people named.
+// Tables of other teams: what those of real ones make of colors that real robots saw, and that people named;
+// and what made ones of each format make of the colors of a game.
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 #include "colortool/image/ColorImage.h"
 #include "colortool/table/ColorTable.h"
 #include "colortool/table/TableImport.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 #include "tests/colortool/AiboPatches.h"
+#include "tests/game/Data.h"
+#include "tests/game/Tables.h"
+#include "tests/game/View.h"
 
 namespace {
 
@@ -124,5 +131,58 @@ TEST_F(ImportedTables, ofBHumanIsTheSameFile) {
     EXPECT_EQ(imported.table.file.bytes(), robotlink::readFile(file).value());
   }
 }
+
+/// The parameter is the number of a table.
+class ForeignTables : public testing::TestWithParam<std::size_t> {
+ protected:
+  static const game::ForeignTable& written() {
+    static const auto tables = game::foreignTables();
+    return tables.at(GetParam());
+  }
+  /// The table, from its file.
+  ImportedTable read() const {
+    std::ofstream(folder_ / written().name, std::ios::binary) << written().bytes;
+    if (!written().colors.empty()) std::ofstream(folder_ / "tekkotsu.col") << written().colors;
+    auto imported = colortool::importTable(folder_ / written().name);
+    EXPECT_TRUE(imported) << robotlink::describe(imported.error());
+    return imported.value_or(ImportedTable());
+  }
+  TestFolder folder_;
+};
+
+TEST_P(ForeignTables, nameTheColorsOfTheImagesThatTheyAreFor) {
+  const ImportedTable imported = read();
+  EXPECT_EQ(colortool::tableFormats()[static_cast<std::size_t>(imported.format)].name, written().format);
+  EXPECT_EQ(imported.reducedCells, 0U);
+  std::map<std::uint8_t, std::pair<int, int>> found;  // of each label: right ones, and all
+  for (const int number : {0, 5, 11}) {
+    const game::View& view = game::View::at(number);
+    for (std::size_t i = 0; i < view.labels.data.size(); ++i) {
+      const std::uint8_t label = view.labels.data[i];
+      if (label == game::View::kEdge) continue;
+      const auto* quad = &view.quads[4 * i];
+      const auto cell = ColorTable::cellOf({quad[2], quad[1], quad[3]});
+      const std::string name = imported.table.classes.name(imported.table.file.cells[cell]);
+      auto& [right, all] = found[label];
+      right += name == (label == 0 ? "none" : written().classNames.at(label)) ? 1 : 0;
+      ++all;
+    }
+  }
+  EXPECT_EQ(found.size(), 5U) << "four classes, and what is none";
+  for (const auto& [label, counts] : found) EXPECT_EQ(counts.first, counts.second) << int{label};
+}
+
+TEST_P(ForeignTables, areReadAgainFromTheFileThatTheyBecome) {
+  const ImportedTable imported = read();
+  ASSERT_TRUE(imported.table.save(folder_ / "own.c64"));
+  const auto again = colortool::importTable(folder_ / "own.c64");
+  ASSERT_TRUE(again) << robotlink::describe(again.error());
+  EXPECT_EQ(again->table.file, imported.table.file);
+  EXPECT_EQ(again->table.classes, imported.table.classes);
+  if (written().format == "c64") EXPECT_EQ(imported.table.file.bytes(), written().bytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ForeignTables, testing::Range(std::size_t{0}, std::size_t{5}),
+                         [](const auto& number) { return game::foreignTables().at(number.param).format; });
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good tables of few strokes are in an image that none of the strokes is from: each labeled image of the
-// real robot is left out in turn.
+// How good tables of few strokes are in an image that none of the strokes is from: each labeled image of a
+// real robot, or of a made game, is left out in turn.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,15 +12,14 @@
 #include "colortool/training/TableTrainer.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
+#include "tests/game/Data.h"
 
 namespace {
 
 using namespace colortool;
 namespace fs = std::filesystem;
 
-const fs::path kFrameData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
 constexpr int kWidth = 320, kHeight = 240;
-constexpr int kSeeds = 5;
 constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
 
 struct Frame {
@@ -31,15 +30,15 @@ struct Frame {
 };
 
 /// Pixels of (Y1, Cb, Cr).
-Frame readFrame(const std::string& stem) {
+Frame readFrame(const fs::path& data, const std::string& stem) {
   Frame frame;
   frame.name = stem;
-  const std::string bytes = robotlink::readFile(kFrameData / "yuyv" / (stem + ".yuyv")).value();
+  const std::string bytes = robotlink::readFile(data / "yuyv" / (stem + ".yuyv")).value();
   for (std::size_t i = 0; i < frame.image.pixels.size(); ++i) {
     const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes.at(4 * i + at)); };
     frame.image.pixels[i] = {byte(2), byte(1), byte(3)};
   }
-  const std::string png = robotlink::readFile(kFrameData / "labels" / (stem + ".png")).value();
+  const std::string png = robotlink::readFile(data / "labels" / (stem + ".png")).value();
   frame.labels =
       logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
   const auto label = [&](int x, int y) { return frame.labels[static_cast<std::size_t>(y * kWidth + x)]; };
@@ -82,9 +81,9 @@ struct Score {
   double recall = 0, falseColor = 0;
 };
 
-Score score(const std::vector<Frame>& frames, int perClass) {
+Score score(const std::vector<Frame>& frames, int perClass, unsigned seeds) {
   Score sum;
-  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
     Evaluation all(9);
     for (const Frame& left : frames) {
       TableTrainer trainer;
@@ -102,18 +101,23 @@ Score score(const std::vector<Frame>& frames, int perClass) {
         }
       }
     }
-    sum.recall += all.meanRecall() / kSeeds;
-    sum.falseColor += all.falseColor(kThings) / kSeeds;
+    sum.recall += all.meanRecall() / seeds;
+    sum.falseColor += all.falseColor(kThings) / seeds;
   }
   return sum;
 }
 
-TEST(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStrokesKnowThemBetter) {
-  if (!fs::exists(kFrameData))
-    GTEST_SKIP() << "the real images are not here: ../shared/data/colour/bhuman2009";
+/// The parameter is the source of the images.
+class LeaveOneFrameOut : public testing::TestWithParam<std::string> {};
+
+TEST_P(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStrokesKnowThemBetter) {
+  const fs::path data = game::dataOf(GetParam()) / "colour/bhuman2009";
+  if (!fs::exists(data)) GTEST_SKIP() << "the real images are not in " << data;
   std::vector<Frame> frames;
-  for (const char* stem : {"000", "032", "066"}) frames.push_back(readFrame(stem));
-  const Score one = score(frames, 1), three = score(frames, 3), ten = score(frames, 10);
+  for (const std::string& stem : game::labeledStems(game::dataOf(GetParam())))
+    frames.push_back(readFrame(data, stem));
+  const unsigned seeds = GetParam() == "real" ? 5 : 1;
+  const Score one = score(frames, 1, seeds), three = score(frames, 3, seeds), ten = score(frames, 10, seeds);
   for (const auto& [name, each] : {std::pair("1", one), std::pair("3", three), std::pair("10", ten)})
     std::printf("%2s strokes a class: mean recall %.2f %%, false colors %.3f %%\n", name, 100 * each.recall,
                 100 * each.falseColor);
@@ -125,5 +129,8 @@ TEST(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStro
   EXPECT_GE(ten.recall, three.recall - 0.005);
   for (const Score& each : {one, three, ten}) EXPECT_LT(each.falseColor, 0.001);
 }
+
+INSTANTIATE_TEST_SUITE_P(Data, LeaveOneFrameOut, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace

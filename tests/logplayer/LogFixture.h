@@ -9,8 +9,8 @@
 
 #include "foxglove/Scene.pb.h"
 #include "logplayer/base/LogWriter.h"
-#include "logplayer/base/TemporaryFolder.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "tests/TestFolder.h"
 
 namespace logplayer::tests {
 
@@ -39,9 +39,7 @@ inline StreamMessage frameInfo(const std::string& robot, const std::string& proc
 /// A log file that is written and then damaged.
 class LogFixture {
  public:
-  LogFixture() : folder_(std::move(*TemporaryFolder::make())) {}
-
-  std::filesystem::path path(const std::string& name = "log.mcap") const { return folder_.path() / name; }
+  std::filesystem::path path(const std::string& name = "log.mcap") const { return folder_ / name; }
   std::unique_ptr<LogWriter> write(const std::string& name = "log.mcap",
                                    mcap::Writer::Options options = {}) const {
     return std::move(*LogWriter::create(path(name), std::move(options)));
@@ -56,7 +54,7 @@ class LogFixture {
   }
 
  private:
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 }  // namespace logplayer::tests

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "logplayer/bookmarks/BookmarkStorage.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace logplayer {
@@ -112,15 +114,22 @@ TEST_F(LogInfoTest, aFileThatWasNotClosedIsLookedThroughOnce) {
   EXPECT_LT(bytesRead() - before, tail + tail / 2);
 }
 
-TEST_F(LogInfoTest, theRealLogHas160ImagesIn434Frames) {
-  const std::filesystem::path real = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
-  if (!std::filesystem::exists(real)) GTEST_SKIP() << "the real log is not at hand: " << real;
-  const auto found = readLogInfo(real);
+/// The parameter is the source of a whole log.
+class WholeLogInfo : public testing::TestWithParam<std::string> {};
+
+TEST_P(WholeLogInfo, aLogOf2009IsDescribed) {
+  const bool real = GetParam() == "real";
+  const auto log = game::dataOf(GetParam()) / "logs/bhuman2009.log";
+  if (!std::filesystem::exists(log)) GTEST_SKIP() << "the real log is not at " << log;
+  const auto found = readLogInfo(log);
   ASSERT_TRUE(found) << found.error().describe();
-  EXPECT_EQ(found->images, 160U);
-  EXPECT_EQ(found->frames, 434U);
-  EXPECT_NEAR(robotlink::seconds(found->begin), 486.749, 1);
+  EXPECT_EQ(found->images, real ? 160U : game::View::kCount);
+  EXPECT_EQ(found->frames, real ? 434U : game::Log::kFrames);
+  EXPECT_NEAR(robotlink::seconds(found->begin), real ? 486.749 : 20, 1);
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, WholeLogInfo, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace
 }  // namespace logplayer

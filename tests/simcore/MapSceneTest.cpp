@@ -137,6 +137,37 @@ TEST_F(MapScene, loadingTellsHowFarItIsAndCanBeGivenUpAnywhere) {
   }
 }
 
+/// A room of 10 m by 8 m as a laser saw it: points 2 cm apart, every fifth of them with one behind it.
+std::string scannedRoom() {
+  std::string text = "2D-Map\nResolution: 20\nDATA\n";
+  const auto point = [&text](int x, int y) { text += std::to_string(x) + ' ' + std::to_string(y) + '\n'; };
+  for (int i = 0; i <= 500; ++i) {
+    for (const int depth : {0, 20}) {
+      if (depth != 0 && i % 5 != 0) continue;
+      point(20 * i, -depth);
+      point(20 * i, 8000 + depth);
+      if (i > 400) continue;
+      point(-depth, 20 * i);
+      point(10'000 + depth, 20 * i);
+    }
+  }
+  return text;
+}
+
+/// What takes time is bounded by the number of pieces, whatever clock there is.
+TEST_F(MapScene, theMapOfAScannedRoomIsMadeOfFewPieces) {
+  const auto scene = load(scannedRoom(), {.count = 4});
+  ASSERT_NE(scene, nullptr);
+  const auto& walls = scene->contents().world.models[1].type->links[0].collisions;
+  EXPECT_GT(scene->groundMap()->points.size(), 2000U);
+  EXPECT_GE(walls.size(), 4U);
+  EXPECT_LT(walls.size(), 500U);
+  for (const Pose2& place : placesOf(scene)) {
+    EXPECT_TRUE(place.x > 0.3 && place.x < 9.7 && place.y > 0.3 && place.y < 7.7)
+        << place.x << " " << place.y;
+  }
+}
+
 /// What takes time is bounded by the number of pieces, whatever clock there is.
 TEST_F(MapScene, theMapOfABuildingIsMadeOfFewPieces) {
   if (!std::filesystem::exists(kMaps / "columbia.map")) GTEST_SKIP() << "../shared/data/arcos is not here";

@@ -2,7 +2,6 @@
 #include "tests/simcore/SceneFixture.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -37,36 +36,19 @@ const char* const kSmallModel = R"(<?xml version="1.0"?>
 </sdf>
 )";
 
-SceneFolder::SceneFolder() {
-  std::string pattern = (fs::temp_directory_path() / "scene.XXXXXX").string();
-  path_ = mkdtemp(pattern.data());
-}
-
-SceneFolder::~SceneFolder() {
-  std::error_code error;
-  fs::remove_all(path_, error);
-}
-
-fs::path SceneFolder::write(const std::string& name, const std::string& text) const {
-  const fs::path file = path_ / name;
-  fs::create_directories(file.parent_path());
-  std::ofstream(file) << text;
-  return file;
-}
-
 void SceneFolder::writeModel(const std::string& name, const std::string& text) const {
   write("models/" + name + "/model.sdf", text);
 }
 
 void SceneFolder::copyShippedModels() const {
-  fs::copy(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models", path_ / "models", fs::copy_options::recursive);
+  fs::copy(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models", path() / "models", fs::copy_options::recursive);
 }
 
 std::string SceneFolder::errorsOf(const std::string& world) const {
   const auto scene = Scene::load(write("world.sdf", world));
   if (scene) return "";
   std::string text = describe(scene.error());
-  const std::string folder = path_.string() + "/";
+  const std::string folder = path().string() + "/";
   for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder))
     text.erase(at, folder.size());
   return text;

@@ -5,28 +5,19 @@
 #include <string>
 
 #include "simcore/Scene.h"
+#include "tests/TestFolder.h"
 
 namespace simcore {
 
 /// A temporary folder of scene files: tests write texts and get scenes or errors.
-class SceneFolder {
+class SceneFolder : public TestFolder {
  public:
-  SceneFolder();
-  ~SceneFolder();
-  SceneFolder(const SceneFolder&) = delete;
-  SceneFolder& operator=(const SceneFolder&) = delete;
-
-  /// Writes a file, creating its folders; returns its path.
-  std::filesystem::path write(const std::string& name, const std::string& text) const;
   /// Writes models/NAME/model.sdf.
   void writeModel(const std::string& name, const std::string& text) const;
   /// Copies the shipped models into the folder "models".
   void copyShippedModels() const;
   /// The errors of a world with this text, one per line, without the folder's path; empty if there are none.
   std::string errorsOf(const std::string& world) const;
-
- private:
-  std::filesystem::path path_;
 };
 
 /// The shipped scene, loaded once for all tests of a program.

@@ -116,6 +116,32 @@ TEST(WallBoxes, nothingIsLostOrThickenedByMoreThanTwoCentimeters) {
   }
 }
 
+/// The points of a laser that saw walls of several directions, with errors of its own, as maps of real
+/// buildings have them.
+GroundMap scannedBuilding() {
+  robotlink::Random random(7);
+  GroundMap map;
+  for (int wall = 0; wall < 30; ++wall) {
+    const Vector2 from(random.uniform(-20, 20), random.uniform(-20, 20));
+    const double angle = random.uniform(0, robotlink::kPi);
+    const Vector2 along(std::cos(angle), std::sin(angle));
+    for (int i = 0; i < 400; ++i) {
+      const Vector2 error(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02));
+      const Vector2 seen = from + 0.02 * i * along + error;
+      map.points.emplace_back(0.02 * std::round(seen.x() / 0.02), 0.02 * std::round(seen.y() / 0.02));
+    }
+  }
+  return map;
+}
+
+TEST(WallBoxes, noPointOfAScannedBuildingIsLost) {
+  const GroundMap map = scannedBuilding();
+  const auto boxes = wallBoxes(map);
+  EXPECT_LT(boxes.size(), map.points.size() / 2);
+  for (std::size_t i = 0; i < map.points.size(); i += 7)
+    ASSERT_LE(distance(map.points[i], boxes), 0.0101) << map.points[i].transpose();
+}
+
 TEST(WallBoxes, noPointOfABuildingIsLost) {
   const auto map = GroundMap::load(kMapFolder / "columbia.map");
   if (!map) GTEST_SKIP() << "../shared/data/arcos is not here";

@@ -15,6 +15,8 @@
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "tests/TestFolder.h"
+#include "tests/game/Data.h"
+#include "tests/game/View.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogReader.h"
@@ -26,7 +28,6 @@ using Model = SuspiciousFrameModel;
 
 constexpr int kWidth = 320, kHeight = 240;
 constexpr char kStream[] = "red1/camera/image";
-constexpr char kRealLog[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
 constexpr int kWaitMs = 20000;
 
 /// Four quarters, and specks of orange, 4 pixels each, on the wall.
@@ -289,11 +290,18 @@ class ColorFramesViewTest : public QObject {
     for (int row = 0; row < model.rowCount(); ++row) QVERIFY(model.frame(row).found.score >= 200);
   }
 
-  void theRealLogIsSearched() {
-    if (!std::filesystem::exists(kRealLog))
-      QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
+  void aWholeLogIsSearched_data() {
+    QTest::addColumn<QString>("source");
+    for (const std::string& source : game::kSources)
+      QTest::newRow(source.c_str()) << QString::fromStdString(source);
+  }
+  void aWholeLogIsSearched() {
+    QFETCH(QString, source);
+    const bool real = source == QStringLiteral("real");
+    const auto file = game::dataOf(source.toStdString()) / "logs/bhuman2009.log";
+    if (!std::filesystem::exists(file)) QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
     Shown s;
-    auto log = logplayer::LogFile::open(kRealLog, {});
+    auto log = logplayer::LogFile::open(file, {});
     QVERIFY(log);
     logplayer::LogFile::Cursor cursor(*log, {"nao/camera/image"});
     const auto first = cursor.next();
@@ -301,23 +309,33 @@ class ColorFramesViewTest : public QObject {
     QVERIFY(image);
     s.bench.setFrame(std::make_shared<ColorFrame>(image, "nao/camera/image", "", first->time));
     s.bench.setDocument({});
-    for (const auto& [name, x, y] : {std::tuple{"orange", 168.0, 144.0},
-                                     {"orange", 169.0, 151.0},
-                                     {"green", 90.0, 101.0},
-                                     {"green", 180.0, 206.0},
-                                     {"blue", 201.0, 40.0},
-                                     {"white", 120.0, 153.0},
-                                     {"white", 220.0, 164.0}})
-      s.stroke(name, x, y);
-    s.stroke(nullptr, 140, 25);
-    s.openLog(kRealLog);
+    if (real) {
+      for (const auto& [name, x, y] : {std::tuple{"orange", 168.0, 144.0},
+                                       {"orange", 169.0, 151.0},
+                                       {"green", 90.0, 101.0},
+                                       {"green", 180.0, 206.0},
+                                       {"blue", 201.0, 40.0},
+                                       {"white", 120.0, 153.0},
+                                       {"white", 220.0, 164.0}})
+        s.stroke(name, x, y);
+      s.stroke(nullptr, 140, 25);
+    } else {
+      // The field is taken for orange, and the ball is not known.
+      for (const auto& [name, label] :
+           {std::pair{"orange", game::View::kGreen}, {"blue", game::View::kBlue}}) {
+        for (const auto& place : game::placesInside(game::View::at(0).labels, label, 4, 2))
+          s.stroke(name, place.x, place.y);
+      }
+    }
+    s.openLog(file);
     s.search();
-    QCOMPARE(s.finder().progress().seen, std::uint64_t{160});
-    QVERIFY(s.rows() > 20);
+    const std::uint64_t count = real ? 160 : game::View::kCount;
+    QCOMPARE(s.finder().progress().seen, count);
+    QVERIFY2(s.rows() > static_cast<int>(count / 8), qPrintable(QString::number(s.rows())));
     for (int row = 1; row < s.rows(); ++row)
       QVERIFY(s.text(row, Model::kScore).toInt() <= s.text(row - 1, Model::kScore).toInt());
     s.clickRow(0);
-    keepPicture(*s.view, "color-frames-view");
+    if (real) keepPicture(*s.view, "color-frames-view");
   }
 };
 

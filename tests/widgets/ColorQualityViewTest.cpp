@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <fstream>
 
+#include "tests/game/Data.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/LabeledFolder.h"
@@ -102,8 +103,14 @@ class ColorQualityViewTest : public QObject {
     keepPicture(*view_, "color-quality");
   }
 
+  void aFolderOfLabeledImagesIsRead_data() {
+    QTest::addColumn<QString>("source");
+    for (const std::string& source : game::kSources)
+      QTest::newRow(source.c_str()) << QString::fromStdString(source);
+  }
   void aFolderOfLabeledImagesIsRead() {
-    const std::string folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+    QFETCH(QString, source);
+    const std::string folder = (game::dataOf(source.toStdString()) / "colour/bhuman2009").string();
     if (!std::filesystem::exists(folder))
       QSKIP("the labeled images of the real log are not here (../shared/data/colour)");
     const auto name = DialogAnswer::file(QString::fromStdString(folder));

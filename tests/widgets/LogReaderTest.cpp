@@ -15,6 +15,8 @@
 #include "logplayer/base/LogWriter.h"
 #include "logplayer/file/LogFile.h"
 #include "tests/app/ShortLog.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogBars.h"
 #include "widgets/log/LogJobs.h"
@@ -28,7 +30,6 @@ using widgets::TimeLineView;
 namespace {
 
 constexpr int kWaitMs = 20000;
-constexpr char kRealLog[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
 
 std::filesystem::path home() {
   return qgetenv("XDG_CONFIG_HOME").toStdString();
@@ -93,18 +94,25 @@ class LogReaderTest : public QObject {
   void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
   void cleanupTestCase() { Bench::tidyUp(); }
 
-  void readsTheRealLogStepByStep() {
-    if (!std::filesystem::exists(kRealLog))
-      QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
-    LogReader reader(kRealLog);
+  void readsAWholeLogStepByStep_data() {
+    QTest::addColumn<QString>("source");
+    for (const std::string& source : game::kSources)
+      QTest::newRow(source.c_str()) << QString::fromStdString(source);
+  }
+  void readsAWholeLogStepByStep() {
+    QFETCH(QString, source);
+    const auto file = game::dataOf(source.toStdString()) / "logs/bhuman2009.log";
+    if (!std::filesystem::exists(file)) QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
+    const std::uint64_t count = source == QStringLiteral("real") ? 160 : game::View::kCount;
+    LogReader reader(file);
     QTRY_VERIFY_WITH_TIMEOUT(reader.overview()->stage == LogOverview::Stage::kDone, kWaitMs);
     const auto overview = reader.overview();
     QVERIFY(overview->converted);
     QCOMPARE(overview->imageStreams(), std::vector<std::string>{"nao/camera/image"});
     const auto* images = overview->find("nao/camera/image");
-    QCOMPARE(images->count, 160U);
-    QCOMPARE(images->density.count(), 160U);
-    QVERIFY(images->bytes > 1'000'000);
+    QCOMPARE(images->count, count);
+    QCOMPARE(images->density.count(), count);
+    QVERIFY(images->bytes > 10'000 * count);
     reader.wantThumbnails("nao/camera/image", {overview->end, overview->begin, images->first}, 60);
     std::vector<widgets::Thumbnail> thumbnails;
     QTRY_VERIFY_WITH_TIMEOUT(

@@ -100,7 +100,17 @@ bool inRange(qlonglong value) {
          value <= static_cast<qlonglong>(std::numeric_limits<Integer>::max());
 }
 
+bool storeLargest(Message& message, const FieldStep& step, const QVariant& value) {
+  bool good = false;
+  const qulonglong number = value.toULongLong(&good);
+  const bool negative = value.toString().trimmed().startsWith(QLatin1Char('-'));
+  return good && !negative &&
+         store(message, step, &Reflection::SetUInt64, &Reflection::SetRepeatedUInt64,
+               static_cast<std::uint64_t>(number));
+}
+
 bool storeInteger(Message& message, const FieldStep& step, const QVariant& value) {
+  if (step.field->cpp_type() == FieldDescriptor::CPPTYPE_UINT64) return storeLargest(message, step, value);
   bool good = false;
   const qlonglong number = value.toLongLong(&good);
   if (!good) return false;
@@ -113,12 +123,9 @@ bool storeInteger(Message& message, const FieldStep& step, const QVariant& value
       return inRange<std::uint32_t>(number) &&
              store(message, step, &Reflection::SetUInt32, &Reflection::SetRepeatedUInt32,
                    static_cast<std::uint32_t>(number));
-    case FieldDescriptor::CPPTYPE_INT64:
+    default:
       return store(message, step, &Reflection::SetInt64, &Reflection::SetRepeatedInt64,
                    static_cast<std::int64_t>(number));
-    default:
-      return number >= 0 && store(message, step, &Reflection::SetUInt64, &Reflection::SetRepeatedUInt64,
-                                  static_cast<std::uint64_t>(number));
   }
 }
 
@@ -127,10 +134,19 @@ bool storeNumber(Message& message, const FieldStep& step, const QVariant& value)
   const double number = value.toDouble(&good);
   if (!good || !std::isfinite(number)) return false;
   if (step.field->cpp_type() == FieldDescriptor::CPPTYPE_FLOAT) {
-    return store(message, step, &Reflection::SetFloat, &Reflection::SetRepeatedFloat,
+    return std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()) &&
+           store(message, step, &Reflection::SetFloat, &Reflection::SetRepeatedFloat,
                  static_cast<float>(number));
   }
   return store(message, step, &Reflection::SetDouble, &Reflection::SetRepeatedDouble, number);
+}
+
+bool storeBool(Message& message, const FieldStep& step, const QVariant& value) {
+  // As a text, QVariant takes all but "false" and "0" for true.
+  const QString text = value.toString().toLower();
+  if (value.type() == QVariant::String && text != QLatin1String("true") && text != QLatin1String("false"))
+    return false;
+  return store(message, step, &Reflection::SetBool, &Reflection::SetRepeatedBool, value.toBool());
 }
 
 bool storeEnum(Message& message, const FieldStep& step, const QVariant& value) {
@@ -147,6 +163,39 @@ bool storeText(Message& message, const FieldStep& step, const QVariant& value) {
     r.SetRepeatedString(&message, step.field, step.element, std::move(text));
   } else {
     r.SetString(&message, step.field, std::move(text));
+  }
+  return true;
+}
+
+bool storeValue(Message& owner, const FieldStep& step, const QVariant& value) {
+  switch (step.field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return storeNumber(owner, step, value);
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return storeBool(owner, step, value);
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return storeEnum(owner, step, value);
+    case FieldDescriptor::CPPTYPE_STRING:
+      return storeText(owner, step, value);
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return false;
+    default:
+      return storeInteger(owner, step, value);
+  }
+}
+
+/// Whether all elements on the way are there, and the last step is not a list as a whole.
+bool exists(const Message& root, const FieldPath& path) {
+  const Message* message = &root;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto& [field, element] = path[i];
+    const Reflection& reflection = *message->GetReflection();
+    if (field->is_repeated() && (element < 0 || element >= reflection.FieldSize(*message, field)))
+      return false;
+    if (i + 1 == path.size()) break;
+    message = element >= 0 ? &reflection.GetRepeatedMessage(*message, field, element)
+                           : &reflection.GetMessage(*message, field);
   }
   return true;
 }
@@ -185,24 +234,13 @@ QVariant valueAt(const Message& root, const FieldPath& path) {
 }
 
 bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {
-  if (isMessage(path) || (path.back().field->is_repeated() && path.back().element < 0)) return false;
-  Message& owner = mutableMessageAt(root, path, path.size() - 1);
-  const FieldStep& last = path.back();
-  switch (last.field->cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return storeNumber(owner, last, value);
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return store(owner, last, &Reflection::SetBool, &Reflection::SetRepeatedBool, value.toBool());
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return storeEnum(owner, last, value);
-    case FieldDescriptor::CPPTYPE_STRING:
-      return storeText(owner, last, value);
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return false;
-    default:
-      return storeInteger(owner, last, value);
-  }
+  if (isMessage(path) || !exists(root, path)) return false;
+  // On a copy: a value that is refused must not leave messages on its way that were unset.
+  const std::unique_ptr<Message> changed(root.New());
+  changed->CopyFrom(root);
+  if (!storeValue(mutableMessageAt(*changed, path, path.size() - 1), path.back(), value)) return false;
+  root.GetReflection()->Swap(&root, changed.get());
+  return true;
 }
 
 QStringList choicesAt(const FieldPath& path) {

@@ -12,6 +12,8 @@
 
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "tests/app/robotctl/RobotctlRun.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "tests/logplayer/SampleLog.h"
 
@@ -47,9 +49,8 @@ class RobotctlLog : public testing::Test {
   TestFolder folder_;
 };
 
-const std::filesystem::path kRealLog = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
-const std::filesystem::path kRealTable =
-    ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
+/// The parameter is the source of a whole log of 2009.
+class RobotctlWholeLog : public RobotctlLog, public testing::WithParamInterface<std::string> {};
 
 }  // namespace
 
@@ -307,23 +308,36 @@ TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {
   EXPECT_EQ(log("export a.mcap --csv red1/none none.csv").status, 1);
 }
 
-TEST_F(RobotctlLog, theRealLogIsDescribedImportedCutAndExported) {
-  if (!std::filesystem::exists(kRealLog)) GTEST_SKIP() << "the real log is not at hand: " << kRealLog;
-  const json original = info(kRealLog.string());
-  EXPECT_EQ(original.at("images"), 160);
-  EXPECT_EQ(original.at("frames"), 434);
-  const Outcome imported = log("import " + kRealLog.string() + " real.mcap --robot nao5 --color-table " +
-                               kRealTable.string() + " --json");
+TEST_P(RobotctlWholeLog, aLogOf2009IsDescribedImportedCutAndExported) {
+  const bool real = GetParam() == "real";
+  const auto data = game::dataOf(GetParam());
+  const std::string file = "'" + (data / "logs/bhuman2009.log").string() + "'",
+                    table = "'" + (data / "colour/bhuman2009/tables/default.c64").string() + "'";
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "the real log is not in " << data;
+  const std::uint64_t images = real ? 160 : game::View::kCount;
+  const std::uint64_t frames = real ? 434 : game::Log::kFrames;
+  const json original = info(file);
+  EXPECT_EQ(original.at("images"), images);
+  EXPECT_EQ(original.at("frames"), frames);
+  const Outcome imported =
+      log("import " + file + " whole.mcap --robot nao5 --color-table " + table + " --json");
   ASSERT_EQ(imported.status, 0) << imported.errors;
-  EXPECT_EQ(json::parse(imported.out).at("messages"), 2444);
-  EXPECT_EQ(json::parse(imported.out).at("imported").at("JPEGImage"), 160);
-  const json converted = info("real.mcap");
+  EXPECT_EQ(json::parse(imported.out).at("messages"), real ? 2444U : game::Log::kMessages);
+  EXPECT_EQ(json::parse(imported.out).at("imported").at("JPEGImage"), images);
+  const json converted = info("whole.mcap");
   EXPECT_EQ(converted.at("robots"), json({"nao5"}));
-  EXPECT_EQ(converted.at("frames"), 434);
-  ASSERT_EQ(log("cut real.mcap cut.mcap --from 5 --to 15").status, 0);
-  EXPECT_NEAR(info("cut.mcap").at("duration_s").get<double>(), 10, 0.3);
+  EXPECT_EQ(converted.at("frames"), frames);
+  const double length = real ? 10 : 0.6;
+  ASSERT_EQ(log("cut whole.mcap cut.mcap --from " + std::to_string(0.5 * length) + " --to " +
+                std::to_string(1.5 * length))
+                .status,
+            0);
+  EXPECT_NEAR(info("cut.mcap").at("duration_s").get<double>(), length, real ? 0.3 : 0.07);
   EXPECT_EQ(streamOf(info("cut.mcap"), "nao5/colors/table").at("count"), 1);
-  const Outcome images = log("export " + kRealLog.string() + " --images pictures");
-  ASSERT_EQ(images.status, 0) << images.errors;
-  EXPECT_THAT(images.out, HasSubstr("160 images"));
+  const Outcome exported = log("export " + file + " --images pictures");
+  ASSERT_EQ(exported.status, 0) << exported.errors;
+  EXPECT_THAT(exported.out, HasSubstr(std::to_string(images) + " images"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, RobotctlWholeLog, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making a color table as a person does: strokes with the mouse in the real log and on the simulated robot,
+// Making a color table as a person does: strokes with the mouse in a log and on the simulated robot,
 // a better segmentation, undo, redo, and a robot that finds what it did not know.
 #include <QComboBox>
 #include <QFile>
@@ -10,6 +10,8 @@
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
+#include "tests/game/Data.h"
+#include "tests/game/View.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/image/ColorCanvas.h"
 #include "widgets/image/ImagePixels.h"
@@ -102,45 +104,73 @@ QPoint middle(const std::vector<QPoint>& pixels) {
   return pixels.empty() ? sum : sum / static_cast<int>(pixels.size());
 }
 
+/// A drag with the key of a class.
+struct Drag {
+  Qt::Key key;
+  QPoint from, to;
+};
+
+/// Three in the first image of a log for each: ball, field, goal, lines, and what is none of them.
+std::vector<Drag> dragsFor(const std::string& source) {
+  if (source == "real") {
+    return {{Qt::Key_1, {166, 142}, {172, 146}}, {Qt::Key_1, {165, 150}, {173, 152}},
+            {Qt::Key_1, {170, 138}, {172, 139}}, {Qt::Key_5, {60, 100}, {120, 102}},
+            {Qt::Key_5, {150, 205}, {210, 207}}, {Qt::Key_5, {280, 100}, {310, 110}},
+            {Qt::Key_8, {201, 20}, {201, 60}},   {Qt::Key_8, {230, 4}, {300, 5}},
+            {Qt::Key_8, {201, 10}, {201, 30}},   {Qt::Key_6, {100, 151}, {140, 155}},
+            {Qt::Key_6, {40, 145}, {60, 147}},   {Qt::Key_6, {200, 162}, {240, 166}},
+            {Qt::Key_0, {120, 20}, {160, 30}},   {Qt::Key_0, {30, 20}, {40, 60}},
+            {Qt::Key_0, {220, 40}, {225, 55}}};
+  }
+  std::vector<Drag> drags;
+  using game::View;
+  for (const auto& [key, label] : {std::pair{Qt::Key_1, View::kOrange},
+                                   {Qt::Key_5, View::kGreen},
+                                   {Qt::Key_8, View::kBlue},
+                                   {Qt::Key_6, View::kWhite},
+                                   {Qt::Key_0, std::uint8_t{0}}}) {
+    for (const auto& place : game::placesInside(View::at(0).labels, label, 3, 3))
+      drags.push_back({key, {place.x - 1, place.y}, {place.x + 1, place.y}});
+  }
+  return drags;
+}
+
 }  // namespace
 
 class ColorGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void aFewStrokesInTheRealLogSegmentItsOtherImages() {
-    const std::filesystem::path shared = ROBOTCONTROL_SOURCE_DIR "/../shared/data";
-    if (!std::filesystem::exists(shared)) QSKIP("there is no ../shared/data with the real log");
+  void aFewStrokesInALogSegmentItsOtherImages_data() {
+    QTest::addColumn<QString>("source");
+    for (const std::string& source : game::kSources)
+      QTest::newRow(source.c_str()) << QString::fromStdString(source);
+  }
+  void aFewStrokesInALogSegmentItsOtherImages() {
+    QFETCH(QString, source);
+    const bool real = source == QStringLiteral("real");
+    const std::filesystem::path data = game::dataOf(source.toStdString());
+    if (!std::filesystem::exists(data)) QSKIP("there is no ../shared/data with the real log");
     Desk desk(home_);
     desk.window.showPerspective(QStringLiteral("Colour"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
-    QVERIFY(desk.workbench.commands().runLine("log.open " + (shared / "logs/bhuman2009.log").string()));
+    QVERIFY(desk.workbench.commands().runLine("log.open " + (data / "logs/bhuman2009.log").string()));
     Painter painter(desk);
     QTRY_VERIFY_WITH_TIMEOUT(
         painter.bench().frame() && painter.bench().frame()->stream() == "nao/camera/image", kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(painter.image().width() == 320, kWaitMs);
 
-    // Three strokes each: ball, field, goal, lines, and what is none of them.
-    struct {
-      Qt::Key key;
-      QPoint from, to;
-    } const strokes[] = {{Qt::Key_1, {166, 142}, {172, 146}}, {Qt::Key_1, {165, 150}, {173, 152}},
-                         {Qt::Key_1, {170, 138}, {172, 139}}, {Qt::Key_5, {60, 100}, {120, 102}},
-                         {Qt::Key_5, {150, 205}, {210, 207}}, {Qt::Key_5, {280, 100}, {310, 110}},
-                         {Qt::Key_8, {201, 20}, {201, 60}},   {Qt::Key_8, {230, 4}, {300, 5}},
-                         {Qt::Key_8, {201, 10}, {201, 30}},   {Qt::Key_6, {100, 151}, {140, 155}},
-                         {Qt::Key_6, {40, 145}, {60, 147}},   {Qt::Key_6, {200, 162}, {240, 166}},
-                         {Qt::Key_0, {120, 20}, {160, 30}},   {Qt::Key_0, {30, 20}, {40, 60}},
-                         {Qt::Key_0, {220, 40}, {225, 55}}};
+    const std::vector<Drag> drags = dragsFor(source.toStdString());
     for (int i = 0; i < 3; ++i) painter.key(Qt::Key_BracketLeft);  // as thin as the lines
-    for (const auto& stroke : strokes) painter.stroke(stroke.key, stroke.from, stroke.to);
-    QCOMPARE(painter.bench().samples().strokes.size(), std::size(strokes));
+    for (const Drag& drag : drags) painter.stroke(drag.key, drag.from, drag.to);
+    QCOMPARE(painter.bench().samples().strokes.size(), drags.size());
     // The program that runs on the log uses it from now on.
     painter.click("colorSend");
     auto& sent = desk.find<QLabel>("colorSent");
     QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ nao uses it")),
                               qPrintable(sent.text()), kWaitMs);
 
-    for (const auto& [image, steps] : {std::pair{"032", 32}, {"066", 34}}) {
+    for (const auto& [image, steps] :
+         {std::pair{real ? "032" : "005", real ? 32 : 5}, {real ? "066" : "011", real ? 34 : 6}}) {
       const ColorBench& bench = painter.bench();
       const auto before = bench.frame();
       QVERIFY(
@@ -148,7 +178,7 @@ class ColorGuiTest : public WindowTest {
       QTRY_VERIFY_WITH_TIMEOUT(bench.frame() && bench.frame() != before, kWaitMs);
       painter.settle();
       const QImage labels(
-          QString::fromStdString((shared / "colour/bhuman2009/labels" / image).string() + ".png"));
+          QString::fromStdString((data / "colour/bhuman2009/labels" / image).string() + ".png"));
       QCOMPARE(labels.format(), QImage::Format_Grayscale8);
       const struct {
         int label;

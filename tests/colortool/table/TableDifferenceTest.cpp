@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "colortool/table/NamedColorTable.h"
+#include "tests/game/Data.h"
 
 namespace colortool {
 namespace {
@@ -73,8 +74,11 @@ TEST(TableDifference, numbersWithoutAClassAreNone) {
   EXPECT_EQ(difference.count(0, 2), 1U);
 }
 
-TEST(TableDifference, theTwoTablesOfTheRealTeam) {
-  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables";
+/// The parameter is the source of a team's tables.
+class TwoTables : public testing::TestWithParam<std::string> {};
+
+TEST_P(TwoTables, differInCellsThatOneLostAndAnotherGained) {
+  const auto folder = game::dataOf(GetParam()) / "colour/bhuman2009/tables";
   std::vector<ColorTable> tables;
   std::vector<ColorClasses> classes;
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the real tables are not in " << folder;
@@ -102,6 +106,9 @@ TEST(TableDifference, theTwoTablesOfTheRealTeam) {
   EXPECT_EQ(lost, difference.changed());
   EXPECT_EQ(difference.cells().size(), difference.changed());
 }
+
+INSTANTIATE_TEST_SUITE_P(Data, TwoTables, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace
 }  // namespace colortool

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real log, damaged in ten thousand places.
+// Whole logs, damaged in ten thousand places.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <cstdlib>
 
 #include "logplayer/bhuman/QueueImport.h"
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Random.h"
-#include "tests/logplayer/bhuman/QueueBuilder.h"
+#include "tests/game/Data.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;
@@ -37,11 +38,21 @@ std::uint64_t readAround(std::span<const std::uint8_t> log, std::size_t place) {
   return converter.finish() ? messages : 0;
 }
 
+/// The parameter is the source of the log.
+class DamagedLog : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    const auto file = game::dataOf(GetParam()) / "logs/bhuman2009.log";
+    const auto text = robotlink::readFile(file);
+    if (!text) GTEST_SKIP() << "the real log is not at " << file;
+    log.assign(text->begin(), text->end());
+  }
+  std::vector<std::uint8_t> log;
+};
+
 }  // namespace
 
-TEST(DamagedLog, aFlippedBitCostsFewMessagesAndDoesNoHarm) {
-  auto log = realLog();
-  if (log.empty()) GTEST_SKIP() << "the real log is not at " << realLogPath();
+TEST_P(DamagedLog, aFlippedBitCostsFewMessagesAndDoesNoHarm) {
   const std::uint64_t all = readAround(log, 0);
   const std::size_t before = peakMemory();
   robotlink::Random random(2009);
@@ -55,9 +66,7 @@ TEST(DamagedLog, aFlippedBitCostsFewMessagesAndDoesNoHarm) {
   EXPECT_LT(peakMemory() - before, std::size_t{100} << 20U);
 }
 
-TEST(DamagedLog, headersOfMessagesCostFewMessages) {
-  auto log = realLog();
-  if (log.empty()) GTEST_SKIP() << "the real log is not at " << realLogPath();
+TEST_P(DamagedLog, headersOfMessagesCostFewMessages) {
   const std::uint64_t all = readAround(log, 0);
   std::vector<std::uint64_t> offsets;
   {
@@ -76,9 +85,7 @@ TEST(DamagedLog, headersOfMessagesCostFewMessages) {
   }
 }
 
-TEST(DamagedLog, aCutLogYieldsWhatIsBeforeTheCut) {
-  const auto log = realLog();
-  if (log.empty()) GTEST_SKIP() << "the real log is not at " << realLogPath();
+TEST_P(DamagedLog, aCutLogYieldsWhatIsBeforeTheCut) {
   robotlink::Random random(1);
   for (int i = 0; i < 300; ++i) {
     const std::size_t size = random.bits() % log.size();
@@ -91,3 +98,6 @@ TEST(DamagedLog, aCutLogYieldsWhatIsBeforeTheCut) {
     EXPECT_EQ(readAround(std::span(log).first(size), size), whole) << size;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, DamagedLog, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });

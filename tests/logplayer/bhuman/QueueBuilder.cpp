@@ -67,7 +67,12 @@ QueueBuilder& QueueBuilder::image(std::uint32_t timeMs, int width, int height) {
 QueueBuilder& QueueBuilder::jpegImage(std::uint32_t timeMs, int width, int height) {
   Payload pixels;
   for (int i = 0; i < width * height; ++i) pixels.number(0xA0604030U, 4);
-  const auto jpeg = fourComponentJpeg(pixels.bytes(), width, height);
+  return jpegImage(timeMs, width, height, pixels.bytes());
+}
+
+QueueBuilder& QueueBuilder::jpegImage(std::uint32_t timeMs, int width, int height,
+                                      std::span<const std::uint8_t> quads) {
+  const auto jpeg = fourComponentJpeg(quads, width, height);
   Payload payload;
   payload.int32(width).int32(height).int32(timeMs).int32(static_cast<std::int64_t>(jpeg.size()));
   for (const std::uint8_t byte : jpeg) payload.number(byte, 1);
@@ -82,17 +87,27 @@ QueueBuilder& QueueBuilder::sensors(std::uint32_t timeMs) {
   return message(6, payload.int32(1).int32(timeMs).bytes());
 }
 
-QueueBuilder& QueueBuilder::imageCoordinateSystem() {
+QueueBuilder& QueueBuilder::imageCoordinateSystem(int width, int height, double horizontalAngle,
+                                                  double verticalAngle) {
   Payload payload;
   for (int i = 0; i < 14; ++i) payload.float64(1);
-  payload.int32(160).int32(120).float64(0.9).float64(0.7);
+  payload.int32(width).int32(height).float64(horizontalAngle).float64(verticalAngle);
   return message(18, payload.float64(165).float64(80).float64(60).bytes());
 }
 
 QueueBuilder& QueueBuilder::cameraMatrix(bool valid) {
-  const double c = std::sqrt(0.75), s = 0.5;
+  using robotlink::Pose3;
+  return cameraMatrix(Pose3(Eigen::Translation3d(0.05, 0, 0.5)) *
+                          Pose3(Eigen::AngleAxisd(robotlink::radians(30), robotlink::Vector3::UnitY())),
+                      valid);
+}
+
+QueueBuilder& QueueBuilder::cameraMatrix(const robotlink::Pose3& cameraInRobot, bool valid) {
   Payload payload;
-  for (const double value : {c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c, 50.0, 0.0, 500.0}) payload.float64(value);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) payload.float64(cameraInRobot.linear()(row, column));
+  }
+  for (int i = 0; i < 3; ++i) payload.float64(1000 * cameraInRobot.translation()[i]);
   return message(17, payload.int32(valid ? 1 : 0).bytes());
 }
 
@@ -138,12 +153,8 @@ std::vector<std::uint8_t> fourComponentJpeg(std::span<const std::uint8_t> pixels
   return result;
 }
 
-std::string realLogPath() {
-  return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
-}
-
 std::vector<std::uint8_t> realLog() {
-  const auto text = robotlink::readFile(realLogPath());
+  const auto text = robotlink::readFile(ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log");
   return text ? std::vector<std::uint8_t>(text->begin(), text->end()) : std::vector<std::uint8_t>();
 }
 

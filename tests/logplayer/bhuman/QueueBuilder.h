@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "robotlink/base/Geometry.h"
+
 namespace logplayer::bhuman {
 
 /// Builds logs of message queues for tests.
@@ -25,10 +27,15 @@ class QueueBuilder {
   QueueBuilder& image(std::uint32_t timeMs, int width, int height);
   /// The same as a JPEG with four components, as the robots' code wrote it.
   QueueBuilder& jpegImage(std::uint32_t timeMs, int width, int height);
+  /// Any image; `quads` are the bytes Y0 Cb Y1 Cr of each pixel.
+  QueueBuilder& jpegImage(std::uint32_t timeMs, int width, int height, std::span<const std::uint8_t> quads);
   /// The camera is 0.5 m above the ground and looks ahead, 30 degrees down.
   QueueBuilder& cameraMatrix(bool valid);
+  QueueBuilder& cameraMatrix(const robotlink::Pose3& cameraInRobot, bool valid);
   QueueBuilder& sensors(std::uint32_t timeMs);
-  QueueBuilder& imageCoordinateSystem();
+  QueueBuilder& imageCoordinateSystem() { return imageCoordinateSystem(160, 120, 0.9, 0.7); }
+  /// With full opening angles, rad.
+  QueueBuilder& imageCoordinateSystem(int width, int height, double horizontalAngle, double verticalAngle);
 
   /// A complete file.
   std::vector<std::uint8_t> file() const;
@@ -48,6 +55,5 @@ std::vector<std::uint8_t> fourComponentJpeg(std::span<const std::uint8_t> pixels
 
 /// The log of a real robot; empty if it is missing.
 std::vector<std::uint8_t> realLog();
-std::string realLogPath();
 
 }  // namespace logplayer::bhuman

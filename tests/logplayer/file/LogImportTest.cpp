@@ -2,7 +2,6 @@
 #include "logplayer/file/LogImport.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -15,7 +14,9 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/Layout.h"
-#include "tests/logplayer/bhuman/QueueBuilder.h"
+#include "tests/TestFolder.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 
 using namespace logplayer;
 using bhuman::QueueBuilder;
@@ -24,12 +25,7 @@ namespace {
 
 class LogImport : public testing::Test {
  protected:
-  void SetUp() override {
-    ::setenv("ROBOTCONTROL_RESOURCES", ROBOTCONTROL_SOURCE_DIR "/resources", 1);
-    folder_ = std::filesystem::temp_directory_path() / ("LogImportTest-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { ::setenv("ROBOTCONTROL_RESOURCES", ROBOTCONTROL_SOURCE_DIR "/resources", 1); }
 
   std::filesystem::path written(const std::vector<std::uint8_t>& bytes) const {
     const auto file = folder_ / "old.log";
@@ -39,8 +35,11 @@ class LogImport : public testing::Test {
   }
   std::filesystem::path target() const { return folder_ / "new.mcap"; }
 
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
+
+/// The parameter is the source of a whole log.
+class WholeLogImport : public LogImport, public testing::WithParamInterface<std::string> {};
 
 QueueBuilder someLog() {
   return QueueBuilder().begin('m').joints(100).end('m').begin('c').image(150, 4, 2).cameraMatrix(true).end(
@@ -81,7 +80,7 @@ TEST_F(LogImport, recognizesOldLogsByTheirContents) {
   EXPECT_TRUE(canImport(written(someLog().appendableFile())));
   EXPECT_FALSE(canImport(written({1, 2, 3})));
   EXPECT_FALSE(canImport(folder_ / "missing.log"));
-  EXPECT_FALSE(canImport(folder_)) << "a folder";
+  EXPECT_FALSE(canImport(folder_.path())) << "a folder";
 }
 
 TEST_F(LogImport, aLogBeginsWithTheSetUpOfAProgramThatSuitsIt) {
@@ -183,30 +182,42 @@ TEST_F(LogImport, whatCannotBeImportedIsRefusedInWords) {
   EXPECT_TRUE(std::filesystem::exists(target())) << "which stays";
 }
 
-TEST_F(LogImport, theRealLogBecomesAWholeFileInShortTime) {
-  if (bhuman::realLog().empty()) GTEST_SKIP() << "the real log is not at " << bhuman::realLogPath();
+TEST_P(WholeLogImport, aLogOf2009BecomesAWholeFileInShortTime) {
+  const bool real = GetParam() == "real";
+  const auto log = game::dataOf(GetParam()) / "logs/bhuman2009.log";
+  if (!std::filesystem::exists(log)) GTEST_SKIP() << "the real log is not at " << log;
   const auto start = std::chrono::steady_clock::now();
-  const auto report = importLog(bhuman::realLogPath(), target(), {});
+  const auto report = importLog(log, target(), {});
   ASSERT_TRUE(report) << report.error().describe();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << "usually well below one";
-  EXPECT_EQ(report->messages, 2444U);
+  EXPECT_EQ(report->messages, real ? 2444U : game::Log::kMessages);
   std::map<std::string, int> counts;
   foxglove::RawImage image;
   for (const LoggedMessage& message : messagesOf(target())) {
     ++counts[message.topic];
     if (message.topic == "nao/camera/image" && counts[message.topic] == 1) {
       ASSERT_TRUE(image.ParseFromString(message.data));
-      EXPECT_EQ(message.time.time_since_epoch(), std::chrono::milliseconds(486749));
+      EXPECT_EQ(message.time.time_since_epoch(),
+                std::chrono::milliseconds(real ? 486749 : game::Log::imageMs(0)));
     }
   }
   EXPECT_EQ(image.encoding(), "yuyv");
-  const std::map<std::string, int> expected = {{"nao/program", 1},         {"nao/camera/image", 160},
-                                               {"nao/camera/pose", 160},   {"nao/frames/cognition", 160},
-                                               {"nao/frames/motion", 274}, {"nao/joints/states", 274},
-                                               {"nao/body/sensors", 274},  {"nao/body/readings", 274},
-                                               {"nao/motion/status", 274}, {"nao/log", 1}};
+  const int images = real ? 160 : game::View::kCount, motions = real ? 274 : game::Log::kMotionFrames;
+  const std::map<std::string, int> expected = {{"nao/program", 1},
+                                               {"nao/camera/image", images},
+                                               {"nao/camera/pose", images},
+                                               {"nao/frames/motion", motions},
+                                               {"nao/joints/states", motions},
+                                               {"nao/body/sensors", motions},
+                                               {"nao/body/readings", motions},
+                                               {"nao/motion/status", motions},
+                                               {"nao/frames/cognition", images},
+                                               {"nao/log", real ? 1 : 3}};
   EXPECT_EQ(counts, expected);
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, WholeLogImport, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
 
 TEST_F(LogImport, theShippedDescriptionsAreSound) {
   const auto robot = robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/nao.yaml");

@@ -19,40 +19,66 @@ bool runs(const std::string& command) {
   return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// All files of the MCAP project's conformance suite, unpacked once.
-class ConformanceTest : public testing::Test {
- protected:
-  struct Suite {
-    TemporaryFolder folder;
-    std::vector<ConformanceCase> cases;
-    std::map<std::string, std::filesystem::path> files;
-  };
+/// Files and what is in them.
+struct Suite {
+  TemporaryFolder folder;
+  std::vector<ConformanceCase> cases;
+  std::map<std::string, std::filesystem::path> files;
+  /// Why there are none.
+  std::string problem;
 
-  static void SetUpTestSuite() {
-    if (!std::filesystem::exists(kData))
-      return void(problem_ = "the conformance suite is not in " + kData.string());
-    if (!runs("xz --version") || !runs("tar --version"))
-      return void(problem_ = "it takes the programs xz and tar");
-    suite_ = std::make_unique<Suite>();
-    const std::string json = (suite_->folder / "answers.json").string();
-    const std::string unpackJson =
-        "xz -dc '" + (kData / "known-answers.json.xz").string() + "' >'" + json + "'";
-    const std::string unpackFiles =
-        "tar -xJf '" + (kData / "files.tar.xz").string() + "' -C '" + (suite_->folder / "").string() + "'";
-    ASSERT_EQ(std::system(unpackJson.c_str()), 0);
-    ASSERT_EQ(std::system(unpackFiles.c_str()), 0);
-    suite_->cases = conformanceCases(readBytes(json));
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(suite_->folder / "")) {
-      suite_->files[entry.path().stem().string()] = entry.path();
-    }
+  void find(const std::filesystem::path& answers) {
+    cases = conformanceCases(readBytes(answers));
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / ""))
+      files[entry.path().stem().string()] = entry.path();
   }
-  static void TearDownTestSuite() { suite_.reset(); }
+};
+
+/// The conformance suite of the MCAP project, unpacked.
+std::unique_ptr<Suite> publishedSuite() {
+  auto suite = std::make_unique<Suite>();
+  if (!std::filesystem::exists(kData)) {
+    suite->problem = "the conformance suite is not in " + kData.string();
+  } else if (!runs("xz --version") || !runs("tar --version")) {
+    suite->problem = "it takes the programs xz and tar";
+  } else {
+    const auto answers = suite->folder / "answers.json";
+    EXPECT_TRUE(runs("tar -xJf '" + (kData / "files.tar.xz").string() + "' -C '" +
+                     (suite->folder / "").string() + "'"));
+    EXPECT_EQ(std::system(
+                  ("xz -dc '" + (kData / "known-answers.json.xz").string() + "' >'" + answers.string() + "'")
+                      .c_str()),
+              0);
+    suite->find(answers);
+    EXPECT_EQ(suite->cases.size(), 416U);
+  }
+  return suite;
+}
+
+/// Files of our own, with more in each, by a writer that shares no code with what is tested.
+std::unique_ptr<Suite> writtenSuite() {
+  auto suite = std::make_unique<Suite>();
+  const std::string writer = ROBOTCONTROL_SOURCE_DIR "/tests/logplayer/mcap/conformance_files.py";
+  EXPECT_EQ(std::system(("'" PYTHON "' '" + writer + "' '" + (suite->folder / "").string() + "'").c_str()),
+            0);
+  suite->find(suite->folder / "answers.json");
+  EXPECT_GT(suite->cases.size(), 400U);
+  return suite;
+}
+
+/// The parameter names a suite, which is read once for all tests.
+class ConformanceTest : public testing::TestWithParam<const char*> {
+ protected:
+  static void TearDownTestSuite() { suites_.clear(); }
 
   void SetUp() override {
-    if (suite_ == nullptr) GTEST_SKIP() << problem_;
-    ASSERT_EQ(suite_->cases.size(), 416U);
+    auto& suite = suites_[GetParam()];
+    if (!suite) suite = GetParam() == std::string("published") ? publishedSuite() : writtenSuite();
+    suite_ = suite.get();
+    if (!suite_->problem.empty()) GTEST_SKIP() << suite_->problem;
+    ASSERT_FALSE(suite_->cases.empty());
   }
-  static std::string bytesOf(const ConformanceCase& conformance) {
+  std::string bytesOf(const ConformanceCase& conformance) const {
     return readBytes(suite_->files.at(conformance.name));
   }
   template <typename Kind>
@@ -65,17 +91,17 @@ class ConformanceTest : public testing::Test {
     return found;
   }
 
-  static inline std::unique_ptr<Suite> suite_;
-  static inline std::string problem_;
+  static inline std::map<std::string, std::unique_ptr<Suite>> suites_;
+  const Suite* suite_ = nullptr;
 };
 
-TEST_F(ConformanceTest, everyFileIsWrittenByteForByte) {
+TEST_P(ConformanceTest, everyFileIsWrittenByteForByte) {
   for (const ConformanceCase& conformance : suite_->cases) {
     EXPECT_EQ(textOf(writtenBy(conformance)), bytesOf(conformance)) << conformance.name;
   }
 }
 
-TEST_F(ConformanceTest, everyFileIsDecodedRecordForRecord) {
+TEST_P(ConformanceTest, everyFileIsDecodedRecordForRecord) {
   for (const ConformanceCase& conformance : suite_->cases) {
     const std::string bytes = bytesOf(conformance);
     const auto records = recordsIn(logplayer::mcap::bytesOf(bytes));
@@ -84,7 +110,7 @@ TEST_F(ConformanceTest, everyFileIsDecodedRecordForRecord) {
   }
 }
 
-TEST_F(ConformanceTest, everyFileIsReadWithAllThatIsInIt) {
+TEST_P(ConformanceTest, everyFileIsReadWithAllThatIsInIt) {
   for (const ConformanceCase& conformance : suite_->cases) {
     SCOPED_TRACE(conformance.name);
     const auto reader = test::open(suite_->files.at(conformance.name));
@@ -110,7 +136,7 @@ TEST_F(ConformanceTest, everyFileIsReadWithAllThatIsInIt) {
   }
 }
 
-TEST_F(ConformanceTest, everyFileIsReadInOrderOfTime) {
+TEST_P(ConformanceTest, everyFileIsReadInOrderOfTime) {
   for (const ConformanceCase& conformance : suite_->cases) {
     const auto reader = test::open(suite_->files.at(conformance.name));
     std::vector<std::uint16_t> channels;
@@ -130,5 +156,8 @@ TEST_F(ConformanceTest, everyFileIsReadInOrderOfTime) {
     EXPECT_TRUE(messages == expected) << conformance.name;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Files, ConformanceTest, testing::Values("published", "written"),
+                         [](const auto& suite) { return std::string(suite.param); });
 
 }  // namespace

@@ -18,22 +18,6 @@ void PrintTo(const Expected& expected, std::ostream* out) {
        << expected.data.size() << " bytes";
 }
 
-TemporaryFolder::TemporaryFolder() {
-  // In memory where that can be: thousands of small files take long on a disk.
-  std::error_code ignored;
-  const std::filesystem::path memory = "/dev/shm";
-  const auto parent =
-      std::filesystem::is_directory(memory, ignored) ? memory : std::filesystem::temp_directory_path();
-  std::string name = (parent / "mcap-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  folder_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
-}
-
 std::string readBytes(const std::filesystem::path& file) {
   std::ostringstream bytes;
   bytes << std::ifstream(file, std::ios::binary).rdbuf();

@@ -8,6 +8,7 @@
 
 #include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/write/Writer.h"
+#include "tests/TestFolder.h"
 
 namespace logplayer::mcap::test {
 
@@ -22,17 +23,9 @@ struct Expected {
 };
 void PrintTo(const Expected& expected, std::ostream* out);
 
-/// A folder for log files that the destructor removes.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
+/// A folder for log files, in memory.
+struct TemporaryFolder : TestFolder {
+  TemporaryFolder() : TestFolder(Where::kMemory) {}
 };
 
 std::string readBytes(const std::filesystem::path& file);

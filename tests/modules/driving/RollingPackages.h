@@ -4,7 +4,7 @@
 #include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "tests/modules/driving/OneSolution.h"
+#include "tests/modules/OneSolution.h"
 #include "tests/modules/driving/RollingRobot.h"
 
 namespace modules {

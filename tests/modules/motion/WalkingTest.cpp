@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "robotlink/base/Random.h"
+#include "tests/TestFolder.h"
 #include "tests/modules/motion/WalkingRobot.h"
 
 namespace modules {
@@ -150,9 +150,8 @@ struct FallCase {
 class GetUpTest : public testing::TestWithParam<FallCase> {
  protected:
   /// A world in which the robot begins lying.
-  static std::filesystem::path scene(const FallCase& fall) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("robotcontrol-fall-" + std::to_string(getpid()) + "-" + fall.name + ".sdf");
+  std::filesystem::path scene(const FallCase& fall) const {
+    const auto file = folder_ / "fall.sdf";
     const auto model = [](const char* name, const std::string& pose, const char* rest) {
       return "<include><uri>" + (kResources / "scenes/models" / name).string() + "</uri><pose>" + pose +
              "</pose>" + rest + "</include>\n";
@@ -168,6 +167,7 @@ class GetUpTest : public testing::TestWithParam<FallCase> {
         << "</world></sdf>\n";
     return file;
   }
+  const TestFolder folder_;
 };
 
 TEST_P(GetUpTest, theRobotGetsUpByItselfAndWalks) {
@@ -176,7 +176,6 @@ TEST_P(GetUpTest, theRobotGetsUpByItselfAndWalks) {
     lying.scene = scene(GetParam());
     lying.seed = seed;
     WalkingRobot robot(lying);
-    std::filesystem::remove(lying.scene);
     robot.run({}, 0.7);
     ASSERT_LT(robot.upright(), 0.6) << "it does lie";
     double time = 0.7;

@@ -129,6 +129,21 @@ TEST(GridPlanner, theWaveIsNearestAtTheGoal) {
   EXPECT_LT((nearest->place - Vector2(2, 3)).norm(), 0.6);
 }
 
+TEST(GridPlanner, inTheShippedHouseItFindsEveryRoomButNotTheStairs) {
+  const auto map = GroundMap::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map");
+  ASSERT_TRUE(map) << describe(map.error());
+  GridPlanner planner(*map, {});
+  const Vector2 home = map->find(GroundMap::Place::Kind::kHome)->pose.translation();
+  for (const char* room : {"Study", "Kitchen", "Workshop", "Bedroom", "Living room", "Library"}) {
+    planner.setGoal(map->find(room)->pose.translation());
+    const PlannedPath path = planner.path(home);
+    ASSERT_FALSE(path.blocked()) << room << ": " << path.reason;
+    EXPECT_GT(clearanceOf(path, *map), 0.25) << room;
+  }
+  planner.setGoal({9.85, 10.3});  // the stairs
+  EXPECT_TRUE(planner.path(home).blocked());
+}
+
 TEST(GridPlanner, inALargeBuildingItFindsTheWorkshopButNotWhatIsForbidden) {
   const GroundMap map = sharedMap("columbia.map");
   if (map.lines.empty()) GTEST_SKIP() << "needs ../shared/data/arcos/columbia.map";

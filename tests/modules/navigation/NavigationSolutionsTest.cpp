@@ -47,7 +47,7 @@ TEST_P(MonteCarloTest, itFindsTheRobotByWhatThePlatformSends) {
   const auto map = crookedRoom();
   const FlatWorld world(*map);
   RollingRobot robot(world, {.start = {3, 1.5, 0}, .laser = laser});
-  OneSolution locator("self-localisation", "monte-carlo", map);
+  OneSolution locator("self-localisation", "monte-carlo", {map});
   locator.execute();
   EXPECT_EQ(nullptr, locator.sent(robotlink::kRobotPose)) << "nothing has come yet";
   circle(locator, robot, 0.1, laser);
@@ -77,7 +77,7 @@ TEST(MonteCarloSolution, withoutAMapItSaysSoOnceAndStaysUncertain) {
 
 TEST(MonteCarloSolution, aMapWithoutRoomIsToldOnce) {
   auto tiny = std::make_shared<GroundMap>(roomMap(0.2, 0.2));
-  OneSolution locator("self-localisation", "monte-carlo", tiny);
+  OneSolution locator("self-localisation", "monte-carlo", {tiny});
   locator.execute();
   EXPECT_TRUE(locator.said("no place where the robot fits"));
 }
@@ -86,7 +86,7 @@ TEST(MonteCarloSolution, messagesThatAreNoNumbersDoNoHarm) {
   const auto map = crookedRoom();
   const FlatWorld world(*map);
   RollingRobot robot(world, {.start = {3, 1.5, 0}});
-  OneSolution locator("self-localisation", "monte-carlo", map);
+  OneSolution locator("self-localisation", "monte-carlo", {map});
   circle(locator, robot, 8, true);
   robotcontrol::DriveState bad = driveState(robot);
   bad.mutable_odometry()->set_x(std::nan(""));
@@ -106,7 +106,7 @@ TEST(MonteCarloSolution, anOdometryThatIsSetToZeroMovesNobody) {
   const auto map = crookedRoom();
   const FlatWorld world(*map);
   RollingRobot robot(world, {.start = {3, 1.5, 0}});
-  OneSolution locator("self-localisation", "monte-carlo", map);
+  OneSolution locator("self-localisation", "monte-carlo", {map});
   circle(locator, robot, 8, true);
   const Pose2 before = robotlink::pose2(locator.sent(robotlink::kRobotPose)->robot_in_field());
   robotcontrol::DriveState reset = driveState(robot);
@@ -120,7 +120,7 @@ TEST(MonteCarloSolution, anOdometryThatIsSetToZeroMovesNobody) {
 
 TEST(MonteCarloSolution, itMayBeginAtHome) {
   OneSolution locator(
-      "self-localisation", "monte-carlo", crookedRoom(), [](google::protobuf::Message& parameters) {
+      "self-localisation", "monte-carlo", {crookedRoom()}, [](google::protobuf::Message& parameters) {
         static_cast<robotcontrol::MonteCarloLocalisationParameters&>(parameters).set_start_at_home(true);
       });
   locator.set(robotlink::kDriveState, robotcontrol::DriveState());
@@ -135,7 +135,7 @@ TEST(WheelOdometry, reckonsFromTheHomeOfTheMapAndGrowsUnsure) {
   const auto map = crookedRoom();
   const FlatWorld world(*map);
   RollingRobot robot(world, {.start = {3, 1.5, 0}, .skid = 0});
-  OneSolution locator("self-localisation", "wheel-odometry", map);
+  OneSolution locator("self-localisation", "wheel-odometry", {map});
   double last = -1;
   for (int i = 0; i < 30; ++i) {
     robot.drive({0.3, 0.5});
@@ -165,7 +165,7 @@ robotcontrol::DriveGoal goalAt(double x, double y, const char* name = "") {
 }
 
 TEST(GridPathPlanning, plansToTheGoalAndSaysHowFarItIs) {
-  OneSolution planner("path-planning", "grid", crookedRoom());
+  OneSolution planner("path-planning", "grid", {crookedRoom()});
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3));
   planner.execute();
   ASSERT_NE(nullptr, planner.sent(robotlink::kDrivePath));
@@ -184,7 +184,7 @@ TEST(GridPathPlanning, plansToTheGoalAndSaysHowFarItIs) {
 }
 
 TEST(GridPathPlanning, saysOnceWhyThereIsNoWay) {
-  OneSolution planner("path-planning", "grid", crookedRoom());
+  OneSolution planner("path-planning", "grid", {crookedRoom()});
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3));
   planner.set(robotlink::kDriveGoal, goalAt(2, 3.5));
   for (int i = 0; i < 30; ++i) {
@@ -198,7 +198,7 @@ TEST(GridPathPlanning, saysOnceWhyThereIsNoWay) {
 }
 
 TEST(GridPathPlanning, aCanceledGoalIsNone) {
-  OneSolution planner("path-planning", "grid", crookedRoom());
+  OneSolution planner("path-planning", "grid", {crookedRoom()});
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3));
   robotcontrol::DriveGoal goal = goalAt(3, 3.3);
   goal.set_cancelled(true);
@@ -208,7 +208,7 @@ TEST(GridPathPlanning, aCanceledGoalIsNone) {
 }
 
 TEST(GridPathPlanning, whoDoesNotKnowWhereItIsHasNoWayYet) {
-  OneSolution planner("path-planning", "grid", crookedRoom());
+  OneSolution planner("path-planning", "grid", {crookedRoom()});
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3, 3));
   planner.set(robotlink::kDriveGoal, goalAt(3, 3.3));
   planner.execute();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The robot program's perception on the images of a real robot, with the color table that its team made and
-// the pose of the camera that it logged.
+// The robot program's perception on logged images, with a color table that was made for them and the pose of
+// the camera that was logged: of a real robot, and of a made game.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,13 +9,14 @@
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
+#include "tests/game/Data.h"
+#include "tests/game/View.h"
 #include "tests/modules/perception/LoggedRobot.h"
 
 using namespace modules;
 
 namespace {
 
-const std::string kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/";
 /// In the pictures of labels.
 constexpr std::uint8_t kOrange = 1;
 
@@ -24,15 +25,11 @@ struct LabeledBall {
   double radius = 0;
 };
 
-std::string labelFile(int image) {
+/// The ball as somebody drew it; nothing if the image shows none.
+std::optional<LabeledBall> labeledBall(const std::filesystem::path& data, int image) {
   char name[64];
   std::snprintf(name, sizeof name, "colour/bhuman2009/labels/%03d.png", image);
-  return kData + name;
-}
-
-/// The ball as somebody drew it; nothing if the image shows none.
-std::optional<LabeledBall> labeledBall(int image) {
-  const std::string bytes = robotlink::readFile(labelFile(image)).value();
+  const std::string bytes = robotlink::readFile(data / name).value();
   const auto labels =
       logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).value();
   robotlink::Vector2 sum = robotlink::Vector2::Zero();
@@ -47,44 +44,68 @@ std::optional<LabeledBall> labeledBall(int image) {
   return LabeledBall{sum / count, std::sqrt(count / robotlink::kPi)};
 }
 
-robotcontrol::ColorTable realTable() {
-  const auto file = colortool::ColorTableFile::load(kData + "colour/bhuman2009/tables/default.c64").value();
-  robotcontrol::ColorTable table;
-  for (const auto name : colortool::ColorTableFile::kBHuman2009Classes)
-    table.add_class_names(std::string(name));
-  const auto cells = file.singleClasses();
-  table.set_cells(cells.data(), cells.size());
-  return table;
-}
-
 struct Solutions {
   const char* segmentation;
   const char* ballPercept;
 };
 
-class LoggedImages : public testing::Test {
+/// The log and the labels of a source.
+class ImagesOf {
  protected:
-  static void SetUpTestSuite() {
-    if (std::filesystem::exists(labelFile(0))) views_ = readViews(kData + "logs/bhuman2009.log");
+  bool load(const std::string& source) {
+    data_ = game::dataOf(source);
+    auto& views = read_[source];
+    if (views.empty() && std::filesystem::exists(data_ / "colour/bhuman2009/labels"))
+      views = readViews((data_ / "logs/bhuman2009.log").string());
+    views_ = &views;
+    real_ = source == "real";
+    return !views.empty();
   }
-  void SetUp() override {
-    if (views_.empty()) GTEST_SKIP() << "the real log and its labels are not below " << kData;
+  const LoggedView& view(int image) const { return views_->at(static_cast<std::size_t>(image)); }
+  robotcontrol::ColorTable madeTable() const {
+    const auto file = colortool::ColorTableFile::load(data_ / "colour/bhuman2009/tables/default.c64").value();
+    robotcontrol::ColorTable table;
+    for (const auto name : colortool::ColorTableFile::kBHuman2009Classes)
+      table.add_class_names(std::string(name));
+    const auto cells = file.singleClasses();
+    table.set_cells(cells.data(), cells.size());
+    return table;
   }
+  /// The images with labels; two of them show the ball.
+  std::vector<int> labeled() const { return real_ ? std::vector{0, 32, 66} : std::vector{0, 5, 11}; }
 
-  static inline std::vector<LoggedView> views_;
+  /// Read once for all tests.
+  static inline std::map<std::string, std::vector<LoggedView>> read_;
+  std::filesystem::path data_;
+  std::vector<LoggedView>* views_ = nullptr;
+  bool real_ = false;
 };
 
-class LabeledImages : public LoggedImages, public testing::WithParamInterface<Solutions> {};
+/// The parameter is the source.
+class LoggedImages : public ImagesOf, public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (!load(GetParam())) GTEST_SKIP() << "the real log and its labels are not below " << data_;
+  }
+};
+
+class LabeledImages : public ImagesOf, public testing::TestWithParam<std::tuple<Solutions, std::string>> {
+ protected:
+  void SetUp() override {
+    if (!load(std::get<1>(GetParam()))) GTEST_SKIP() << "the real log and its labels are not below " << data_;
+  }
+  const Solutions& solutions() const { return std::get<0>(GetParam()); }
+};
 
 }  // namespace
 
 TEST_P(LabeledImages, theBallIsFoundWhereSomebodyDrewIt) {
-  LoggedRobot robot(GetParam().segmentation, GetParam().ballPercept);
-  ASSERT_EQ(robot.setColorTable(realTable()), "");
+  LoggedRobot robot(solutions().segmentation, solutions().ballPercept);
+  ASSERT_EQ(robot.setColorTable(madeTable()), "");
   int shown = 0;
-  for (const int image : {0, 32, 66}) {
-    const auto percept = robot.look(views_[static_cast<std::size_t>(image)]);
-    const auto ball = labeledBall(image);
+  for (const int image : labeled()) {
+    const auto percept = robot.look(view(image));
+    const auto ball = labeledBall(data_, image);
     ASSERT_EQ(percept.seen(), ball.has_value()) << "image " << image;
     if (!ball) continue;
     ++shown;
@@ -97,30 +118,32 @@ TEST_P(LabeledImages, theBallIsFoundWhereSomebodyDrewIt) {
   EXPECT_TRUE(robot.failures().empty());
 }
 
-TEST_F(LoggedImages, theBallIsFollowedOverTheLog) {
+TEST_P(LoggedImages, theBallIsFollowedOverTheLog) {
   LoggedRobot robot("whole-image", "region");
-  ASSERT_EQ(robot.setColorTable(realTable()), "");
+  ASSERT_EQ(robot.setColorTable(madeTable()), "");
   int seen = 0, jumps = 0;
   std::optional<robotlink::Vector2> last;
   // The robot stands, turns its head and walks straight to the ball, which lies still.
-  for (std::size_t i = 0; i < 27; ++i) {
-    const auto percept = robot.look(views_[i]);
+  const int count = real_ ? 27 : game::View::kCount - 1;
+  for (int i = 0; i < count; ++i) {
+    const auto percept = robot.look(view(i));
     if (!percept.seen()) continue;
     ++seen;
     const robotlink::Vector2 place(percept.position_in_robot().x(), percept.position_in_robot().y());
     jumps += last && (place - *last).norm() > 0.25 ? 1 : 0;
     last = place;
   }
-  EXPECT_GE(seen, 26);
+  EXPECT_GE(seen, count - 1);
   EXPECT_EQ(jumps, 0);
   ASSERT_TRUE(last);
   EXPECT_NEAR(last->x(), 1.1, 0.2);
 }
 
-TEST_F(LoggedImages, tablesTakeEffectAtTheNextImage) {
+TEST_P(LoggedImages, tablesTakeEffectAtTheNextImage) {
   LoggedRobot robot("whole-image", "region");
+  const LoggedView& withBall = view(labeled()[real_ ? 2 : 1]);
   const auto orangeRegions = [&] {
-    robot.look(views_[66]);
+    robot.look(withBall);
     int count = 0;
     for (const auto& region : robot.regions().regions())
       count += robot.regions().class_names(static_cast<int>(region.color_class())) == "orange" ? 1 : 0;
@@ -134,33 +157,33 @@ TEST_F(LoggedImages, tablesTakeEffectAtTheNextImage) {
   ASSERT_EQ(robot.setColorTable(allGreen), "");
   EXPECT_EQ(orangeRegions(), 0);
   EXPECT_EQ(robot.regions().regions_size(), 1) << "the image is one region";
-  EXPECT_FALSE(robot.look(views_[66]).seen());
+  EXPECT_FALSE(robot.look(withBall).seen());
 
-  ASSERT_EQ(robot.setColorTable(realTable()), "");
+  ASSERT_EQ(robot.setColorTable(madeTable()), "");
   EXPECT_GT(orangeRegions(), 0);
-  EXPECT_TRUE(robot.look(views_[66]).seen());
+  EXPECT_TRUE(robot.look(withBall).seen());
 
   ASSERT_EQ(robot.setColorTable({}), "") << "takes it back";
   EXPECT_EQ(orangeRegions(), generated);
 }
 
-TEST_F(LoggedImages, classesGoByTheirNames) {
+TEST_P(LoggedImages, classesGoByTheirNames) {
   LoggedRobot robot("whole-image", "region");
   // The same table with its classes in another order.
-  robotcontrol::ColorTable reversed = realTable();
+  robotcontrol::ColorTable reversed = madeTable();
   const int count = reversed.class_names_size();
   for (int i = 0; i < count / 2; ++i) reversed.mutable_class_names()->SwapElements(i, count - 1 - i);
   for (char& cell : *reversed.mutable_cells())
     if (cell != 0) cell = static_cast<char>(count + 1 - cell);
-  ASSERT_EQ(robot.setColorTable(realTable()), "");
-  robot.look(views_[0]);
+  ASSERT_EQ(robot.setColorTable(madeTable()), "");
+  robot.look(view(0));
   const std::string expected = robot.regions().SerializeAsString();
   ASSERT_EQ(robot.setColorTable(reversed), "");
-  robot.look(views_[0]);
+  robot.look(view(0));
   EXPECT_EQ(robot.regions().SerializeAsString(), expected);
 }
 
-TEST_F(LoggedImages, tablesThatCannotBeUsedAreRefused) {
+TEST_P(LoggedImages, tablesThatCannotBeUsedAreRefused) {
   LoggedRobot robot("whole-image", "region");
   robotcontrol::ColorTable table;
   table.add_class_names("orange");
@@ -170,12 +193,19 @@ TEST_F(LoggedImages, tablesThatCannotBeUsedAreRefused) {
   EXPECT_EQ(robot.setColorTable(table), "cells of the color table have classes without a name");
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, LabeledImages,
-    testing::Values(Solutions{"whole-image", "region"}, Solutions{"whole-image", "circle-fit"},
-                    Solutions{"scan-lines", "region"}, Solutions{"scan-lines", "circle-fit"}),
-    [](const auto& solutions) {
-      std::string name = std::string(solutions.param.segmentation) + "_" + solutions.param.ballPercept;
-      std::ranges::replace(name, '-', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Data, LoggedImages, testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });
+
+INSTANTIATE_TEST_SUITE_P(All, LabeledImages,
+                         testing::Combine(testing::Values(Solutions{"whole-image", "region"},
+                                                          Solutions{"whole-image", "circle-fit"},
+                                                          Solutions{"scan-lines", "region"},
+                                                          Solutions{"scan-lines", "circle-fit"}),
+                                          testing::ValuesIn(game::kSources)),
+                         [](const auto& parameters) {
+                           const Solutions& solutions = std::get<0>(parameters.param);
+                           std::string name = std::string(solutions.segmentation) + "_" +
+                                              solutions.ballPercept + "_" + std::get<1>(parameters.param);
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The client halves of recorded conversations, said to our robot at the times at which they were recorded.
+// The client halves of conversations, said to our robot at the times at which they were recorded, or that
+// were made up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,16 +30,11 @@ class RecordedClientsTest : public testing::Test {
     EXPECT_EQ(robot.session.droppedPackets(), 0U);
   }
 
-  /// False if there is no such recording.
-  bool play(const std::string& name) {
-    for (const auto& file : recordings()) {
-      if (file.filename() != name + ".wire.xz") continue;
-      const auto conversation = readConversation(uncompressed(file), file.string());
-      EXPECT_TRUE(conversation);
-      if (conversation) play(*conversation);
-      return true;
-    }
-    return false;
+  /// False if there is no such conversation.
+  bool play(const std::string& source, const std::string& name) {
+    const auto found = conversation(source, name);
+    if (found) play(*found);
+    return found.has_value();
   }
 
   std::vector<int> sequence(std::size_t count) const {
@@ -73,7 +69,7 @@ class RecordedClientsTest : public testing::Test {
 };
 
 #define PLAY(name) \
-  if (!play(name)) GTEST_SKIP() << "there is no recording " << name << " in ../shared/data/arcos/wire"
+  if (!play("real", name)) GTEST_SKIP() << "there is no recording " << name << " in ../shared/data/arcos/wire"
 
 TEST_F(RecordedClientsTest, simpleConnectGetsWhatItWaitsForAndNothingAfterItsClose) {
   PLAY("simpleConnect");
@@ -133,6 +129,49 @@ TEST_F(RecordedClientsTest, sonarTestHearsAllSixteen) {
 TEST_F(RecordedClientsTest, robotConnectionCallbacksIsServedAndClosed) {
   PLAY("robotConnectionCallbacks");
   EXPECT_FALSE(information.back().sonarOn()) << "it switches them off";
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kWaiting);
+}
+
+TEST_F(RecordedClientsTest, aMadeClientGetsWhatItWaitsForAndNothingAfterItsClose) {
+  ASSERT_TRUE(play("made", "connect"));
+  EXPECT_THAT(sequence(4), testing::ElementsAre(0, 1, 2, Configuration::kId));
+  EXPECT_EQ(longestGap(), std::chrono::milliseconds(100));
+  EXPECT_TRUE(information[5].motorsOn());
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kWaiting);
+  EXPECT_FALSE(robot.wheels.command.motorsOn);
+  // OPEN came at 300 ms, CLOSE at 3 s.
+  EXPECT_NEAR(static_cast<double>(information.size()), 26, 1);
+}
+
+TEST_F(RecordedClientsTest, aMadeClientDrivesAsFarAsItAsksFor) {
+  ASSERT_TRUE(play("made", "drive"));
+  ASSERT_GT(information.size(), 100U);
+  EXPECT_TRUE(information[30].motorsOn());
+  // A meter straight on, an eighth of a turn, then 0.2 m/s for two seconds.
+  EXPECT_NEAR(information[58].xMm, 1000, 30);
+  EXPECT_NEAR(information[58].yMm, 0, 5);
+  const auto& last = information.back();
+  EXPECT_NEAR(last.heading4096, 512, 30);
+  EXPECT_NEAR(last.xMm, 1280, 40);
+  EXPECT_NEAR(last.yMm, 280, 40);
+  EXPECT_LE(longestGap(), std::chrono::milliseconds(104));
+}
+
+TEST_F(RecordedClientsTest, aMadeClientGetsItsScans) {
+  ASSERT_TRUE(play("made", "scans"));
+  const auto parts = robot.of(LaserPacket::kExtendedId);
+  ASSERT_THAT(parts, SizeIs(Ge(60U)));
+  EXPECT_EQ(parts.size() % 6, 0U);
+  EXPECT_EQ(decodeLaser(parts[0])->total, 181);
+  EXPECT_GT(robot.scans, 10);
+  EXPECT_LE(robot.scans, static_cast<int>(information.size()));
+}
+
+TEST_F(RecordedClientsTest, aMadeClientHearsAllSonarsUntilItSwitchesThemOff) {
+  ASSERT_TRUE(play("made", "sonars"));
+  EXPECT_THAT(robot.shots, SizeIs(16));
+  EXPECT_TRUE(information[15].sonarOn());
+  EXPECT_FALSE(information.back().sonarOn());
   EXPECT_EQ(robot.session.state(), ServerSession::State::kWaiting);
 }
 

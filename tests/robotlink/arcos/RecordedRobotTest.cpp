@@ -52,11 +52,17 @@ Replay replay(const Conversation& conversation) {
   return result;
 }
 
-TEST(RecordedRobotTest, theSessionConnectsToEveryRecordedRobot) {
-  const auto files = recordings();
+/// The parameter is the source of the conversations.
+class RecordedRobotTest : public testing::TestWithParam<std::string> {
+ protected:
+  bool real() const { return GetParam() == "real"; }
+};
+
+TEST_P(RecordedRobotTest, theSessionConnectsToEveryRobot) {
+  const auto files = conversations(GetParam());
   if (files.empty()) GTEST_SKIP() << "there is no ../shared/data/arcos/wire with recorded conversations";
   for (const auto& file : files) {
-    const auto conversation = readConversation(uncompressed(file), file.string());
+    const auto conversation = readConversation(textOf(file), file.string());
     ASSERT_TRUE(conversation) << conversation.error().describe();
     const Replay found = replay(*conversation);
     const ClientSession& session = found.session;
@@ -67,8 +73,8 @@ TEST(RecordedRobotTest, theSessionConnectsToEveryRecordedRobot) {
     EXPECT_EQ(session.statistics().information, found.information) << file;
     EXPECT_GT(found.information, 20U);
     EXPECT_EQ(*session.information(), found.last);
-    EXPECT_EQ(session.identity()->name, "AMRISim");
-    EXPECT_EQ(session.configuration()->transVelMaxMmS, 3000);
+    EXPECT_EQ(session.identity()->name, real() ? "AMRISim" : "Handmade");
+    EXPECT_EQ(session.configuration()->transVelMaxMmS, real() ? 3000 : 700);
     EXPECT_EQ(session.statistics().scans, found.lastScanParts);
     EXPECT_EQ(session.statistics().incompleteScans, 0U);
     const std::vector<Packet> beginning = {{0, {}}, {1, {}}, {2, {}}, {1, {0x3B, 1, 0}}, {18, {0x3B, 1, 0}}};
@@ -77,21 +83,21 @@ TEST(RecordedRobotTest, theSessionConnectsToEveryRecordedRobot) {
   }
 }
 
-TEST(RecordedRobotTest, scansAreWholeAndInOrder) {
-  for (const auto& file : recordings()) {
-    if (file.filename() != "laserConnect.wire.xz") continue;
-    const auto conversation = readConversation(uncompressed(file), file.string());
-    ASSERT_TRUE(conversation);
-    const Replay found = replay(*conversation);
-    ASSERT_TRUE(found.session.laserScan());
-    EXPECT_EQ(found.session.statistics().scans, 285U);
-    EXPECT_EQ(found.session.laserScan()->rangesMm.size(), 181U);
-    const auto& ranges = found.session.laserScan()->rangesMm;
-    EXPECT_EQ(*std::min_element(ranges.begin(), ranges.end()) / 100, 5) << "the closest wall is at 514 mm";
-    return;
-  }
-  GTEST_SKIP() << "there is no ../shared/data/arcos/wire/laserConnect.wire.xz";
+TEST_P(RecordedRobotTest, scansAreWholeAndInOrder) {
+  const auto scans = conversation(GetParam(), real() ? "laserConnect" : "scans");
+  if (!scans) GTEST_SKIP() << "there is no ../shared/data/arcos/wire/laserConnect.wire.xz";
+  const Replay found = replay(*scans);
+  ASSERT_TRUE(found.session.laserScan());
+  EXPECT_EQ(found.session.statistics().scans, real() ? 285U : 11U);
+  const auto& ranges = found.session.laserScan()->rangesMm;
+  EXPECT_EQ(ranges.size(), 181U);
+  // The closest wall is at 514 mm, or straight ahead.
+  EXPECT_EQ(*std::min_element(ranges.begin(), ranges.end()) / 100, real() ? 5 : 8);
+  if (!real()) EXPECT_EQ(ranges[90], 800);
 }
+
+INSTANTIATE_TEST_SUITE_P(Conversations, RecordedRobotTest, testing::ValuesIn(kConversationSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace
 }  // namespace robotlink::arcos

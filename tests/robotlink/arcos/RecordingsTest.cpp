@@ -11,8 +11,15 @@
 namespace robotlink::arcos {
 namespace {
 
-#define SKIP_WITHOUT(files) \
-  if ((files).empty()) GTEST_SKIP() << "there is no ../shared/data/arcos/wire with recorded conversations"
+/// The parameter is the source of the conversations.
+class RecordingsTest : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (files_.empty()) GTEST_SKIP() << "there is no ../shared/data/arcos/wire with recorded conversations";
+  }
+  bool real() const { return GetParam() == "real"; }
+  const std::vector<std::filesystem::path> files_ = conversations(GetParam());
+};
 
 /// The same packet, by way of what it says.
 tl::expected<Packet, Error> rewritten(const Packet& packet, Direction direction) {
@@ -22,13 +29,11 @@ tl::expected<Packet, Error> rewritten(const Packet& packet, Direction direction)
   return decodeServerPacket(packet).map([](const ServerPacket& typed) { return toPacket(typed); });
 }
 
-TEST(RecordingsTest, everyPacketIsReadAndWrittenBackByteForByte) {
-  const auto files = recordings();
-  SKIP_WITHOUT(files);
-  EXPECT_EQ(files.size(), 6U);
+TEST_P(RecordingsTest, everyPacketIsReadAndWrittenBackByteForByte) {
+  EXPECT_EQ(files_.size(), real() ? 6U : 4U);
   std::size_t packets = 0;
-  for (const auto& file : files) {
-    const auto conversation = readConversation(uncompressed(file), file.string());
+  for (const auto& file : files_) {
+    const auto conversation = readConversation(textOf(file), file.string());
     ASSERT_TRUE(conversation) << conversation.error().describe();
     for (const Conversation::Event& event : conversation->events) {
       if (event.kind != Conversation::Kind::kPacket) continue;
@@ -44,12 +49,12 @@ TEST(RecordingsTest, everyPacketIsReadAndWrittenBackByteForByte) {
       ++packets;
     }
   }
-  EXPECT_EQ(packets, 3326U);
+  EXPECT_EQ(packets, real() ? 3326U : 338U);
 }
 
-TEST(RecordingsTest, everyPacketHasALayout) {
-  for (const auto& file : recordings()) {
-    const auto conversation = readConversation(uncompressed(file), file.string());
+TEST_P(RecordingsTest, everyPacketHasALayout) {
+  for (const auto& file : files_) {
+    const auto conversation = readConversation(textOf(file), file.string());
     ASSERT_TRUE(conversation) << conversation.error().describe();
     for (const Conversation::Event& event : conversation->events) {
       if (event.kind != Conversation::Kind::kPacket) continue;
@@ -63,22 +68,18 @@ TEST(RecordingsTest, everyPacketHasALayout) {
   }
 }
 
-TEST(RecordingsTest, filesAreWrittenBackByteForByte) {
-  const auto files = recordings();
-  SKIP_WITHOUT(files);
-  for (const auto& file : files) {
-    const std::string text = uncompressed(file);
+TEST_P(RecordingsTest, filesAreWrittenBackByteForByte) {
+  for (const auto& file : files_) {
+    const std::string text = textOf(file);
     const auto conversation = readConversation(text, file.string());
     ASSERT_TRUE(conversation) << conversation.error().describe();
     EXPECT_TRUE(writeConversation(*conversation) == text) << file;
   }
 }
 
-TEST(RecordingsTest, allOfADirectionAsOneStreamGivesTheSamePackets) {
-  const auto files = recordings();
-  SKIP_WITHOUT(files);
-  for (const auto& file : files) {
-    const auto conversation = readConversation(uncompressed(file), file.string());
+TEST_P(RecordingsTest, allOfADirectionAsOneStreamGivesTheSamePackets) {
+  for (const auto& file : files_) {
+    const auto conversation = readConversation(textOf(file), file.string());
     ASSERT_TRUE(conversation);
     Bytes stream;
     std::size_t sent = 0;
@@ -96,10 +97,8 @@ TEST(RecordingsTest, allOfADirectionAsOneStreamGivesTheSamePackets) {
   }
 }
 
-TEST(RecordingsTest, aSimulatorsConfigurationSaysWhatIsKnownOfIt) {
-  const auto files = recordings();
-  SKIP_WITHOUT(files);
-  const auto conversation = readConversation(uncompressed(files.front()), "");
+TEST_P(RecordingsTest, theConfigurationSaysWhatIsKnownOfTheRobot) {
+  const auto conversation = readConversation(textOf(files_.front()), "");
   ASSERT_TRUE(conversation);
   for (const Conversation::Event& event : conversation->events) {
     if (event.bytes.size() < 6 || event.bytes[3] != Configuration::kId) continue;
@@ -109,21 +108,24 @@ TEST(RecordingsTest, aSimulatorsConfigurationSaysWhatIsKnownOfIt) {
     EXPECT_EQ(found->fieldCount, Configuration::kUsualFields);
     EXPECT_TRUE(found->rest.empty());
     EXPECT_EQ(found->subtype, "p3at-sh");
-    EXPECT_EQ(found->serialNumber, "SIM");
-    EXPECT_EQ(found->name, "AMRISim");
-    EXPECT_EQ(found->rotVelTopDegS, 9999);
-    EXPECT_EQ(found->pwmMax, 400);
+    EXPECT_EQ(found->serialNumber, real() ? "SIM" : "HAND");
+    EXPECT_EQ(found->name, real() ? "AMRISim" : "Handmade");
+    EXPECT_EQ(found->rotVelTopDegS, real() ? 9999 : 360);
+    EXPECT_EQ(found->pwmMax, real() ? 400 : 500);
     EXPECT_EQ(found->sipCycleMs, 100);
     EXPECT_EQ(found->watchdogMs, 2000);
-    EXPECT_EQ(found->rotVelMaxDegS, 150);
-    EXPECT_EQ(found->transVelMaxMmS, 3000);
+    EXPECT_EQ(found->rotVelMaxDegS, real() ? 150 : 100);
+    EXPECT_EQ(found->transVelMaxMmS, real() ? 3000 : 700);
     EXPECT_EQ(found->transDecelMmS2, 300);
-    EXPECT_EQ(found->autoBaud, 2);
-    EXPECT_EQ(found->version, "S.0");
+    EXPECT_EQ(found->autoBaud, real() ? 2 : 0);
+    EXPECT_EQ(found->version, real() ? "S.0" : "2.1");
     return;
   }
-  FAIL() << "there is no configuration in " << files.front();
+  FAIL() << "there is no configuration in " << files_.front();
 }
+
+INSTANTIATE_TEST_SUITE_P(Conversations, RecordingsTest, testing::ValuesIn(kConversationSources),
+                         [](const auto& source) { return source.param; });
 
 }  // namespace
 }  // namespace robotlink::arcos

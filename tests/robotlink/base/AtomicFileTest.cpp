@@ -3,21 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/TestFolder.h"
+
 using namespace robotlink;
 namespace fs = std::filesystem;
 
 TEST(AtomicFile, whatIsWrittenIsReadBack) {
-  const fs::path path = fs::path(testing::TempDir()) / "atomic" / "file.txt";
+  const TestFolder folder;
+  const fs::path path = folder / "new/file.txt";
   ASSERT_TRUE(writeFileAtomically(path, "first").has_value());
   ASSERT_TRUE(writeFileAtomically(path, "second").has_value());
   EXPECT_EQ(readFile(path).value(), "second");
   EXPECT_EQ(std::distance(fs::directory_iterator(path.parent_path()), {}), 1);
-  fs::remove_all(path.parent_path());
 }
 
 TEST(AtomicFile, aSymbolicLinkIsKeptAndItsTargetWritten) {
-  const fs::path folder = fs::path(testing::TempDir()) / "atomic-link";
-  fs::remove_all(folder);
+  const TestFolder folder;
   ASSERT_TRUE(writeFileAtomically(folder / "target.txt", "first").has_value());
   fs::create_symlink("target.txt", folder / "link.txt");
   fs::create_symlink("new.txt", folder / "dangling.txt");
@@ -27,7 +28,6 @@ TEST(AtomicFile, aSymbolicLinkIsKeptAndItsTargetWritten) {
   EXPECT_TRUE(fs::is_symlink(folder / "dangling.txt"));
   EXPECT_EQ(readFile(folder / "target.txt").value(), "second");
   EXPECT_EQ(readFile(folder / "new.txt").value(), "third");
-  fs::remove_all(folder);
 }
 
 TEST(AtomicFile, aPlaceThatCannotBeWrittenIsReportedByName) {

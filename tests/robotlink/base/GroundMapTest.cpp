@@ -10,7 +10,8 @@ using Kind = GroundMap::Place::Kind;
 
 namespace {
 
-const std::filesystem::path kMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
+const std::filesystem::path kRealMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos",
+                            kShippedMaps = ROBOTCONTROL_SOURCE_DIR "/resources/scenes";
 
 GroundMap parsed(const std::string& text) {
   const auto map = GroundMap::parse(text, "folder/room.map");
@@ -208,18 +209,18 @@ TEST(GroundMap, aFileThatIsNotThereIsAnError) {
   EXPECT_NE(describe(map.error()).find("/nowhere/at/all.map"), std::string::npos);
 }
 
-struct RealMap {
-  const char* file;
+struct MapFile {
+  std::filesystem::path file;
   std::size_t lines, points, places;
   Vector2 low, high;
 };
 
-class RealMaps : public testing::TestWithParam<RealMap> {};
+class MapFiles : public testing::TestWithParam<MapFile> {};
 
-TEST_P(RealMaps, areReadAsTheyAre) {
-  const RealMap& expected = GetParam();
-  if (!std::filesystem::exists(kMaps / expected.file)) GTEST_SKIP() << "../shared/data/arcos is not here";
-  const auto map = GroundMap::load(kMaps / expected.file);
+TEST_P(MapFiles, areReadAsTheyAre) {
+  const MapFile& expected = GetParam();
+  if (!std::filesystem::exists(expected.file)) GTEST_SKIP() << "there is no real map " << expected.file;
+  const auto map = GroundMap::load(expected.file);
   ASSERT_TRUE(map) << describe(map.error());
   EXPECT_EQ(map->lines.size(), expected.lines);
   EXPECT_EQ(map->points.size(), expected.points);
@@ -231,8 +232,9 @@ TEST_P(RealMaps, areReadAsTheyAre) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    GroundMap, RealMaps,
-    testing::Values(RealMap{"columbia.map", 470, 63311, 25, {-4.78, -27}, {19.56, 24.68}},
-                    RealMap{"office.map", 101, 0, 1, {0, 0}, {18.76, 14}},
-                    RealMap{"triangle.map", 9, 0, 1, {0, 0}, {10.26, 10.08}}),
-    [](const auto& map) { return std::filesystem::path(map.param.file).stem().string(); });
+    GroundMap, MapFiles,
+    testing::Values(MapFile{kRealMaps / "columbia.map", 470, 63311, 25, {-4.78, -27}, {19.56, 24.68}},
+                    MapFile{kRealMaps / "office.map", 101, 0, 1, {0, 0}, {18.76, 14}},
+                    MapFile{kRealMaps / "triangle.map", 9, 0, 1, {0, 0}, {10.26, 10.08}},
+                    MapFile{kShippedMaps / "house.map", 80, 0, 9, {0, 0}, {16, 11}}),
+    [](const auto& map) { return map.param.file.stem().string(); });

@@ -7,6 +7,7 @@
 
 #include <fstream>
 
+#include "tests/TestFolder.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
@@ -16,23 +17,6 @@ using robotcontrol::Request;
 using ::testing::HasSubstr;
 
 namespace {
-
-/// A folder of parameter files that vanishes with the test.
-class ParameterFolder {
- public:
-  explicit ParameterFolder(const std::string& name)
-      : path_(std::filesystem::path(::testing::TempDir()) / ("task-process-test-" + name)) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ParameterFolder() { std::filesystem::remove_all(path_); }
-  ParameterFolder(const ParameterFolder&) = delete;
-  ParameterFolder& operator=(const ParameterFolder&) = delete;
-  void write(const std::string& file, const std::string& text) { std::ofstream(path_ / file) << text; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 robotcontrol::Velocity2 velocity(double x) {
   robotcontrol::Velocity2 result;
@@ -206,7 +190,7 @@ TEST(TaskProcessTest, stopwatchesTellEachTaskAndTheWholeFrame) {
 // ---- Parameters
 
 TEST(TaskProcessTest, parametersComeFromTheirFileAndCanBeSet) {
-  ParameterFolder folder("set");
+  const TestFolder folder;
   folder.write("ball-percept.region.textproto", "# meters\nx: 1000\n");
   ToyRobot robot(kToyLayout, folder.path());
   robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
@@ -262,7 +246,7 @@ TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
 }
 
 TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
-  ParameterFolder folder("wrong");
+  const TestFolder folder;
   folder.write("ball-percept.region.textproto", "x: 1\ny: fast\ncolor: 3\n");
   ToyRobot robot;
   robot.parameterFolder = folder.path();
@@ -274,7 +258,7 @@ TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
 }
 
 TEST(TaskProcessTest, aParameterFileOfNoSolutionIsRefusedWithTheNearestName) {
-  ParameterFolder folder("misspelled");
+  const TestFolder folder;
   folder.write("ball-percept.regoin.textproto", "x: 1");
   folder.write("cooking.soup.textproto", "of a task that is not here");
   ToyRobot robot;

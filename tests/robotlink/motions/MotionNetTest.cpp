@@ -91,6 +91,21 @@ TEST(MotionNetTest, aFolderThatIsMissingIsAnError) {
   EXPECT_EQ(net.error()[0].id, "motion.unreadable");
 }
 
+TEST(MotionNetTest, theShippedMotionsCompileAndKeepTheirText) {
+  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/motions";
+  const auto net =
+      loadMotions(folder, {"neckTilt", "headPan", "legFL1", "legFL2", "legFL3", "legFR1", "legFR2", "legFR3",
+                           "legHL1", "legHL2", "legHL3", "legHR1", "legHR2", "legHR3"});
+  ASSERT_TRUE(net) << describe(net.error());
+  EXPECT_EQ((*net)->motions.size(), 11U);
+  EXPECT_EQ((*net)->requestable().size(), 10U);
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto motion = readMotionFile(entry.path());
+    ASSERT_TRUE(motion) << describe(motion.error());
+    EXPECT_EQ(*readMotion(writeMotion(*motion), motion->path), *motion) << entry.path();
+  }
+}
+
 /// Motions of a real team, for a robot of 22 joints.
 TEST(MotionNetTest, theMotionsOfARealTeamCompileAndKeepTheirText) {
   const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/motions/mof";

@@ -2,10 +2,10 @@
 #include "robotlink/session/KeyPresets.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 
 using namespace robotlink;
 using robotcontrol::KeyMode;
@@ -19,8 +19,6 @@ namespace {
 
 class KeyPresetsTest : public testing::Test {
  protected:
-  KeyPresetsTest() : folder_(fs::path(testing::TempDir()) / ("presets" + std::to_string(::getpid()))) {}
-  ~KeyPresetsTest() override { fs::remove_all(folder_); }
   static void add(KeyTable& table, const std::string& name, KeyMode::Kind kind, std::uint32_t n = 0) {
     auto& key = *table.add_keys();
     key.set_name(name);
@@ -28,7 +26,8 @@ class KeyPresetsTest : public testing::Test {
     key.mutable_mode()->set_n(n);
   }
 
-  fs::path folder_;
+  const TestFolder home_;
+  const fs::path folder_ = home_ / "presets";  // which is not there yet
   KeyPresets presets_{folder_};
 };
 

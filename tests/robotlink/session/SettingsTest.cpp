@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 
-#include <unistd.h>
 #include <limits>
 
 #include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 
 using namespace robotlink;
 using testing::ElementsAre;
@@ -17,8 +17,6 @@ namespace {
 
 class SettingsTest : public testing::Test {
  protected:
-  SettingsTest() : folder_(fs::path(testing::TempDir()) / ("settings" + std::to_string(::getpid()))) {}
-  ~SettingsTest() override { fs::remove_all(folder_); }
   void write(const std::string& text) { ASSERT_TRUE(writeFileAtomically(file_, text).has_value()); }
   Settings loaded() {
     Settings settings(file_);
@@ -27,7 +25,8 @@ class SettingsTest : public testing::Test {
     return settings;
   }
 
-  fs::path folder_, file_ = folder_ / "deep" / "settings.json";
+  const TestFolder folder_;
+  const fs::path file_ = folder_ / "deep" / "settings.json";
   Error error_;
 };
 

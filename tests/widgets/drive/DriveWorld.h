@@ -126,11 +126,10 @@ struct DriveWorld : Bench {
     line(*place(Place::FORBIDDEN_LINE, "", 0, 0).mutable_extent(), 1, 5, 3, 5);
     return map;
   }
-  /// A map of the shared data; empty if that is missing.
-  static robotcontrol::GroundMap sharedMap(const char* name) {
+  /// The map of a file, relative to the source tree; empty if that is missing.
+  static robotcontrol::GroundMap mapOf(const char* file) {
     robotcontrol::GroundMap message;
-    const auto map = robotlink::GroundMap::load(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
-                                                "../shared/data/arcos" / name);
+    const auto map = robotlink::GroundMap::load(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / file);
     if (!map) return message;
     message.set_name(map->name);
     for (const auto& line : map->lines) {

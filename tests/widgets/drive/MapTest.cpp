@@ -244,8 +244,36 @@ class MapTest : public QObject {
     QVERIFY(!s.isGround(2, 4));
   }
 
+  void showsTheShippedHouse() {
+    const auto map = DriveWorld::mapOf("resources/scenes/house.map");
+    ShownMapView s(map, {840, 660});
+    QCOMPARE(s.canvas->map()->lines_size(), 80);
+    s.pushTruth({{"p3at1", {2.6, 5.5, 0}}}, 1);
+    robotcontrol::DrivePath path;
+    for (const auto& [x, y] : {std::pair(2.6, 5.5), {8, 5.5}, {8, 3.2}}) {
+      auto& point = *path.add_points_in_field();
+      point.set_x(x);
+      point.set_y(y);
+    }
+    path.mutable_goal()->mutable_pose_in_field()->set_x(8);
+    path.mutable_goal()->mutable_pose_in_field()->set_y(3.2);
+    s.push("p3at1/models/path", path, 1);
+    s.tick(*s.view);
+    QVERIFY2(!s.isGround(5, 4.5) && !s.isGround(16, 8), "walls");
+    QVERIFY2(!s.isGround(5, 5.5), "the path");
+    QVERIFY2(s.isGround(14, 2), "the floor of a room");
+    widgets::test::keepPicture(*s.view, "map-house");
+    for (int i = 0; i < 5; ++i) widgets::test::click(*s.view, "fieldZoomIn");
+    s.canvas->setViewport({false, s.canvas->viewport().scale, {12, 8}, 0});
+    s.press(12, 8, Qt::ControlModifier);
+    s.move(12.8, 8.6);
+    s.release(12.8, 8.6);
+    QVERIFY(!s.goal().any_heading());
+    QVERIFY(std::abs(s.goal().pose_in_field().x() - 12) < 0.05);
+  }
+
   void showsARealBuilding() {
-    const auto map = DriveWorld::sharedMap("columbia.map");
+    const auto map = DriveWorld::mapOf("../shared/data/arcos/columbia.map");
     if (map.lines_size() == 0) QSKIP("../shared/data/arcos/columbia.map is not there");
     ShownMapView s(map, {760, 900});
     QCOMPARE(s.canvas->map()->points_size(), 2 * 63311);

@@ -17,6 +17,7 @@
 #include <QTreeWidget>
 
 #include "robotlink/arcos/codec/Command.h"
+#include "tests/robotlink/arcos/Recordings.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"
@@ -313,15 +314,20 @@ class PacketInspectorTest : public QObject {
     QVERIFY(!child<QToolButton>(*s.view, "packetReplayCancel").isEnabled());
   }
 
-  void showsAWholePicture() {
+  void showsAWholeConversation_data() {
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("real") << QStringLiteral("real") << QStringLiteral("simpleMotionCommands");
+    QTest::newRow("made") << QStringLiteral("made") << QStringLiteral("drive");
+  }
+  void showsAWholeConversation() {
+    QFETCH(QString, source);
+    QFETCH(QString, name);
     ShownInspector s;
-    const std::filesystem::path wire = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
-                                       "../shared/data/arcos/wire/simpleMotionCommands.wire.xz";
+    const auto found = robotlink::arcos::conversation(source.toStdString(), name.toStdString());
+    if (!found) QSKIP("the recorded conversations are not in ../shared/data/arcos/wire");
     QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("simpleMotionCommands.wire"));
-    const std::string unpack = "xz -dc '" + wire.string() + "' > '" + file.toStdString() + "' 2>/dev/null";
-    if (std::system(unpack.c_str()) != 0) QSKIP("the recorded conversations are not there");
-    QVERIFY(s.view->openConversation(file));
+    QVERIFY(s.view->openConversation(fileOf(folder, writeConversation(*found))));
     QVERIFY(s.rows() > 100);
     for (int row = 0; row < s.rows(); ++row)
       QVERIFY2(!s.cell(row, PacketModel::kName).isEmpty(), qPrintable(s.cell(row, PacketModel::kSummary)));

@@ -4,6 +4,7 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <set>
@@ -15,35 +16,51 @@
 
 namespace modules {
 
-/// The context of a single solution of a Pioneer's program: the test sets its inputs and reads its outputs.
-/// All its debug keys are on.
-class OneSolution final : public robotlink::SolutionContext {
+/// The context of a single solution, what a process is in a program: the test sets its inputs and reads its
+/// outputs.
+class OneSolution : public robotlink::SolutionContext {
  public:
   /// Time between two frames, s.
   static constexpr double kFrame = 0.1;
 
+  /// The robot whose program it is a part of.
+  struct Robot {
+    std::shared_ptr<const robotlink::GroundMap> map;
+    std::string name = "p3at1";
+    /// In resources/robots.
+    std::string description = "p3at.yaml";
+    /// Whether all debug keys of the solution are on.
+    bool keys = true;
+  };
+
+  OneSolution(const std::string& task, const std::string& name) : OneSolution(task, name, Robot()) {}
   /// `setUp` sets the parameters before the solution is created.
-  OneSolution(const std::string& task, const std::string& name,
-              std::shared_ptr<const robotlink::GroundMap> map = nullptr,
+  OneSolution(const std::string& task, const std::string& name, Robot robot,
               const std::function<void(google::protobuf::Message&)>& setUp = {})
-      : debug_("navigation", clock_, {}), description_(robotlink::SolutionRegistry::find(task, name)) {
-    setup_.name = "p3at1";
+      : debug_("process", clock_, {}), description_(robotlink::SolutionRegistry::find(task, name)) {
+    setenv("ROBOTCONTROL_RESOURCES", ROBOTCONTROL_SOURCE_DIR "/resources", 1);
+    setup_.name = robot.name;
     setup_.description =
-        *robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/p3at.yaml");
-    setup_.map = std::move(map);
+        *robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/" + robot.description);
+    setup_.map = std::move(robot.map);
     if (description_->parameters != nullptr) parameters_.reset(description_->parameters->New());
     if (setUp) setUp(*parameters_);
     for (const auto* names : {&description_->required, &description_->optional})
       for (const std::string& package : *names) slots_[package];
-    for (const int key : description_->keys) {
-      robotcontrol::KeyMode mode;
-      mode.set_kind(robotcontrol::KeyMode::ALWAYS);
-      debug_.setMode(key, mode);
-    }
+    if (robot.keys) switchOnKeys();
     // Messages of its constructor belong to the first frame.
     solution_ = description_->create(*this);
   }
 
+  /// Switches on all debug keys of the solution, or those of a name.
+  void switchOnKeys(const std::string& name = {}) {
+    robotcontrol::KeyMode mode;
+    mode.set_kind(robotcontrol::KeyMode::ALWAYS);
+    for (const int key : description_->keys) {
+      const std::string& known = robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name;
+      if (name.empty() || known == name) debug_.setMode(key, mode);
+    }
+  }
   /// Sets an input for the next frame.
   template <typename T>
   void set(robotlink::Package<T> package, T value) {
@@ -70,6 +87,8 @@ class OneSolution final : public robotlink::SolutionContext {
   /// Advances the clock.
   void pass(double seconds = kFrame) { clock_.advance(robotlink::fromSeconds(seconds)); }
 
+  /// The paths and texts of all debug messages since the last call.
+  std::set<std::string> takeReported() { return std::exchange(reported_, {}); }
   /// Number of occurrences of each text.
   const std::map<std::string, int>& texts() const { return texts_; }
   /// Whether a text contains a part.
@@ -109,7 +128,10 @@ class OneSolution final : public robotlink::SolutionContext {
       const auto queue = debug_.takeQueue();
       for (const auto& message : queue->messages()) {
         paths_.insert(message.path());
-        if (message.has_text()) ++texts_[message.text().message()];
+        reported_.insert(message.path());
+        if (!message.has_text()) continue;
+        ++texts_[message.text().message()];
+        reported_.insert(message.text().message());
       }
     }
   }
@@ -123,7 +145,7 @@ class OneSolution final : public robotlink::SolutionContext {
   std::map<std::string, robotlink::PackagePtr> outputs_;
   std::unique_ptr<robotlink::Solution> solution_;
   std::map<std::string, int> texts_;
-  std::set<std::string> paths_;
+  std::set<std::string> paths_, reported_;
   int frame_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program of today on the log of a real robot.
+// The program of today on whole logs of 2009: that of a real robot, and one that was made up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/ReplayFixture.h"
+#include "tests/game/Data.h"
+#include "tests/game/Log.h"
 
 using namespace app;
 using namespace app::testing;
@@ -18,14 +20,28 @@ using ::testing::HasSubstr;
 
 namespace {
 
-class RealLogReplay : public ::testing::Test {
+/// What is known of a log.
+struct Figures {
+  std::size_t images = 0;
+  Instant firstImage;
+  /// A frame in the middle of it.
+  std::uint64_t frame = 0;
+};
+
+/// The parameter is the source of the log.
+class WholeLogReplay : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(realLog())) GTEST_SKIP() << "needs " << realLog();
+    if (!std::filesystem::exists(log())) GTEST_SKIP() << "the real log is not at " << log();
   }
-  static ReplayOptions options() {
-    ReplayOptions options = replayOf({{realLog()}});
-    options.colorTable = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
+  std::filesystem::path log() const { return game::dataOf(GetParam()) / "logs/bhuman2009.log"; }
+  Figures expected() const {
+    if (GetParam() == "real") return {160, at(486.749), 100};
+    return {game::View::kCount, game::Log::imageTime(0), 8};
+  }
+  ReplayOptions options() const {
+    ReplayOptions options = replayOf({{log()}});
+    options.colorTable = (game::dataOf(GetParam()) / "colour/bhuman2009/tables/default.c64").string();
     options.publishAllPackages = true;
     return options;
   }
@@ -38,9 +54,10 @@ ControlReplay::PackageSource sourceOf(const robotcontrol::ReplayStatus& status, 
   return ControlReplay::AUTOMATIC;
 }
 
-/// Some streams of the real log left out.
-void copyWithout(const std::set<std::string>& streams, const std::filesystem::path& to) {
-  const auto log = logplayer::LogFile::open(realLog(), {});
+/// Copies a log, with some of its streams left out.
+void copyWithout(const std::set<std::string>& streams, const std::filesystem::path& from,
+                 const std::filesystem::path& to) {
+  const auto log = logplayer::LogFile::open(from, {});
   ASSERT_TRUE(log.has_value());
   const auto writer = logplayer::LogWriter::create(to, {});
   ASSERT_TRUE(writer.has_value());
@@ -53,7 +70,7 @@ void copyWithout(const std::set<std::string>& streams, const std::filesystem::pa
 
 }  // namespace
 
-TEST_F(RealLogReplay, perceptionIsRecomputedOnTheLoggedImagesAndPoses) {
+TEST_P(WholeLogReplay, perceptionIsRecomputedOnTheLoggedImagesAndPoses) {
   Replay replay(options());
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   const auto status = replay.status();
@@ -68,18 +85,18 @@ TEST_F(RealLogReplay, perceptionIsRecomputedOnTheLoggedImagesAndPoses) {
   EXPECT_EQ(replay.run->description("nao")->name, "nao");
   replay.playToEnd();
   EXPECT_TRUE(replay.troubles.empty()) << replay.troubles.front();
-  EXPECT_EQ(replay.countOn("nao/camera/image"), 160U);
-  EXPECT_EQ(replay.countOn("nao/percepts/ball"), 160U);
-  EXPECT_EQ(replay.countOn("nao/models/ball"), 160U);
+  EXPECT_EQ(replay.countOn("nao/camera/image"), expected().images);
+  EXPECT_EQ(replay.countOn("nao/percepts/ball"), expected().images);
+  EXPECT_EQ(replay.countOn("nao/models/ball"), expected().images);
 }
 
 /// As if the robot had told less of itself.
-TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
-  const auto folder = logplayer::TemporaryFolder::make();
+TEST_P(WholeLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
+  const TestFolder folder;
   ReplayOptions compact = options();
-  compact.logs = {{folder->path() / "less.mcap"}};
+  compact.logs = {{folder / "less.mcap"}};
   compact.layout = robotlink::resource("layouts/compact.yaml");
-  copyWithout({"nao/joints/states", "nao/camera/pose"}, compact.logs[0].file);
+  copyWithout({"nao/joints/states", "nao/camera/pose"}, log(), compact.logs[0].file);
   Replay replay(compact);
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   ASSERT_TRUE(replay.run->jump(replay.run->begin()).empty());
@@ -108,18 +125,19 @@ TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
     for (const auto& solution : row->solutions())
       EXPECT_THAT(solution.unavailable(), HasSubstr("unavailable because "));
   }
-  for (int i = 0; i < 20; ++i) ASSERT_TRUE(replay.run->step());
+  for (int i = 0; i < 20 && replay.run->step(); ++i) {
+  }
   EXPECT_GT(replay.countOn("nao/percepts/regions"), 3U) << "what has its inputs runs";
   EXPECT_EQ(replay.countOn("nao/percepts/ball"), 0U);
 }
 
-TEST_F(RealLogReplay, theFirstFrameShowsAtOnceWithWhatIsComputedOnIt) {
+TEST_P(WholeLogReplay, theFirstFrameShowsAtOnceWithWhatIsComputedOnIt) {
   Replay replay(options());
   ASSERT_TRUE(replay.run);
   EXPECT_TRUE(replay.reported.empty());
   // The log begins with joint angles.
   const auto first = replay.run->frameTime(replay.run->stepProcess(), 0);
-  EXPECT_EQ(first, at(486.749));
+  EXPECT_EQ(first, expected().firstImage);
   ASSERT_TRUE(replay.run->jump(*first).empty());
   const auto* image = replay.lastOn("nao/camera/image");
   ASSERT_NE(image, nullptr);
@@ -131,8 +149,8 @@ TEST_F(RealLogReplay, theFirstFrameShowsAtOnceWithWhatIsComputedOnIt) {
   EXPECT_EQ(replay.lastOn("nao/percepts/regions")->time, *first);
 }
 
-TEST_F(RealLogReplay, theSameTwiceGivesTheSameBytesAndAnotherSolutionOthers) {
-  const auto bytesWith = [](const std::string& solution) {
+TEST_P(WholeLogReplay, theSameTwiceGivesTheSameBytesAndAnotherSolutionOthers) {
+  const auto bytesWith = [this](const std::string& solution) {
     ReplayOptions overrides = options();
     if (!solution.empty()) overrides.solutions["ball-percept"] = solution;
     Replay replay(overrides);
@@ -144,15 +162,15 @@ TEST_F(RealLogReplay, theSameTwiceGivesTheSameBytesAndAnotherSolutionOthers) {
   EXPECT_NE(first, bytesWith("circle-fit"));
 }
 
-TEST_F(RealLogReplay, steppingBackShowsTheFrameBefore) {
+TEST_P(WholeLogReplay, steppingBackShowsTheFrameBefore) {
   Replay replay(options());
-  ASSERT_TRUE(replay.run->jump(*replay.run->timeOfFrame("nao/cognition", 100)).empty());
-  EXPECT_EQ(replay.status().frame(), 100U);
+  ASSERT_TRUE(replay.run->jump(*replay.run->timeOfFrame("nao/cognition", expected().frame)).empty());
+  EXPECT_EQ(replay.status().frame(), expected().frame);
   const auto back = replay.run->frameTime("nao/cognition", -1);
   ASSERT_TRUE(back);
   replay.reported.clear();
   ASSERT_TRUE(replay.run->jump(*back).empty());
-  EXPECT_EQ(replay.status().frame(), 99U);
+  EXPECT_EQ(replay.status().frame(), expected().frame - 1);
   EXPECT_EQ(replay.countOn("nao/camera/image"), 1U);
   EXPECT_EQ(replay.lastOn("nao/camera/image")->time, *back);
   EXPECT_EQ(replay.lastOn("nao/percepts/ball")->time, *back);
@@ -162,3 +180,6 @@ TEST_F(RealLogReplay, steppingBackShowsTheFrameBefore) {
   ASSERT_TRUE(replay.run->jump(*back).empty());
   EXPECT_EQ(replay.digestOn("nao/models/ball"), once);
 }
+
+INSTANTIATE_TEST_SUITE_P(Logs, WholeLogReplay, ::testing::ValuesIn(game::kSources),
+                         [](const auto& source) { return source.param; });

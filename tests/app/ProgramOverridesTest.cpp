@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/ProgramOverrides.h"
+
+#include <gmock/gmock.h>
+
+namespace app {
+namespace {
+
+using robotcontrol::KeyMode;
+using robotcontrol::Request;
+using testing::ElementsAre;
+
+Request key(const std::string& name, KeyMode::Kind kind) {
+  Request request;
+  request.mutable_set_key()->set_name(name);
+  request.mutable_set_key()->mutable_mode()->set_kind(kind);
+  return request;
+}
+Request solution(const std::string& task, const std::string& name) {
+  Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(name);
+  return request;
+}
+Request parameters(const std::string& task, const std::string& of, const std::string& data) {
+  Request request;
+  request.mutable_set_parameters()->set_task(task);
+  request.mutable_set_parameters()->set_solution(of);
+  request.mutable_set_parameters()->mutable_value()->set_data(data);
+  return request;
+}
+Request colors(const std::string& cells) {
+  Request request;
+  request.mutable_set_color_table()->mutable_table()->set_cells(cells);
+  return request;
+}
+
+/// "key a", "parameters ball/region 1", ...: what a new program is asked for.
+std::vector<std::string> asked(const ProgramOverrides& overrides) {
+  std::vector<std::string> lines;
+  for (const Request& request : overrides.requests("red1")) {
+    EXPECT_EQ(request.robot(), "red1");
+    if (request.has_set_key()) lines.push_back("key " + request.set_key().name());
+    if (request.has_select_solution())
+      lines.push_back(request.select_solution().task() + " by " + request.select_solution().solution());
+    if (request.has_set_parameters()) {
+      const auto& set = request.set_parameters();
+      lines.push_back("parameters " + set.task() + "/" + set.solution() + " " + set.value().data());
+    }
+    if (request.has_set_color_table()) lines.push_back("colors " + request.set_color_table().table().cells());
+    if (request.has_send_tables()) lines.emplace_back("tables");
+  }
+  return lines;
+}
+
+TEST(ProgramOverrides, withoutAnyOnlyTheTablesAreAskedFor) {
+  EXPECT_THAT(asked({}), ElementsAre("tables"));
+}
+
+TEST(ProgramOverrides, ofEachThingTheLastChoiceCounts) {
+  ProgramOverrides overrides;
+  for (const char* name : {"region", "circle-fit"}) EXPECT_TRUE(overrides.note(solution("ball", name)));
+  for (const char* data : {"1", "2"}) EXPECT_TRUE(overrides.note(parameters("ball", "region", data)));
+  EXPECT_TRUE(overrides.note(key("a", KeyMode::ALWAYS)));
+  EXPECT_TRUE(overrides.note(key("a", KeyMode::EVERY_N)));
+  EXPECT_THAT(asked(overrides),
+              ElementsAre("key a", "parameters ball/region 2", "ball by circle-fit", "tables"));
+  EXPECT_EQ(overrides.keys().at("a").kind(), KeyMode::EVERY_N);
+}
+
+TEST(ProgramOverrides, keysThatAreOffOrWereOnForSomeFramesAreForgotten) {
+  ProgramOverrides overrides;
+  overrides.note(key("off", KeyMode::ALWAYS));
+  overrides.note(key("off", KeyMode::OFF));
+  overrides.note(key("thrice", KeyMode::N_TIMES));
+  overrides.note(key("on", KeyMode::EVERY_MS));
+  EXPECT_THAT(asked(overrides), ElementsAre("key on", "tables"));
+}
+
+TEST(ProgramOverrides, parametersOfTheActiveSolutionComeAfterItsChoice) {
+  ProgramOverrides overrides;
+  overrides.note(parameters("ball", "", "of the active one"));
+  overrides.note(parameters("ball", "region", "of one"));
+  overrides.note(solution("ball", "region"));
+  EXPECT_THAT(asked(overrides), ElementsAre("parameters ball/region of one", "ball by region",
+                                            "parameters ball/ of the active one", "tables"));
+}
+
+TEST(ProgramOverrides, aColorTableWithoutCellsTakesBackTheLast) {
+  ProgramOverrides overrides;
+  EXPECT_TRUE(overrides.note(colors("cells")));
+  EXPECT_THAT(asked(overrides), ElementsAre("colors cells", "tables"));
+  EXPECT_TRUE(overrides.note(colors("")));
+  EXPECT_EQ(overrides.colorTable(), nullptr);
+  EXPECT_THAT(asked(overrides), ElementsAre("tables"));
+}
+
+TEST(ProgramOverrides, whatIsForTheMomentIsNotKept) {
+  ProgramOverrides overrides;
+  Request goal;
+  goal.mutable_set_goal()->set_name("Kitchen");
+  EXPECT_FALSE(overrides.note(goal));
+  Request tables;
+  tables.mutable_send_tables();
+  EXPECT_FALSE(overrides.note(tables));
+  EXPECT_FALSE(overrides.note({}));
+  EXPECT_THAT(asked(overrides), ElementsAre("tables"));
+}
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/SolutionChoices.h"
+
+#include <gtest/gtest.h>
+
+#include "robotlink/process/Layout.h"
+
+namespace app {
+namespace {
+
+using robotlink::Layout;
+using robotlink::TaskCatalog;
+
+TaskCatalog catalog() {
+  TaskCatalog catalog;
+  for (const auto& [task, solutions] : std::map<std::string, std::vector<std::string>>{
+           {"ball-percept", {"region", "circle-fit"}}, {"motion", {"wheel-model"}}}) {
+    TaskCatalog::Task added;
+    added.name = task;
+    for (const std::string& name : solutions) {
+      TaskCatalog::Solution solution;
+      solution.name = name;
+      added.solutions.push_back(solution);
+    }
+    catalog.tasks[task] = added;
+  }
+  return catalog;
+}
+
+Layout layoutWith(const std::string& task) {
+  Layout layout;
+  layout.processes.emplace_back();
+  layout.processes[0].tasks.push_back({task, "any", {}});
+  return layout;
+}
+
+std::string problems(const std::map<std::string, std::string>& solutions,
+                     const std::vector<Layout>& layouts) {
+  std::vector<const Layout*> pointers;
+  for (const Layout& layout : layouts) pointers.push_back(&layout);
+  return describe(checkSolutions(solutions, catalog(), pointers));
+}
+
+TEST(SolutionChoices, whatOneOfTheLayoutsHasIsFine) {
+  EXPECT_EQ(problems({}, {}), "");
+  EXPECT_EQ(problems({{"ball-percept", "circle-fit"}, {"motion", "wheel-model"}},
+                     {layoutWith("motion"), layoutWith("ball-percept")}),
+            "");
+}
+
+TEST(SolutionChoices, tasksAndSolutionsThatThereAreNoneOfAreSaidWithThoseThatThereAre) {
+  const std::vector<Layout> one{layoutWith("ball-percept")};
+  EXPECT_EQ(problems({{"telepathy", "any"}}, one), "there is no task 'telepathy'; there are ball-percept");
+  EXPECT_EQ(problems({{"motion", "wheel-model"}}, one),
+            "no robot here has the task 'motion' in its layout; there are ball-percept");
+  EXPECT_EQ(problems({{"ball-percept", "guess"}}, one),
+            "task ball-percept has no solution 'guess'; it has circle-fit, region");
+  EXPECT_EQ(problems({{"motion", "wheel-model"}}, {}),
+            "no robot here has the task 'motion' in its layout; no robot has any task");
+}
+
+TEST(SolutionChoices, allThatIsWrongIsSaidAtOnce) {
+  const auto layout = layoutWith("ball-percept");
+  EXPECT_EQ(checkSolutions({{"a", "b"}, {"ball-percept", "guess"}, {"c", "d"}}, catalog(), {&layout}).size(),
+            3U);
+}
+
+}  // namespace
+}  // namespace app
