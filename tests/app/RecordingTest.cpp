@@ -12,6 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace app;
@@ -34,7 +35,9 @@ class RecordingTest : public ::testing::Test {
     recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
     if (recordFromTheStart) start("a.mcap");
     SimulatedRun::Listeners listeners;
-    listeners.queue = [this](const std::string&, const auto& queue) { reported += queue->ByteSizeLong(); };
+    listeners.queue = [this](const std::string&, const auto& queue) {
+      reported += toWire(*queue).ByteSizeLong();
+    };
     auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
     ASSERT_TRUE(made.has_value());
     run = std::move(*made);

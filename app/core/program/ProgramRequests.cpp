@@ -5,6 +5,7 @@
 
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -78,22 +79,21 @@ void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
   std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }
 
-void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
+void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
   const std::lock_guard lock(mutex_);
   if (open_.empty()) return;
-  for (const auto& message : queue.messages()) {
-    if (!message.has_result()) continue;
-    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& open) {
-      return open.request.id() == message.result().id();
-    });
+  for (const auto& message : queue.messages) {
+    const auto* result = message.as<robotcontrol::RequestResult>();
+    if (result == nullptr) continue;
+    const auto found = std::find_if(open_.begin(), open_.end(),
+                                    [&](const Open& open) { return open.request.id() == result->id(); });
     if (found == open_.end()) continue;
-    if (message.result().accepted() && !found->reported && !isOwn(found->request))
-      overrides_.note(found->request);
+    if (result->accepted() && !found->reported && !isOwn(found->request)) overrides_.note(found->request);
     open_.erase(found);
   }
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
+std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCome(
     robotlink::RobotProgram& program, robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
   if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.reported; })) return nullptr;

@@ -13,12 +13,10 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/debugging/RequestPreview.h"
 
-namespace robotcontrol {
-class DebugQueue;
-}
 namespace robotlink {
 class RobotProgram;
-}
+struct SharedDebugQueue;
+}  // namespace robotlink
 
 namespace app {
 
@@ -46,13 +44,13 @@ class ProgramRequests {
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);
   /// Looks for results in a debug queue of the program: these requests are done, and what was accepted
   /// becomes an override.
-  void answered(const robotcontrol::DebugQueue& queue);
+  void answered(const robotlink::SharedDebugQueue& queue);
   /// To be called when the program has run, since its state no longer is that of the preview.
   void ran() { preview_.reset(); }
   /// Returns the results that the program will give in its next frames, each only once over all calls; null
   /// if there are none. Lets a paused simulation answer at once.
-  std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program,
-                                                                robotlink::Instant now);
+  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome(robotlink::RobotProgram& program,
+                                                                   robotlink::Instant now);
 
   /// A copy of the overrides so far.
   ProgramOverrides overrides() const;

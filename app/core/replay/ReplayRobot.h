@@ -46,7 +46,7 @@ class ReplayRobot {
   /// Functions that are called with what the program publishes; must not be empty.
   struct Listeners {
     /// Called with each debug queue.
-    std::function<void(std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called with the rest of a sentence about a process: "waits for ...".
     std::function<void(const robotlink::Process&, const std::string&)> trouble;
   };
@@ -143,7 +143,7 @@ class ReplayRobot {
   /// Keeps a request that is an override.
   void remember(const robotcontrol::Request& request);
   /// Removes answered requests from unanswered_.
-  void noticeAnswers(const robotcontrol::DebugQueue& queue);
+  void noticeAnswers(const robotlink::SharedDebugQueue& queue);
 
   const std::shared_ptr<logplayer::LogFile> log_;
   const std::string logName_;

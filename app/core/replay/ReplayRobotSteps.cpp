@@ -5,6 +5,7 @@
 #include "app/core/program/ColorTables.h"
 #include "app/core/replay/ReplayRobotProgram.h"
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -182,10 +183,11 @@ void ReplayRobot::remember(const Request& request) {
   if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
 }
 
-void ReplayRobot::noticeAnswers(const robotcontrol::DebugQueue& queue) {
+void ReplayRobot::noticeAnswers(const robotlink::SharedDebugQueue& queue) {
   if (unanswered_.empty()) return;
-  for (const auto& message : queue.messages()) {
-    if (message.has_result()) unanswered_.erase(message.result().id());
+  for (const auto& message : queue.messages) {
+    const auto* result = message.as<robotcontrol::RequestResult>();
+    if (result != nullptr) unanswered_.erase(result->id());
   }
 }
 

@@ -16,10 +16,11 @@ namespace streams = robotlink::streams;
 
 using logplayer::LogFile;
 using robotcontrol::ControlReplay;
-using robotcontrol::DebugQueue;
 using robotlink::Duration;
 using robotlink::Errors;
 using robotlink::Instant;
+using robotlink::SharedDebugMessage;
+using robotlink::SharedDebugQueue;
 using robotlink::StreamMessage;
 
 namespace {
@@ -36,11 +37,12 @@ bool isFrameEnd(const StreamMessage& message) {
 }
 
 /// Returns a queue with an offset added to all times; the same one if that is 0.
-std::shared_ptr<const DebugQueue> moved(const std::shared_ptr<const DebugQueue>& queue, Duration offset) {
+std::shared_ptr<const SharedDebugQueue> moved(const std::shared_ptr<const SharedDebugQueue>& queue,
+                                              Duration offset) {
   if (offset == Duration::zero()) return queue;
-  auto copy = std::make_shared<DebugQueue>(*queue);
-  for (auto& message : *copy->mutable_messages()) {
-    robotlink::assign(*message.mutable_timestamp(), robotlink::instant(message.timestamp()) + offset);
+  auto copy = std::make_shared<SharedDebugQueue>(*queue);
+  for (SharedDebugMessage& message : copy->messages) {
+    if (message.time) *message.time += offset;
   }
   return copy;
 }
@@ -184,7 +186,7 @@ void ReplayRun::Implementation::publish(Source& source, const std::vector<Stream
 }
 
 void ReplayRun::Implementation::hear(const Source& source, const std::string& robot,
-                                     const std::shared_ptr<const DebugQueue>& queue) {
+                                     const std::shared_ptr<const SharedDebugQueue>& queue) {
   const auto shown = moved(queue, source.log.offset);
   if (!quiet) {
     if (listeners.queue) listeners.queue(robot, shown);
@@ -192,7 +194,7 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
   }
   const auto reader =
       options.publishAllPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
-  auto taken = robotlink::messagesOf(robot, shown, now, reader);
+  auto taken = robotlink::messagesOf(robot, *shown, now, reader);
   for (StreamMessage& message : taken.messages) {
     if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
       history.push_back(std::move(message));
@@ -200,11 +202,11 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
       newest[message.path] = std::move(message);
     }
   }
-  for (const auto& message : shown->messages()) {
-    if (!message.has_result()) continue;
-    if (!answers) answers = std::make_shared<DebugQueue>();
-    answers->set_process(shown->process());
-    *answers->add_messages() = message;
+  for (const SharedDebugMessage& message : shown->messages) {
+    if (message.as<robotcontrol::RequestResult>() == nullptr) continue;
+    if (!answers) answers = std::make_shared<SharedDebugQueue>();
+    answers->process = shown->process;
+    answers->messages.push_back(message);
   }
 }
 

@@ -23,6 +23,7 @@ namespace robotlink {
 class Process;
 struct FieldDescription;
 struct RobotDescription;
+struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
@@ -80,7 +81,7 @@ class ReplayRun {
     /// of every stream, including those of the programs.
     std::function<void(std::vector<robotlink::StreamMessage>)> logged;
     /// Called with the debug queues of programs, and after a jump with the results of requests.
-    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(const std::string& robot, std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called with a sentence if something is wrong with a process.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;

@@ -11,6 +11,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Solution.h"
 
 namespace modules {
@@ -107,9 +108,9 @@ class OneSolution final : public robotlink::SolutionContext {
   void remember() {
     while (debug_.hasQueue()) {
       const auto queue = debug_.takeQueue();
-      for (const auto& message : queue->messages()) {
-        paths_.insert(message.path());
-        if (message.has_text()) ++texts_[message.text().message()];
+      for (const auto& message : queue->messages) {
+        paths_.insert(message.path);
+        if (const auto* text = message.as<foxglove::Log>()) ++texts_[text->message()];
       }
     }
   }

@@ -12,6 +12,7 @@
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Solution.h"
 
 namespace modules {
@@ -64,9 +65,9 @@ class OneSolution final : public robotlink::SolutionContext {
     std::set<std::string> result;
     while (debug_.hasQueue()) {
       const auto queue = debug_.takeQueue();
-      for (const auto& message : queue->messages()) {
-        result.insert(message.path());
-        if (message.has_text()) result.insert(message.text().message());
+      for (const auto& message : queue->messages) {
+        result.insert(message.path);
+        if (const auto* text = message.as<foxglove::Log>()) result.insert(text->message());
       }
     }
     return result;
