@@ -49,6 +49,16 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
   return lost;
 }
 
+void ProgramRequests::beginOverridden() {
+  const std::lock_guard lock(mutex_);
+  preview_.reset();
+  for (Open& open : open_) open.handed = open.previewed = false;
+}
+
+void ProgramRequests::note(const Request& request) {
+  if (overrides_.note(request) && overridden_) overridden_(request);
+}
+
 void ProgramRequests::addOwn(Request request) {
   request.set_id(kOwnIds | ++ownRequests_);
   open_.push_back({std::move(request)});
@@ -74,7 +84,7 @@ void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
     if (!give(open.request)) break;
     open.handed = true;
     // Without an id no result will come.
-    if (open.request.id() == 0) overrides_.note(open.request);
+    if (open.request.id() == 0) note(open.request);
   }
   std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }
@@ -88,7 +98,7 @@ void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
     const auto found = std::find_if(open_.begin(), open_.end(),
                                     [&](const Open& open) { return open.request.id() == result->id(); });
     if (found == open_.end()) continue;
-    if (result->accepted() && !found->reported && !isOwn(found->request)) overrides_.note(found->request);
+    if (result->accepted() && !found->reported && !isOwn(found->request)) note(found->request);
     open_.erase(found);
   }
 }
@@ -106,7 +116,7 @@ std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCom
     if (std::exchange(open.reported, true)) {
       preview_->add(open.request);
     } else if (preview_->answer(open.request) && !isOwn(open.request)) {
-      overrides_.note(open.request);
+      note(open.request);
     }
   }
   return preview_->takeQueue(now);

@@ -77,14 +77,14 @@ Errors ReplayRun::Implementation::open() {
   }
   bool hasWorld = false;
   for (std::size_t i = 0; i < options.logs.size(); ++i) {
-    LogFile::Options overrides;
+    LogFile::Options opening;
     if (options.progress) {
       const double count = static_cast<double>(options.logs.size());
-      overrides.progress = [this, i, count](double share) {
+      opening.progress = [this, i, count](double share) {
         return options.progress((static_cast<double>(i) + share) / count);
       };
     }
-    auto file = LogFile::open(options.logs[i].file, std::move(overrides));
+    auto file = LogFile::open(options.logs[i].file, std::move(opening));
     if (!file) return {file.error()};
     options.logs[i].offset = offsetOf(options.logs[i], **file);
     auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
@@ -114,10 +114,11 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     const std::string name = freeName(logName);
     ReplayChoices choices;
     choices.layout = options.layout;
+    ProgramOverrides overrides;
     if (const auto before = options.overrides.find(name); before != options.overrides.end())
-      choices.overrides = before->second;
-    for (const auto& [task, solution] : options.solutions) choices.overrides.chooseSolution(task, solution);
-    if (colorTable) choices.overrides.chooseColorTable(colorTable);
+      overrides = before->second;
+    for (const auto& [task, solution] : options.solutions) overrides.chooseSolution(task, solution);
+    if (colorTable) overrides.chooseColorTable(colorTable);
     choices.recomputeAll = options.recomputeAll;
     choices.publishAllPackages = options.publishAllPackages;
     for (const std::string& prefix : {std::string("*/"), name + "/"}) {
@@ -130,8 +131,9 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     ears.trouble = [this, name](const robotlink::Process& process, const std::string& text) {
       if (listeners.trouble) listeners.trouble(name, process, "Process " + process.name() + " " + text);
     };
-    auto& robot = *source.robots.emplace_back(std::make_unique<ReplayRobot>(
-        source.reader.filePointer(), logName, name, std::move(choices), std::move(ears)));
+    auto& robot = *source.robots.emplace_back(
+        std::make_unique<ReplayRobot>(source.reader.filePointer(), logName, name, std::move(choices),
+                                      std::move(overrides), std::move(ears)));
     source.byLogName[logName] = &robot;
     if (Errors errors = robot.start(source.reader.file().begin()); !errors.empty()) return errors;
   }
@@ -382,10 +384,21 @@ robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request)
   return robot->request(request);
 }
 
+std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
+  std::vector<Answers> all;
+  for (const auto& source : implementation_->sources) {
+    for (const auto& robot : source->robots) {
+      if (const auto queue = robot->answersToCome())
+        all.emplace_back(robot->name(), moved(queue, source->log.offset));
+    }
+  }
+  return all;
+}
+
 std::map<std::string, ProgramOverrides> ReplayRun::overrides() const {
   std::map<std::string, ProgramOverrides> all;
   for (const auto& source : implementation_->sources) {
-    for (const auto& robot : source->robots) all[robot->name()] = robot->choices().overrides;
+    for (const auto& robot : source->robots) all[robot->name()] = robot->overrides();
   }
   return all;
 }
