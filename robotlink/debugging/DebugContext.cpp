@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/DebugContext.h"
 
-#include <google/protobuf/timestamp.pb.h>
 #include <deque>
+#include <iterator>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Utf8.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace robotlink {
 
-using robotcontrol::DebugMessage;
 using robotcontrol::KeyMode;
 
 namespace {
 
-using Messages = std::vector<std::unique_ptr<DebugMessage>>;
+using Messages = std::vector<SharedDebugMessage>;
 
 struct CompleteFrame {
   Messages messages;
   std::size_t bytes = 0;
 };
+
+/// About the bytes of a message on a wire. Counting them costs less than writing them; of images and tables,
+/// which are large, next to nothing.
+std::size_t wireSizeOf(const SharedDebugMessage& message) {
+  constexpr std::size_t kAround = 24;  // the timestamp, and the fields' numbers and lengths
+  return kAround + message.path.size() + message.content->ByteSizeLong();
+}
 
 foxglove::Log::Level logLevel(Level level) {
   switch (level) {
@@ -47,7 +54,7 @@ struct DebugContext::Frame {
   struct Begun {
     const char* stream;
     int key;
-    DebugMessage* message;
+    google::protobuf::Message* content;
   };
   // Its drawings and images; one message per stream and key.
   std::vector<Begun> begun;
@@ -118,13 +125,13 @@ void DebugContext::beginFrame(Instant now, std::uint64_t number) {
 }
 
 void DebugContext::endFrame() {
-  auto& info = *add(streams::kFrames + process_).mutable_frame();
+  auto& info = add<robotcontrol::FrameInfo>(streams::kFrames + process_);
   assign(*info.mutable_timestamp(), frame_->now);
   info.set_process(process_);
   info.set_number(frame_->number);
   CompleteFrame complete{std::exchange(frame_->messages, {}), 0};
   frame_->begun.clear();
-  for (const auto& message : complete.messages) complete.bytes += message->ByteSizeLong();
+  for (const SharedDebugMessage& message : complete.messages) complete.bytes += wireSizeOf(message);
   frame_->completeBytes += complete.bytes;
   frame_->complete.push_back(std::move(complete));
   while (frame_->completeBytes > options_.maxQueueBytes) {
@@ -135,32 +142,32 @@ void DebugContext::endFrame() {
   }
 }
 
-DebugMessage& DebugContext::add(const std::string& path) {
-  DebugMessage& message = *frame_->messages.emplace_back(std::make_unique<DebugMessage>());
-  message.set_path(path);
-  assign(*message.mutable_timestamp(), frame_->now);
-  return message;
+SharedDebugMessage& DebugContext::package(const std::string& path, PackagePtr package) {
+  return frame_->messages.emplace_back(SharedDebugMessage{path, frame_->now, std::move(package)});
 }
 
-DebugMessage& DebugContext::messageFor(const char* stream, const DebugKey& key) {
+/// A stream has one type of contents.
+template <typename T>
+T& DebugContext::contentFor(const char* stream, const DebugKey& key) {
   for (const Frame::Begun& begun : frame_->begun) {
-    if (begun.key == key.index() && begun.stream == stream) return *begun.message;
+    if (begun.key == key.index() && begun.stream == stream) return static_cast<T&>(*begun.content);
   }
-  DebugMessage& message = add(stream + key.name());
-  frame_->begun.push_back({stream, key.index(), &message});
-  return message;
+  T& content = add<T>(stream + key.name());
+  frame_->begun.push_back({stream, key.index(), &content});
+  return content;
 }
 
 bool DebugContext::hasQueue() const {
   return !frame_->complete.empty();
 }
 
-std::shared_ptr<robotcontrol::DebugQueue> DebugContext::takeQueue() {
-  auto queue = std::make_shared<robotcontrol::DebugQueue>();
-  queue->set_process(process_);
-  queue->set_dropped(dropped_);
+std::shared_ptr<SharedDebugQueue> DebugContext::takeQueue() {
+  auto queue = std::make_shared<SharedDebugQueue>();
+  queue->process = process_;
+  queue->dropped = dropped_;
   for (CompleteFrame& frame : frame_->complete) {
-    for (auto& message : frame.messages) queue->mutable_messages()->AddAllocated(message.release());
+    queue->messages.insert(queue->messages.end(), std::make_move_iterator(frame.messages.begin()),
+                           std::make_move_iterator(frame.messages.end()));
   }
   frame_->complete.clear();
   frame_->completeBytes = 0;
@@ -168,12 +175,12 @@ std::shared_ptr<robotcontrol::DebugQueue> DebugContext::takeQueue() {
 }
 
 ImageDrawing DebugContext::imageDrawing(const DebugKey& key) {
-  return ImageDrawing(*messageFor(streams::kImageDrawings, key).mutable_image_drawing(), frame_->now);
+  return ImageDrawing(contentFor<foxglove::ImageAnnotations>(streams::kImageDrawings, key), frame_->now);
 }
 
 foxglove::SceneEntity& DebugContext::entityFor(const char* stream, const DebugKey& key,
                                                const std::string& frame) {
-  foxglove::SceneUpdate& update = *messageFor(stream, key).mutable_scene_drawing();
+  foxglove::SceneUpdate& update = contentFor<foxglove::SceneUpdate>(stream, key);
   if (update.entities_size() > 0) return *update.mutable_entities(0);
   foxglove::SceneEntity& entity = *update.add_entities();
   assign(*entity.mutable_timestamp(), frame_->now);
@@ -191,7 +198,8 @@ SceneDrawing DebugContext::robotDrawing(const DebugKey& key) {
 }
 
 void DebugContext::image(const DebugKey& key, const ImageView& image) {
-  if (!image.empty()) assign(*messageFor(streams::kImages, key).mutable_image(), image, frame_->now, robot_);
+  if (!image.empty())
+    assign(contentFor<foxglove::RawImage>(streams::kImages, key), image, frame_->now, robot_);
 }
 
 void DebugContext::plot(const DebugKey& key, double value, const char* unit) {
@@ -201,26 +209,18 @@ void DebugContext::plot(const DebugKey& key, double value, const char* unit) {
 void DebugContext::plot(const DebugKey& key, const char* curve, double value, const char* unit) {
   std::string path = streams::kPlots + key.name();
   if (*curve != '\0') path.append("/").append(curve);
-  auto& plotted = *add(path).mutable_plot();
+  auto& plotted = add<robotcontrol::PlotValue>(path);
   assign(*plotted.mutable_timestamp(), frame_->now);
   plotted.set_value(value);
   plotted.set_unit(unit);
 }
 
 void DebugContext::text(Level level, std::string_view source, std::string text) {
-  foxglove::Log& log = *add(streams::kLog).mutable_text();
+  auto& log = add<foxglove::Log>(streams::kLog);
   assign(*log.mutable_timestamp(), frame_->now);
   log.set_level(logLevel(level));
   log.set_message(validUtf8(std::move(text)));
   log.set_name(process_ + "/" + std::string(source));
-}
-
-DebugMessage& DebugContext::package(const std::string& path, const google::protobuf::Message& package) {
-  DebugMessage& message = add(path);
-  auto& copy = *message.mutable_package();
-  copy.set_type(package.GetDescriptor()->full_name());
-  package.SerializeToString(copy.mutable_data());
-  return message;
 }
 
 }  // namespace robotlink

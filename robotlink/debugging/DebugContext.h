@@ -5,26 +5,26 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Image.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/drawing/Drawings.h"
+#include "robotlink/process/Link.h"
 
-namespace google::protobuf {
-class Message;
-}
 namespace foxglove {
 class SceneEntity;
 }
 namespace robotcontrol {
-class DebugMessage;
-class DebugQueue;
 class KeyMode;
-}  // namespace robotcontrol
+}
 
 namespace robotlink {
+
+struct SharedDebugMessage;
+struct SharedDebugQueue;
 
 /// Severity of a text, as in foxglove.Log.
 enum class Level : std::uint8_t { kDebug, kInfo, kWarning, kError };
@@ -67,7 +67,7 @@ class DebugContext {
   SceneDrawing fieldDrawing(const DebugKey& key);
   /// Coordinates in meters in the robot's frame (origin on the ground, x to the front).
   SceneDrawing robotDrawing(const DebugKey& key);
-  /// Publishes an image; of several in a frame only the last is sent. Empty images are ignored.
+  /// Publishes a copy of an image; of several in a frame only the last is sent. Empty images are ignored.
   void image(const DebugKey& key, const ImageView& image);
   /// Publishes a value of a curve, at the time of the frame.
   void plot(const DebugKey& key, double value, const char* unit = "");
@@ -76,8 +76,9 @@ class DebugContext {
 
   /// Logs a text from `source` ("ball-percept"); needs no key. Bytes that are not UTF-8 are replaced.
   void text(Level level, std::string_view source, std::string text);
-  /// Adds a serialized copy of a package with the given path; returns the message for further changes.
-  robotcontrol::DebugMessage& package(const std::string& path, const google::protobuf::Message& package);
+  /// Publishes a package under a path; it is shared, not copied. The message that is returned can be changed
+  /// until the next one is added.
+  SharedDebugMessage& package(const std::string& path, PackagePtr package);
 
   // The rest is for the process that owns the context.
   /// The name of the robot is the frame of robotDrawing() and image().
@@ -90,12 +91,18 @@ class DebugContext {
   void beginFrame(Instant now, std::uint64_t number);
   /// Completes the frame with its FrameInfo and enqueues its messages.
   void endFrame();
-  /// Adds an empty message with the time of the frame; the caller fills in the contents.
-  robotcontrol::DebugMessage& add(const std::string& path);
+  /// Adds a message with the time of the frame and an empty content, which the caller fills in.
+  template <typename T>
+  T& add(const std::string& path) {
+    auto content = std::make_shared<T>();
+    T& result = *content;
+    package(path, std::move(content));
+    return result;
+  }
   /// Whether a complete frame is queued.
   bool hasQueue() const;
   /// Removes and returns the messages of all complete frames since the last call.
-  std::shared_ptr<robotcontrol::DebugQueue> takeQueue();
+  std::shared_ptr<SharedDebugQueue> takeQueue();
   /// How many messages were dropped in total because the queue was full.
   std::uint64_t dropped() const { return dropped_; }
 
@@ -111,8 +118,9 @@ class DebugContext {
   };
   struct Frame;
   bool dueNow(int key);
-  /// The message of the current frame for a key in a stream; added if there is none yet.
-  robotcontrol::DebugMessage& messageFor(const char* stream, const DebugKey& key);
+  /// The content of the current frame for a key in a stream; added if there is none yet.
+  template <typename T>
+  T& contentFor(const char* stream, const DebugKey& key);
   /// The entity of a scene drawing of the current frame.
   foxglove::SceneEntity& entityFor(const char* stream, const DebugKey& key, const std::string& frame);
 

@@ -183,7 +183,7 @@ void DebugProcess::Implementation::takeQueues() {
   for (const auto& channel : channels) {
     auto queue = channel->takeQueue();
     if (!queue) continue;
-    dropped[channel->process()] = queue->dropped();
+    dropped[channel->process()] = queue->dropped;
     tables.notice(*queue);
     if (listener) listener(std::move(queue));
   }
@@ -339,7 +339,7 @@ void DebugProcess::Implementation::sendToAll(const Request& request) {
 
 void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal,
                                           std::uint64_t taken) {
-  auto& published = *debug.add(streams::kResults).mutable_result();
+  auto& published = debug.add<robotcontrol::RequestResult>(streams::kResults);
   published.set_id(request.id());
   published.set_accepted(refusal.empty());
   published.set_reason(refusal);
@@ -378,10 +378,10 @@ void DebugProcess::Implementation::noticeStopped() {
 }
 
 void DebugProcess::Implementation::sendTables() {
-  if (tables.takeKeysChanged()) tables.fillKeys(*debug.add(streams::kKeys).mutable_keys());
+  if (tables.takeKeysChanged()) tables.fillKeys(debug.add<robotcontrol::KeyTable>(streams::kKeys));
   if (tables.takeSolutionsChanged() || solutionsDue) {
     solutionsDue = false;
-    auto& table = *debug.add(streams::kSolutions).mutable_solutions();
+    auto& table = debug.add<robotcontrol::SolutionTable>(streams::kSolutions);
     tables.fillSolutions(names, table);
     addAbsentTasks(routes.absent, table);
   }
@@ -391,13 +391,14 @@ void DebugProcess::Implementation::sendTables() {
       !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
   if (!due) return;
   processTableDue = now + kProcessTablePeriod;
-  fillProcesses(*debug.add(streams::kProcesses).mutable_processes());
+  fillProcesses(debug.add<robotcontrol::ProcessTable>(streams::kProcesses));
 }
 
 /// A program that does not look at colors has none.
 void DebugProcess::Implementation::publishColorTable() {
   if (!colorTable.connected()) return;
-  debug.package(streams::kColorTableInUse, robotlink::colorTableInUse(colorTableInUse.get()));
+  debug.add<robotcontrol::ColorTable>(streams::kColorTableInUse) =
+      robotlink::colorTableInUse(colorTableInUse.get());
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {

@@ -14,7 +14,6 @@
 
 namespace robotcontrol {
 class ColorTable;
-class DebugQueue;
 class KeyTable;
 class ProcessTable;
 class RemoteMotion;
@@ -25,6 +24,7 @@ class SolutionTable;
 namespace robotlink {
 
 class AnySender;
+struct SharedDebugQueue;
 
 /// The process of a layout that is linked to all others: it collects their debug queues and distributes
 /// requests to them. It sends the packages "remote/motion", "remote/goal" and "colors/table" on behalf of the
@@ -39,7 +39,7 @@ class AnySender;
 class DebugProcess final : public Process {
  public:
   /// Called with each debug queue, in this process's thread.
-  using Listener = std::function<void(std::shared_ptr<const robotcontrol::DebugQueue>)>;
+  using Listener = std::function<void(std::shared_ptr<const SharedDebugQueue>)>;
 
   DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes);
   ~DebugProcess() override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/JoinedTables.h"
 
+#include "robotlink/debugging/SharedDebugQueue.h"
+
 namespace robotlink {
 namespace {
 
@@ -14,13 +16,13 @@ void join(KeyTable::Key& to, const KeyTable::Key& from) {
 
 }  // namespace
 
-void JoinedTables::notice(const robotcontrol::DebugQueue& queue) {
-  for (const robotcontrol::DebugMessage& message : queue.messages()) {
-    if (message.has_keys()) {
-      keys_[queue.process()] = message.keys();
+void JoinedTables::notice(const SharedDebugQueue& queue) {
+  for (const SharedDebugMessage& message : queue.messages) {
+    if (const auto* keys = message.as<KeyTable>()) {
+      keys_[queue.process] = *keys;
       keysChanged_ = true;
-    } else if (message.has_solutions()) {
-      solutions_[queue.process()] = message.solutions();
+    } else if (const auto* solutions = message.as<robotcontrol::SolutionTable>()) {
+      solutions_[queue.process] = *solutions;
       solutionsChanged_ = true;
     }
   }

@@ -9,12 +9,14 @@
 
 namespace robotlink {
 
+struct SharedDebugQueue;
+
 /// The merged tables of all processes: one of keys, one of solutions. A key is in use if any process uses it;
 /// of several modes one that is on wins. Used by the debug process; internal to this folder.
 class JoinedTables {
  public:
   /// Takes over the tables in a process's queue, if there are any.
-  void notice(const robotcontrol::DebugQueue& queue);
+  void notice(const SharedDebugQueue& queue);
   /// Sets a process's keys without marking the table as changed.
   void setKeys(const std::string& process, robotcontrol::KeyTable keys) { keys_[process] = std::move(keys); }
   void setSolutions(const std::string& process, robotcontrol::SolutionTable solutions) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "robotlink/debugging/DebugContext.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/Process.h"
 
 namespace robotlink {
@@ -38,14 +39,7 @@ void PackageBoard::put(Entry& entry, PackagePtr package) {
   entry.value = std::move(package);
   ++entry.arrivals;
   const bool asked = askedFor(entry);
-  if (!asked && !entry.recorded) return;
-  if (const auto* image = dynamic_cast<const foxglove::RawImage*>(entry.value.get())) {
-    robotcontrol::DebugMessage& message = debug_.add(entry.name);
-    *message.mutable_image() = *image;
-    message.set_only_recorded(!asked);
-  } else {
-    debug_.package(entry.name, *entry.value).set_only_recorded(!asked);
-  }
+  if (asked || entry.recorded) debug_.package(entry.name, entry.value).onlyRecorded = !asked;
 }
 
 bool PackageBoard::askedFor(Entry& entry) {

@@ -6,11 +6,11 @@
 
 namespace robotlink {
 
-std::shared_ptr<const robotcontrol::DebugQueue> ProcessChannel::takeQueue() {
+std::shared_ptr<const SharedDebugQueue> ProcessChannel::takeQueue() {
   if (!queue_.isNew()) return nullptr;
-  auto queue = std::static_pointer_cast<const robotcontrol::DebugQueue>(queue_.value());
-  taken_ = queue->number();
-  for (; done_ < queue->requests_done() && !pending_.empty(); ++done_) pending_.pop_front();
+  auto queue = queueIn(queue_.value());
+  taken_ = queue->number;
+  for (; done_ < queue->requestsDone && !pending_.empty(); ++done_) pending_.pop_front();
   return queue;
 }
 

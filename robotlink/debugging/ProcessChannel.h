@@ -8,6 +8,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/Process.h"
 
 namespace robotlink {
@@ -24,7 +25,7 @@ class ProcessChannel {
 
   const std::string& process() const { return process_; }
   /// The queue that arrived for this frame; null if none did. Removes the requests that it confirms.
-  std::shared_ptr<const robotcontrol::DebugQueue> takeQueue();
+  std::shared_ptr<const SharedDebugQueue> takeQueue();
   /// Enqueues a request; send() sends it.
   void add(const robotcontrol::Request& request) { pending_.push_back(request); }
   /// Removes and returns the requests that were never done.

@@ -5,7 +5,6 @@
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Checksum.h"
-#include "robotlink/packages/Conversions.h"
 
 namespace robotlink {
 
@@ -95,7 +94,7 @@ bool RequestPreview::answer(const Request& request) {
     tablesAsked_ |= request.has_send_tables() || request.has_set_key() || request.has_select_solution();
     if (request.has_get_parameters() || request.has_set_parameters()) describeParameters(request);
   }
-  auto& result = *message(streams::kResults).mutable_result();
+  auto& result = queue().add<robotcontrol::RequestResult>(streams::kResults);
   result.set_id(request.id());
   result.set_accepted(refusal.empty());
   result.set_reason(refusal);
@@ -113,7 +112,7 @@ void RequestPreview::describeParameters(const Request& request) {
   const std::string solution = solutionOf(process, task,
                                           request.has_get_parameters() ? request.get_parameters().solution()
                                                                        : request.set_parameters().solution());
-  auto& values = *message(streams::kParameters + (task + "/" + solution)).mutable_parameters();
+  auto& values = queue().add<robotcontrol::ParameterValues>(streams::kParameters + (task + "/" + solution));
   values.set_task(task);
   values.set_solution(solution);
   const auto changed = parameters_.find({task, solution});
@@ -132,10 +131,10 @@ void RequestPreview::describeTables() {
     auto& [keys, solutions] = tables[process->name()];
     tasks->describe(solutions_, keys, solutions);
   }
-  auto& keys = *message(streams::kKeys).mutable_keys();
-  auto& solutions = *message(streams::kSolutions).mutable_solutions();
+  auto& keys = queue().add<robotcontrol::KeyTable>(streams::kKeys);
+  auto& solutions = queue().add<robotcontrol::SolutionTable>(streams::kSolutions);
   program_.debugProcess().describe(tables, keys, solutions,
-                                   *message(streams::kProcesses).mutable_processes());
+                                   queue().add<robotcontrol::ProcessTable>(streams::kProcesses));
   for (auto& key : *keys.mutable_keys()) {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
   }
@@ -144,23 +143,18 @@ void RequestPreview::describeTables() {
 
 void RequestPreview::describeColorTable() {
   const auto inUse = colorTable_ ? colorTable_ : program_.debugProcess().colorTableInUse();
-  if (!inUse) return;
-  auto& copy = *message(streams::kColorTableInUse).mutable_package();
-  copy.set_type(inUse->GetDescriptor()->full_name());
-  inUse->SerializeToString(copy.mutable_data());
+  if (inUse) queue().add<robotcontrol::ColorTable>(streams::kColorTableInUse) = *inUse;
 }
 
-robotcontrol::DebugMessage& RequestPreview::message(const std::string& path) {
-  if (!queue_) queue_ = std::make_shared<robotcontrol::DebugQueue>();
-  auto& added = *queue_->add_messages();
-  added.set_path(path);
-  return added;
+SharedDebugQueue& RequestPreview::queue() {
+  if (!queue_) queue_ = std::make_shared<SharedDebugQueue>();
+  return *queue_;
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> RequestPreview::takeQueue(Instant now) {
+std::shared_ptr<const SharedDebugQueue> RequestPreview::takeQueue(Instant now) {
   if (std::exchange(tablesAsked_, false)) describeTables();
   if (!queue_) return nullptr;
-  for (auto& message : *queue_->mutable_messages()) assign(*message.mutable_timestamp(), now);
+  for (SharedDebugMessage& message : queue_->messages) message.time = now;
   return std::exchange(queue_, nullptr);
 }
 

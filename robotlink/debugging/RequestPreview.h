@@ -12,6 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Clock.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/SolutionParameters.h"
 
 namespace robotlink {
@@ -36,7 +37,7 @@ class RequestPreview {
   /// The same, with the result in the queue; returns whether the program will do it.
   bool answer(const robotcontrol::Request& request);
   /// The results, the requested parameters, and the tables if they have changed; null if there is nothing.
-  std::shared_ptr<const robotcontrol::DebugQueue> takeQueue(Instant now);
+  std::shared_ptr<const SharedDebugQueue> takeQueue(Instant now);
 
  private:
   using TaskSolution = std::pair<std::string, std::string>;
@@ -54,7 +55,7 @@ class RequestPreview {
   void describeParameters(const robotcontrol::Request& request);
   void describeTables();
   void describeColorTable();
-  robotcontrol::DebugMessage& message(const std::string& path);
+  SharedDebugQueue& queue();
 
   RobotProgram& program_;
   /// Selected by requests so far: task to solution.
@@ -65,7 +66,7 @@ class RequestPreview {
   std::map<std::string, robotcontrol::KeyMode> keys_;
   std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
   bool tablesAsked_ = false;
-  std::shared_ptr<robotcontrol::DebugQueue> queue_;
+  std::shared_ptr<SharedDebugQueue> queue_;
 };
 
 }  // namespace robotlink

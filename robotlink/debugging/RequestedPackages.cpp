@@ -3,7 +3,9 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/debugging/DebugContext.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/TaskTables.h"
+#include "robotlink/packages/Conversions.h"
 #include "robotlink/process/Process.h"
 
 namespace robotlink {
@@ -35,22 +37,17 @@ bool RequestedPackages::publishNews() {
   bool expired = false;
   for (auto& [name, package] : packages_) {
     if (!package.wanted() || !package.receiver->isNew() || !package.mode.due(process_.frameTime())) continue;
-    publish(name, *package.receiver->value());
+    publish(name, package.receiver->value());
     expired |= !package.wanted();
     package.link();
   }
   return expired;
 }
 
-void RequestedPackages::publish(const std::string& name, const google::protobuf::Message& package) {
-  if (const auto* image = dynamic_cast<const foxglove::RawImage*>(&package)) {
-    robotcontrol::DebugMessage& message = debug_.add(name);
-    // The image belongs to the time at which it was taken, not to the frame in which it arrived here.
-    *message.mutable_timestamp() = image->timestamp();
-    *message.mutable_image() = *image;
-  } else {
-    debug_.package(name, package);
-  }
+void RequestedPackages::publish(const std::string& name, const PackagePtr& package) {
+  SharedDebugMessage& message = debug_.package(name, package);
+  // An image belongs to the time at which it was taken, not to the frame in which it arrived here.
+  if (const auto* image = message.as<foxglove::RawImage>()) message.time = instant(image->timestamp());
 }
 
 void RequestedPackages::fillKeys(robotcontrol::KeyTable& to) const {

@@ -41,7 +41,7 @@ class RequestedPackages {
     /// Connects or disconnects the receiver according to the mode.
     void link() const;
   };
-  void publish(const std::string& name, const google::protobuf::Message& package);
+  void publish(const std::string& name, const PackagePtr& package);
 
   Process& process_;
   DebugContext& debug_;

@@ -8,12 +8,13 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
+#include "robotlink/packages/Conversions.h"
 
 namespace robotlink {
 
-using robotcontrol::DebugQueue;
 using robotcontrol::Request;
 using robotcontrol::RequestQueue;
 
@@ -219,9 +220,8 @@ void TaskProcess::Implementation::runTasks() {
     addTime(times, task->task(), task->active(), taskStart);
   }
   addTime(times, "", "", start);
-  auto& message = debug.add(streams::kStopwatches + process.name());
-  *times.mutable_timestamp() = message.timestamp();
-  *message.mutable_stopwatches() = std::move(times);
+  assign(*times.mutable_timestamp(), process.frameTime());
+  debug.add<robotcontrol::StopwatchTimes>(streams::kStopwatches + process.name()) = std::move(times);
 }
 
 void TaskProcess::Implementation::noticeExpiredKeys() {
@@ -233,21 +233,22 @@ void TaskProcess::Implementation::noticeExpiredKeys() {
 
 void TaskProcess::Implementation::sendTables() {
   if (std::exchange(keysChanged, false)) {
-    fillKeyTable(tasks, board, debug, *debug.add(streams::kKeys + ("/" + process.name())).mutable_keys());
+    fillKeyTable(tasks, board, debug,
+                 debug.add<robotcontrol::KeyTable>(streams::kKeys + ("/" + process.name())));
   }
   if (std::exchange(solutionsChanged, false)) {
     fillSolutionTable(process.name(), tasks, setup.layout, catalog, setup.platform,
-                      *debug.add(streams::kSolutions + ("/" + process.name())).mutable_solutions());
+                      debug.add<robotcontrol::SolutionTable>(streams::kSolutions + ("/" + process.name())));
   }
 }
 
 /// Sends a queue only after the previous one was acknowledged, because a newer package would replace it.
 void TaskProcess::Implementation::sendQueue() {
   if (queuesSent != queuesTaken || !debug.hasQueue() || !queue.connected()) return;
-  const std::shared_ptr<DebugQueue> taken = debug.takeQueue();
-  taken->set_number(++queuesSent);
-  taken->set_requests_done(requestsDone);
-  queue.send(taken);
+  const std::shared_ptr<SharedDebugQueue> taken = debug.takeQueue();
+  taken->number = ++queuesSent;
+  taken->requestsDone = requestsDone;
+  queue.send(packageOf(taken));
 }
 
 // ---- Requests
@@ -370,7 +371,7 @@ Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
   const auto found = parametersOf(task, solution);
   if (!found) return tl::unexpected(found.error());
   const std::string name = solution.empty() ? found->first->active() : solution;
-  auto& values = *debug.add(streams::kParameters + (task + "/" + name)).mutable_parameters();
+  auto& values = debug.add<robotcontrol::ParameterValues>(streams::kParameters + (task + "/" + name));
   values.set_task(task);
   values.set_solution(name);
   found->second->describe(values);
@@ -386,7 +387,7 @@ Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetP
 }
 
 void TaskProcess::Implementation::answer(const Request& request, const Result<void>& result) {
-  auto& published = *debug.add(streams::kResults).mutable_result();
+  auto& published = debug.add<robotcontrol::RequestResult>(streams::kResults);
   published.set_id(request.id());
   published.set_accepted(result.has_value());
   if (!result) published.set_reason(result.error().text);

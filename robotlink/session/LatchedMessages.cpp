@@ -27,11 +27,7 @@ bool LatchedMessages::take(const StreamMessage& message) {
   if (!isLatched(message)) return false;
   const std::pair key(message.path, message.process);
   if (messages_.size() >= kMaxStreams && !messages_.contains(key)) return false;
-  const std::shared_ptr<google::protobuf::Message> copy(message.value->New());
-  copy->CopyFrom(*message.value);
-  StreamMessage& held = messages_[key];
-  held = message;
-  held.value = copy;
+  messages_[key] = message;
   return true;
 }
 

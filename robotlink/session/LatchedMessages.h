@@ -18,9 +18,8 @@ namespace robotlink {
 bool isLatched(std::string_view path, std::string_view type);
 bool isLatched(const StreamMessage& message);
 
-/// A cache of the latched messages: the newest of each stream and process. It stores copies, so that a table
-/// does not keep the debug queue alive in which it arrived. Streams beyond kMaxStreams are ignored, in case a
-/// robot makes up paths. One thread at a time.
+/// A cache of the latched messages: the newest of each stream and process. Streams beyond kMaxStreams are
+/// ignored, in case a robot makes up paths. One thread at a time.
 class LatchedMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;

@@ -8,19 +8,19 @@
 #include "robotlink/session/StreamMessage.h"
 
 namespace robotcontrol {
-class DebugQueue;
 class RequestResult;
-}  // namespace robotcontrol
+}
 
 namespace robotlink {
 
-/// The contents of a debug queue: messages of streams and results of requests. The messages share the queue's
-/// memory, unless much of it is of no further use (packages that were parsed into their types, messages that
-/// only recorders want): keeping a text must not keep an image alive. StreamMessage::bytes is the memory that
-/// each message holds, shared memory counted once.
+struct SharedDebugQueue;
+
+/// The contents of a debug queue: messages of streams and results of requests. Each shares its content with
+/// the queue; nothing is copied, and none keeps another one alive. StreamMessage::bytes is the memory that a
+/// message holds.
 ///
 /// A queue may come over a link from anywhere: messages without a path or contents are dropped and counted,
-/// the length of paths is limited, and invalid timestamps are replaced by those of their neighbors.
+/// the length of paths is limited, and missing times are replaced by those of their neighbors.
 struct QueueMessages {
   std::vector<StreamMessage> messages;
   std::vector<std::shared_ptr<const robotcontrol::RequestResult>> results;
@@ -32,8 +32,7 @@ struct QueueMessages {
 enum class QueueReader : bool { kViews, kRecorder };
 
 /// `lastTime` is the timestamp of messages before the first valid one in the queue.
-QueueMessages messagesOf(const std::string& robot,
-                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime,
+QueueMessages messagesOf(const std::string& robot, const SharedDebugQueue& queue, Instant lastTime,
                          QueueReader reader = QueueReader::kViews);
 
 /// Splits a queue's messages into frames; each ends with its FrameInfo, except for the last if that is

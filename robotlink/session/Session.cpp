@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/session/LatchedMessages.h"
 #include "robotlink/session/QueueMessages.h"
 
@@ -130,23 +131,22 @@ void Session::push(std::vector<StreamMessage> messages) {
   inbox_->add(std::move(batch));
 }
 
-void Session::pushQueue(const std::string& robot,
-                        const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+void Session::pushQueue(const std::string& robot, const std::shared_ptr<const SharedDebugQueue>& queue) {
   if (!queue) return;
   Instant lastTime;
   {
     const std::lock_guard lock(inbox_->mutex);
     lastTime = inbox_->lastTime;
   }
-  // Not under the lock, so that other producers need not wait while packages are parsed.
-  QueueMessages parts = messagesOf(robot, queue, lastTime);
+  // Not under the lock, so that other producers need not wait meanwhile.
+  QueueMessages parts = messagesOf(robot, *queue, lastTime);
   for (const ResultPtr& result : parts.results) pushResult(*result);
   Batch batch;
   batch.bytes = bytesOf(parts.messages);
   batch.messages = std::move(parts.messages);
   const std::lock_guard lock(inbox_->mutex);
   inbox_->dropped += parts.senseless;
-  inbox_->countDropped(robot + "/" + queue->process(), queue->dropped());
+  inbox_->countDropped(robot + "/" + queue->process, queue->dropped);
   if (!batch.messages.empty()) inbox_->add(std::move(batch));
 }
 

@@ -11,12 +11,13 @@
 #include "robotlink/session/Timeline.h"
 
 namespace robotcontrol {
-class DebugQueue;
 class Request;
 class RequestResult;
 }  // namespace robotcontrol
 
 namespace robotlink {
+
+struct SharedDebugQueue;
 
 /// The data behind one window: robots on platforms with one clock, the history of their messages, and the way
 /// to send them requests. Views know only this; they cannot tell whether a robot is simulated, real or
@@ -59,10 +60,9 @@ class Session {
   /// Enqueues messages that belong together, such as those of a logged frame: they are kept or dropped as a
   /// whole.
   void push(std::vector<StreamMessage> messages);
-  /// Enqueues the contents of a debug queue without copying them; package copies are parsed into their types.
-  /// Messages without a path or contents are dropped and counted; an invalid timestamp is replaced by that of
-  /// a neighbor.
-  void pushQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+  /// Enqueues the contents of a debug queue without copying them. Messages without a path or contents are
+  /// dropped and counted; a missing time is replaced by that of a neighbor.
+  void pushQueue(const std::string& robot, const std::shared_ptr<const SharedDebugQueue>& queue);
   /// Enqueues the result of a request; results of unknown or already answered requests are ignored.
   void pushResult(const robotcontrol::RequestResult& result);
   /// Drops the whole history, including what is still in the inbox, because the messages pushed from now on

@@ -17,12 +17,6 @@ bool earlier(Instant time, const StreamMessage& message) {
   return time < message.time;
 }
 
-PackagePtr copyOf(const google::protobuf::Message& value) {
-  const std::shared_ptr<google::protobuf::Message> copy(value.New());
-  copy->CopyFrom(value);
-  return copy;
-}
-
 // Messages in the last second, or since the stream began if that is less.
 double rateOf(const StreamStore::Stream& stream, Instant now) {
   const Instant from = std::max(stream.since, now - kRateWindow);
@@ -130,15 +124,11 @@ void StreamStore::forgetOld() {
 }
 
 void StreamStore::sweep() {
-  const Instant oldest = newest_ - limits_.age, oldestBefore = swept_ - limits_.age;
+  const Instant oldest = newest_ - limits_.age;
   swept_ = newest_;
   for (auto& [path, stream] : streams_) {
+    // What a silent stream published last is kept for good.
     while (stream.messages.size() > 1 && stream.messages.front().time < oldest) popFront(stream);
-    // What a silent stream said last is kept for good, but not what came with it.
-    if (!stream.messages.empty()) {
-      StreamMessage& last = stream.messages.front();
-      if (last.time < oldest && last.time >= oldestBefore) last.value = copyOf(*last.value);
-    }
     stream.rate = rateOf(stream, newest_);
   }
 }

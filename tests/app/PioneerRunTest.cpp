@@ -12,6 +12,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
@@ -31,7 +32,7 @@ class Ears {
     return {[this](const std::string& robot, auto queue) {
               const std::lock_guard lock(mutex_);
               for (auto& message :
-                   robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages) {
+                   robotlink::messagesOf(robot, *queue, {}, robotlink::QueueReader::kViews).messages) {
                 newest_[message.path] = message.value;
               }
             },

@@ -12,6 +12,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/Eventually.h"
 #include "tests/logplayer/RecordedMessages.h"
 
@@ -36,8 +37,8 @@ class RecordingTest : public ::testing::Test {
     if (recordFromTheStart) start("a.mcap");
     SimulatedRun::Listeners listeners;
     listeners.queue = [this](const std::string&, const auto& queue) {
-      reported += queue->ByteSizeLong();
-      if (queue->process() == "cognition") ++thoughts;
+      reported += toWire(*queue).ByteSizeLong();
+      if (queue->process == "cognition") ++thoughts;
     };
     auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
     ASSERT_TRUE(made.has_value());

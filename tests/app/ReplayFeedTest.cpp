@@ -343,7 +343,8 @@ TEST_F(ReplayFeedTest, keysThatAreOnAreKeptOverJumps) {
   workbench.session().request(request, [&](const auto& result) { answers += result.accepted() ? 1 : 0; });
   ASSERT_TRUE(waitFor([&] { return answers == 1; }));
   EXPECT_EQ(mode(), robotcontrol::KeyMode::ALWAYS) << "also while paused";
-  EXPECT_EQ(newest("red1/images/segmentation/classes"), 1) << "what is asked for is shown without going on";
+  EXPECT_TRUE(waitFor([this] { return newest("red1/images/segmentation/classes") == 1; }))
+      << "what is asked for is shown without going on";
   for (const int frame : {40, 3}) {
     runAll(jumpTo(frame));
     EXPECT_EQ(mode(), robotcontrol::KeyMode::ALWAYS);

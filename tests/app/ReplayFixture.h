@@ -16,6 +16,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/session/QueueMessages.h"
 #include "tests/TestFolder.h"
 
@@ -87,7 +88,7 @@ struct Replay {
       reported.insert(reported.end(), messages.begin(), messages.end());
     };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
-      auto taken = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
+      auto taken = robotlink::messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder);
       reported.insert(reported.end(), taken.messages.begin(), taken.messages.end());
       for (const auto& result : taken.results) results.push_back(*result);
     };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
 #include "tests/app/TickUntil.h"
 
@@ -68,4 +71,25 @@ TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
     return false;
   }));
   EXPECT_EQ(errors, "");
+}
+
+TEST_F(RobotCommandsTest, loadingEndsHoweverManyLayoutsWereAskedForAtOnce) {
+  int refused = 0;
+  workbench_.onErrors([&](const robotlink::Errors&) { ++refused; });
+  for (int i = 0; i < 100; ++i) workbench_.setLayout("/no/such/layout.yaml");
+  // Requests are answered in their turn: all layouts were tried by then, and nobody ticked the workbench.
+  bool answered = false;
+  robotcontrol::Request request;
+  request.mutable_control_simulation();
+  workbench_.session().request(request, [&](const auto&) { answered = true; });
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!answered && std::chrono::steady_clock::now() < end) {
+    workbench_.session().tick();
+    std::this_thread::yield();
+  }
+  ASSERT_TRUE(answered);
+  EXPECT_TRUE(workbench_.loading());
+  workbench_.tick();
+  EXPECT_FALSE(workbench_.loading());
+  EXPECT_EQ(refused, 100);
 }

@@ -13,6 +13,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 
@@ -56,7 +57,8 @@ struct Ears {
   std::vector<std::string> troubles;
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string&, const auto& queue) {
-              messages.insert(messages.end(), queue->messages().begin(), queue->messages().end());
+              const robotcontrol::DebugQueue wire = toWire(*queue);
+              messages.insert(messages.end(), wire.messages().begin(), wire.messages().end());
             },
             [this](const std::string&, const robotlink::Process&, const std::string& text) {
               troubles.push_back(text);
@@ -175,8 +177,9 @@ struct Reported {
   std::vector<std::string> texts;          ///< on color tables
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string&, const auto& queue) {
-              if (!queue->process().empty()) frames += queue->SerializeAsString();
-              for (const auto& message : queue->messages()) hear(message);
+              const robotcontrol::DebugQueue wire = toWire(*queue);
+              if (!wire.process().empty()) frames += wire.SerializeAsString();
+              for (const auto& message : wire.messages()) hear(message);
             },
             {}};
   }
@@ -461,7 +464,9 @@ TEST(SimulatedRun, threadsPlayToo) {
   Ears ears;
   std::atomic<int> frames{0};
   SimulatedRun::Listeners listeners;
-  listeners.queue = [&](const std::string&, const auto& queue) { frames += queue->messages_size(); };
+  listeners.queue = [&](const std::string&, const auto& queue) {
+    frames += static_cast<int>(queue->messages.size());
+  };
   const auto run = makeRun(chosen, std::move(listeners));
   for (int i = 0; i < 125; ++i) run->step();
   EXPECT_TRUE(eventually([&] {

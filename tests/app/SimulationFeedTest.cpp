@@ -159,3 +159,11 @@ TEST_F(SimulationFeedTest, whatALayoutCannotFulfillIsSaid) {
       robotlink::describe(errors).find("red1 could not keep solution odometry of task self-localisation"),
       std::string::npos);
 }
+
+TEST_F(SimulationFeedTest, startThatIsPressedWhileAnotherSceneLoadsStartsThatScene) {
+  run("simulation.open pioneer");
+  run("simulation.start");
+  ASSERT_TRUE(waitFor([this] { return !workbench.loading(); }));
+  EXPECT_EQ(workbench.loaded()->title, "pioneer");
+  EXPECT_TRUE(waitFor([this] { return status() != nullptr && status()->running() && status()->time() > 0; }));
+}

@@ -7,6 +7,7 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "colortool/image/ClassPresets.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 #include "simcore/world/RenderScene.h"
 
@@ -33,8 +34,8 @@ struct Watched {
   explicit Watched(RunOptions options = Workbench::defaultOptions()) {
     SimulatedRun::Listeners listeners;
     listeners.queue = [this](const std::string&, const auto& queue) {
-      for (const auto& message : queue->messages()) {
-        if (message.has_image()) images[message.path()].push_back(message.image());
+      for (const auto& message : queue->messages) {
+        if (const auto* image = message.as<foxglove::RawImage>()) images[message.path].push_back(*image);
       }
     };
     auto made = SimulatedRun::create(std::move(options), std::move(listeners));

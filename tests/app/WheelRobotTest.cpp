@@ -11,6 +11,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/session/QueueMessages.h"
 #include "simcore/Scene.h"
 #include "tests/TestFolder.h"
@@ -26,7 +27,7 @@ class HeardStreams {
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string& robot, const auto& queue) {
               for (auto& message :
-                   robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages)
+                   robotlink::messagesOf(robot, *queue, {}, robotlink::QueueReader::kViews).messages)
                 reported_[message.path].push_back(message.value);
             },
             [this](const std::string&, const robotlink::Process&, const std::string& text) {

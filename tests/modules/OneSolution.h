@@ -12,6 +12,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Solution.h"
 
 namespace modules {
@@ -126,12 +127,13 @@ class OneSolution : public robotlink::SolutionContext {
   void remember() {
     while (debug_.hasQueue()) {
       const auto queue = debug_.takeQueue();
-      for (const auto& message : queue->messages()) {
-        paths_.insert(message.path());
-        reported_.insert(message.path());
-        if (!message.has_text()) continue;
-        ++texts_[message.text().message()];
-        reported_.insert(message.text().message());
+      for (const auto& message : queue->messages) {
+        paths_.insert(message.path);
+        reported_.insert(message.path);
+        const auto* text = message.as<foxglove::Log>();
+        if (text == nullptr) continue;
+        ++texts_[text->message()];
+        reported_.insert(text->message());
       }
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/widgets/SyntheticWorld.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -121,15 +122,15 @@ void SyntheticWorld::pushImage(const std::string& path, QSize size, robotlink::Y
 }
 
 void SyntheticWorld::pushFrame(const std::vector<FramePart>& parts) {
-  auto queue = std::make_shared<robotcontrol::DebugQueue>();
-  queue->set_process("cognition");
-  for (const auto& part : parts) part(*queue);
-  auto& end = *queue->add_messages();
+  robotcontrol::DebugQueue queue;
+  queue.set_process("cognition");
+  for (const auto& part : parts) part(queue);
+  auto& end = *queue.add_messages();
   end.set_path("frames/cognition");
   end.mutable_frame()->set_process("cognition");
   end.mutable_frame()->set_number(++frame_);
-  for (auto& message : *queue->mutable_messages()) robotlink::assign(*message.mutable_timestamp(), now_);
-  session.pushQueue("red1", queue);
+  for (auto& message : *queue.mutable_messages()) robotlink::assign(*message.mutable_timestamp(), now_);
+  session.pushQueue("red1", robotlink::fromWire(std::move(queue)));
 }
 
 void SyntheticWorld::pushScene() {

@@ -15,9 +15,8 @@ namespace logplayer {
 class Recorder;
 }
 namespace robotcontrol {
-class DebugQueue;
 class Request;
-}  // namespace robotcontrol
+}
 namespace robotlink {
 class RobotProgram;
 struct FieldDescription;

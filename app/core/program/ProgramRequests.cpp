@@ -5,6 +5,7 @@
 
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -41,6 +42,16 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
   return lost;
 }
 
+void ProgramRequests::beginOverridden() {
+  const std::lock_guard lock(mutex_);
+  preview_.reset();
+  for (Open& open : open_) open.handed = open.previewed = false;
+}
+
+void ProgramRequests::note(const Request& request) {
+  if (overrides_.note(request) && overridden_) overridden_(request);
+}
+
 void ProgramRequests::addOwn(Request request) {
   request.set_id(robotlink::kRepeatedIds | ++ownRequests_);
   open_.push_back({std::move(request)});
@@ -66,27 +77,26 @@ void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
     if (!give(open.request)) break;
     open.handed = true;
     // Without an id no result will come.
-    if (open.request.id() == 0) overrides_.note(open.request);
+    if (open.request.id() == 0) note(open.request);
   }
   std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }
 
-void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
+void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
   const std::lock_guard lock(mutex_);
   if (open_.empty()) return;
-  for (const auto& message : queue.messages()) {
-    if (!message.has_result()) continue;
-    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& open) {
-      return open.request.id() == message.result().id();
-    });
+  for (const auto& message : queue.messages) {
+    const auto* result = message.as<robotcontrol::RequestResult>();
+    if (result == nullptr) continue;
+    const auto found = std::find_if(open_.begin(), open_.end(),
+                                    [&](const Open& open) { return open.request.id() == result->id(); });
     if (found == open_.end()) continue;
-    if (message.result().accepted() && !found->reported && !robotlink::isRepeated(found->request))
-      overrides_.note(found->request);
+    if (result->accepted() && !found->reported && !robotlink::isRepeated(found->request)) note(found->request);
     open_.erase(found);
   }
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
+std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCome(
     robotlink::RobotProgram& program, robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
   if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.reported; })) return nullptr;
@@ -99,7 +109,7 @@ std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
     if (std::exchange(open.reported, true)) {
       preview_->add(open.request);
     } else if (preview_->answer(open.request) && !robotlink::isRepeated(open.request)) {
-      overrides_.note(open.request);
+      note(open.request);
     }
   }
   return preview_->takeQueue(now);

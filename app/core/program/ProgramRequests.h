@@ -13,12 +13,10 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/debugging/RequestPreview.h"
 
-namespace robotcontrol {
-class DebugQueue;
-}
 namespace robotlink {
 class RobotProgram;
-}
+struct SharedDebugQueue;
+}  // namespace robotlink
 
 namespace app {
 
@@ -30,14 +28,20 @@ namespace app {
 /// be called only while no process of the program runs; ran() only by the thread that calls these.
 class ProgramRequests {
  public:
-  /// `overrides` are those of earlier programs of this robot.
-  explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {})
-      : robot_(std::move(robot)), overrides_(std::move(overrides)) {}
+  /// Called with each request that became an override; it must not call this object.
+  using OverrideListener = std::function<void(const robotcontrol::Request&)>;
+
+  /// `overrides` are those of earlier programs of this robot. The listener may be empty.
+  explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {}, OverrideListener listener = {})
+      : robot_(std::move(robot)), overridden_(std::move(listener)), overrides_(std::move(overrides)) {}
 
   /// To be called with each new program before it runs. Enqueues requests for the overrides so far, followed
   /// by the requests that the previous program did not answer; hand() passes them on. Returns a sentence for
   /// each override that this program cannot fulfill.
   std::vector<std::string> begin(robotlink::RobotProgram& program);
+  /// The same for a program that was made with the overrides in it: only the requests that the previous
+  /// program did not answer are enqueued again.
+  void beginOverridden();
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);
@@ -46,13 +50,13 @@ class ProgramRequests {
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);
   /// Looks for results in a debug queue of the program: these requests are done, and what was accepted
   /// becomes an override.
-  void answered(const robotcontrol::DebugQueue& queue);
+  void answered(const robotlink::SharedDebugQueue& queue);
   /// To be called when the program has run, since its state no longer is that of the preview.
   void ran() { preview_.reset(); }
   /// Returns the results that the program will give in its next frames, each only once over all calls; null
-  /// if there are none. Lets a paused simulation answer at once.
-  std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program,
-                                                                robotlink::Instant now);
+  /// if there are none. Lets a robot answer at once in a pause.
+  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome(robotlink::RobotProgram& program,
+                                                                   robotlink::Instant now);
 
   /// A copy of the overrides so far.
   ProgramOverrides overrides() const;
@@ -73,8 +77,11 @@ class ProgramRequests {
   bool replacesLast(const robotcontrol::Request& request) const;
   /// Enqueues a request on behalf of the user, with an id that no session uses.
   void addOwn(robotcontrol::Request request);
+  /// Keeps an accepted request if it is an override.
+  void note(const robotcontrol::Request& request);
 
   const std::string robot_;
+  const OverrideListener overridden_;
   /// Used only while no process runs; unset if the program has run since.
   std::optional<robotlink::RequestPreview> preview_;
   /// Protects the members below.

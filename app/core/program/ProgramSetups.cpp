@@ -7,6 +7,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -134,9 +135,11 @@ ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlin
   return setup;
 }
 
-bool follow(ProgramSetup& setup, const robotcontrol::DebugMessage& message) {
-  if (message.has_parameters()) return followParameters(setup, message.parameters());
-  return message.has_solutions() && followSolutions(setup, message.solutions());
+bool follow(ProgramSetup& setup, const robotlink::SharedDebugMessage& message) {
+  if (const auto* parameters = message.as<robotcontrol::ParameterValues>())
+    return followParameters(setup, *parameters);
+  const auto* solutions = message.as<robotcontrol::SolutionTable>();
+  return solutions != nullptr && followSolutions(setup, *solutions);
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 namespace robotlink {
 class Platform;
 class RobotProgram;
+struct SharedDebugMessage;
 }  // namespace robotlink
 
 namespace app {
@@ -41,6 +42,6 @@ robotcontrol::ProgramSetup programSetup(const robotlink::RobotProgram& program,
 
 /// Updates a setup from a message of the program about its solutions or parameters. Returns whether the setup
 /// has changed.
-bool follow(robotcontrol::ProgramSetup& setup, const robotcontrol::DebugMessage& message);
+bool follow(robotcontrol::ProgramSetup& setup, const robotlink::SharedDebugMessage& message);
 
 }  // namespace app

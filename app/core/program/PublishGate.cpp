@@ -5,6 +5,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/process/Process.h"
@@ -60,9 +61,9 @@ void PublishGate::record(std::vector<robotlink::StreamMessage> frame) {
 }
 
 void PublishGate::recordQueue(const std::string& robot,
-                              const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+                              const std::shared_ptr<const robotlink::SharedDebugQueue>& queue) {
   if (recorder_ == nullptr || !recorder_->active()) return;
-  auto parts = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
+  auto parts = robotlink::messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder);
   for (auto& frame : robotlink::framesOf(std::move(parts.messages))) record(std::move(frame));
 }
 
@@ -81,7 +82,7 @@ void PublishGate::publishFrame(std::vector<robotlink::StreamMessage> frame) {
 }
 
 void PublishGate::publishQueue(const std::string& robot,
-                               std::shared_ptr<const robotcontrol::DebugQueue> queue) {
+                               std::shared_ptr<const robotlink::SharedDebugQueue> queue) {
   pass([this, robot, queue = std::move(queue)] {
     recordQueue(robot, queue);
     session_.pushQueue(robot, queue);

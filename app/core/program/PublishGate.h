@@ -12,13 +12,11 @@
 namespace logplayer {
 class Recorder;
 }
-namespace robotcontrol {
-class DebugQueue;
-}
 namespace robotlink {
 class Process;
 class Session;
 struct GroundMap;
+struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
@@ -55,7 +53,7 @@ class PublishGate {
   /// Publishes messages that the session keeps or drops as a whole.
   void publishFrame(std::vector<robotlink::StreamMessage> frame);
   /// Publishes the contents of a debug queue.
-  void publishQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
+  void publishQueue(const std::string& robot, std::shared_ptr<const robotlink::SharedDebugQueue> queue);
   /// Publishes an error in the robot's log.
   void publishError(const std::string& robot, const std::string& source, robotlink::Instant time,
                     const std::string& text);
@@ -74,7 +72,7 @@ class PublishGate {
   /// Adds a frame to the recorder, if there is one.
   void record(std::vector<robotlink::StreamMessage> frame);
   /// Adds the frames of a debug queue to the recorder while that is active.
-  void recordQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+  void recordQueue(const std::string& robot, const std::shared_ptr<const robotlink::SharedDebugQueue>& queue);
 
   robotlink::Session& session_;
   /// Null if nothing is recorded here.

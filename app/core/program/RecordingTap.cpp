@@ -8,6 +8,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/LatchedMessages.h"
@@ -15,8 +16,8 @@
 
 namespace app {
 
-using robotcontrol::DebugMessage;
-using robotcontrol::DebugQueue;
+using robotlink::SharedDebugMessage;
+using robotlink::SharedDebugQueue;
 using robotlink::StreamMessage;
 
 namespace {
@@ -59,10 +60,10 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
 }
 
 /// Whether a debug queue contains latched messages, which the recorder needs even while it does not record.
-bool recordsLatched(const DebugQueue& queue) {
-  return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
-    return message.has_keys() || message.has_solutions() || message.has_processes() ||
-           message.has_parameters();
+bool recordsLatched(const SharedDebugQueue& queue) {
+  return std::any_of(queue.messages.begin(), queue.messages.end(), [](const SharedDebugMessage& message) {
+    return message.content &&
+           robotlink::isLatched(message.path, message.content->GetDescriptor()->full_name());
   });
 }
 
@@ -169,14 +170,14 @@ void RecordingTap::world(StreamMessage message) {
   if (recorder_.active() || robotlink::isLatched(message)) recorder_.add({std::move(message)});
 }
 
-void RecordingTap::add(const std::string& name, const std::shared_ptr<const DebugQueue>& queue) {
+void RecordingTap::add(const std::string& name, const std::shared_ptr<const SharedDebugQueue>& queue) {
   Robot* robot = find(name);
   if (robot == nullptr) return;
   bool setupChanged = false;
-  for (const DebugMessage& message : queue->messages()) setupChanged |= follow(robot->setup, message);
-  const bool own = queue->process() == robot->overrides->process;
+  for (const SharedDebugMessage& message : queue->messages) setupChanged |= follow(robot->setup, message);
+  const bool own = queue->process == robot->overrides->process;
   if (recorder_.active() || recordsLatched(*queue) || (own && !robot->overrides->messages.empty())) {
-    auto parts = robotlink::messagesOf(name, queue, robot->lastTime, robotlink::QueueReader::kRecorder);
+    auto parts = robotlink::messagesOf(name, *queue, robot->lastTime, robotlink::QueueReader::kRecorder);
     if (!parts.messages.empty()) robot->lastTime = parts.messages.back().time;
     for (std::vector<StreamMessage>& frame : robotlink::framesOf(std::move(parts.messages))) {
       std::erase_if(frame, [robot](const StreamMessage& message) {

@@ -10,12 +10,12 @@
 #include "robotlink/process/Platform.h"
 
 namespace robotcontrol {
-class DebugQueue;
 class Request;
 }  // namespace robotcontrol
 namespace robotlink {
 class RobotProgram;
-}
+struct SharedDebugQueue;
+}  // namespace robotlink
 
 namespace app {
 
@@ -58,7 +58,7 @@ class RecordingTap {
 
   // Only in the thread of the robot's debug process:
   /// Records a debug queue of a robot, and the setup again if solutions or parameters have changed.
-  void add(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+  void add(const std::string& robot, const std::shared_ptr<const robotlink::SharedDebugQueue>& queue);
 
  private:
   /// An attached program with the frames that are being collected.

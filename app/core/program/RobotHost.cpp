@@ -11,6 +11,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -128,7 +129,7 @@ void RobotHost::enqueueRequests() {
   });
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> RobotHost::answersToCome() {
+std::shared_ptr<const robotlink::SharedDebugQueue> RobotHost::answersToCome() {
   return requests_.answersToCome(*program_, platform_->clock().now());
 }
 

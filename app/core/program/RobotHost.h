@@ -14,7 +14,6 @@
 #include "robotlink/config/RobotDescription.h"
 
 namespace robotcontrol {
-class DebugQueue;
 class Request;
 }  // namespace robotcontrol
 namespace robotlink {
@@ -23,6 +22,7 @@ struct FieldDescription;
 struct GroundMap;
 struct Layout;
 struct ParameterSource;
+struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
@@ -55,7 +55,7 @@ class RobotHost {
   /// Functions that are called with what the robot publishes; each may be empty.
   struct Listeners {
     /// Called with each debug queue, in the thread of the debug process.
-    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(const std::string& robot, std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called if a process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
@@ -114,7 +114,7 @@ class RobotHost {
   void reportPlatform();
   /// The results that the program will give in its next frames, each only once; null if there are none. Only
   /// in lockstep, between steps.
-  std::shared_ptr<const robotcontrol::DebugQueue> answersToCome();
+  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome();
   /// What the user chose for this robot so far.
   ProgramOverrides overrides() const { return requests_.overrides(); }
 

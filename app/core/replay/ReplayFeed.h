@@ -19,8 +19,8 @@ namespace app {
 /// to a session what the logs contain, what the programs that run on them send, and its own status on the
 /// stream "replay". A recorder gets the same. Session and recorder must outlive it.
 ///
-/// After a jump, the whole history of the session is replaced. A request to a program has a visible effect
-/// even in a pause: the programs run again up to the present instant.
+/// After a jump, the whole history of the session is replaced. In a pause, a request to a program is answered
+/// at once, and then its effect becomes visible: the programs run again up to the present instant.
 class ReplayFeed final : public PlatformFeed {
  public:
   /// The name of its PlatformAdapter.
@@ -97,6 +97,8 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> act(const robotcontrol::ControlReplay& control);
   /// Plays from the present instant; at the end, from the first image.
   robotlink::Result<void> play();
+  /// In a pause, publishes the results of requests that the programs have not processed yet.
+  void publishAnswers();
   /// Whether a step by `count` that ends at `to` moves in its direction; at the ends of the logs it does not.
   bool leads(robotlink::Instant to, int count) const;
   robotlink::Result<void> stepFrames(const robotcontrol::ControlReplay& control);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/session/Session.h"
 
 namespace app {
 
@@ -17,6 +18,11 @@ namespace {
 
 Instant instantOf(std::int64_t time) {
   return Instant(robotlink::Duration(time));
+}
+
+/// Whether what the programs publish of the present instant stays as it is.
+bool onlyAsks(const robotcontrol::Request& request) {
+  return request.has_get_parameters() || request.has_send_tables() || request.has_record_packages();
 }
 
 }  // namespace
@@ -33,9 +39,17 @@ Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
   if (request.has_stop())
     return failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");
   auto done = run_->request(request);
-  if (!done || request.has_record_packages()) return done;
-  stale_ = true;
+  if (!done) return done;
+  stale_ = stale_ || !onlyAsks(request);
+  publishAnswers();
   return done;
+}
+
+/// While it is paused, they do not wait until the programs have run again up to here. They are no part of the
+/// log that a recording of the replay is.
+void ReplayFeed::publishAnswers() {
+  if (playback_.playing()) return;
+  for (const auto& [robot, queue] : run_->answersToCome()) session_.pushQueue(robot, queue);
 }
 
 Result<void> ReplayFeed::control(const ControlReplay& control) {

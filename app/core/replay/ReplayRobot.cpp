@@ -39,13 +39,17 @@ bool fits(const google::protobuf::Descriptor& type, const std::string& streamTyp
 }  // namespace
 
 ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
-                         ReplayChoices choices, Listeners listeners)
+                         ReplayChoices choices, ProgramOverrides overrides, Listeners listeners)
     : log_(std::move(log)),
       logName_(std::move(logName)),
       name_(std::move(name)),
       listeners_(std::move(listeners)),
       types_(robotlink::packageTypes()),
-      choices_(std::move(choices)) {
+      choices_(std::move(choices)),
+      requests_(name_, std::move(overrides), [this](const Request& request) {
+        // What another program recomputed is not compared any more.
+        if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
+      }) {
   for (const auto& stream : log_->streams()) {
     if (!stream.path.starts_with(logName_ + "/")) continue;
     const std::string path = below(stream.path);
@@ -90,15 +94,14 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   auto logged = loggedSetupAt(time);
   auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
   if (!setup) return setup.error();
-  const auto& solutions = choices_.overrides.solutions();
+  const ProgramOverrides chosen = overrides();
   for (auto& process : setup->layout.processes) {
     for (auto& task : process.tasks) {
-      const auto chosen = solutions.find(task.task);
-      if (chosen != solutions.end()) task.choose(chosen->second);
+      const auto solution = chosen.solutions().find(task.task);
+      if (solution != chosen.solutions().end()) task.choose(solution->second);
     }
   }
-  for (const auto& [solution, values] : choices_.overrides.parameters())
-    setup->parameters.recorded.push_back(values);
+  for (const auto& [solution, values] : chosen.parameters()) setup->parameters.recorded.push_back(values);
   if (setup->team.empty()) setup->team = setup->use.teamOf(logName_);
   setup->map = loggedMapAt(time);
   setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
@@ -117,6 +120,8 @@ Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
 }
 
 Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
+  // What was asked is decided, so that the next program is made with it.
+  if (program_) (void)answersToCome();
   const auto before =
       std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
   clock_.set(time);
@@ -146,7 +151,8 @@ Errors ReplayRobot::playOnly(const Errors& why) {
 
 std::vector<std::string> ReplayRobot::lostChoices() const {
   std::vector<std::string> lost;
-  for (const auto& [task, solution] : choices_.overrides.solutions()) {
+  const ProgramOverrides chosen = overrides();
+  for (const auto& [task, solution] : chosen.solutions()) {
     const auto uses = [&wanted = task, &choice = solution](const auto& process) {
       return std::any_of(process.tasks.begin(), process.tasks.end(),
                          [&](const auto& own) { return own.task == wanted && own.solution == choice; });
@@ -159,20 +165,20 @@ std::vector<std::string> ReplayRobot::lostChoices() const {
   return lost;
 }
 
-ReplaySelection ReplayRobot::overrides() const {
-  ReplaySelection overrides;
-  overrides.layout = setup_->layout;
-  overrides.fromLog = setup_->layoutFromLog;
-  overrides.logged = logged_;
-  overrides.debugOffers = robotlink::debugPackages();
-  overrides.packages = choices_.packages;
-  overrides.recomputeAll = choices_.recomputeAll;
-  return overrides;
+ReplaySelection ReplayRobot::selection() const {
+  ReplaySelection selection;
+  selection.layout = setup_->layout;
+  selection.fromLog = setup_->layoutFromLog;
+  selection.logged = logged_;
+  selection.debugOffers = robotlink::debugPackages();
+  selection.packages = choices_.packages;
+  selection.recomputeAll = choices_.recomputeAll;
+  return selection;
 }
 
 Errors ReplayRobot::makeProgram() {
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
-  for (ReplaySelection requested = overrides();;) {
+  for (ReplaySelection requested = selection();;) {
     auto plan = planReplay(requested, catalog);
     if (!plan) return plan.error();
     auto program = programFor(*plan);
@@ -183,7 +189,8 @@ Errors ReplayRobot::makeProgram() {
       describeProgram(*program_);
       due_.clear();
       differences_.dropInstant();
-      for (const auto& [id, request] : unanswered_) program_->program->debugProcess().request(request);
+      requests_.beginOverridden();
+      handRequests();
       return {};
     }
     const std::size_t before = requested.broken.size();
@@ -217,8 +224,9 @@ tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::program
   auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
   if (!program) return tl::unexpected(program.error());
   made->program = std::move(*program);
-  made->program->setKeys(choices_.overrides.keys());
-  const auto& requested = choices_.overrides.recordedPackages();
+  const ProgramOverrides chosen = overrides();
+  made->program->setKeys(chosen.keys());
+  const auto& requested = chosen.recordedPackages();
   std::set<std::string> recorded(requested.begin(), requested.end());
   if (choices_.publishAllPackages) {
     const auto yielded = made->program->yieldedPackages();
@@ -248,7 +256,7 @@ void ReplayRobot::describeProgram(const Program& program) {
 
 void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
   program.program->debugProcess().setListener([this](const auto& queue) {
-    noticeAnswers(*queue);
+    requests_.answered(*queue);
     listeners_.queue(queue);
   });
   for (const robotlink::Process* process : program.program->processes()) {
@@ -289,7 +297,7 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
     program_->program->debugProcess().offer(
         own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table)) : message->value);
   }
-  if (const auto& table = choices_.overrides.colorTable()) program_->program->debugProcess().offer(table);
+  if (const auto table = overrides().colorTable()) program_->program->debugProcess().offer(table);
 }
 
 }  // namespace app

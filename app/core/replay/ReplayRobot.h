@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/program/ProgramOverrides.h"
+#include "app/core/program/ProgramRequests.h"
 #include "app/core/replay/LoggedPaths.h"
 #include "app/core/replay/PackageDifferences.h"
 #include "app/core/replay/ReplayPlan.h"
@@ -29,8 +29,6 @@ namespace app {
 struct ReplayChoices {
   /// The file of the layout; empty: the log's.
   std::filesystem::path layout;
-  /// Against the layout and the logged requests.
-  ProgramOverrides overrides;
   /// Sources of packages, by package.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
   /// Whether all packages that `packages` does not name are recomputed if possible.
@@ -46,13 +44,14 @@ class ReplayRobot {
   /// Functions that are called with what the program publishes; must not be empty.
   struct Listeners {
     /// Called with each debug queue.
-    std::function<void(std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called with the rest of a sentence about a process: "waits for ...".
     std::function<void(const robotlink::Process&, const std::string&)> trouble;
   };
-  /// `logName` is the robot's name in the log, `name` that in the replay. There is no program before start().
+  /// `logName` is the robot's name in the log, `name` that in the replay; `overrides` are the user's against
+  /// the layout and the logged requests. There is no program before start().
   ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
-              ReplayChoices choices, Listeners listeners);
+              ReplayChoices choices, ProgramOverrides overrides, Listeners listeners);
   ~ReplayRobot();
 
   const std::string& name() const { return name_; }
@@ -63,6 +62,8 @@ class ReplayRobot {
   /// The setup of the program that runs here, as a log of it would contain it.
   std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup() const { return ownSetup_; }
   const ReplayChoices& choices() const { return choices_; }
+  /// A copy of the user's overrides so far.
+  ProgramOverrides overrides() const { return requests_.overrides(); }
   /// The overrides that the program cannot fulfill, as a sentence each.
   std::vector<std::string> lostChoices() const;
 
@@ -87,9 +88,11 @@ class ReplayRobot {
   /// logged ones.
   robotlink::StreamMessage published(robotlink::StreamMessage message) const;
 
-  /// Passes a request to the program; overrides are kept for later ones. Fails for STOP and if too many
-  /// requests are waiting.
+  /// Passes a request to the program when that runs next; overrides are kept for later programs. Fails for
+  /// STOP and if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// As RobotHost::answersToCome().
+  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome();
 
   /// How recomputed packages differ from logged ones.
   PackageDifferences& differences() { return differences_; }
@@ -111,7 +114,7 @@ class ReplayRobot {
   /// Makes a program that computes nothing, because that of the log cannot run for these reasons.
   robotlink::Errors playOnly(const robotlink::Errors& why);
   /// The input of planReplay() from setup and choices.
-  ReplaySelection overrides() const;
+  ReplaySelection selection() const;
   /// Makes a program for a plan, without replacing the present one.
   tl::expected<std::unique_ptr<Program>, robotlink::Errors> programFor(const ReplayPlan& plan);
   /// The packages that the platform sends, since they are as logged.
@@ -138,12 +141,8 @@ class ReplayRobot {
   bool takeSetup(const robotcontrol::ProgramSetup& setup, robotlink::Instant now);
   /// Whether the debug process ran at this instant of the recording.
   bool debugProcessRan(const std::vector<robotlink::StreamMessage>& messages) const;
-  /// Whether a solution can run on the logged data.
-  bool isAvailable(const std::string& task, const std::string& solution) const;
-  /// Keeps a request that is an override.
-  void remember(const robotcontrol::Request& request);
-  /// Removes answered requests from unanswered_.
-  void noticeAnswers(const robotcontrol::DebugQueue& queue);
+  /// Passes the requests that wait to the program.
+  void handRequests();
 
   const std::shared_ptr<logplayer::LogFile> log_;
   const std::string logName_;
@@ -158,6 +157,8 @@ class ReplayRobot {
   /// Paths of the log below the robot's name.
   std::set<std::string> streams_;
   ReplayChoices choices_;
+  /// The user's requests to all programs of the robot, and the overrides that follow from them.
+  ProgramRequests requests_;
   /// The logged setup from which setup_ was made.
   std::optional<robotcontrol::ProgramSetup> loggedSetup_;
   std::shared_ptr<const ReplaySetup> setup_;
@@ -169,8 +170,6 @@ class ReplayRobot {
   std::unique_ptr<Program> program_;
   /// Logged requests that wait until the debug process ran in the recording.
   std::vector<robotcontrol::Request> due_;
-  /// The user's requests without a result, by id; a new program gets them again.
-  std::map<std::uint64_t, robotcontrol::Request> unanswered_;
   PackageDifferences differences_;
   bool countsDifferences_ = true;
 };

@@ -4,7 +4,7 @@
 
 #include "app/core/program/ColorTables.h"
 #include "app/core/replay/ReplayRobotProgram.h"
-#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -49,6 +49,7 @@ std::vector<std::string> ReplayRobot::neededStreams() const {
 
 void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
   clock_.set(now);
+  handRequests();
   bool startedAnew = false;
   for (const StreamMessage& message : messages) {
     const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
@@ -97,18 +98,19 @@ bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
 // The user's present overrides take precedence over requests of the recording. Requests that only concern
 // views do not matter.
 void ReplayRobot::takeRequest(const Request& request) {
+  const ProgramOverrides chosen = overrides();
   bool counts = false;
   if (request.has_select_solution()) {
     const std::string& task = request.select_solution().task();
-    counts = plan_.runs(task) && !choices_.overrides.solutions().contains(task);
+    counts = plan_.runs(task) && !chosen.solutions().contains(task);
   } else if (request.has_set_parameters()) {
     const auto& details = request.set_parameters();
-    counts = plan_.runs(details.task()) &&
-             !choices_.overrides.parameters().contains({details.task(), details.solution()});
+    counts =
+        plan_.runs(details.task()) && !chosen.parameters().contains({details.task(), details.solution()});
   } else if (request.has_motion() || request.has_set_goal()) {
     counts = true;
   } else if (request.has_set_color_table()) {
-    counts = choices_.overrides.colorTable() == nullptr;
+    counts = chosen.colorTable() == nullptr;
   }
   if (!counts) return;
   due_.push_back(request);
@@ -134,6 +136,7 @@ void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
 void ReplayRobot::run() {
   program_->executor.stepPlatforms();
   program_->executor.runProcesses();
+  requests_.ran();
   if (countsDifferences_) {
     differences_.endInstant(clock_.now());
   } else {
@@ -157,36 +160,19 @@ robotlink::Result<void> ReplayRobot::request(const Request& request) {
     return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {},
                               {name_});
   }
-  remember(request);
-  if (!program_->program->debugProcess().request(request)) {
-    return robotlink::failure("request.queue-full",
-                              "robot " + name_ + " does not take requests now: too many wait already", {},
-                              {name_});
-  }
-  if (request.id() != 0) unanswered_[request.id()] = request;
-  return {};
+  if (requests_.ask(request)) return {};
+  return robotlink::failure("request.queue-full",
+                            "robot " + name_ + " does not take requests now: too many wait already", {},
+                            {name_});
 }
 
-bool ReplayRobot::isAvailable(const std::string& task, const std::string& solution) const {
-  robotlink::PlatformPackages platform;
-  for (const auto& package : platformPackages(plan_)) platform.offers.push_back(package.name);
-  platform.debugOffers = robotlink::debugPackages();
-  return robotlink::unavailability(plan_.layout, robotlink::registeredTasks(), platform, task, solution)
-      .empty();
+void ReplayRobot::handRequests() {
+  requests_.hand(
+      [this](const Request& request) { return program_->program->debugProcess().request(request); });
 }
 
-void ReplayRobot::remember(const Request& request) {
-  const auto& solution = request.select_solution();
-  if (request.has_select_solution() && !isAvailable(solution.task(), solution.solution())) return;
-  if (!choices_.overrides.note(request)) return;
-  if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
-}
-
-void ReplayRobot::noticeAnswers(const robotcontrol::DebugQueue& queue) {
-  if (unanswered_.empty()) return;
-  for (const auto& message : queue.messages()) {
-    if (message.has_result()) unanswered_.erase(message.result().id());
-  }
+std::shared_ptr<const robotlink::SharedDebugQueue> ReplayRobot::answersToCome() {
+  return requests_.answersToCome(*program_->program, clock_.now());
 }
 
 }  // namespace app

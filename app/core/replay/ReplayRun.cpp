@@ -16,10 +16,11 @@ namespace streams = robotlink::streams;
 
 using logplayer::LogFile;
 using robotcontrol::ControlReplay;
-using robotcontrol::DebugQueue;
 using robotlink::Duration;
 using robotlink::Errors;
 using robotlink::Instant;
+using robotlink::SharedDebugMessage;
+using robotlink::SharedDebugQueue;
 using robotlink::StreamMessage;
 
 namespace {
@@ -36,11 +37,12 @@ bool isFrameEnd(const StreamMessage& message) {
 }
 
 /// Returns a queue with an offset added to all times; the same one if that is 0.
-std::shared_ptr<const DebugQueue> moved(const std::shared_ptr<const DebugQueue>& queue, Duration offset) {
+std::shared_ptr<const SharedDebugQueue> moved(const std::shared_ptr<const SharedDebugQueue>& queue,
+                                              Duration offset) {
   if (offset == Duration::zero()) return queue;
-  auto copy = std::make_shared<DebugQueue>(*queue);
-  for (auto& message : *copy->mutable_messages()) {
-    robotlink::assign(*message.mutable_timestamp(), robotlink::instant(message.timestamp()) + offset);
+  auto copy = std::make_shared<SharedDebugQueue>(*queue);
+  for (SharedDebugMessage& message : copy->messages) {
+    if (message.time) *message.time += offset;
   }
   return copy;
 }
@@ -75,14 +77,14 @@ Errors ReplayRun::Implementation::open() {
   }
   bool hasWorld = false;
   for (std::size_t i = 0; i < options.logs.size(); ++i) {
-    LogFile::Options overrides;
+    LogFile::Options opening;
     if (options.progress) {
       const double count = static_cast<double>(options.logs.size());
-      overrides.progress = [this, i, count](double share) {
+      opening.progress = [this, i, count](double share) {
         return options.progress((static_cast<double>(i) + share) / count);
       };
     }
-    auto file = LogFile::open(options.logs[i].file, std::move(overrides));
+    auto file = LogFile::open(options.logs[i].file, std::move(opening));
     if (!file) return {file.error()};
     options.logs[i].offset = offsetOf(options.logs[i], **file);
     auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
@@ -112,10 +114,11 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     const std::string name = freeName(logName);
     ReplayChoices choices;
     choices.layout = options.layout;
+    ProgramOverrides overrides;
     if (const auto before = options.overrides.find(name); before != options.overrides.end())
-      choices.overrides = before->second;
-    for (const auto& [task, solution] : options.solutions) choices.overrides.chooseSolution(task, solution);
-    if (colorTable) choices.overrides.chooseColorTable(colorTable);
+      overrides = before->second;
+    for (const auto& [task, solution] : options.solutions) overrides.chooseSolution(task, solution);
+    if (colorTable) overrides.chooseColorTable(colorTable);
     choices.recomputeAll = options.recomputeAll;
     choices.publishAllPackages = options.publishAllPackages;
     for (const std::string& prefix : {std::string("*/"), name + "/"}) {
@@ -128,8 +131,9 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     ears.trouble = [this, name](const robotlink::Process& process, const std::string& text) {
       if (listeners.trouble) listeners.trouble(name, process, "Process " + process.name() + " " + text);
     };
-    auto& robot = *source.robots.emplace_back(std::make_unique<ReplayRobot>(
-        source.reader.filePointer(), logName, name, std::move(choices), std::move(ears)));
+    auto& robot = *source.robots.emplace_back(
+        std::make_unique<ReplayRobot>(source.reader.filePointer(), logName, name, std::move(choices),
+                                      std::move(overrides), std::move(ears)));
     source.byLogName[logName] = &robot;
     if (Errors errors = robot.start(source.reader.file().begin()); !errors.empty()) return errors;
   }
@@ -184,7 +188,7 @@ void ReplayRun::Implementation::publish(Source& source, const std::vector<Stream
 }
 
 void ReplayRun::Implementation::hear(const Source& source, const std::string& robot,
-                                     const std::shared_ptr<const DebugQueue>& queue) {
+                                     const std::shared_ptr<const SharedDebugQueue>& queue) {
   const auto shown = moved(queue, source.log.offset);
   if (!quiet) {
     if (listeners.queue) listeners.queue(robot, shown);
@@ -192,7 +196,7 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
   }
   const auto reader =
       options.publishAllPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
-  auto taken = robotlink::messagesOf(robot, shown, now, reader);
+  auto taken = robotlink::messagesOf(robot, *shown, now, reader);
   for (StreamMessage& message : taken.messages) {
     if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
       history.push_back(std::move(message));
@@ -200,11 +204,11 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
       newest[message.path] = std::move(message);
     }
   }
-  for (const auto& message : shown->messages()) {
-    if (!message.has_result()) continue;
-    if (!answers) answers = std::make_shared<DebugQueue>();
-    answers->set_process(shown->process());
-    *answers->add_messages() = message;
+  for (const SharedDebugMessage& message : shown->messages) {
+    if (message.as<robotcontrol::RequestResult>() == nullptr) continue;
+    if (!answers) answers = std::make_shared<SharedDebugQueue>();
+    answers->process = shown->process;
+    answers->messages.push_back(message);
   }
 }
 
@@ -380,10 +384,21 @@ robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request)
   return robot->request(request);
 }
 
+std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
+  std::vector<Answers> all;
+  for (const auto& source : implementation_->sources) {
+    for (const auto& robot : source->robots) {
+      if (const auto queue = robot->answersToCome())
+        all.emplace_back(robot->name(), moved(queue, source->log.offset));
+    }
+  }
+  return all;
+}
+
 std::map<std::string, ProgramOverrides> ReplayRun::overrides() const {
   std::map<std::string, ProgramOverrides> all;
   for (const auto& source : implementation_->sources) {
-    for (const auto& robot : source->robots) all[robot->name()] = robot->choices().overrides;
+    for (const auto& robot : source->robots) all[robot->name()] = robot->overrides();
   }
   return all;
 }

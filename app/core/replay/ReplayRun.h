@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/program/ProgramOverrides.h"
@@ -23,6 +24,7 @@ namespace robotlink {
 class Process;
 struct FieldDescription;
 struct RobotDescription;
+struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
@@ -80,7 +82,7 @@ class ReplayRun {
     /// of every stream, including those of the programs.
     std::function<void(std::vector<robotlink::StreamMessage>)> logged;
     /// Called with the debug queues of programs, and after a jump with the results of requests.
-    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(const std::string& robot, std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called with a sentence if something is wrong with a process.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
@@ -131,6 +133,10 @@ class ReplayRun {
   /// Passes a request to a robot's program; overrides are kept over jumps. Call jump(now()) to see its effect
   /// at once.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// What the programs will answer in their next frames to what they were asked, if they have not answered
+  /// yet, with the tables and parameters that follow from it; by robot.
+  using Answers = std::pair<std::string, std::shared_ptr<const robotlink::SharedDebugQueue>>;
+  std::vector<Answers> answersToCome();
 
   /// The solutions of the options that have no effect because their tasks do not run, as a sentence each,
   /// with the reason.

@@ -4,6 +4,7 @@
 #include "app/core/replay/ReplayRobot.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/replay/ReplaySource.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -70,7 +71,7 @@ struct ReplayRun::Implementation {
                                                     const robotlink::StreamMessage& message) const;
   /// Publishes a debug queue, or collects its messages during a jump.
   void hear(const Source& source, const std::string& robot,
-            const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+            const std::shared_ptr<const robotlink::SharedDebugQueue>& queue);
   /// Adds a text to `notes`. `level` is a foxglove::Log::Level.
   void note(const Source& source, const std::string& robot, robotlink::Instant logTime, int level,
             const std::string& text);
@@ -113,7 +114,7 @@ struct ReplayRun::Implementation {
   /// The newest message of each other stream, by path.
   std::map<std::string, robotlink::StreamMessage> newest;
   /// Results of requests; null if there are none.
-  std::shared_ptr<robotcontrol::DebugQueue> answers;
+  std::shared_ptr<robotlink::SharedDebugQueue> answers;
   /// Texts of the replay itself that were not published yet.
   std::vector<robotlink::StreamMessage> notes;
 };

@@ -70,7 +70,7 @@ class SimulatedRun {
   /// Functions that are called with what happens; each may be empty.
   struct Listeners {
     /// Called with each debug queue of a robot.
-    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    std::function<void(const std::string& robot, std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
     /// Called if a process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;

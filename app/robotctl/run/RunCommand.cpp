@@ -19,6 +19,7 @@
 #include "app/robotctl/run/RunRobotCommand.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/session/QueueMessages.h"
 
@@ -68,7 +69,7 @@ class Recording {
     ReplayRun::Listeners listeners;
     listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) { write(messages); };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
-      write(messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder).messages);
+      write(messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder).messages);
     };
     listeners.trouble = [this](const std::string& robot, const robotlink::Process& process,
                                const std::string& text) {

@@ -4,8 +4,9 @@
 #include <iomanip>
 #include <iostream>
 
-#include "robotcontrol/Debugging.pb.h"
+#include "foxglove/Robot.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
@@ -14,13 +15,11 @@ void printText(robotlink::Instant time, const std::string& source, const std::st
             << text << "\n";
 }
 
-void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue) {
-  for (const auto& message : queue.messages()) {
-    if (!message.has_text()) continue;
-    const auto& stamp = message.timestamp();
-    const robotlink::Instant time(std::chrono::seconds(stamp.seconds()) +
-                                  std::chrono::nanoseconds(stamp.nanos()));
-    printText(time, robot + "/" + message.text().name(), message.text().message());
+void printTexts(const std::string& robot, const robotlink::SharedDebugQueue& queue) {
+  for (const auto& message : queue.messages) {
+    const auto* text = message.as<foxglove::Log>();
+    if (text == nullptr) continue;
+    printText(message.time.value_or(robotlink::Instant()), robot + "/" + text->name(), text->message());
   }
 }
 

@@ -13,6 +13,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/QueueMessages.h"
 #include "simcore/Simulation.h"
@@ -40,7 +41,7 @@ class SimulatedOffice {
     app::SimulatedRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, auto queue) {
       for (const auto& message :
-           robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages)
+           robotlink::messagesOf(robot, *queue, {}, robotlink::QueueReader::kViews).messages)
         if (auto pose = std::dynamic_pointer_cast<const robotcontrol::RobotPose>(message.value))
           believed_ = *pose;
     };

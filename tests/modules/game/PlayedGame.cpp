@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/modules/game/PlayedGame.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -98,14 +99,15 @@ void PlayedGame::select(const std::string& task, const std::string& solution) {
   if (!run_->request(request)) throw std::runtime_error("request refused");
 }
 
-void PlayedGame::receive(const robotcontrol::DebugQueue& queue) {
-  for (const robotcontrol::DebugMessage& message : queue.messages()) {
-    paths_.insert(message.path());
-    if (message.has_text()) texts_.push_back(message.text().name() + ": " + message.text().message());
-    const auto listener = listeners_.find(message.path());
-    const auto truth = truths_.find(robotlink::instant(message.timestamp()));
-    if (message.has_package() && listener != listeners_.end() && truth != truths_.end())
-      listener->second(message.package().data(), truth->second);
+void PlayedGame::receive(const robotlink::SharedDebugQueue& queue) {
+  for (const robotlink::SharedDebugMessage& message : queue.messages) {
+    paths_.insert(message.path);
+    if (const auto* text = message.as<foxglove::Log>())
+      texts_.push_back(text->name() + ": " + text->message());
+    const auto listener = listeners_.find(message.path);
+    const auto truth = truths_.find(message.time.value());
+    if (listener != listeners_.end() && truth != truths_.end())
+      listener->second(message.content->SerializeAsString(), truth->second);
   }
 }
 

@@ -56,7 +56,7 @@ class PlayedGame {
  private:
   using Listener = std::function<void(const std::string& bytes, const Truth& truth)>;
   void show(const std::string& package, Listener listener);
-  void receive(const robotcontrol::DebugQueue& queue);
+  void receive(const robotlink::SharedDebugQueue& queue);
 
   std::unique_ptr<app::SimulatedRun> run_;
   std::map<std::string, Listener> listeners_;

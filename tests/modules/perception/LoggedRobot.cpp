@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/modules/perception/LoggedRobot.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 
 #include <stdexcept>
 
@@ -105,12 +106,11 @@ LoggedRobot::~LoggedRobot() {
   executor_->clear();
 }
 
-void LoggedRobot::hear(const robotcontrol::DebugQueue& queue) {
-  for (const auto& message : queue.messages()) {
-    if (message.has_result()) results_.push_back(message.result());
-    if (!message.has_package()) continue;
-    if (message.path() == robotlink::kBallPercept.name) percept_.ParseFromString(message.package().data());
-    if (message.path() == robotlink::kColorRegions.name) regions_.ParseFromString(message.package().data());
+void LoggedRobot::hear(const robotlink::SharedDebugQueue& queue) {
+  for (const auto& message : queue.messages) {
+    if (const auto* result = message.as<robotcontrol::RequestResult>()) results_.push_back(*result);
+    if (const auto* percept = message.as<robotcontrol::BallPercept>()) percept_ = *percept;
+    if (const auto* regions = message.as<robotcontrol::ColorRegions>()) regions_ = *regions;
   }
 }
 

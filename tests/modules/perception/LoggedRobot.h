@@ -42,7 +42,7 @@ class LoggedRobot {
 
  private:
   class Eyes;
-  void hear(const robotcontrol::DebugQueue& queue);
+  void hear(const robotlink::SharedDebugQueue& queue);
 
   robotlink::ManualClock clock_;
   std::unique_ptr<Eyes> eyes_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 
 using namespace robotlink;
@@ -36,6 +37,8 @@ class DebugContextTest : public testing::Test {
     for (int i = 0; i < count; ++i) row += debug_.on(kShapeKey) ? '1' : '0';
     return row;
   }
+  /// What the context published since the last call, in the form that leaves the program.
+  static robotcontrol::DebugQueue take(DebugContext& debug) { return toWire(*debug.takeQueue()); }
   static std::vector<std::string> paths(const robotcontrol::DebugQueue& queue) {
     std::vector<std::string> result;
     for (const auto& message : queue.messages()) result.push_back(message.path());
@@ -114,18 +117,18 @@ TEST_F(DebugContextTest, aFrameIsHandedOverWholeAndEndsWithItsNumber) {
   EXPECT_FALSE(debug_.hasQueue());
   debug_.endFrame();
   ASSERT_TRUE(debug_.hasQueue());
-  const auto queue = debug_.takeQueue();
+  const auto queue = take(debug_);
   EXPECT_FALSE(debug_.hasQueue());
-  ASSERT_EQ(paths(*queue), (Paths{"log", "frames/cognition"}));
-  EXPECT_EQ(queue->process(), "cognition");
-  const foxglove::Log& log = queue->messages(0).text();
+  ASSERT_EQ(paths(queue), (Paths{"log", "frames/cognition"}));
+  EXPECT_EQ(queue.process(), "cognition");
+  const foxglove::Log& log = queue.messages(0).text();
   EXPECT_EQ(log.message(), "no ball");
   EXPECT_EQ(log.name(), "cognition/ball-percept");
   EXPECT_EQ(log.level(), foxglove::Log::WARNING);
   EXPECT_EQ(instant(log.timestamp()), Instant(3s));
-  EXPECT_EQ(instant(queue->messages(0).timestamp()), Instant(3s));
-  EXPECT_EQ(queue->messages(1).frame().number(), 7U);
-  EXPECT_EQ(queue->messages(1).frame().process(), "cognition");
+  EXPECT_EQ(instant(queue.messages(0).timestamp()), Instant(3s));
+  EXPECT_EQ(queue.messages(1).frame().number(), 7U);
+  EXPECT_EQ(queue.messages(1).frame().process(), "cognition");
 }
 
 TEST_F(DebugContextTest, eachKindGoesToItsStream) {
@@ -138,22 +141,22 @@ TEST_F(DebugContextTest, eachKindGoesToItsStream) {
     debug_.image(kShapeKey, gray.view());
     debug_.plot(kShapeKey, 4.5, "m");
     debug_.plot(kShapeKey, "x", 2);
-    debug_.package("models/ball", mode(KeyMode::EVERY_N, 9));
+    debug_.package("models/ball", std::make_shared<KeyMode>(mode(KeyMode::EVERY_N, 9)));
   });
-  const auto queue = debug_.takeQueue();
-  EXPECT_EQ(paths(*queue), (Paths{"drawings/image/context-test/shape", "drawings/field/context-test/shape",
-                                  "drawings/robot/context-test/shape", "images/context-test/shape",
-                                  "plots/context-test/shape", "plots/context-test/shape/x", "models/ball",
-                                  "frames/cognition"}));
-  EXPECT_EQ(queue->messages(1).scene_drawing().entities(0).frame_id(), "field");
-  EXPECT_EQ(queue->messages(1).scene_drawing().entities(0).id(), "context-test/shape");
-  EXPECT_EQ(queue->messages(2).scene_drawing().entities(0).frame_id(), "red1");
-  EXPECT_EQ(imageView(queue->messages(3).image()).width, 4);
-  EXPECT_EQ(queue->messages(4).plot().value(), 4.5);
-  EXPECT_EQ(queue->messages(4).plot().unit(), "m");
-  EXPECT_EQ(queue->messages(6).package().type(), "robotcontrol.KeyMode");
+  const auto queue = take(debug_);
+  EXPECT_EQ(paths(queue), (Paths{"drawings/image/context-test/shape", "drawings/field/context-test/shape",
+                                 "drawings/robot/context-test/shape", "images/context-test/shape",
+                                 "plots/context-test/shape", "plots/context-test/shape/x", "models/ball",
+                                 "frames/cognition"}));
+  EXPECT_EQ(queue.messages(1).scene_drawing().entities(0).frame_id(), "field");
+  EXPECT_EQ(queue.messages(1).scene_drawing().entities(0).id(), "context-test/shape");
+  EXPECT_EQ(queue.messages(2).scene_drawing().entities(0).frame_id(), "red1");
+  EXPECT_EQ(imageView(queue.messages(3).image()).width, 4);
+  EXPECT_EQ(queue.messages(4).plot().value(), 4.5);
+  EXPECT_EQ(queue.messages(4).plot().unit(), "m");
+  EXPECT_EQ(queue.messages(6).package().type(), "robotcontrol.KeyMode");
   KeyMode copy;
-  ASSERT_TRUE(copy.ParseFromString(queue->messages(6).package().data()));
+  ASSERT_TRUE(copy.ParseFromString(queue.messages(6).package().data()));
   EXPECT_EQ(copy.n(), 9U);
 }
 
@@ -164,11 +167,11 @@ TEST_F(DebugContextTest, allShapesOfAKeyInAFrameAreOneDrawing) {
     debug_.imageDrawing(kShapeKey).circle({5, 5}, 1, colors::kRed);
   });
   frame([&] { debug_.imageDrawing(kShapeKey).circle({0, 0}, 1, colors::kRed); });
-  const auto queue = debug_.takeQueue();
-  ASSERT_EQ(queue->messages_size(), 5);
-  EXPECT_EQ(queue->messages(0).image_drawing().circles_size(), 2);
-  EXPECT_EQ(queue->messages(1).image_drawing().circles_size(), 1);
-  EXPECT_EQ(queue->messages(3).image_drawing().circles_size(), 1);
+  const auto queue = take(debug_);
+  ASSERT_EQ(queue.messages_size(), 5);
+  EXPECT_EQ(queue.messages(0).image_drawing().circles_size(), 2);
+  EXPECT_EQ(queue.messages(1).image_drawing().circles_size(), 1);
+  EXPECT_EQ(queue.messages(3).image_drawing().circles_size(), 1);
 }
 
 TEST_F(DebugContextTest, aDrawingThatIsBegunIsSentEvenIfItIsEmpty) {
@@ -176,10 +179,10 @@ TEST_F(DebugContextTest, aDrawingThatIsBegunIsSentEvenIfItIsEmpty) {
     debug_.imageDrawing(kShapeKey);
     debug_.fieldDrawing(kShapeKey);
   });
-  const auto queue = debug_.takeQueue();
-  ASSERT_EQ(queue->messages_size(), 3);
-  EXPECT_TRUE(queue->messages(0).has_image_drawing());
-  EXPECT_EQ(queue->messages(1).scene_drawing().entities_size(), 1);
+  const auto queue = take(debug_);
+  ASSERT_EQ(queue.messages_size(), 3);
+  EXPECT_TRUE(queue.messages(0).has_image_drawing());
+  EXPECT_EQ(queue.messages(1).scene_drawing().entities_size(), 1);
 }
 
 TEST_F(DebugContextTest, ofAnImageOnlyTheLastOfAFrameIsSent) {
@@ -189,9 +192,9 @@ TEST_F(DebugContextTest, ofAnImageOnlyTheLastOfAFrameIsSent) {
     debug_.image(kShapeKey, large.view());
     debug_.image(kOtherKey, ImageView{});
   });
-  const auto queue = debug_.takeQueue();
-  ASSERT_EQ(queue->messages_size(), 2);
-  EXPECT_EQ(imageView(queue->messages(0).image()).width, 8);
+  const auto queue = take(debug_);
+  ASSERT_EQ(queue.messages_size(), 2);
+  EXPECT_EQ(imageView(queue.messages(0).image()).width, 8);
 }
 
 TEST_F(DebugContextTest, whatDoesNotFitIsDroppedByWholeFramesOldestFirst) {
@@ -202,11 +205,11 @@ TEST_F(DebugContextTest, whatDoesNotFitIsDroppedByWholeFramesOldestFirst) {
     debug.endFrame();
   }
   EXPECT_EQ(debug.dropped(), 6U) << "three frames of a text and an end";
-  const auto queue = debug.takeQueue();
-  ASSERT_EQ(queue->messages_size(), 4);
-  EXPECT_EQ(queue->messages(1).frame().number(), 4U);
-  EXPECT_EQ(queue->messages(3).frame().number(), 5U);
-  EXPECT_EQ(queue->dropped(), 6U);
+  const auto queue = take(debug);
+  ASSERT_EQ(queue.messages_size(), 4);
+  EXPECT_EQ(queue.messages(1).frame().number(), 4U);
+  EXPECT_EQ(queue.messages(3).frame().number(), 5U);
+  EXPECT_EQ(queue.dropped(), 6U);
 }
 
 TEST_F(DebugContextTest, aFrameThatIsTooLargeAloneIsDroppedAndTheNextOneIsNot) {
@@ -217,7 +220,7 @@ TEST_F(DebugContextTest, aFrameThatIsTooLargeAloneIsDroppedAndTheNextOneIsNot) {
   EXPECT_FALSE(debug.hasQueue());
   debug.beginFrame(clock_.now(), 2);
   debug.endFrame();
-  EXPECT_EQ(debug.takeQueue()->messages_size(), 1);
+  EXPECT_EQ(take(debug).messages_size(), 1);
   EXPECT_EQ(debug.dropped(), 2U);
 }
 
@@ -225,13 +228,13 @@ TEST_F(DebugContextTest, whatIsToldOutsideAFrameBelongsToTheNext) {
   debug_.text(Level::kError, "solutions", "refused");
   EXPECT_FALSE(debug_.hasQueue());
   frame();
-  EXPECT_EQ(paths(*debug_.takeQueue()), (Paths{"log", "frames/cognition"}));
+  EXPECT_EQ(paths(take(debug_)), (Paths{"log", "frames/cognition"}));
 }
 
 TEST_F(DebugContextTest, aTextThatIsNotUtf8IsMadeSo) {
   frame([&] { debug_.text(Level::kInfo, "files", "caf\xe9 \xc3\xa9 \xed\xa0\x80."); });
-  const auto queue = debug_.takeQueue();
-  EXPECT_EQ(queue->messages(0).text().message(), "caf? \xc3\xa9 ???.");
+  const auto queue = take(debug_);
+  EXPECT_EQ(queue.messages(0).text().message(), "caf? \xc3\xa9 ???.");
   robotcontrol::DebugQueue copy;
-  EXPECT_TRUE(copy.ParseFromString(queue->SerializeAsString()));
+  EXPECT_TRUE(copy.ParseFromString(queue.SerializeAsString()));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Packages.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
 
@@ -52,8 +53,9 @@ struct PartialRobot {
     auto made = RobotProgram::create(setup, std::move(layout), platform, parameters);
     if (!made) return made.error();
     program = std::move(*made);
-    program->debugProcess().setListener([this](const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
-      heard.insert(heard.end(), queue->messages().begin(), queue->messages().end());
+    program->debugProcess().setListener([this](const std::shared_ptr<const SharedDebugQueue>& queue) {
+      const robotcontrol::DebugQueue wire = toWire(*queue);
+      heard.insert(heard.end(), wire.messages().begin(), wire.messages().end());
     });
     for (Process* process : program->processes()) executor.add(*process);
     executor.add(platform);

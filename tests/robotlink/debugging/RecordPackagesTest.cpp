@@ -79,10 +79,11 @@ TEST(RecordPackages, areLeftOutForViewsButNotForRecorders) {
   ToyRobot robot;
   robot.ask(recordPackages({"percepts/ball"}));
   robot.run(20);
-  const auto queue = std::make_shared<robotcontrol::DebugQueue>();
-  for (const auto& message : robot.heard) *queue->add_messages() = message;
+  robotcontrol::DebugQueue wire;
+  for (const auto& message : robot.heard) *wire.add_messages() = message;
+  const auto queue = fromWire(wire);
   const auto count = [&](QueueReader reader) {
-    const auto parts = messagesOf("red1", queue, {}, reader);
+    const auto parts = messagesOf("red1", *queue, {}, reader);
     return std::count_if(parts.messages.begin(), parts.messages.end(),
                          [](const auto& message) { return message.path == "red1/percepts/ball"; });
   };

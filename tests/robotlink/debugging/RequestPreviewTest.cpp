@@ -93,10 +93,12 @@ std::vector<Request> manyRequests() {
   return all;
 }
 
-const robotcontrol::DebugMessage* last(const robotcontrol::DebugQueue& queue, const std::string& path) {
-  const robotcontrol::DebugMessage* found = nullptr;
-  for (const auto& message : queue.messages()) {
-    if (message.path() == path) found = &message;
+/// The content of the last message of a path.
+template <typename T>
+const T* last(const SharedDebugQueue& queue, const std::string& path) {
+  const T* found = nullptr;
+  for (const SharedDebugMessage& message : queue.messages) {
+    if (message.path == path) found = message.as<T>();
   }
   return found;
 }
@@ -113,10 +115,10 @@ TEST(RequestPreview, givesTheAnswersThatTheProgramGivesWhenItRuns) {
     ASSERT_NE(queue, nullptr);
     const auto real = robot.ask(request);
     EXPECT_EQ(accepted, real.accepted()) << request.ShortDebugString();
-    const auto& foretold = last(*queue, "results")->result();
+    const auto& foretold = *last<robotcontrol::RequestResult>(*queue, "results");
     EXPECT_EQ(foretold.reason(), real.reason()) << request.ShortDebugString();
     EXPECT_EQ(foretold.checksum(), real.checksum()) << request.ShortDebugString();
-    for (const auto& message : queue->messages()) EXPECT_TRUE(message.has_timestamp());
+    for (const auto& message : queue->messages) EXPECT_TRUE(message.time.has_value());
   }
 }
 
@@ -129,17 +131,19 @@ TEST(RequestPreview, eachRequestSeesWhatThoseBeforeItChange) {
   EXPECT_TRUE(preview.answer(setKey("ball-percept/dot", KeyMode::EVERY_N, 4)));
   const auto queue = preview.takeQueue(robot.clock.now());
   robotcontrol::Velocity2 value;
-  value.ParseFromString(last(*queue, "parameters/ball-percept/region")->parameters().value().data());
+  value.ParseFromString(
+      last<robotcontrol::ParameterValues>(*queue, "parameters/ball-percept/region")->value().data());
   EXPECT_EQ(value.x(), 7);
-  const auto& solutions = last(*queue, "tables/solutions")->solutions();
+  const auto& solutions = *last<robotcontrol::SolutionTable>(*queue, "tables/solutions");
   ASSERT_EQ(solutions.tasks_size(), 4);
   EXPECT_EQ(solutions.tasks(2).active(), "obey");
   EXPECT_EQ(solutions.tasks(2).default_solution(), "go");
-  for (const auto& key : last(*queue, "tables/keys")->keys().keys()) {
+  for (const auto& key : last<robotcontrol::KeyTable>(*queue, "tables/keys")->keys()) {
     const bool chosen = key.name() == "ball-percept/dot";
     EXPECT_EQ(key.mode().kind(), chosen ? KeyMode::EVERY_N : KeyMode::OFF) << key.name();
   }
-  EXPECT_EQ(last(*queue, "tables/processes")->processes().processes_size(), 4) << "platform and processes";
+  EXPECT_EQ(last<robotcontrol::ProcessTable>(*queue, "tables/processes")->processes_size(), 4)
+      << "platform and processes";
   EXPECT_EQ(preview.takeQueue(robot.clock.now()), nullptr) << "it was taken";
 }
 

@@ -82,7 +82,7 @@ TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
   ASSERT_TRUE(program);
   std::atomic<int> published{0};
   (*program)->debugProcess().setListener([&](const auto& queue) {
-    for (const auto& message : queue->messages()) published += message.path() == kPath ? 1 : 0;
+    for (const auto& message : queue->messages) published += message.path == kPath ? 1 : 0;
   });
   ThreadExecutor executor({});
   for (Process* process : (*program)->processes()) executor.add(*process);

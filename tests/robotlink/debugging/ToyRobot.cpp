@@ -270,8 +270,9 @@ Errors ToyRobot::load(const std::string& layout) {
   if (!made) return made.error();
   executor.clear();
   program = std::move(*made);
-  program->debugProcess().setListener([this](const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
-    heard.insert(heard.end(), queue->messages().begin(), queue->messages().end());
+  program->debugProcess().setListener([this](const std::shared_ptr<const SharedDebugQueue>& queue) {
+    const robotcontrol::DebugQueue wire = toWire(*queue);
+    heard.insert(heard.end(), wire.messages().begin(), wire.messages().end());
   });
   for (Process* process : program->processes()) executor.add(*process);
   executor.add(platform);

@@ -15,6 +15,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/Platform.h"
 

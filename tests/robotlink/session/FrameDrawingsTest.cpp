@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 
@@ -33,7 +34,7 @@ class FrameDrawingsTest : public testing::Test {
     auto& info = *add(*queue, "frames/" + process, time).mutable_frame();
     info.set_process(process);
     info.set_number(++number_);
-    session_.pushQueue("red1", queue);
+    session_.pushQueue("red1", robotlink::fromWire(*queue));
     session_.tick();
   }
   void mode(double time, const std::string& key, KeyMode::Kind kind, std::uint32_t n = 0) {
@@ -42,7 +43,7 @@ class FrameDrawingsTest : public testing::Test {
     entry.set_name(key);
     entry.mutable_mode()->set_kind(kind);
     entry.mutable_mode()->set_n(n);
-    session_.pushQueue("red1", queue);
+    session_.pushQueue("red1", robotlink::fromWire(*queue));
     session_.tick();
   }
   static robotcontrol::DebugMessage& add(DebugQueue& queue, const std::string& path, double time) {

@@ -41,7 +41,7 @@ double takenByCounted(const std::function<void(robotcontrol::DebugQueue&, double
     const auto queue = queueOf("cognition");
     fill(*queue, time);
     endFrame(*queue, time, static_cast<std::uint64_t>(i));
-    session.pushQueue("red1", queue);
+    session.pushQueue("red1", fromWire(*queue));
     session.tick();
   }
   return static_cast<double>(heap() - before) / static_cast<double>(session.store().bytes());

@@ -50,14 +50,6 @@ TEST(LatchedMessages, forgetARobotWhoseProgramStartsAnew) {
   EXPECT_EQ(paths(held), (std::vector<std::string>{"red10/program", "scene"}));
 }
 
-TEST(LatchedMessages, doNotKeepTheQueueAliveInWhichTheyCame) {
-  const auto queue = std::make_shared<robotcontrol::DebugQueue>();
-  const auto& table = queue->add_messages()->keys();
-  LatchedMessages held;
-  held.take(message("red1/tables/keys", PackagePtr(queue, &table), 1));
-  EXPECT_EQ(queue.use_count(), 1);
-}
-
 TEST(Schema, holdsATypeWithAllThatItImportsFirst) {
   google::protobuf::FileDescriptorSet files;
   ASSERT_TRUE(files.ParseFromString(schemaOf(*robotcontrol::ProgramSetup::descriptor())));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/StreamMessage.h"
 

@@ -60,12 +60,13 @@ TEST(Session, aQueuesMessagesBecomeStreamsWithoutBeingCopied) {
   add(*queue, "tables/processes", 1).mutable_processes();
   add(*queue, "parameters/ball-percept/scan-lines", 1).mutable_parameters();
   endFrame(*queue, 1, 42);
-  session.pushQueue("red1", queue);
+  const auto shared = fromWire(*queue);
+  session.pushQueue("red1", shared);
   session.tick();
   EXPECT_EQ(session.store().streams("red1/").size(), 11U);
   const StreamMessage* text = session.store().latest("red1/log", at(1));
   ASSERT_NE(text, nullptr);
-  EXPECT_EQ(text->value.get(), &queue->messages(0).text());
+  EXPECT_EQ(text->value, shared->messages[0].content);
   EXPECT_EQ(text->process, "cognition");
   EXPECT_EQ(text->frame, 42U);
   EXPECT_EQ(session.store().find("red1/images/segmentation/classes")->type, "foxglove.RawImage");
@@ -81,7 +82,7 @@ TEST(Session, eachMessageKnowsTheFrameThatEndsAfterIt) {
   add(*queue, "plots/a", 2).mutable_plot();
   endFrame(*queue, 2, 6);
   add(*queue, "plots/a", 3).mutable_plot();
-  session.pushQueue("red1", queue);
+  session.pushQueue("red1", fromWire(*queue));
   session.tick();
   std::vector<std::uint64_t> frames;
   for (const auto& message : session.store().find("red1/plots/a")->messages) frames.push_back(message.frame);
@@ -100,7 +101,7 @@ TEST(Session, copiesOfPackagesAreReadIntoTheirTypes) {
   auto& damaged = *add(*queue, "damaged", 1).mutable_package();
   damaged.set_type("robotcontrol.BallModel");
   damaged.set_data("\xff\xff\xff");
-  session.pushQueue("red1", queue);
+  session.pushQueue("red1", fromWire(*queue));
   session.tick();
   const auto* model = session.store().latestAs<robotcontrol::BallModel>("red1/models/ball", at(1));
   ASSERT_NE(model, nullptr);
@@ -116,7 +117,7 @@ TEST(Session, whenNobodyTicksWholeQueuesAreDroppedOldestFirstAndCounted) {
     add(*queue, "plots/a", i).mutable_plot();
     add(*queue, "plots/b", i).mutable_plot();
     endFrame(*queue, i, static_cast<std::uint64_t>(i));
-    session.pushQueue("red1", queue);
+    session.pushQueue("red1", fromWire(*queue));
   }
   EXPECT_EQ(session.dropped(), 6U);
   session.tick();
@@ -138,15 +139,17 @@ TEST(Session, tablesAreNeverDropped) {
   const auto queue = queueOf("cognition");
   add(*queue, "tables/keys", 1).mutable_keys()->add_keys()->set_name("ball-percept/circle");
   add(*queue, "tables/solutions", 1).mutable_solutions();
-  const std::weak_ptr<DebugQueue> weak = queue;
-  session.pushQueue("red1", queue);
+  add(*queue, "images/a", 1).mutable_image();
+  auto shared = fromWire(*queue);
+  const std::weak_ptr<const google::protobuf::Message> image = shared->messages.back().content;
+  session.pushQueue("red1", std::exchange(shared, nullptr));
   for (int i = 2; i < 40; ++i) session.push(plot("a", i));
   session.tick();
   const auto* keys = session.store().latestAs<robotcontrol::KeyTable>("red1/tables/keys", at(40));
   ASSERT_NE(keys, nullptr);
   EXPECT_EQ(keys->keys(0).name(), "ball-percept/circle");
   EXPECT_NE(session.store().find("red1/tables/solutions"), nullptr);
-  EXPECT_EQ(weak.use_count(), 1) << "what was dropped with them is not kept in memory";
+  EXPECT_TRUE(image.expired()) << "what was dropped with them is not kept in memory";
 }
 
 TEST(Session, theSceneAndWhatElseHoldsUntilItIsToldAnewIsNeverDropped) {
@@ -167,11 +170,11 @@ TEST(Session, whatTheRobotsQueuesDroppedIsCountedOverRestarts) {
   for (const std::uint64_t dropped : {3U, 10U, 2U}) {  // the process was started anew after the second
     const auto queue = queueOf("cognition");
     queue->set_dropped(dropped);
-    session.pushQueue("red1", queue);
+    session.pushQueue("red1", fromWire(*queue));
   }
   const auto other = queueOf("motion");
   other->set_dropped(100);
-  session.pushQueue("red1", other);
+  session.pushQueue("red1", fromWire(*other));
   EXPECT_EQ(session.dropped(), 112U);
 }
 
@@ -188,7 +191,7 @@ TEST(Session, aResultComesBackOnceAndOnlyInTheTick) {
   auto& result = *add(*queue, "results", 1).mutable_result();
   result.set_id(id);
   result.set_reason("because");
-  session.pushQueue("red1", queue);
+  session.pushQueue("red1", fromWire(*queue));
   session.pushResult(result);
   EXPECT_TRUE(answers.empty());
   session.tick();
@@ -276,7 +279,7 @@ TEST(Session, messagesThatMakeNoSenseAreDroppedAndCounted) {
   add(*queue, std::string(100'000, 'x'), 1).mutable_plot();
   add(*queue, "nothing", 1);
   add(*queue, "plots/a", 1).mutable_plot();
-  session.pushQueue("red1", queue);
+  session.pushQueue("red1", fromWire(*queue));
   session.pushQueue("red1", nullptr);
   session.push({"no-value", at(1), nullptr});
   session.tick();
@@ -293,7 +296,7 @@ TEST(Session, timesThatCannotBeAreReplacedByThoseOfTheNeighbors) {
   add(*queue, "plots/nanos", 0).mutable_timestamp()->set_nanos(-5);
   queue->add_messages()->set_path("plots/none");
   for (auto& message : *queue->mutable_messages()) message.mutable_plot();
-  session.pushQueue("red1", queue);
+  session.pushQueue("red1", fromWire(*queue));
   session.tick();
   EXPECT_EQ(session.store().latest("red1/plots/far", at(10))->time, at(3));
   EXPECT_EQ(session.store().latest("red1/plots/valid", at(10))->time, at(4));
@@ -330,7 +333,7 @@ TEST(Session, garbageThatParsesNeverBreaksIt) {
     const auto queue = std::make_shared<DebugQueue>();
     if (!queue->ParseFromString(damaged)) continue;
     ++parsed;
-    session.pushQueue("red1", queue);
+    session.pushQueue("red1", fromWire(*queue));
     if (round % 7 == 0) session.tick();
   }
   session.tick();
@@ -351,7 +354,7 @@ TEST(Session, severalThreadsPushWhileItTicks) {
         const auto queue = queueOf("cognition");
         add(*queue, "plots/a", i * 0.01).mutable_plot();
         endFrame(*queue, i * 0.01, static_cast<std::uint64_t>(i));
-        session.pushQueue(robot, queue);
+        session.pushQueue(robot, fromWire(*queue));
         session.push(plot(robot + "/body/sensors", i * 0.01));
         robotcontrol::RequestResult result;
         result.set_id(static_cast<std::uint64_t>(i));

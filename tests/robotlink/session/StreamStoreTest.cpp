@@ -64,22 +64,6 @@ TEST(StreamStore, whatIsTooOldIsForgottenButTheNewestOfEachStream) {
   EXPECT_GE(store.oldest(), timeAt(7.9)) << "the one kept message does not make the history long";
 }
 
-// A debug key that was switched off would otherwise keep images and all else that was drawn in its last
-// frame.
-TEST(StreamStore, whatASilentStreamSaidLastDoesNotKeepItsQueueAlive) {
-  StreamStore store({.age = 2s});
-  auto queue = std::make_shared<robotcontrol::DebugQueue>();
-  queue->add_messages()->mutable_plot()->set_value(7);
-  const std::weak_ptr<const robotcontrol::DebugQueue> alive = queue;
-  store.add({"silent", timeAt(0), PackagePtr(queue, &queue->messages(0).plot())});
-  queue.reset();
-  for (int i = 0; i <= 15; ++i) store.add(plotted("often", i * 0.1, i));
-  EXPECT_FALSE(alive.expired()) << "it may be shown still";
-  for (int i = 16; i <= 100; ++i) store.add(plotted("often", i * 0.1, i));
-  EXPECT_TRUE(alive.expired());
-  EXPECT_EQ(valueAt(store, "silent", 10), 7);
-}
-
 TEST(StreamStore, theHistoryIsBoundedInBytesOldestFirst) {
   StreamStore store({.bytes = 100'000});
   store.add(plotted("table", 0, 7));
