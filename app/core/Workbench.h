@@ -142,8 +142,8 @@ class Workbench {
   robotlink::Session session_;
   robotlink::CommandTable commands_;
   Recording recording_;
-  /// From the platform's thread. Unbounded: each outcome ends what loading_ counts, and there are no more than
-  /// a person has begun.
+  /// From the platform's thread. Unbounded: each outcome ends what loading_ counts, and there are no more
+  /// than a person has begun.
   robotlink::BoundedQueue<Outcome> outcomes_{std::numeric_limits<std::size_t>::max()};
   std::optional<LoadedPlatform> loaded_;
   /// Shared with the platform's thread.

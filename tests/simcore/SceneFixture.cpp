@@ -41,7 +41,8 @@ void SceneFolder::writeModel(const std::string& name, const std::string& text) c
 }
 
 void SceneFolder::copyShippedModels() const {
-  fs::copy(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models", path() / "models", fs::copy_options::recursive);
+  fs::copy(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models", path() / "models",
+           fs::copy_options::recursive);
 }
 
 std::string SceneFolder::errorsOf(const std::string& world) const {

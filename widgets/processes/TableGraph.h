@@ -10,7 +10,8 @@ class ProcessTable;
 
 namespace widgets {
 
-/// Builds the graph of a process table and lays it out. `before` is an older table, `elapsed` before `now`; null: all rates are 0.
+/// Builds the graph of a process table and lays it out. `before` is an older table, `elapsed` before `now`;
+/// null: all rates are 0.
 ProcessGraph processGraph(const robotcontrol::ProcessTable& now, const robotcontrol::ProcessTable* before,
                           robotlink::Duration elapsed, const ProcessGraph::Options& options);
 

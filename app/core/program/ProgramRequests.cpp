@@ -91,7 +91,8 @@ void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
     const auto found = std::find_if(open_.begin(), open_.end(),
                                     [&](const Open& open) { return open.request.id() == result->id(); });
     if (found == open_.end()) continue;
-    if (result->accepted() && !found->reported && !robotlink::isRepeated(found->request)) note(found->request);
+    if (result->accepted() && !found->reported && !robotlink::isRepeated(found->request))
+      note(found->request);
     open_.erase(found);
   }
 }

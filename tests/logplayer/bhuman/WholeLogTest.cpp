@@ -208,7 +208,8 @@ TEST_P(WholeLog, cameraPosesAreThoseOfAStandingRobot) {
     uncertain += pose->uncertain() ? 1 : 0;
   }
   EXPECT_EQ(uncertain, expected().uncertain);
-  EXPECT_EQ(stream("nao/log").size(), expected().entries) << "uncertain poses when they began, and when they ended";
+  EXPECT_EQ(stream("nao/log").size(), expected().entries)
+      << "uncertain poses when they began, and when they ended";
 }
 
 TEST_P(WholeLog, theBodyIsImportedInSiUnits) {
