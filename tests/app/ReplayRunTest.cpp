@@ -526,7 +526,7 @@ TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {
   Replay replay(write("version: 9\nname: later\n"));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   ASSERT_TRUE(replay.run->jump(at(1)).empty());
-  EXPECT_THAT(replayTexts(replay), HasSubstr("shipped files are taken instead: layouts/foreign.yaml:1"));
+  EXPECT_THAT(replayTexts(replay), HasSubstr("shipped files are used instead: layouts/foreign.yaml:1"));
   EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
 }
 
