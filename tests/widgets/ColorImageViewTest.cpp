@@ -248,7 +248,7 @@ class ColorImageViewTest : public QObject {
     s.settle();
     const QColor orange = s.pixel(*s.left, 8, 7), green = s.pixel(*s.left, 30, 7);
     s.tool("colorToolSelect");
-    s.drag({{4, 4}, {8, 7}});
+    s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
     QVERIFY(s.bench.hasSelection());
     QCOMPARE(s.pixel(*s.left, 16, 12), orange);
     QVERIFY2(s.pixel(*s.left, 30, 7).lightness() < green.lightness() / 2, "what is not selected is dark");
