@@ -11,6 +11,7 @@
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/color/PictureFile.h"
 

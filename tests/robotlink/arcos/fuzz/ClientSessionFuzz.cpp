@@ -88,7 +88,8 @@ void obey(Script& script, ClientSession& session, PacketParser& parser, Instant&
       return session.close(now);
     case 'p': {
       const std::uint8_t id = script.byte();
-      return session.take(Packet{id, script.bytes(script.byte())}, now);
+      session.take(Packet{id, script.bytes(script.byte())}, now);
+      return;
     }
     case 'b': {
       parser.push(script.bytes(script.byte()));
