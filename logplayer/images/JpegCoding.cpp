@@ -48,7 +48,7 @@ class Codec {
 };
 
 tl::unexpected<robotlink::Error> refused(const std::string& why) {
-  return robotlink::failure("image.jpeg", "this is no JPEG image that can be read: " + why);
+  return robotlink::failure("image.jpeg", "this is not a readable JPEG image: " + why);
 }
 
 std::string_view charactersOf(std::span<const std::uint8_t> data) {

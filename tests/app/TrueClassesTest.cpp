@@ -35,7 +35,8 @@ struct Watched {
     SimulatedRun::Listeners listeners;
     listeners.queue = [this](const std::string&, const auto& queue) {
       for (const auto& message : queue->messages) {
-        if (const auto* image = message.as<foxglove::RawImage>()) images[message.path].push_back(*image);
+        if (const auto* image = message.template as<foxglove::RawImage>())
+          images[message.path].push_back(*image);
       }
     };
     auto made = SimulatedRun::create(std::move(options), std::move(listeners));

@@ -78,7 +78,7 @@ TEST(DrivingParameters, whatMakesNoSenseInAnOlderFileOrLogMeansTheBuiltInValueAs
 TEST(DrivingParameters, aRobotThatShallWanderAtSpeedZeroStandsOrTurns) {
   const FlatWorld world(roomMap(8, 6));
   RollingRobot robot(world, {.start = {4, 3, 0}, .laser = false});
-  OneSolution wander("driving", "wander", nullptr, [](google::protobuf::Message& parameters) {
+  OneSolution wander("driving", "wander", OneSolution::Robot(), [](google::protobuf::Message& parameters) {
     static_cast<WanderParameters&>(parameters).set_speed(0);
   });
   for (int i = 0; i < 30; ++i) {

@@ -299,11 +299,12 @@ TEST(NavigationParameters, anOdometryWithoutDriftStaysCertain) {
   const auto map = crookedRoom();
   const FlatWorld world(*map);
   RollingRobot robot(world, {.start = {3, 1.5, 0}});
-  OneSolution locator("self-localisation", "wheel-odometry", map, [](google::protobuf::Message& parameters) {
-    auto& drift = static_cast<robotcontrol::WheelOdometryParameters&>(parameters);
-    drift.set_drift_per_metre(0);
-    drift.set_drift_per_radian(0);
-  });
+  OneSolution locator("self-localisation", "wheel-odometry", {map},
+                      [](google::protobuf::Message& parameters) {
+                        auto& drift = static_cast<robotcontrol::WheelOdometryParameters&>(parameters);
+                        drift.set_drift_per_metre(0);
+                        drift.set_drift_per_radian(0);
+                      });
   for (int i = 0; i < 30; ++i) {
     robot.drive({0.3, 0.5});
     locator.set(robotlink::kDriveState, driveState(robot));
