@@ -11,6 +11,7 @@
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/TestFolder.h"
 #include "tests/app/ReplayFixture.h"
 #include "tests/app/TickUntil.h"
 
@@ -26,7 +27,7 @@ enum class PausedHost { kSimulation, kLog };
 class PausedRequestsTest : public ::testing::TestWithParam<PausedHost> {
  protected:
   static void SetUpTestSuite() {
-    folder_ = new logplayer::TemporaryFolder(std::move(*logplayer::TemporaryFolder::make()));
+    folder_ = new TestFolder;
     app::testing::recordSimulation(logFile(), "compact", 100);
   }
   static void TearDownTestSuite() {
@@ -91,14 +92,14 @@ class PausedRequestsTest : public ::testing::TestWithParam<PausedHost> {
     return session.store().latestAs<T>("red1/" + stream, session.timeline().newest());
   }
 
-  static logplayer::TemporaryFolder* folder_;
+  static TestFolder* folder_;
   std::string errors_;
   std::unique_ptr<Workbench> workbench_;
   robotlink::Instant time_;
   std::function<bool()> holds_;
 };
 
-logplayer::TemporaryFolder* PausedRequestsTest::folder_ = nullptr;
+TestFolder* PausedRequestsTest::folder_ = nullptr;
 
 }  // namespace
 

@@ -61,7 +61,6 @@ class OpenedLogsGuiTest : public WindowTest {
     QCOMPARE(app::kindOfFile(home_.parent_path()), FileKind::kPictures);
     QCOMPARE(app::kindOfFile("venue.tm"), FileKind::kColorTable);
     QCOMPARE(app::kindOfFile("game.mcap"), FileKind::kLog);
-    QVERIFY(app::isMap("OFFICE.MAP"));
   }
 
   void theSimulationsButtonsGoWhileALogIsOpen() {
