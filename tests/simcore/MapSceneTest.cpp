@@ -67,7 +67,7 @@ TEST_F(MapScene, robotsStandOnTheirWheelsAndStayThere) {
 
 TEST_F(MapScene, whatIsNoRobotIsRefused) {
   EXPECT_THAT(errorOf("house.map", kHouse, {.model = "field2002", .count = 1}),
-              HasSubstr("'field2002' is no robot"));
+              HasSubstr("'field2002' is not a robot"));
   EXPECT_THAT(errorOf("house.map", kHouse, {.model = "p9", .count = 1}), HasSubstr("there is no model 'p9'"));
   EXPECT_THAT(errorOf("house.map", kHouse, {.model = "../p3at", .count = 1}),
               HasSubstr("there is no model '../p3at'"));
@@ -75,7 +75,7 @@ TEST_F(MapScene, whatIsNoRobotIsRefused) {
 
 TEST_F(MapScene, errorsOfAMapKeepTheirLines) {
   EXPECT_THAT(errorOf("bad.map", "2D-Map\nLINES\n0 0 1\n", {}), HasSubstr("bad.map:3:1: a line of LINES"));
-  EXPECT_THAT(errorOf("BAD.MAP", "<sdf/>", {}), HasSubstr("BAD.MAP:1:1: this is no map"));
+  EXPECT_THAT(errorOf("BAD.MAP", "<sdf/>", {}), HasSubstr("BAD.MAP:1:1: this is not a map"));
 }
 
 TEST_F(MapScene, robotsAreAddedToTheFieldToo) {

@@ -76,7 +76,7 @@ TEST_F(SdfCheck, jointsJoinLinksThatExist) {
             "m.sdf:21: the joint 'hip' has as its child 'leg', which is not a link of the model");
   EXPECT_EQ(broken("<child>arm</child>", ""), "m.sdf:19: the joint 'hip' has no <child>");
   EXPECT_EQ(broken("<parent>foot<", "<parent>world<"), "");
-  EXPECT_THAT(broken("<child>arm<", "<child>world<"), HasSubstr("'world', which is no link"));
+  EXPECT_THAT(broken("<child>arm<", "<child>world<"), HasSubstr("'world', which is not a link"));
   EXPECT_THAT(broken("type=\"revolute\"", "type=\"screw\""), HasSubstr("m.sdf:19: of joints, only revolute"));
 }
 

@@ -28,14 +28,13 @@ const TableFormatName* findFormat(const std::string& name) {
 /// Says what the new table lacks.
 int printImportLosses(const std::string& file, const colortool::ImportedTable& imported) {
   if (imported.mixedCells != 0)
-    std::cerr << file << ": " << imported.mixedCells
-              << " cells had several classes in the finer table; each got the most frequent one\n";
+    std::cerr << file << ": " << imported.mixedCells << (imported.mixedCells == 1 ? " cell" : " cells")
+              << " had several classes in the finer table; each got the most frequent one\n";
   if (imported.reducedCells != 0)
-    std::cerr
-        << file << ": of " << imported.reducedCells
-        << " cells of several classes only the first is kept, since a .c64 has room for several classes "
-           "with numbers up to "
-        << colortool::ColorTableFile::kMaxOfSeveral << "\n";
+    std::cerr << file << ": of " << imported.reducedCells << (imported.reducedCells == 1 ? " cell" : " cells")
+              << " of several classes only the first is kept, since a .c64 has room for several classes "
+                 "with numbers up to "
+              << colortool::ColorTableFile::kMaxOfSeveral << "\n";
   return imported.mixedCells + imported.reducedCells != 0 ? kDoneWithLosses : kDone;
 }
 

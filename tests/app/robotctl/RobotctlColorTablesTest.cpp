@@ -110,7 +110,7 @@ TEST_F(RobotctlColorTables, whatAConvertedTableLacksIsTold) {
   std::ofstream(folder_ / "fine.lut", std::ios::binary) << bytes;
   const auto converted = color("convert fine.lut t.c64");
   EXPECT_EQ(converted.status, 3);
-  EXPECT_THAT(converted.errors, HasSubstr("t.c64: 1 cells were of several classes in the finer table"));
+  EXPECT_THAT(converted.errors, HasSubstr("t.c64: 1 cell had several classes in the finer table"));
   EXPECT_EQ(color("convert fine.lut t.c64 --format runswift").status, 3) << "0 is a class of theirs";
   EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("orange"), 262144);
 }

@@ -96,7 +96,7 @@ TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
     EXPECT_THAT(outcome.errors, HasSubstr(says));
   };
   std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n000.yuyv,orange,50,here,3\n";
-  fails("train --strokes bad.csv --images images --out x.c64", "bad.csv:2:20: 'here' is no number");
+  fails("train --strokes bad.csv --images images --out x.c64", "bad.csv:2:20: 'here' is not a number");
   std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n000.yuyv,mauve,50,1,3\n";
   fails("train --strokes bad.csv --images images --out x.c64",
         "there is no class 'mauve'; the classes are background, orange");

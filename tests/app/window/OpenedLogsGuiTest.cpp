@@ -123,7 +123,7 @@ class OpenedLogsGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), kWaitMs);
     QVERIFY(desk.workbench.session().robots().empty());
     const QString text = desk.find<QLabel>("logContentsText").text();
-    QVERIFY2(text.contains(QLatin1String("foreign.mcap says of no robot")), qPrintable(text));
+    QVERIFY2(text.contains(QLatin1String("foreign.mcap has no robot")), qPrintable(text));
     QVERIFY2(text.contains(QLatin1String("It holds /rosout, a/b/c.")), qPrintable(text));
     QVERIFY2(text.contains(QLatin1String("Not decoded: /camera (cdr), /odom (ros1).")), qPrintable(text));
     QTest::mouseClick(&desk.find<QToolButton>("logContents.log-streams"), Qt::LeftButton);

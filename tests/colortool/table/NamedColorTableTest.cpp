@@ -80,7 +80,7 @@ TEST_F(NamedColorTableTest, brokenNamesAreToldWithTheirLines) {
   name("");
   EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: the file is empty"));
   name("orange #ff0000\n");
-  EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: this is no file of color classes"));
+  EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: this is not a file of color classes"));
   name(std::string(kFirstLine) + "orange\ngreen #00ff00\nred #12345\ngreen #000000\nnone #000000\n#ff0000\n");
   const std::string all = refusal();
   EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is expected here: its name and its color"));

@@ -204,7 +204,7 @@ TEST_F(LogCutTest, partsStandBesideEachOtherIfThatIsWishedOrTheirTimesOverlap) {
   const auto refused = rewriteLogs(
       {.inputs = {{in()}, {folder_ / "over.mcap"}}, .joining = Joining::kConcatenate}, folder_ / "none.mcap");
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().text, HasSubstr("cannot be put behind each other: the times of"));
+  EXPECT_THAT(refused.error().text, HasSubstr("cannot be joined one after another: the times of"));
 }
 
 TEST_F(LogCutTest, robotsWithOtherProgramsAreNoPartsOfOneLog) {

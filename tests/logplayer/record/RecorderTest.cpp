@@ -388,7 +388,7 @@ TEST_F(RecorderTest, whatDoesNotFitIsLeftOutWholeCountedAndSaid) {
   EXPECT_EQ(read.recording.at("dropped_messages"), "40");
   recorder.reset();
   ASSERT_FALSE(warnings().empty());
-  EXPECT_THAT(warnings()[0], HasSubstr("messages were left out"));
+  EXPECT_THAT(warnings()[0], HasSubstr("messages were dropped"));
 }
 
 TEST_F(RecorderTest, aFullDiskEndsTheRecordingAndLeavesAReadableFile) {

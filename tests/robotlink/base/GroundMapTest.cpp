@@ -175,7 +175,7 @@ TEST(GroundMap, boundsAreThoseOfWhatIsThere) {
 
 TEST(GroundMap, whatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(errorsOf(""), "room.map: the file is empty: a map begins with '2D-Map'");
-  EXPECT_NE(errorsOf("<sdf>\n").find("room.map:1:1: this is no map"), std::string::npos);
+  EXPECT_NE(errorsOf("<sdf>\n").find("room.map:1:1: this is not a map"), std::string::npos);
   EXPECT_NE(errorsOf("2D-Map\nLINES\n0 0 1\n").find("room.map:3:1: a line of LINES must be four numbers"),
             std::string::npos);
   EXPECT_NE(errorsOf("2D-Map\nDATA\n 1 2 3\n").find("room.map:3:2: a line of DATA must be two numbers"),
