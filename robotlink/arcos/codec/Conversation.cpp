@@ -21,6 +21,8 @@ constexpr std::string_view kFromClient = "C>S";
 constexpr std::string_view kFromRobot = "S>C";
 /// Larger times are errors; smaller ones are exact in ns.
 constexpr double kMaxMs = 1e12;
+/// Smaller times are written as 0.
+constexpr double kLeastMs = 0.05;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -73,6 +75,12 @@ std::string wordsOf(const Bytes& bytes) {
   std::snprintf(text, sizeof text, "id=%d(0x%02x) len=%d ck=%s", bytes[3], static_cast<unsigned>(bytes[3]),
                 bytes[2], good ? "ok" : "bad");
   return text;
+}
+
+/// In ms, as far as it is written: what is rounded to zero is no "-0.0", which would be read as 0.
+double writtenMs(robotlink::Duration at) {
+  const double ms = std::chrono::duration<double, std::milli>(at).count();
+  return std::abs(ms) < kLeastMs ? 0 : ms;
 }
 
 /// The event of a line, or a sentence about the error.
@@ -133,7 +141,7 @@ Result<Conversation> readConversationFile(const std::filesystem::path& file) {
 std::string writeEvent(const Event& event) {
   if (event.kind == EventKind::kNewConnection) return std::string(kNewConnection) + '\n';
   char time[40];
-  std::snprintf(time, sizeof time, "%9.1f ", std::chrono::duration<double, std::milli>(event.at).count());
+  std::snprintf(time, sizeof time, "%9.1f ", writtenMs(event.at));
   std::string line = time;
   if (event.kind == EventKind::kClosed) return line.append(kClosed) + '\n';
   line += event.direction == Direction::kFromClient ? kFromClient : kFromRobot;

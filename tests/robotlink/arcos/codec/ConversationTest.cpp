@@ -40,6 +40,14 @@ TEST(ConversationTest, remarksAndEmptyLinesAreSkipped) {
   EXPECT_EQ(writeConversation(*conversation), "=== new connection\n      5.0 client closed\n");
 }
 
+TEST(ConversationTest, aTimeThatIsRoundedToZeroIsWrittenWithoutASign) {
+  const auto conversation = readConversation("-0.0051 client closed\n-0.05 client closed\n", "");
+  ASSERT_TRUE(conversation);
+  const std::string text = writeConversation(*conversation);
+  EXPECT_EQ(text, "      0.0 client closed\n     -0.1 client closed\n");
+  EXPECT_EQ(writeConversation(readConversation(text, "").value()), text);
+}
+
 TEST(ConversationTest, whatIsWrongIsToldWithItsLine) {
   const auto problem = [](const std::string& line) {
     const auto conversation = readConversation("=== new connection\n" + line + "\n", "a.wire");
