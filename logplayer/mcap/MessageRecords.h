@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <optional>
 
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/RecordBytes.h"
@@ -34,37 +35,61 @@ inline Message messageIn(const std::uint8_t* records, const MessageRecord& recor
           instantOf(loadNumber<std::uint64_t>(content + 14)), Bytes(content + kHead, record.bytes - kHead)};
 }
 
+/// The message at an offset of a section's records; empty if there is none of this channel and time.
+inline std::optional<MessageRecord> messageAt(Bytes records, std::uint64_t offset, std::uint16_t channelId,
+                                              Instant time) {
+  if (offset >= records.size()) return std::nullopt;
+  const std::optional<RecordView> record = firstRecord(records.subspan(static_cast<std::size_t>(offset)));
+  if (!record || !record->is(Opcode::kMessage)) return std::nullopt;
+  const std::optional<Message> message = decodeMessage(record->content);
+  if (!message || message->channelId != channelId || message->logTime != time) return std::nullopt;
+  return MessageRecord{time, static_cast<std::uint32_t>(offset),
+                       static_cast<std::uint32_t>(record->content.size())};
+}
+
+/// The channel of a message.
+inline std::uint16_t channelOf(const std::uint8_t* records, const MessageRecord& record) {
+  return loadNumber<std::uint16_t>(records + record.offset + kRecordHeadBytes);
+}
+
 /// Calls `visit` with the record of each message of some channels, until `visit` returns false or the bytes
-/// are no whole records any more. For small messages, these loops take most of the time of reading.
+/// are no whole records any more. Returns the offset of the first record that was not visited. For small
+/// messages, these loops take most of the time of reading.
 template <typename Visit>
-void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
+std::size_t visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
   const std::uint8_t* const data = records.data();
   const std::size_t size = records.size();
-  for (std::size_t offset = 0; size - offset >= kRecordHeadBytes;) {
+  std::size_t offset = 0;
+  while (size - offset >= kRecordHeadBytes) {
     const std::uint8_t* record = data + offset;
     const auto length = loadNumber<std::uint64_t>(record + 1);
-    if (record[0] == 0 || length > size - offset - kRecordHeadBytes) return;
+    if (record[0] == 0 || length > size - offset - kRecordHeadBytes) break;
     const std::uint8_t* content = record + kRecordHeadBytes;
     __builtin_prefetch(record + 8 * (kRecordHeadBytes + length));
     if (record[0] == static_cast<std::uint8_t>(Opcode::kMessage) &&
         length >= kMessageHeadBytes - kRecordHeadBytes && channels[loadNumber<std::uint16_t>(content)]) {
       if (!visit(MessageRecord{messageTime(content), static_cast<std::uint32_t>(offset),
                                static_cast<std::uint32_t>(length)})) {
-        return;
+        return offset;
       }
     }
     offset += kRecordHeadBytes + static_cast<std::size_t>(length);
   }
+  return offset;
 }
 
 /// A summary of all messages in a section's records.
 struct RecordsOverview {
+  /// Whether the records fill the section; otherwise what follows is only about those before the place where
+  /// they break off.
+  bool whole = true;
   /// Whether their times never decrease.
   bool inOrder = true;
   /// The earliest and the latest time.
   Instant first, last;
   /// The end of the last message's record; 0 if there is none.
   std::size_t end = 0;
+  std::uint64_t messages = 0;
 };
 
 /// Summarizes the messages of all channels. The loop is kept short, since chunks whose messages are in order
@@ -76,8 +101,9 @@ inline RecordsOverview overviewOf(Bytes records) {
   const std::size_t size = records.size();
   std::uint64_t first = UINT64_MAX, last = 0, previous = 0;
   bool inOrder = true;
-  std::size_t end = 0;
-  for (std::size_t offset = 0; size - offset >= kRecordHeadBytes;) {
+  std::size_t end = 0, offset = 0;
+  std::uint64_t messages = 0;
+  while (size - offset >= kRecordHeadBytes) {
     const std::uint8_t* record = data + offset;
     const auto length = loadNumber<std::uint64_t>(record + 1);
     if (record[0] == 0 || length > size - offset - kRecordHeadBytes) break;
@@ -91,8 +117,9 @@ inline RecordsOverview overviewOf(Bytes records) {
     first = std::min(first, time);
     last = std::max(last, time);
     end = offset;
+    ++messages;
   }
-  return {inOrder, instantOf(first), instantOf(last), end};
+  return {offset == size, inOrder, instantOf(first), instantOf(last), end, messages};
 }
 
 /// Returns the offset of the next message of some channels at or after `offset`; `end` if there is none.

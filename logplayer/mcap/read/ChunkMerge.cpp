@@ -136,8 +136,12 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
 
 void ChunkMerge::lookOver(Open& open) {
   const RecordsOverview overview = overviewOf(*open.records);
-  open.inOrder = overview.inOrder;
   open.place = 0;
+  if (!overview.whole) return sortBroken(open);
+  const Section& section = index_.sections[open.section];
+  if (section.indexed && section.info.messages != overview.messages)
+    cache_.compareIndexes(open.section, MessageList::fromRecords(*open.records));
+  open.inOrder = overview.inOrder;
   open.end = overview.end;
   open.last = overview.last;
   if (open.end == 0) return;
@@ -152,6 +156,20 @@ void ChunkMerge::sort(Open& open) const {
   });
   std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
   open.end = open.messages.size();
+}
+
+/// As Reader::next() and read() find them, which look at the records where the message indexes say.
+void ChunkMerge::sortBroken(Open& open) {
+  open.inOrder = false;
+  open.messages = cache_.messagesOfBroken(open.section, *open.records);
+  std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
+  if (!open.messages.empty())
+    cache_.correctTimes(open.section, open.messages.front().time, open.messages.back().time);
+  const std::uint8_t* data = open.records->data();
+  std::erase_if(open.messages,
+                [&](const MessageRecord& message) { return !wanted_[channelOf(data, message)]; });
+  open.end = open.messages.size();
+  if (open.end != 0) open.last = open.messages.back().time;
 }
 
 void ChunkMerge::listDamaged(Open& open) {

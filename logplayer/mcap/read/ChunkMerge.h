@@ -88,6 +88,8 @@ class ChunkMerge {
   void lookOver(Open& open);
   /// Sorts the messages of a section.
   void sort(Open& open) const;
+  /// Sorts those that can be found in a section whose records break off before its end.
+  void sortBroken(Open& open);
   /// Lists the messages of a damaged section by its message indexes, so that users learn what is missing.
   void listDamaged(Open& open);
   /// Moves behind the run that next() has returned.

@@ -12,13 +12,6 @@ using robotlink::Result;
 
 namespace {
 
-/// Decodes the message at an offset of a section's records.
-std::optional<Message> messageAt(Bytes records, std::uint64_t offset) {
-  if (offset >= records.size()) return std::nullopt;
-  const std::optional<RecordView> record = firstRecord(records.subspan(static_cast<std::size_t>(offset)));
-  return record && record->is(Opcode::kMessage) ? decodeMessage(record->content) : std::nullopt;
-}
-
 /// The position behind all messages of a time.
 MessagePosition behind(Instant time) {
   return {time, UINT64_MAX, UINT64_MAX, UINT16_MAX};
@@ -131,10 +124,8 @@ Result<Reader::MessageData> ReaderParts::read(const MessagePosition& position) {
   const auto number = static_cast<std::size_t>(section - index.sections.data());
   const auto records = cache.records(number);
   if (!records) return problem("mcap.damaged", position.chunkOffset, records.error());
-  const std::optional<Message> message = messageAt(**records, position.offset);
-  if (message && message->channelId == position.channelId && message->logTime == position.time) {
-    return MessageData{*message, *records};
-  }
+  const auto message = messageAt(**records, position.offset, position.channelId, position.time);
+  if (message) return MessageData{messageIn((*records)->data(), *message), *records};
   // Positions come from a message index, which only this checks.
   cache.distrustIndexes(number);
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
@@ -163,9 +154,14 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
       continue;
     }
     readTo = sections[i].info.offset + 1;
-    visitMessages(records, known, [&](const MessageRecord& record) {
+    const std::size_t end = visitMessages(records, known, [&](const MessageRecord& record) {
       return goOn = visit(messageIn(records.data(), record));
     });
+    if (!goOn || end == records.size()) continue;
+    for (const MessageRecord& record : parts_->cache.messagesOfBroken(i, records)) {
+      if (record.offset < end || !known[channelOf(records.data(), record)]) continue;
+      if (!(goOn = visit(messageIn(records.data(), record)))) break;
+    }
   }
 }
 

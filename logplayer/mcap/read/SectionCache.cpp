@@ -47,20 +47,51 @@ tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size
 
 tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer) {
   auto loaded = loader_.load(index_.sections[section], buffer);
-  if (!loaded) noteDamage(section, loaded.error());
+  if (!loaded) {
+    const Section& damaged = index_.sections[section];
+    noteDamage(section, {damaged.info.offset, damaged.info.length, loaded.error(), damaged.loose ? 0U : 1U});
+  }
   return loaded;
 }
 
-void SectionCache::noteDamage(std::size_t section, const std::string& what) {
+void SectionCache::noteDamage(std::size_t section, const Damage& found) {
   if (noted_[section]) return;
   noted_[section] = true;
-  const Section& damaged = index_.sections[section];
   const bool known = std::ranges::any_of(index_.damage, [&](const Damage& damage) {
-    return damage.offset == damaged.info.offset && damage.what == what;
+    return damage.offset == found.offset && damage.what == found.what;
   });
-  if (!known)
-    index_.damage.push_back({damaged.info.offset, damaged.info.length, what, damaged.loose ? 0U : 1U});
-  doubt(damaged);
+  if (!known) index_.damage.push_back(found);
+  doubt(index_.sections[section]);
+}
+
+std::vector<MessageRecord> SectionCache::messagesOfBroken(std::size_t section, Bytes records) {
+  noteDamage(section, {index_.sections[section].info.offset, 0, "the records of a chunk do not fill it"});
+  if (index_.sections[section].indexed) {
+    if (auto indexed = indexedMessages(index_.sections[section], records)) return std::move(*indexed);
+    distrustIndexes(section);
+  }
+  std::vector<MessageRecord> found;
+  visitMessages(records, ChannelSet().set(), [&](const MessageRecord& message) {
+    found.push_back(message);
+    return true;
+  });
+  return found;
+}
+
+std::optional<std::vector<MessageRecord>> SectionCache::indexedMessages(const Section& section,
+                                                                        Bytes records) const {
+  const std::optional<MessageList> list = listByIndexes(section);
+  if (!list) return std::nullopt;
+  std::vector<MessageRecord> found;
+  for (const MessageList::Channel& channel : list->channels()) {
+    for (const MessageList::Entry& entry : list->of(channel.id)) {
+      const auto message = messageAt(records, entry.offset, channel.id, entry.time);
+      if (!message) return std::nullopt;
+      found.push_back(*message);
+    }
+  }
+  std::ranges::sort(found, {}, &MessageRecord::offset);
+  return found;
 }
 
 void SectionCache::doubt(const Section& section) {
@@ -90,6 +121,9 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   if (!list) {
     const auto read = records(section);
     list = read ? MessageList::fromRecords(**read) : MessageList();
+    // Without message indexes, what comes behind the place where the records break off is lost.
+    if (read && !visitRecords(**read, [](const RecordView&, std::size_t) {}))
+      messagesOfBroken(section, **read);
     const auto ends = std::ranges::minmax_element(list->entries(), {}, &MessageList::Entry::time);
     if (ends.min != list->entries().end()) correctTimes(section, ends.min->time, ends.max->time);
   }
@@ -112,6 +146,12 @@ std::optional<MessageList> SectionCache::listByIndexes(const Section& section) c
   const Buffer indexes = source_.read(section.indexOffset, section.indexLength);
   if (indexes.size() != section.indexLength) return std::nullopt;
   return MessageList::fromIndexes(indexes, section);
+}
+
+void SectionCache::compareIndexes(std::size_t section, const MessageList& found) {
+  if (!index_.sections[section].indexed) return;
+  const std::optional<MessageList> stated = listByIndexes(index_.sections[section]);
+  if (!stated || !(*stated == found)) distrustIndexes(section);
 }
 
 void SectionCache::distrustIndexes(std::size_t section) {

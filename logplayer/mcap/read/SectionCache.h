@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "logplayer/mcap/MessageRecords.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 #include "logplayer/mcap/read/MessageList.h"
 #include "logplayer/mcap/read/RecentlyUsed.h"
@@ -32,6 +33,11 @@ class SectionCache {
   /// The messages of a section according to its message indexes; empty if they cannot be read or are
   /// inconsistent.
   std::optional<MessageList> listByIndexes(const Section& section) const;
+  /// The messages of a section whose records break off before its end, in the order of the file: those of its
+  /// message indexes, if all are there, otherwise those before that place. Reports the damage.
+  std::vector<MessageRecord> messagesOfBroken(std::size_t section, Bytes records);
+  /// Distrusts the message indexes of a section, if they do not list what is in its whole records.
+  void compareIndexes(std::size_t section, const MessageList& found);
   /// Reports the message indexes of a section as wrong and ignores them from now on.
   void distrustIndexes(std::size_t section);
   /// Clears the cache; to be called when the index was replaced.
@@ -47,7 +53,9 @@ class SectionCache {
   std::uint64_t surprises() const { return surprises_; }
 
  private:
-  void noteDamage(std::size_t section, const std::string& what);
+  void noteDamage(std::size_t section, const Damage& damage);
+  /// The messages that the message indexes of a section list; empty if one of them is not there.
+  std::optional<std::vector<MessageRecord>> indexedMessages(const Section& section, Bytes records) const;
   /// Verifies that a section is where the summary says, and sets misfit_ otherwise.
   void doubt(const Section& section);
 

@@ -18,9 +18,15 @@ class Verification {
   std::optional<Reader::Readable> run();
 
  private:
+  /// Keyed by channel.
+  using Counts = std::map<std::uint16_t, std::uint64_t>;
+
   bool goOn(std::uint64_t done);
   void checkSection(std::size_t number);
-  void checkIndexes(std::size_t number, const MessageList& found);
+  /// The messages in the records of a section, with its message indexes checked.
+  Counts countWhole(std::size_t number);
+  /// Those that can be found in one whose records break off before its end.
+  Counts countBroken(std::size_t number);
   void checkStatistics();
   std::optional<std::uint32_t> dataCrc(std::uint64_t before);
   void note(std::uint64_t offset, std::string what) { index_.damage.push_back({offset, 0, std::move(what)}); }
@@ -30,7 +36,7 @@ class Verification {
   SectionCache& cache_;
   const Reader::Options& options_;
   Buffer records_;
-  std::map<std::uint16_t, std::uint64_t> counts_;
+  Counts counts_;
   Reader::Readable readable_;
 };
 
@@ -65,25 +71,29 @@ void Verification::checkSection(std::size_t number) {
   const bool whole = visitRecords(records_, [&](const RecordView& record, std::size_t) {
     if (record.is(Opcode::kMessage) && !decodeMessage(record.content)) note(offset, "a message is too short");
   });
-  if (!whole) note(offset, "the records of a chunk do not fill it");
-  const MessageList found = MessageList::fromRecords(records_);
-  for (const MessageList::Channel& channel : found.channels()) {
-    counts_[channel.id] += channel.count;
-    readable_.messages += index_.channels.contains(channel.id) ? channel.count : 0;
-    if (!index_.channels.contains(channel.id)) {
-      note(offset, std::to_string(channel.count) + " messages are of the unknown channel " +
-                       std::to_string(channel.id));
+  for (const auto& [channel, count] : whole ? countWhole(number) : countBroken(number)) {
+    counts_[channel] += count;
+    readable_.messages += index_.channels.contains(channel) ? count : 0;
+    if (!index_.channels.contains(channel)) {
+      note(offset, std::to_string(count) + " messages are of the unknown channel " + std::to_string(channel));
     }
   }
   if (!index_.sections[number].loose) ++readable_.chunks;
-  checkIndexes(number, found);
 }
 
-void Verification::checkIndexes(std::size_t number, const MessageList& found) {
-  const Section& section = index_.sections[number];
-  if (!section.indexed) return;
-  const std::optional<MessageList> stated = cache_.listByIndexes(section);
-  if (!stated || !(*stated == found)) cache_.distrustIndexes(number);
+Verification::Counts Verification::countWhole(std::size_t number) {
+  const MessageList found = MessageList::fromRecords(records_);
+  cache_.compareIndexes(number, found);
+  Counts counts;
+  for (const MessageList::Channel& channel : found.channels()) counts[channel.id] = channel.count;
+  return counts;
+}
+
+Verification::Counts Verification::countBroken(std::size_t number) {
+  Counts counts;
+  for (const MessageRecord& message : cache_.messagesOfBroken(number, records_))
+    ++counts[channelOf(records_.data(), message)];
+  return counts;
 }
 
 void Verification::checkStatistics() {

@@ -102,18 +102,21 @@ Result<void> Salvage::copySection(std::size_t section, Writer& writer) {
   Result<void> result;
   const bool isChunk = !index_.sections[section].loose;
   if (isChunk) writer.beginGroup();
-  const bool whole = visitRecords(buffer_, [&](const RecordView& record, std::size_t) {
-    if (!result || !record.is(Opcode::kMessage)) return;
-    std::optional<Message> message = decodeMessage(record.content);
-    const auto channel = message ? channelIds_.find(message->channelId) : channelIds_.end();
-    if (channel == channelIds_.end()) return;
-    message->channelId = channel->second;
-    digest_.add(*message);
-    result = writer.write(*message);
-  });
-  if (!whole)
-    index_.damage.push_back(
-        {index_.sections[section].info.offset, 0, "the records of a chunk do not fill it"});
+  const auto copy = [&](const MessageRecord& record) {
+    Message message = messageIn(buffer_.data(), record);
+    const auto channel = channelIds_.find(message.channelId);
+    if (channel == channelIds_.end()) return true;
+    message.channelId = channel->second;
+    digest_.add(message);
+    result = writer.write(message);
+    return result.has_value();
+  };
+  const std::size_t end = visitMessages(buffer_, ChannelSet().set(), copy);
+  if (result && end < buffer_.size()) {
+    for (const MessageRecord& record : cache_.messagesOfBroken(section, buffer_)) {
+      if (record.offset >= end && !copy(record)) break;
+    }
+  }
   if (isChunk && result) result = writer.endGroup();
   if (isChunk && result) result = writer.flush();
   return result;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstring>
 #include <random>
 
 #include "tests/logplayer/mcap/TemporaryLog.h"
@@ -45,6 +46,34 @@ class MessageCursorTest : public testing::Test {
     std::string bytes = readBytes(file_);
     bytes[place] = static_cast<char>(bytes[place] ^ 0x10);
     writeBytes(file_, bytes);
+  }
+
+  /// In chunks of 10 messages, which are neither compressed nor have a CRC.
+  void writeUnguarded(const std::vector<Expected>& messages) {
+    Writer::Options options;
+    options.compression = Compression::kNone;
+    options.crc = false;
+    writeLog(file_, messages, options, {10, 20});
+  }
+  /// Where in the file the records of such a chunk begin; those of the last one are messages only.
+  std::size_t recordsOfChunk(std::size_t number) {
+    constexpr std::size_t kHeadBytes = 49;
+    return test::open(file_)->chunks()[number].offset + kHeadBytes;
+  }
+  std::uint64_t lengthOf(std::size_t record) const {
+    std::uint64_t length = 0;
+    std::memcpy(&length, readBytes(file_).data() + record + 1, sizeof length);
+    return length;
+  }
+  void lengthen(std::size_t record, std::uint64_t length) {
+    std::string bytes = readBytes(file_);
+    std::memcpy(bytes.data() + record + 1, &length, sizeof length);
+    writeBytes(file_, bytes);
+  }
+  static std::vector<std::string> damageOf(const Reader& reader) {
+    std::vector<std::string> told;
+    for (const Damage& damage : reader.damage()) told.push_back(damage.what);
+    return told;
   }
 
   TemporaryFolder folder_;
@@ -193,6 +222,76 @@ TEST_F(MessageCursorTest, ofADamagedChunkThatOverlapsOthersNothingElseIsMissing)
   std::vector<Expected> expected = messages;
   expected.erase(expected.begin() + 40, expected.begin() + 50);
   EXPECT_EQ(readByCursor(*reader), inOrder(expected));
+}
+
+// Nothing but its structure guards the records of a chunk without a CRC.
+TEST_F(MessageCursorTest, whereTheRecordsOfAChunkBreakOffMessagesAreFoundByTheirIndexes) {
+  const std::vector<Expected> messages = someMessages(30);
+  writeUnguarded(messages);
+  const std::size_t schema = recordsOfChunk(0);
+  lengthen(schema + kRecordHeadBytes + lengthOf(schema), std::uint64_t{1} << 40U);  // of a channel's record
+  const std::vector<std::string> told{"the records of a chunk do not fill it"};
+
+  const auto reader = test::open(file_);
+  EXPECT_EQ(readForwards(*reader), messages);
+  EXPECT_EQ(readByCursor(*reader), messages);
+  EXPECT_EQ(damageOf(*reader), told);
+  EXPECT_EQ(readByCursor(*reader, {2}), readForwards(*reader, {2}));
+  EXPECT_EQ(reader->verify()->messages, messages.size());
+  EXPECT_EQ(damageOf(*reader), told);
+
+  const auto another = test::open(file_);
+  EXPECT_EQ(test::readAll(*another), messages);
+  EXPECT_EQ(damageOf(*another), told);
+  const auto report = repair(file_, folder_ / "repaired.mcap");
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(report->messages, messages.size());
+  EXPECT_EQ(report->damage.size(), 1U);
+}
+
+TEST_F(MessageCursorTest, whereTheRecordsOfAChunkBreakOffAtAMessageThoseBeforeAreFound) {
+  std::vector<Expected> messages = someMessages(30);
+  writeUnguarded(messages);
+  const std::size_t first = recordsOfChunk(2);
+  lengthen(first + kRecordHeadBytes + lengthOf(first), std::uint64_t{1} << 40U);
+  messages.resize(21);
+
+  const auto reader = test::open(file_);
+  EXPECT_EQ(readByCursor(*reader), messages);
+  EXPECT_EQ(readForwards(*reader), messages);
+  EXPECT_THAT(damageOf(*reader), testing::Contains("the records of a chunk do not fill it"));
+  const auto another = test::open(file_);
+  EXPECT_EQ(readForwards(*another), messages);
+  EXPECT_EQ(readByCursor(*another), messages);
+  EXPECT_THAT(damageOf(*another), testing::Contains("the records of a chunk do not fill it"));
+}
+
+TEST_F(MessageCursorTest, itTellsIfTheMessageIndexesOfAChunkListOthersThanItsRecords) {
+  const std::vector<Expected> messages = someMessages(30);
+  writeUnguarded(messages);
+  const std::size_t first = recordsOfChunk(2);
+  const std::size_t second = first + kRecordHeadBytes + lengthOf(first);
+  lengthen(first, lengthOf(first) + kRecordHeadBytes + lengthOf(second));  // swallows the second message
+
+  const auto reader = test::open(file_);
+  const std::vector<Expected> read = readByCursor(*reader);
+  EXPECT_THAT(read, SizeIs(messages.size() - 1));
+  EXPECT_EQ(readForwards(*reader), read);
+  EXPECT_EQ(damageOf(*reader),
+            std::vector<std::string>{
+                "the message indexes of a chunk are wrong; its messages are found by reading it"});
+}
+
+TEST_F(MessageCursorTest, aMessageIndexThatIsLongerThanItsEntriesLosesNothing) {
+  const std::vector<Expected> messages = someMessages(30);
+  const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[2];
+  std::string bytes = readBytes(file_);
+  bytes[chunk.offset + chunk.length + kRecordHeadBytes + 2] -= 16;
+  writeBytes(file_, bytes);
+  const auto reader = test::open(file_);
+  EXPECT_EQ(readForwards(*reader), messages);
+  EXPECT_EQ(readByCursor(*reader), messages);
+  EXPECT_THAT(reader->damage(), SizeIs(1));
 }
 
 // Nothing guards the times in a chunk's head; what lies before the place reached comes too late.
