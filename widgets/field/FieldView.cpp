@@ -19,6 +19,7 @@
 #include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/SplitterState.h"
 #include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
@@ -332,7 +333,7 @@ QJsonObject FieldView::saveState() const {
           {QStringLiteral("send"), goals_->send()->isChecked()},
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("move"), move_->isChecked()},
           {QStringLiteral("trails"), showTrails_->isChecked()},
           {QStringLiteral("fit"), viewport.fit},
@@ -343,7 +344,7 @@ QJsonObject FieldView::saveState() const {
 
 void FieldView::restoreState(const QJsonObject& state) {
   drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
   showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
   move_->setChecked(state[QStringLiteral("move")].toBool(true));
   showTrails_->setChecked(state[QStringLiteral("trails")].toBool());

@@ -15,6 +15,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/SplitterState.h"
 #include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
@@ -232,7 +233,7 @@ QJsonObject ImageView::saveState() const {
   return {{QStringLiteral("stream"), streams_->choice()},
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("fit"), viewport.fit},
           {QStringLiteral("zoom"), viewport.zoom},
           {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}}};
@@ -240,7 +241,7 @@ QJsonObject ImageView::saveState() const {
 
 void ImageView::restoreState(const QJsonObject& state) {
   drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
   showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),

@@ -20,6 +20,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
+#include "widgets/SplitterState.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/plots/PlotCanvas.h"
 
@@ -301,7 +302,7 @@ QJsonObject PlotsView::saveState() const {
   return {{QStringLiteral("curves"), sources},
           {QStringLiteral("window"), window_->currentData().toInt()},
           {QStringLiteral("tree"), showTree_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+          {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
 void PlotsView::restoreState(const QJsonObject& state) {
@@ -311,8 +312,7 @@ void PlotsView::restoreState(const QJsonObject& state) {
   const int window = window_->findData(state.value(QStringLiteral("window")).toInt(10));
   window_->setCurrentIndex(window < 0 ? 3 : window);
   showTree_->setChecked(state.value(QStringLiteral("tree")).toBool(true));
-  const QString sizes = state.value(QStringLiteral("splitter")).toString();
-  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -13,6 +13,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
+#include "widgets/SplitterState.h"
 #include "widgets/processes/ProcessGraphWidget.h"
 #include "widgets/processes/TableGraph.h"
 
@@ -152,14 +153,13 @@ void ProcessesView::showTables() {
 QJsonObject ProcessesView::saveState() const {
   return {{QStringLiteral("details"), details_->isChecked()},
           {QStringLiteral("debugLinks"), debugLinks_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+          {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
 void ProcessesView::restoreState(const QJsonObject& state) {
   details_->setChecked(state.value(QStringLiteral("details")).toBool(true));
   debugLinks_->setChecked(state.value(QStringLiteral("debugLinks")).toBool());
-  const QString sizes = state.value(QStringLiteral("splitter")).toString();
-  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

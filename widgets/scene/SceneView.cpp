@@ -21,6 +21,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/SplitterState.h"
 #include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
@@ -327,7 +328,7 @@ QJsonObject SceneView::saveState() const {
   return {{QStringLiteral("robot"), robots_->choice()},
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("overview"), canvas_->overview()},
           {QStringLiteral("camera"), stateOf(canvas_->camera())},
           {QStringLiteral("follow"), follow_->isChecked()},
@@ -340,7 +341,7 @@ QJsonObject SceneView::saveState() const {
 
 void SceneView::restoreState(const QJsonObject& state) {
   drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
   showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
   wireFrame_->setChecked(state[QStringLiteral("wireFrame")].toBool());
   grid_->setChecked(state[QStringLiteral("grid")].toBool(true));

@@ -14,6 +14,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
+#include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/solutions/ParameterPanel.h"
@@ -187,13 +188,12 @@ bool SolutionsView::eventFilter(QObject* watched, QEvent* event) {
 
 QJsonObject SolutionsView::saveState() const {
   return {{QStringLiteral("parameters"), showParameters_->isChecked()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+          {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
 void SolutionsView::restoreState(const QJsonObject& state) {
   showParameters_->setChecked(state.value(QStringLiteral("parameters")).toBool());
-  const QString sizes = state.value(QStringLiteral("splitter")).toString();
-  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -15,6 +15,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
@@ -427,11 +428,11 @@ QJsonObject ColorImageView::saveState() const {
           {QStringLiteral("strokes"), showStrokes_->isChecked()},
           {QStringLiteral("strip"), showStrip_->isChecked()},
           {QStringLiteral("right"), rightLayer_->currentIndex()},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+          {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
 void ColorImageView::restoreState(const QJsonObject& state) {
-  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
   toolRow_->restoreState(state[QStringLiteral("tools")].toObject());
   twoPictures_->setChecked(state[QStringLiteral("two")].toBool(true));
   showStrokes_->setChecked(state[QStringLiteral("strokes")].toBool(true));

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "widgets/Controls.h"
+#include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/LabeledFolder.h"
@@ -276,14 +277,12 @@ void ColorQualityView::say(const QString& text, bool bad) {
 }
 
 QJsonObject ColorQualityView::saveState() const {
-  return {{QStringLiteral("folder"), folder_},
-          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+  return {{QStringLiteral("folder"), folder_}, {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
 void ColorQualityView::restoreState(const QJsonObject& state) {
   folder_ = state.value(QStringLiteral("folder")).toString();
-  const QString sizes = state.value(QStringLiteral("splitter")).toString();
-  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -20,6 +20,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
+#include "widgets/SplitterState.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorClassModel.h"
 #include "widgets/color/ColorFiles.h"
@@ -322,15 +323,12 @@ void ColorSamplesView::openMenu(const QPoint& at) {
 }
 
 QJsonObject ColorSamplesView::saveState() const {
-  return {{QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+  return {{QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("header"), headerState(*tree_->header())}};
 }
 
 void ColorSamplesView::restoreState(const QJsonObject& state) {
-  const auto bytes = [&state](const QString& name) {
-    return QByteArray::fromBase64(state.value(name).toString().toLatin1());
-  };
-  if (state.contains(QStringLiteral("splitter"))) splitter_->restoreState(bytes(QStringLiteral("splitter")));
+  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
   if (state.contains(QStringLiteral("header")))
     restoreHeader(*tree_->header(), state.value(QStringLiteral("header")));
 }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all views make of a layout that somebody else's file says.
+#include <QDataStream>
+#include <QJsonObject>
+#include <QSplitter>
+#include <QtTest>
+#include <memory>
+
+#include "robotlink/session/CommandTable.h"
+#include "robotlink/session/Session.h"
+#include "widgets/SplitterState.h"
+#include "widgets/View.h"
+
+namespace {
+
+constexpr int kUsualHandle = 40;  // pixels; no style has a wider one
+
+/// A splitter's state as Qt writes it, with any number of sizes and any handle.
+QJsonValue stateWith(quint32 count, const QList<qint32>& sizes, qint32 handle) {
+  QByteArray bytes;
+  QDataStream stream(&bytes, QIODevice::WriteOnly);
+  stream << qint32{0xff} << qint32{1} << count;
+  for (const qint32 size : sizes) stream << size;
+  stream << true << handle << true << qint32{Qt::Horizontal} << true;
+  return QString::fromLatin1(bytes.toBase64());
+}
+
+/// Any view, on a session with nothing in it.
+struct Shown {
+  robotlink::Session session;
+  robotlink::CommandTable commands;
+  widgets::ViewContext context{session, commands, nullptr, {}};
+  std::unique_ptr<widgets::View> view;
+
+  explicit Shown(const widgets::ViewType& type) : view(type.create(context, nullptr)) {}
+};
+
+}  // namespace
+
+class ViewStateTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aHandleThatIsWiderThanAnyScreenIsNotTakenFromAState() {
+    const QJsonObject state{{QStringLiteral("splitter"), stateWith(2, {100, 100}, 1 << 24)}};
+    int splitters = 0;
+    for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
+      Shown shown(type);
+      shown.view->restoreState(state);
+      for (const QSplitter* splitter : shown.view->findChildren<QSplitter*>()) {
+        QVERIFY2(splitter->handleWidth() < kUsualHandle, type.id);
+        ++splitters;
+      }
+      QVERIFY2(shown.view->minimumSizeHint().width() < 4000, type.id);
+    }
+    QVERIFY(splitters >= 9);
+  }
+
+  void aListThatIsLongerThanItsStateChangesNothing() {
+    QSplitter splitter;
+    splitter.addWidget(new QWidget);
+    splitter.addWidget(new QWidget);
+    const QByteArray before = splitter.saveState();
+    for (const quint32 count : {3U, 0x7fffffffU, 0xffffffffU})
+      widgets::restoreSplitter(splitter, stateWith(count, {1, 2}, 5));
+    for (const char* text : {"", "/wAA", "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"})
+      widgets::restoreSplitter(splitter, QString::fromLatin1(text));
+    QCOMPARE(splitter.saveState(), before);
+  }
+
+  void theSizesOfASplitterComeBackFromItsState() {
+    const auto make = [](QSplitter& splitter) {
+      splitter.addWidget(new QWidget);
+      splitter.addWidget(new QWidget);
+      splitter.resize(605, 100);
+      splitter.show();
+    };
+    QSplitter first, second;
+    make(first);
+    make(second);
+    first.setSizes({450, 150});
+    widgets::restoreSplitter(second, widgets::splitterState(first));
+    QCOMPARE(second.sizes(), first.sizes());
+    QVERIFY(second.sizes().at(0) > 2 * second.sizes().at(1));
+    widgets::restoreSplitter(second, stateWith(2, {0x7fffffff, 100}, 5));
+    QVERIFY(second.minimumSizeHint().width() < 1000);
+  }
+};
+
+QTEST_MAIN(ViewStateTest)
+#include "ViewStateTest.moc"
