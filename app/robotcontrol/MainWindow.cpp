@@ -25,6 +25,7 @@
 #include "app/robotcontrol/bars/SimulationToolBar.h"
 #include "app/robotcontrol/bars/StatusLine.h"
 #include "app/robotcontrol/bars/StopToolBar.h"
+#include "app/robotcontrol/bars/ToolBarState.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -207,7 +208,8 @@ void MainWindow::restoreWindow() {
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
-  restoreState(fromText(window.value(QStringLiteral("toolbars"))), kToolBars);
+  const QByteArray toolBars = fromText(window.value(QStringLiteral("toolbars")));
+  if (isToolBarState(toolBars)) restoreState(toolBars, kToolBars);
   logToolBar_->hide();  // until a log is open again
   fillPerspectiveMenu();
 }

@@ -9,6 +9,7 @@
 #include <QXmlStreamReader>
 #include <algorithm>
 
+#include "app/robotcontrol/docks/DockLayout.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "widgets/Icon.h"
 
@@ -182,7 +183,7 @@ QJsonObject ViewDocks::save() const {
 bool ViewDocks::restore(const QJsonObject& state) {
   const QByteArray xml = state.value(QStringLiteral("docks")).toString().toUtf8();
   const QJsonArray views = state.value(QStringLiteral("views")).toArray();
-  if (xml.isEmpty() || views.isEmpty()) return false;
+  if (views.isEmpty() || !isDockLayout(xml)) return false;
   closeAll();
   for (const auto& value : views) {
     const QJsonObject view = value.toObject();
@@ -216,7 +217,7 @@ bool ViewDocks::hasAllOf(const QString& layout) {
 
 bool ViewDocks::rearrange(const QString& layout) {
   space_.releaseEmptyFloats();
-  if (!hasAllOf(layout)) return false;
+  if (!hasAllOf(layout) || !isDockLayout(layout.toUtf8())) return false;
   const bool restored = space_.restoreState(layout.toUtf8(), kLayoutVersion);
   space_.releaseEmptyFloats();
   return restored;

@@ -4,6 +4,9 @@
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QSignalSpy>
 
@@ -251,6 +254,67 @@ class DocksGuiTest : public WindowTest {
     settle(desk);
     QCOMPARE(desk.window.docks().docks(QStringLiteral("image")).size(), std::size_t{2});
     QVERIFY(dock(desk, "messages").isFloating());
+  }
+
+  void aDamagedLayoutIsRefusedAndLeavesTheDocksAsTheyAre_data() {
+    QTest::addColumn<QString>("whole");
+    QTest::addColumn<QString>("damaged");
+    const auto splitter = QStringLiteral("<Splitter Orientation=\"-\" Count=");
+    const auto container = QStringLiteral("<Container Floating=\"0\">");
+    QTest::newRow("a splitter without a count") << splitter << splitter.chopped(1) + QStringLiteral("er=");
+    QTest::newRow("two roots in a window")
+        << container
+        << container + QStringLiteral(
+                           "<Area Tabs=\"1\" Current=\"messages#1\"><Widget Name=\"messages#1\" "
+                           "Closed=\"0\"/></Area>");
+    QTest::newRow("splitters a hundred thousand deep")
+        << container
+        << container + QStringLiteral("<Splitter Orientation=\"|\" Count=\"1\">").repeated(100000);
+  }
+
+  void aDamagedLayoutIsRefusedAndLeavesTheDocksAsTheyAre() {
+    QFETCH(QString, whole);
+    QFETCH(QString, damaged);
+    Desk desk(home_);
+    settle(desk);
+    QJsonObject state = desk.window.docks().save();
+    QString layout = state[QStringLiteral("docks")].toString();
+    QVERIFY(layout.contains(whole));
+    state[QStringLiteral("docks")] = layout.replace(whole, damaged);
+    QVERIFY(!desk.window.docks().restore(state));
+    settle(desk);
+    QVERIFY(dock(desk, "messages").isVisible());
+    QVERIFY(desk.window.docks().isOpen(QStringLiteral("scene")));
+  }
+
+  void aWindowOpensAtOnceWhateverItsFileSaysOfToolbars() {
+    QJsonObject root, window;
+    const auto file = QString::fromStdString((home_ / "window.json").string());
+    {
+      Desk desk(home_);
+      desk.find<QToolBar>("recordingToolBar").hide();
+      desk.window.close();
+      QFile kept(file);
+      QVERIFY(kept.open(QIODevice::ReadOnly));
+      root = QJsonDocument::fromJson(kept.readAll()).object();
+      window = root[QStringLiteral("window")].toObject();
+    }
+    QVERIFY(!Desk(home_).find<QToolBar>("recordingToolBar").isVisible());
+    const auto state = QByteArray::fromBase64(window[QStringLiteral("toolbars")].toString().toLatin1());
+    const auto lines = state.indexOf('\xfc') + 1;
+    QVERIFY(lines > 0);
+    for (const auto at : {lines, lines + 8}) {
+      QByteArray damaged = state;
+      damaged.replace(at, 4, "\x7f\xff\xff\xff");
+      window[QStringLiteral("toolbars")] = QString::fromLatin1(damaged.toBase64());
+      root[QStringLiteral("window")] = window;
+      QFile written(file);
+      QVERIFY(written.open(QIODevice::WriteOnly));
+      written.write(QJsonDocument(root).toJson());
+      written.close();
+      Desk desk(home_);
+      QVERIFY(desk.find<QToolBar>("simulationToolBar").isVisible());
+    }
   }
 
   void aViewOfTheMenuOpensAsATabOfTheLargestArea() {
