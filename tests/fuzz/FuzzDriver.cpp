@@ -185,11 +185,7 @@ int writeSeeds(const std::filesystem::path& folder) {
   return 0;
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, &tellInput);
-  const std::vector<std::string> words(arguments + 1, arguments + count);
+int runAsTold(const std::vector<std::string>& words) {
   if (words.empty()) return runMany(0, 1000);
   if (words.size() == 2 && words[0] == "--seconds") return runMany(std::atof(words[1].c_str()), 0);
   if (words.size() == 2 && words[0] == "--inputs")
@@ -208,4 +204,13 @@ int main(int count, char** arguments) {
     run({std::istreambuf_iterator<char>(file), {}});
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, &tellInput);
+  const int result = runAsTold({arguments + 1, arguments + count});
+  if (fuzzEnd != nullptr) fuzzEnd();
+  return result;
 }

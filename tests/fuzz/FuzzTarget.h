@@ -15,3 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 /// Valid and nearly valid inputs to begin with; generated, and the same at every call.
 std::vector<std::string> fuzzSeeds();
+
+/// Called at the end of main() if a target sets it: ends what must not outlive main(), such as threads that
+/// draw. While the program exits, the libraries that they use are gone already.
+inline void (*fuzzEnd)() = nullptr;

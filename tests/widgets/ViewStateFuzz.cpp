@@ -42,8 +42,12 @@ class Views {
 };
 
 Views& views() {
-  static Views instance;
-  return instance;
+  static std::unique_ptr<Views> instance;
+  if (instance == nullptr) {
+    instance = std::make_unique<Views>();
+    fuzzEnd = [] { instance.reset(); };  // the scene is drawn in a thread
+  }
+  return *instance;
 }
 
 }  // namespace
