@@ -13,7 +13,6 @@
 #include <QPointer>
 #include <QScopedValueRollback>
 #include <QTimer>
-#include <QWindow>
 #include <vector>
 
 #include "widgets/Icon.h"
@@ -66,11 +65,7 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   setStyleSheet(QString());  // the colors of the application's palette, not those of the library
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
-  // A click on a float that a dialog blocks brings the float to the front, and the focus back to the dialog.
-  connect(qApp, &QGuiApplication::focusWindowChanged, this, [](const QWindow* focused) {
-    QWidget* dialog = QApplication::activeModalWidget();
-    if (dialog != nullptr && focused != nullptr && focused == dialog->windowHandle()) dialog->raise();
-  });
+  qApp->installNativeEventFilter(this);
   connect(this, &ads::CDockManager::dockAreaCreated, this,
           [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,
@@ -153,6 +148,14 @@ ads::CDockAreaWidget* DockSpace::largestArea() const {
     if (largest == nullptr || size(*area) > size(*largest)) largest = area;
   }
   return largest;
+}
+
+bool DockSpace::nativeEventFilter(const QByteArray& type, void* event, long* /*result*/) {
+  constexpr unsigned kFocusIn = 9;  // of the X protocol; its highest bit says who sent it
+  if (type == "xcb_generic_event_t" && (*static_cast<const std::uint8_t*>(event) & 0x7FU) == kFocusIn) {
+    if (QWidget* dialog = QApplication::activeModalWidget()) dialog->raise();
+  }
+  return false;
 }
 
 bool DockSpace::eventFilter(QObject* watched, QEvent* event) {

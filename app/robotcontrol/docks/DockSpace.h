@@ -2,6 +2,7 @@
 #pragma once
 
 #include <qtadvanceddocking/DockManager.h>
+#include <QAbstractNativeEventFilter>
 
 namespace app {
 
@@ -11,7 +12,7 @@ namespace app {
 /// Floating windows belong to the main window: they stay above it and below its dialogs, and are minimized
 /// with it. The behavior of the library, which raises them whenever the main window loses the focus, would
 /// hide dialogs behind them and is disabled. GUI thread.
-class DockSpace : public ads::CDockManager {
+class DockSpace : public ads::CDockManager, private QAbstractNativeEventFilter {
   Q_OBJECT
  public:
   explicit DockSpace(QWidget* parent);
@@ -43,6 +44,10 @@ class DockSpace : public ads::CDockManager {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// On X a click on a floating window that a dialog blocks brings that window to the front; Qt gives the
+  /// focus back to the dialog, without an event. So the dialog is raised when the focus moves. Handles no
+  /// event.
+  bool nativeEventFilter(const QByteArray& type, void* event, long* result) override;
   /// Closes a floating window; it is deleted later.
   void release(ads::CFloatingDockContainer* floating);
 
