@@ -41,7 +41,7 @@ TARGETS = {
 
 # "." is the target's own folder. Targets that are not here have no sub-folders.
 ROOMS = {
-    "robotlink/debugging": ["drawing", "."],
+    "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],

@@ -18,7 +18,7 @@
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RequestKinds.h"
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/process/Layout.h"
 #include "robotlink/session/KeyPresets.h"
 

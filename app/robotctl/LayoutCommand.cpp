@@ -8,7 +8,7 @@
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/RegisteredTasks.h"
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/process/Layout.h"
 
 namespace app {

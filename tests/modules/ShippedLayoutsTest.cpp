@@ -6,7 +6,7 @@
 
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/RegisteredTasks.h"
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 using namespace robotlink;
 

@@ -11,8 +11,8 @@
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/program/ProgramExecutor.h"
 
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 

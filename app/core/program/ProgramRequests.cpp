@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "robotlink/debugging/RequestKinds.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 

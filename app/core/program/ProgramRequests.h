@@ -11,7 +11,7 @@
 
 #include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Clock.h"
-#include "robotlink/debugging/RequestPreview.h"
+#include "robotlink/debugging/program/RequestPreview.h"
 
 namespace robotlink {
 class RobotProgram;

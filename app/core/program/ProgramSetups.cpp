@@ -6,8 +6,8 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 

@@ -10,8 +10,8 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 

@@ -19,8 +19,8 @@
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/process/LockstepExecutor.h"
 
 namespace app {

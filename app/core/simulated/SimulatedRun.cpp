@@ -19,8 +19,8 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneFileKind.h"
 

@@ -7,7 +7,7 @@
 
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/session/StreamMessage.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/DebugProcess.h"
+#include "robotlink/debugging/program/DebugProcess.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

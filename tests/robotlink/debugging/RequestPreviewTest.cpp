@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/RequestPreview.h"
+#include "robotlink/debugging/program/RequestPreview.h"
 
 #include <gtest/gtest.h>
 

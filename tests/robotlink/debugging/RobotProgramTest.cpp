@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 #include <gtest/gtest.h>
 

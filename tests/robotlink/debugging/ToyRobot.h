@@ -14,8 +14,8 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/Sensing.pb.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/Platform.h"
 

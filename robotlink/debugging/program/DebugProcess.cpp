@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/DebugProcess.h"
+#include "robotlink/debugging/program/DebugProcess.h"
 
 #include <algorithm>
 #include <set>
@@ -7,13 +7,13 @@
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/debugging/ColorTableInUse.h"
 #include "robotlink/debugging/DebugContext.h"
-#include "robotlink/debugging/JoinedTables.h"
 #include "robotlink/debugging/ProcessChannel.h"
-#include "robotlink/debugging/ProcessTable.h"
 #include "robotlink/debugging/RequestKinds.h"
-#include "robotlink/debugging/RequestedPackages.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
+#include "robotlink/debugging/program/JoinedTables.h"
+#include "robotlink/debugging/program/ProcessTable.h"
+#include "robotlink/debugging/program/RequestedPackages.h"
 #include "robotlink/packages/Checksum.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/RequestPreview.h"
+#include "robotlink/debugging/program/RequestPreview.h"
 
 #include "robotlink/debugging/ColorTableInUse.h"
-#include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/packages/Checksum.h"
 
 namespace robotlink {

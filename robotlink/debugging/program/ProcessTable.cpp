@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/ProcessTable.h"
+#include "robotlink/debugging/program/ProcessTable.h"
 
 #include "robotlink/process/Process.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/RequestedPackages.h"
+#include "robotlink/debugging/program/RequestedPackages.h"
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/debugging/DebugContext.h"

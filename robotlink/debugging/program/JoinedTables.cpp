@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/JoinedTables.h"
+#include "robotlink/debugging/program/JoinedTables.h"
 
 #include "robotlink/debugging/SharedDebugQueue.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/debugging/DebugProcess.h"
 #include "robotlink/debugging/TaskProcess.h"
+#include "robotlink/debugging/program/DebugProcess.h"
 #include "robotlink/process/Platform.h"
 
 namespace robotlink {
