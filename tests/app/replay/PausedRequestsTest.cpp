@@ -12,8 +12,8 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
-#include "tests/app/ReplayFixture.h"
 #include "tests/app/TickUntil.h"
+#include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
 using app::testing::keyRequest;

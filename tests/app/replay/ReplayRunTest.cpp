@@ -12,7 +12,7 @@
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "tests/app/ReplayFixture.h"
+#include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
 using namespace app::testing;

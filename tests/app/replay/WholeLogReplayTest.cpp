@@ -8,7 +8,7 @@
 #include "foxglove/Image.pb.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
-#include "tests/app/ReplayFixture.h"
+#include "tests/app/replay/ReplayFixture.h"
 #include "tests/game/Data.h"
 #include "tests/game/Log.h"
 
