@@ -179,7 +179,9 @@ TEST_P(ForeignTables, areReadAgainFromTheFileThatTheyBecome) {
   ASSERT_TRUE(again) << robotlink::describe(again.error());
   EXPECT_EQ(again->table.file, imported.table.file);
   EXPECT_EQ(again->table.classes, imported.table.classes);
-  if (written().format == "c64") EXPECT_EQ(imported.table.file.bytes(), written().bytes);
+  if (written().format == "c64") {
+    EXPECT_EQ(imported.table.file.bytes(), written().bytes);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, ForeignTables, testing::Range(std::size_t{0}, std::size_t{5}),

@@ -153,13 +153,17 @@ TEST_P(SuspiciousViews, imagesWithFalseColorsComeFirst) {
       byScore[meter.measure(imageOf(data(), stem).view()).score] = stem;
       byFalseColors[falseColors(meter, labelsOf(data(), stem))] = stem;
     }
-    if (!real) EXPECT_LT(byFalseColors.rbegin()->first, 50);
+    if (!real) {
+      EXPECT_LT(byFalseColors.rbegin()->first, 50);
+    }
     // Some good tables have next to none, of 76800 pixels.
     if (byFalseColors.rbegin()->first < 50) continue;
     EXPECT_EQ(byScore.rbegin()->second, byFalseColors.rbegin()->second);
     ++compared;
   }
-  if (real) EXPECT_GE(compared, 4);
+  if (real) {
+    EXPECT_GE(compared, 4);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, SuspiciousViews, testing::ValuesIn(game::kSources),

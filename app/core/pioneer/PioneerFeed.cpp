@@ -53,22 +53,22 @@ tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::creat
 }
 
 PioneerRun::Listeners PioneerFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
+  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.publishTrouble(robot, process, text);
+            gate_.publishTrouble(robot, process, text);
           },
           [this](const std::string& robot, const std::string& text) {
-            if (run_) outlet_.publishText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
+            if (run_) gate_.publishText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
           }};
 }
 
 void PioneerFeed::begin() {
-  outlet_.open();
+  gate_.open();
   due_ = Clock::now();
   if (const auto map = run_->map()) {
     const auto now = run_->clock().now();
-    outlet_.publish({robotlink::streams::kMap, now, mapMessage(*map, now)});
-    outlet_.publishMapNotes(run_->options().robot, now, *map);
+    gate_.publish({robotlink::streams::kMap, now, mapMessage(*map, now)});
+    gate_.publishMapNotes(run_->options().robot, now, *map);
   }
   publishStatus();
 }
@@ -93,7 +93,7 @@ robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
   robotlink::Errors errors = run_->setLayout(file);
   if (!errors.empty()) return errors;
   for (const std::string& lost : run_->lostChoices()) {
-    outlet_.publishText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
+    gate_.publishText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
   }
   return {};
 }
@@ -122,9 +122,9 @@ void PioneerFeed::publishStatus() {
   status->set_scene(run_->options().url);
   status->add_robots(run_->options().robot);
   if (run_->platform().stopEngaged()) status->add_stopped_robots(run_->options().robot);
-  outlet_.publish({robotlink::streams::kSimulation, now, std::move(status)});
-  outlet_.publish({robotlink::streams::kRecording, now,
-                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  gate_.publish({robotlink::streams::kSimulation, now, std::move(status)});
+  gate_.publish({robotlink::streams::kRecording, now,
+                 std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -48,12 +48,12 @@ class PioneerFeed final : public PlatformFeed {
   using Clock = PacedThread::Clock;
 
   PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder)
-      : outlet_(session), recorder_(recorder) {}
+      : gate_(session), recorder_(recorder) {}
   /// Listeners that publish.
   PioneerRun::Listeners listeners();
 
   /// Publishes to the session from begin() on.
-  PublishGate outlet_;
+  PublishGate gate_;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
   /// When the next step is due, and when the status was last published.

@@ -78,7 +78,7 @@ struct RecordingTap::Robot {
   /// What the platform sends.
   std::shared_ptr<TappedFrame> sensors = std::make_shared<TappedFrame>();
   /// What the debug process sends on behalf of the user.
-  std::shared_ptr<TappedFrame> overrides = std::make_shared<TappedFrame>();
+  std::shared_ptr<TappedFrame> debugPackages = std::make_shared<TappedFrame>();
 
   // Only in the debug process's thread:
   robotcontrol::ProgramSetup setup;
@@ -115,16 +115,16 @@ void RecordingTap::attach(const std::string& name, robotlink::Platform& platform
   robot->program = &program;
   robot->setup = std::move(setup);
   robot->lastTime = platform.clock().now();
-  robot->sensors->robot = robot->overrides->robot = name;
+  robot->sensors->robot = robot->debugPackages->robot = name;
   robot->sensors->process = kPlatform;
-  robot->overrides->process = program.debugProcess().name();
+  robot->debugPackages->process = program.debugProcess().name();
   if (const Robot* before = find(name); before != nullptr && before->platform == &platform) {
     robot->sensors = before->sensors;
     std::erase_if(robots_, [&](const auto& other) { return other->name == name; });
   } else {
     tapSenders(platform, robot->sensors, recorder_);
   }
-  tapSenders(program.debugProcess(), robot->overrides, recorder_);
+  tapSenders(program.debugProcess(), robot->debugPackages, recorder_);
   robot->asked = robot->wanted(recorder_);
   program.recordPackages(robot->asked);
   recorder_.forget(name);
@@ -159,7 +159,7 @@ void RecordingTap::endStep() {
   }
 }
 
-void RecordingTap::handedIn(const robotcontrol::Request& request) {
+void RecordingTap::recordRequest(const robotcontrol::Request& request) {
   const Robot* robot = find(request.robot());
   if (robot == nullptr || !recorder_.active() || request.has_record_packages()) return;
   recorder_.add({{robot->name + "/" + robotlink::streams::kRequests, robot->platform->clock().now(),
@@ -175,19 +175,20 @@ void RecordingTap::add(const std::string& name, const std::shared_ptr<const Shar
   if (robot == nullptr) return;
   bool setupChanged = false;
   for (const SharedDebugMessage& message : queue->messages) setupChanged |= follow(robot->setup, message);
-  const bool own = queue->process == robot->overrides->process;
-  if (recorder_.active() || recordsLatched(*queue) || (own && !robot->overrides->messages.empty())) {
+  const bool own = queue->process == robot->debugPackages->process;
+  if (recorder_.active() || recordsLatched(*queue) || (own && !robot->debugPackages->messages.empty())) {
     auto parts = robotlink::messagesOf(name, *queue, robot->lastTime, robotlink::QueueReader::kRecorder);
     if (!parts.messages.empty()) robot->lastTime = parts.messages.back().time;
     for (std::vector<StreamMessage>& frame : robotlink::framesOf(std::move(parts.messages))) {
       std::erase_if(frame, [robot](const StreamMessage& message) {
-        return robot->sensors->paths.contains(message.path) || robot->overrides->paths.contains(message.path);
+        return robot->sensors->paths.contains(message.path) ||
+               robot->debugPackages->paths.contains(message.path);
       });
       // Insert what the debug process sent in this frame before the frame's end.
       if (own && !frame.empty()) {
-        auto overrides = std::exchange(robot->overrides->messages, {});
-        frame.insert(frame.end() - 1, std::make_move_iterator(overrides.begin()),
-                     std::make_move_iterator(overrides.end()));
+        auto debugPackages = std::exchange(robot->debugPackages->messages, {});
+        frame.insert(frame.end() - 1, std::make_move_iterator(debugPackages.begin()),
+                     std::make_move_iterator(debugPackages.end()));
       }
       recorder_.add(std::move(frame));
     }

@@ -49,7 +49,7 @@ class RecordingTap {
   /// After a step: records what the platforms have sent in it as one frame each.
   void endStep();
   /// Records a request that a program has just got.
-  void handedIn(const robotcontrol::Request& request);
+  void recordRequest(const robotcontrol::Request& request);
   /// Records a message that belongs to no robot's program: the scene, transforms, the state of the
   /// simulation.
   void world(robotlink::StreamMessage message);

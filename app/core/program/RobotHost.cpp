@@ -124,7 +124,7 @@ void RobotHost::enqueueRequests() {
   requests_.ran();
   requests_.hand([this](const robotcontrol::Request& request) {
     const bool accepted = program_->debugProcess().request(request);
-    if (accepted && tap_ != nullptr) tap_->handedIn(request);
+    if (accepted && tap_ != nullptr) tap_->recordRequest(request);
     return accepted;
   });
 }

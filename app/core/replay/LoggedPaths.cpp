@@ -81,11 +81,11 @@ bool LoggedPaths::isRecomputedKey(std::string key) const {
 
 bool LoggedPaths::isRecomputedText(const std::string& source) const {
   const auto slash = source.find('/');
-  const std::string teller = slash == std::string::npos ? "" : source.substr(slash + 1);
+  const std::string publisher = slash == std::string::npos ? "" : source.substr(slash + 1);
   const auto& all = robotlink::SolutionRegistry::all();
   const bool isTask =
-      std::any_of(all.begin(), all.end(), [&](const auto& solution) { return solution.task == teller; });
-  return isTask ? tasks_.contains(teller) : runs(source.substr(0, slash));
+      std::any_of(all.begin(), all.end(), [&](const auto& solution) { return solution.task == publisher; });
+  return isTask ? tasks_.contains(publisher) : runs(source.substr(0, slash));
 }
 
 }  // namespace app

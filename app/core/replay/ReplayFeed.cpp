@@ -73,10 +73,10 @@ Instant ReplayFeed::firstImage() const {
 }
 
 ReplayRun::Listeners ReplayFeed::listeners() {
-  return {[this](std::vector<robotlink::StreamMessage> frame) { outlet_.publishFrame(std::move(frame)); },
-          [this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
+  return {[this](std::vector<robotlink::StreamMessage> frame) { gate_.publishFrame(std::move(frame)); },
+          [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.publishError(robot, process.name(), run_ ? run_->now() : process.clock().now(), text);
+            gate_.publishError(robot, process.name(), run_ ? run_->now() : process.clock().now(), text);
           }};
 }
 
@@ -102,22 +102,22 @@ ReplayOptions ReplayFeed::options() const {
 }
 
 void ReplayFeed::begin() {
-  outlet_.open();
+  gate_.open();
   publishStatus();
 }
 
 Errors ReplayFeed::republish(const Change& change) {
-  outlet_.close();
+  gate_.close();
   Errors errors = change();
   if (!errors.empty()) {
-    outlet_.discard();
-    outlet_.open();
+    gate_.discard();
+    gate_.open();
     return errors;
   }
   stale_ = false;
   playback_.jumped(Clock::now(), place());
   session_.restart([this] {
-    outlet_.open();
+    gate_.open();
     publishStatus();
   });
   return {};
@@ -185,8 +185,8 @@ void ReplayFeed::publishFailure(const Result<void>& done) {
   stale_ = false;
   const std::string& process = run_->stepProcess();
   const auto slash = std::min(process.find('/'), process.size());
-  outlet_.publishError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())),
-                       run_->now(), "The log is paused: " + done.error().describe());
+  gate_.publishError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())),
+                     run_->now(), "The log is paused: " + done.error().describe());
   publishStatus();
 }
 
@@ -225,9 +225,9 @@ void ReplayFeed::publishStatus() {
     status->mutable_range()->set_from(range->from.time_since_epoch().count());
     status->mutable_range()->set_to(range->to.time_since_epoch().count());
   }
-  outlet_.publish({robotlink::streams::kReplay, run_->now(), std::move(status)});
-  outlet_.publish({robotlink::streams::kRecording, run_->now(),
-                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  gate_.publish({robotlink::streams::kReplay, run_->now(), std::move(status)});
+  gate_.publish({robotlink::streams::kRecording, run_->now(),
+                 std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

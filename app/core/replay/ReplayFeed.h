@@ -65,7 +65,7 @@ class ReplayFeed final : public PlatformFeed {
   using Change = std::function<robotlink::Errors()>;
 
   ReplayFeed(robotlink::Session& session, logplayer::Recorder& recorder)
-      : session_(session), recorder_(recorder), outlet_(session, &recorder) {}
+      : session_(session), recorder_(recorder), gate_(session, &recorder) {}
   /// Listeners that publish.
   ReplayRun::Listeners listeners();
   /// Inherits playback and step process from the feed that this one replaces; both have logs in common.
@@ -108,7 +108,7 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
   /// Publishes to the session from begin() on; closed during jumps.
-  PublishGate outlet_;
+  PublishGate gate_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
   /// A program got a request whose effect at the present instant is not published yet.

@@ -23,12 +23,12 @@ std::string printable(std::string text) {
 }  // namespace
 
 robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& world, const Options& options,
-                                                                Log teller) {
+                                                                Log logger) {
   if (world.pioneers().empty()) {
     return robotlink::failure("arcos.no-robot",
                               "there is no Pioneer in this world to connect to; add some with --robots");
   }
-  std::unique_ptr<ArcosPorts> made(new ArcosPorts(world, options, std::move(teller)));
+  std::unique_ptr<ArcosPorts> made(new ArcosPorts(world, options, std::move(logger)));
   auto ports =
       robotlink::arcos::RobotPorts::open({options.address, options.firstPort, world.pioneers().size()});
   if (!ports) return tl::unexpected(ports.error());
@@ -36,8 +36,8 @@ robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& 
   return made;
 }
 
-ArcosPorts::ArcosPorts(SimulatedWorld& world, Options options, Log teller)
-    : world_(world), options_(std::move(options)), log_(std::move(teller)), texts_(world.pioneers().size()) {}
+ArcosPorts::ArcosPorts(SimulatedWorld& world, Options options, Log logger)
+    : world_(world), options_(std::move(options)), log_(std::move(logger)), texts_(world.pioneers().size()) {}
 
 ArcosPorts::~ArcosPorts() {
   for (const auto& pioneer : world_.pioneers()) {

@@ -36,7 +36,7 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
 
   /// Opens the ports. Fails if the world has no Pioneer or if a port cannot be opened.
   static robotlink::Result<std::unique_ptr<ArcosPorts>> open(SimulatedWorld& world, const Options& options,
-                                                             Log teller = {});
+                                                             Log logger = {});
   /// Disconnects all clients.
   ~ArcosPorts() override;
 
@@ -56,7 +56,7 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   std::optional<int> exitRequest() const { return exit_; }
 
  private:
-  ArcosPorts(SimulatedWorld& world, Options options, Log teller);
+  ArcosPorts(SimulatedWorld& world, Options options, Log logger);
   // Called by RobotPorts with the index of the robot.
   void clientCame(std::size_t robot, const std::string& address) override;
   void packetCame(std::size_t robot, const robotlink::arcos::Packet& packet) override;

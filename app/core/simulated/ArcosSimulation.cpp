@@ -9,19 +9,19 @@ namespace app {
 using Clock = std::chrono::steady_clock;
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
-    Options options, ArcosPorts::Log teller) {
+    Options options, ArcosPorts::Log logger) {
   auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}));
   if (!scene) return tl::unexpected(scene.error());
-  return create(std::move(*scene), std::move(options), std::move(teller));
+  return create(std::move(*scene), std::move(options), std::move(logger));
 }
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
-    std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log teller) {
+    std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log logger) {
   std::unique_ptr<ArcosSimulation> simulation(new ArcosSimulation(std::move(options)));
   auto world = SimulatedWorld::create(std::move(scene), simulation->options_.world);
   if (!world) return tl::unexpected(robotlink::Errors{world.error()});
   simulation->world_ = std::move(*world);
-  auto ports = ArcosPorts::open(*simulation->world_, simulation->options_.ports, std::move(teller));
+  auto ports = ArcosPorts::open(*simulation->world_, simulation->options_.ports, std::move(logger));
   if (!ports) return tl::unexpected(robotlink::Errors{ports.error()});
   simulation->ports_ = std::move(*ports);
   simulation->pace_.setSpeed(simulation->options_.speed);

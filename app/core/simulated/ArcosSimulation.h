@@ -37,14 +37,14 @@ class ArcosSimulation {
     robotlink::Duration lost{};
   };
 
-  /// Loads the scene and opens the ports. Fails with all reasons if that is impossible. `teller` is called
+  /// Loads the scene and opens the ports. Fails with all reasons if that is impossible. `logger` is called
   /// with lines for the user.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
-      Options options, ArcosPorts::Log teller = {});
+      Options options, ArcosPorts::Log logger = {});
 
   /// The same for a scene that was loaded before; file and robots of the options are ignored.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
-      std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log teller = {});
+      std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log logger = {});
 
   /// Waits until the next step is due, moving packets meanwhile, then makes it.
   void step();

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kMaxRequests = 64;
 constexpr std::size_t kMaxBumpers = 5;
 /// Tire errors beyond this are not plausible.
-constexpr double kMaxTyreError = 0.02;
+constexpr double kMaxTireError = 0.02;
 
 /// A hash of a robot's name that is the same on every computer, as std::hash is not.
 std::uint64_t streamOf(const std::string& name) {
@@ -106,7 +106,7 @@ SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string 
 void SimulatedPioneer::drawTires() {
   robotlink::Random random(options_.seed, streamOf(robot_));
   const auto draw = [&] {
-    return 1 + std::clamp(options_.tireError * random.normal(), -kMaxTyreError, kMaxTyreError);
+    return 1 + std::clamp(options_.tireError * random.normal(), -kMaxTireError, kMaxTireError);
   };
   leftTire_ = draw();
   rightTire_ = draw();

@@ -49,27 +49,26 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
 }
 
 SimulatedRun::Listeners SimulationFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { outlet_.publishQueue(robot, std::move(queue)); },
+  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            outlet_.publishTrouble(robot, process, text);
+            gate_.publishTrouble(robot, process, text);
           },
           {},
           [this](const std::string& text) { publishPorts(text, foxglove::Log::INFO); },
           [this](robotlink::Instant, const std::string& text) { publishGame(text); },
           [this](const std::string& robot, const std::string& text) {
             const robotlink::Instant time = run_ ? now() : robotlink::Instant{};
-            outlet_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
+            gate_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
           }};
 }
 
 void SimulationFeed::publishPorts(const std::string& text, int level) {
-  if (run_ && !run_->robots().empty())
-    outlet_.publishText(run_->robots().front(), "ports", now(), level, text);
+  if (run_ && !run_->robots().empty()) gate_.publishText(run_->robots().front(), "ports", now(), level, text);
 }
 
 void SimulationFeed::publishGame(const std::string& text) {
   if (run_ && !run_->robots().empty())
-    outlet_.publishText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
+    gate_.publishText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
 bool SimulationFeed::makeWay() {
@@ -88,12 +87,12 @@ void SimulationFeed::inheritPlayback(const Going& before) {
 }
 
 void SimulationFeed::begin() {
-  outlet_.open();
+  gate_.open();
   if (choices_) choices_(run_->options());
   restartPace();
   publishScene();
   if (const auto map = run_->map(); map && !run_->robots().empty()) {
-    outlet_.publishMapNotes(run_->robots().front(), now(), *map);
+    gate_.publishMapNotes(run_->robots().front(), now(), *map);
   }
   if (const ArcosPorts* ports = run_->ports()) {
     const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
@@ -197,7 +196,7 @@ robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
 
 void SimulationFeed::publishLostOverrides() {
   for (const std::string& lost : run_->lostChoices()) {
-    outlet_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
+    gate_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
   }
 }
 
@@ -214,15 +213,14 @@ robotlink::Result<void> SimulationFeed::reset() {
 void SimulationFeed::publishScene() {
   lastStatusTime_ = now();
   lastStatus_ = Clock::now();
-  if (const auto map = run_->map())
-    outlet_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
-  outlet_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
+  if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
+  gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
   publishTransforms();
   publishStatus();
 }
 
 void SimulationFeed::publishTransforms() {
-  outlet_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+  gate_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
 }
 
 void SimulationFeed::publishStatus() {
@@ -248,9 +246,9 @@ void SimulationFeed::publishStatus() {
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);
   const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
   if (recorder_.active()) recorder_.add({message});
-  outlet_.publish(message);
-  outlet_.publish({robotlink::streams::kRecording, now(),
-                   std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  gate_.publish(message);
+  gate_.publish({robotlink::streams::kRecording, now(),
+                 std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -57,7 +57,7 @@ class SimulationFeed final : public PlatformFeed {
   using Clock = PacedThread::Clock;
 
   SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder)
-      : outlet_(session), recorder_(recorder) {}
+      : gate_(session), recorder_(recorder) {}
   /// Listeners that publish.
   SimulatedRun::Listeners listeners();
   /// Publishes a text about the ports in the log of the first robot.
@@ -81,7 +81,7 @@ class SimulationFeed final : public PlatformFeed {
   void publishTransforms();
 
   /// Publishes to the session from begin() on.
-  PublishGate outlet_;
+  PublishGate gate_;
   logplayer::Recorder& recorder_;
   Choices choices_;
   std::unique_ptr<SimulatedRun> run_;

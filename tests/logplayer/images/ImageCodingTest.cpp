@@ -177,7 +177,9 @@ TEST(ImageCoding, cutAndDamagedImagesNeverDoHarm) {
   const auto png = *encodePng(image.view());
   for (std::size_t size = 0; size < jpeg.size(); ++size) {
     const auto cut = decodeJpeg(std::span(jpeg).first(size));
-    if (cut) EXPECT_EQ(cut->width, 48);
+    if (cut) {
+      EXPECT_EQ(cut->width, 48);
+    }
   }
   const auto four = bhuman::fourComponentJpeg(fourOf(48, 40), 48, 40);
   for (std::size_t size = 0; size < four.size(); ++size) {

@@ -93,8 +93,8 @@ class DamageTest : public testing::TestWithParam<Compression> {
   static bool containsAll(const std::vector<Expected>& found, const std::vector<Expected>& expected) {
     const auto inOrder = [](const Expected& a, const Expected& b) { return a.time < b.time; };
     return std::ranges::includes(found, expected, inOrder) &&
-           std::ranges::all_of(expected, [&](const Expected& expected) {
-             return *std::ranges::lower_bound(found, expected, inOrder) == expected;
+           std::ranges::all_of(expected, [&](const Expected& one) {
+             return *std::ranges::lower_bound(found, one, inOrder) == one;
            });
   }
   void flipAll(const std::string& bytes, std::size_t step, std::size_t from = 0) {

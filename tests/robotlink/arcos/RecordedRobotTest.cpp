@@ -93,7 +93,9 @@ TEST_P(RecordedRobotTest, scansAreWholeAndInOrder) {
   EXPECT_EQ(ranges.size(), 181U);
   // The closest wall is at 514 mm, or straight ahead.
   EXPECT_EQ(*std::min_element(ranges.begin(), ranges.end()) / 100, real() ? 5 : 8);
-  if (!real()) EXPECT_EQ(ranges[90], 800);
+  if (!real()) {
+    EXPECT_EQ(ranges[90], 800);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Conversations, RecordedRobotTest, testing::ValuesIn(kConversationSources),

@@ -74,7 +74,9 @@ TEST(GraphLayout, nodesHaveRoomForTheirPortsAndDoNotOverlap) {
       for (const ProcessGraph::Port& port : *ports) EXPECT_TRUE(node.rect.contains(port.rect));
     EXPECT_TRUE(drawn.graph.bounds.contains(node.rect));
     for (const ProcessGraph::Node& other : drawn.graph.nodes)
-      if (&other != &node) EXPECT_FALSE(node.rect.intersects(other.rect));
+      if (&other != &node) {
+        EXPECT_FALSE(node.rect.intersects(other.rect));
+      }
   }
   EXPECT_TRUE(Drawn({}).layOut().graph.bounds.isEmpty());
 }
