@@ -14,8 +14,8 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastTitle = 32;                        // pixels: a sort indicator and two letters
-constexpr int kLeastNameTitle = 64;                    // pixels
+constexpr int kMinTitle = 32;                          // pixels: a sort indicator and two letters
+constexpr int kMinNameTitle = 64;                      // pixels
 constexpr int kTextWidth = 160, kLeastTextWidth = 80;  // pixels
 constexpr int kFitInterval = 250;                      // ms between two fits to changed contents
 constexpr int kLeastWidth = 8, kMaxWidth = 4'000;      // pixels
@@ -34,7 +34,7 @@ int comfortableWidth(const ColumnNeed& column, int room) {
 int leastWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
   if (column.kind == ColumnKind::kText) return kLeastTextWidth;
-  const int title = column.kind == ColumnKind::kName ? kLeastNameTitle : kLeastTitle;
+  const int title = column.kind == ColumnKind::kName ? kMinNameTitle : kMinTitle;
   return std::min(std::max(column.contents, std::min(column.title, title)), comfortableWidth(column, room));
 }
 

@@ -12,7 +12,7 @@ namespace {
 // The distance from the outline that is enforced in the direction of driving, m.
 constexpr double kHardMargin = 0.1;
 // The fraction of the requested speed that is kept in every direction.
-constexpr double kLeastShare = 0.1;
+constexpr double kMinShare = 0.1;
 
 }  // namespace
 
@@ -50,8 +50,8 @@ DriveVelocity VectorField::steered(const DriveVelocity& desired, const DriveLimi
   if (!found) return {0, 0};
   direction_ = direction;
   const double room = view_.freeAbout(0, robotlink::radians(5));
-  const double straight = std::max(kLeastShare, std::cos(direction));
-  const double speed = desired.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
+  const double straight = std::max(kMinShare, std::cos(direction));
+  const double speed = desired.forward * straight * std::clamp(room / options_.reach + kMinShare, 0.0, 1.0);
   // If the requested direction is open, the request is followed unchanged.
   const bool asDesired = std::abs(direction - wanted) < 0.6 * PolarView::kSector;
   const double rotation = asDesired ? desired.rotation : options_.steering * direction;

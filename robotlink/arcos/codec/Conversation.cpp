@@ -22,7 +22,7 @@ constexpr std::string_view kFromRobot = "S>C";
 /// Larger times are errors; smaller ones are exact in ns.
 constexpr double kMaxMs = 1e12;
 /// Smaller times are written as 0.
-constexpr double kLeastMs = 0.05;
+constexpr double kMinMs = 0.05;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -80,7 +80,7 @@ std::string wordsOf(const Bytes& bytes) {
 /// In ms, as far as it is written: what is rounded to zero is no "-0.0", which would be read as 0.
 double writtenMs(robotlink::Duration at) {
   const double ms = std::chrono::duration<double, std::milli>(at).count();
-  return std::abs(ms) < kLeastMs ? 0 : ms;
+  return std::abs(ms) < kMinMs ? 0 : ms;
 }
 
 /// The event of a line, or a sentence about the error.

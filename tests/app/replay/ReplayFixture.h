@@ -156,4 +156,14 @@ inline ReplayOptions recomputingAll(const std::filesystem::path& file) {
   return options;
 }
 
+/// The packages that are recomputed although the log may hold them.
+inline std::vector<std::string> recomputedPackages(const robotcontrol::ReplayStatus& status) {
+  std::vector<std::string> names;
+  for (const auto& package : status.packages()) {
+    if (package.source() == robotcontrol::ControlReplay::RECOMPUTED && package.can_recompute())
+      names.push_back(package.package());
+  }
+  return names;
+}
+
 }  // namespace app::testing

@@ -48,15 +48,6 @@ class ReplayRunTest : public ::testing::Test {
   static inline std::unique_ptr<TestFolder> folder_;
 };
 
-std::vector<std::string> recomputedPackages(const robotcontrol::ReplayStatus& status) {
-  std::vector<std::string> names;
-  for (const auto& package : status.packages()) {
-    if (package.source() == ControlReplay::RECOMPUTED && package.can_recompute())
-      names.push_back(package.package());
-  }
-  return names;
-}
-
 }  // namespace
 
 class RecomputedLayout : public ::testing::TestWithParam<std::string> {};
@@ -184,7 +175,7 @@ TEST_F(ReplayRunTest, whatIsToldAnewTakesThePathAndWhatWasLoggedStandsBesideIt) 
   ASSERT_TRUE(replay.run);
   ASSERT_TRUE(replay.run->request(keyRequest("red1", "segmentation/regions")));
   replay.playToEnd();
-  // Of the task that runs...
+  // What the task that runs publishes...
   EXPECT_GT(replay.countOn("red1/logged/drawings/image/segmentation/regions"), 10U);
   EXPECT_GT(replay.countOn("red1/drawings/image/segmentation/regions"), 45U) << "from the first frame on";
   EXPECT_EQ(replay.countOn("red1/logged/frames/cognition"), 50U);
@@ -491,56 +482,6 @@ TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
   const Replay chosen{ReplayOptions(replay.run->options())};
   ASSERT_TRUE(chosen.run);
   EXPECT_EQ(chosen.run->end(), at(5001)) << "what a person chose is kept";
-}
-
-/// Logs of other programs, older or newer.
-class ForeignSetup : public ::testing::Test {
- protected:
-  /// One image of a robot whose program was made of this.
-  std::filesystem::path write(const std::string& layout, const std::string& description = {}) {
-    auto setup = std::make_shared<robotcontrol::ProgramSetup>();
-    setup->mutable_layout()->set_name("layouts/foreign.yaml");
-    setup->mutable_layout()->set_text(layout);
-    setup->mutable_description()->set_text(description);
-    auto image = std::make_shared<foxglove::RawImage>();
-    const auto file = folder_ / "foreign.mcap";
-    auto writer = logplayer::LogWriter::create(file, {});
-    EXPECT_TRUE(
-        (*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
-    return file;
-  }
-  static std::string replayTexts(const Replay& replay) {
-    std::string texts;
-    for (const auto& message : replay.reported) {
-      const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
-      if (text != nullptr && text->name() == "replay") texts += text->message() + "\n";
-    }
-    return texts;
-  }
-
- private:
-  const TestFolder folder_;
-};
-
-TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {
-  Replay replay(write("version: 9\nname: later\n"));
-  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
-  ASSERT_TRUE(replay.run->jump(at(1)).empty());
-  EXPECT_THAT(replayTexts(replay), HasSubstr("shipped files are used instead: layouts/foreign.yaml:1"));
-  EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
-}
-
-TEST_F(ForeignSetup, aLayoutThatCannotBeRunIsPlayedWithoutAProgram) {
-  Replay replay(
-      write("version: 1\nname: twice\nprocesses:\n"
-            "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
-            "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
-            "  - {name: debug, debug: true, period_ms: 16}\n"));
-  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
-  ASSERT_TRUE(replay.run->jump(at(1)).empty());
-  EXPECT_THAT(replayTexts(replay), HasSubstr("nothing is recomputed, as the log's layout cannot be run: "));
-  EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
-  EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
 }
 
 TEST(ReplayRun, whatIsNoLogIsRefused) {
