@@ -113,14 +113,13 @@ function(robotcontrol_precompile_tests)
     <gtest/gtest.h> <Eigen/Geometry> <google/protobuf/message.h> <functional> <map> <memory> <string> <vector>)
 endfunction()
 
-# robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
-# One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
 # What a test labeled slow does is bounded by the test itself: by simulated time, inputs or bytes. On a machine that does other
 # things, too, it may take as long as it takes; this limit, in seconds, ends what hangs.
 set(ROBOTCONTROL_SLOW_TIMEOUT 3600)
 
-function(robotcontrol_test name)
-  cmake_parse_arguments(ARG "QT" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+# robotcontrol_add_test(NAME COMMAND word... [LABELS label...] [TIMEOUT seconds]): what ctest knows of a program of tests.
+function(robotcontrol_add_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "COMMAND;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
@@ -130,6 +129,16 @@ function(robotcontrol_test name)
   if(ROBOTCONTROL_SANITIZE)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")  # what sanitizers cost at most, on a machine that does other things, too
   endif()
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+    # A program that runs no test tests nothing; QtTest counts what it does before and after as two.
+    FAIL_REGULAR_EXPRESSION "Running 0 tests from;Totals: [0-2] passed, 0 failed, 0 skipped"
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/lsan.supp:print_suppressions=0;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/tsan.supp")
+endfunction()
+
+# robotcontrol_test_program(NAME [QT] [SOURCES file...] LIBS lib...): a program of tests that ctest does not know yet.
+function(robotcontrol_test_program name)
+  cmake_parse_arguments(ARG "QT" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   robotcontrol_unity(${name})
   robotcontrol_quick_compilation(${name})
@@ -142,11 +151,27 @@ function(robotcontrol_test name)
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} GTest::gmock_main)
     target_precompile_headers(${name} REUSE_FROM tests_precompiled)
   endif()
-  add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
-    # A program that runs no test tests nothing; QtTest counts what it does before and after as two.
-    FAIL_REGULAR_EXPRESSION "Running 0 tests from;Totals: [0-2] passed, 0 failed, 0 skipped"
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/lsan.supp:print_suppressions=0;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/tsan.supp")
+endfunction()
+
+# robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
+# One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
+function(robotcontrol_test name)
+  cmake_parse_arguments(ARG "QT" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  set(qt)
+  if(ARG_QT)
+    set(qt QT)
+  endif()
+  robotcontrol_test_program(${name} ${qt} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS})
+  robotcontrol_add_test(${name} COMMAND ${name} LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# robotcontrol_gui_test(NAME PROGRAM file [TIMEOUT seconds]): adds the class in a file, which has its name, to a program of tests
+# whose main() is that of tests/widgets/GuiTestMain.cpp. ctest runs each class by itself.
+function(robotcontrol_gui_test name program file)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "" ${ARGN})
+  cmake_path(GET file STEM class)
+  target_sources(${program} PRIVATE ${file})
+  robotcontrol_add_test(${name} COMMAND ${program} ${class} LABELS gui TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
 # robotcontrol_benchmark(NAME SOURCES file... LIBS lib...): a Google Benchmark program; never a timed test.

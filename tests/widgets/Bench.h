@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The harness of all tests of views and of the window; ../README.md says how to use it.
 #pragma once
 
 #include <QApplication>
+#include <QColor>
+#include <QPoint>
 #include <QTest>
 #include <QTreeView>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,36 +17,25 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
+#include "tests/TestFolder.h"
+#include "tests/widgets/GuiTest.h"
 #include "widgets/View.h"
 
-/// The base of tests of views: a session with the robots "red1" (selected) and "blue1". Requests are recorded
-/// instead of sent, and the test controls the time. Any Qt warning, except for those of the offscreen plugin,
-/// aborts the program.
+namespace widgets::test {
+
+/// A session without a program: the test publishes what a robot would and controls the time. Requests are
+/// recorded instead of sent. Contents for certain views are in FieldBench, CameraBench, LogBench and
+/// DriveBench.
 class Bench {
  public:
-  Bench() {
-    session.setRobots({"red1", "blue1"});
-    session.selectRobot("red1");
-    session.setRequestSink([this](const robotcontrol::Request& request) { requests.push_back(request); });
-  }
+  struct Options {
+    std::vector<std::string> robots{"red1", "blue1"};  // the first one is selected
+    bool answers = false;                              // whether requests are answered at once
+    bool field = false;                                // whether the robots play on the field of 2002
+  };
 
-  /// For initTestCase(): aborts on warnings, uses the resources of this source tree and a home folder of its
-  /// own.
-  static void prepare(const char* sourceDirectory) {
-    const auto home = std::filesystem::temp_directory_path() /
-                      ("robotcontrol-test-" + std::to_string(QCoreApplication::applicationPid()));
-    std::filesystem::create_directories(home);
-    std::filesystem::permissions(home, std::filesystem::perms::owner_all);
-    qputenv("XDG_CONFIG_HOME", home.c_str());
-    qputenv("XDG_RUNTIME_DIR", home.c_str());
-    qputenv("ROBOTCONTROL_RESOURCES", (std::string(sourceDirectory) + "/resources").c_str());
-    previous() = qInstallMessageHandler(failOnWarning);
-  }
-  /// For cleanupTestCase(): removes the home folder.
-  static void tidyUp() {
-    std::error_code error;
-    std::filesystem::remove_all(std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()), error);
-  }
+  Bench() : Bench(Options()) {}
+  explicit Bench(const Options& options);
 
   /// Creates and shows a view.
   template <typename V>
@@ -56,66 +47,83 @@ class Bench {
     tick(*view);
     return view;
   }
+  void tick(View& view) {
+    session.tick();
+    view.tick();
+  }
 
   template <typename T>
   void push(const std::string& path, const T& message, double time) {
     session.push(
         {path, robotlink::Instant(robotlink::fromSeconds(time)), std::make_shared<const T>(message)});
   }
-  void tick(widgets::View& view) {
-    session.tick();
-    view.tick();
+  /// Publishes at now().
+  void push(const std::string& path, robotlink::PackagePtr value) {
+    session.push({path, now_, std::move(value)});
   }
-  /// Replies to the last request.
+  /// Advances the time and lets the session process what was published.
+  void advance(int milliseconds = 40);
+  robotlink::Instant now() const { return now_; }
+
+  /// Answers the last request.
   void answer(bool accepted, const std::string& reason = {}) { answer(requests.back(), accepted, reason); }
-  void answer(const robotcontrol::Request& request, bool accepted, const std::string& reason = {}) {
-    robotcontrol::RequestResult result;
-    result.set_id(request.id());
-    result.set_accepted(accepted);
-    result.set_reason(reason);
-    session.pushResult(result);
-  }
+  void answer(const robotcontrol::Request& request, bool accepted, const std::string& reason = {});
 
   robotlink::Session session;
   robotlink::CommandTable commands;
-  widgets::ViewContext context{session, commands, nullptr, {}};
+  ViewContext context{session, commands, nullptr, {}};
   std::vector<robotcontrol::Request> requests;
+  /// If not empty, requests that are answered at once are refused with this reason.
+  std::string refusal;
+  /// Whether the checksums of color tables are wrong, as after a loss of data.
+  bool wrongChecksum = false;
 
  private:
-  static QtMessageHandler& previous() {
-    static QtMessageHandler handler = nullptr;
-    return handler;
-  }
-  static void failOnWarning(QtMsgType type, const QMessageLogContext& where, const QString& text) {
-    if (text.startsWith(QStringLiteral("This plugin does not support"))) return;
-    if (type == QtWarningMsg || type == QtCriticalMsg) {
-      std::fprintf(stderr, "Qt warns: %s\n", qPrintable(text));
-      std::abort();
-    }
-    if (previous() != nullptr) previous()(type, where, text);
-  }
+  robotlink::Instant now_{std::chrono::seconds(1)};
 };
 
-/// A widget of a view by its object name; aborts the program if there is none.
+/// For main(): the resources of this source tree, and a new home folder. Aborts the program at any Qt
+/// warning, except for those of the offscreen plugin about what it does not support.
+class BenchHome {
+ public:
+  BenchHome();
+  /// The home folder, for files of tests.
+  static std::filesystem::path path();
+
+ private:
+  TestFolder folder_;
+};
+
+/// A widget or object by its object name; aborts the program if there is none.
 template <typename W>
-W& child(QWidget& of, const char* name) {
-  W* found = of.findChild<W*>(QString::fromLatin1(name));
-  if (found == nullptr) qFatal("no widget is called %s", name);
+W& child(const QObject& parent, const char* name) {
+  W* found = parent.findChild<W*>(QLatin1String(name));
+  if (found == nullptr) qFatal("there is no %s", name);
   return *found;
 }
 
-inline void click(QWidget& widget) {
-  QTest::mouseClick(&widget, Qt::LeftButton);
-}
+// Mouse operations; pending layouts are completed first.
+void moveMouse(QWidget& widget, const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton,
+               Qt::KeyboardModifiers modifiers = {});
+/// Presses, moves to the end by way of the middle, and releases; `moved` is called after each move.
+void drag(QWidget& widget, Qt::MouseButton button, const QPoint& from, const QPoint& to,
+          const std::function<void()>& moved = {}, Qt::KeyboardModifiers modifiers = {});
+void turnWheel(QWidget& widget, const QPoint& at, int notches);
+void click(QWidget& widget);
+void click(const QWidget& parent, const char* button);
 
-/// The index that shows `text` in the first column, anywhere in the tree; invalid if there is none.
-inline QModelIndex find(const QTreeView& tree, const QString& text, int column = 0) {
-  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
-                                        Qt::MatchExactly | Qt::MatchRecursive);
-  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
-}
+/// The index that shows `text` in a column, anywhere in the tree; invalid if there is none.
+QModelIndex find(const QTreeView& tree, const QString& text, int column = 0);
+void clickCell(QTreeView& tree, const QModelIndex& index);
 
-inline void clickCell(QTreeView& tree, const QModelIndex& index) {
-  tree.scrollTo(index);
-  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(index).center());
-}
+/// Whether two colors differ by at most `tolerance` in each channel.
+bool isNear(const QColor& a, const QColor& b, int tolerance = 12);
+/// Number of pixels of a picture that are near a color.
+int countNear(const QImage& picture, const QColor& color, int tolerance = 12);
+
+/// Saves a picture in the folder ROBOTCONTROL_TEST_PICTURES, for visual inspection; does nothing if that is
+/// not set. A widget is saved in light and dark.
+void keepPicture(const QImage& picture, const char* name);
+void keepPicture(QWidget& widget, const char* name);
+
+}  // namespace widgets::test

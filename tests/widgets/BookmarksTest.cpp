@@ -10,17 +10,13 @@
 #include "foxglove/Image.pb.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/process/Link.h"
+#include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
-#include "tests/widgets/SyntheticWorld.h"
 #include "widgets/log/BookmarksView.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLineView.h"
 
-using widgets::BookmarkModel;
-using widgets::BookmarksView;
-using widgets::TimeLineCanvas;
-using widgets::TimeLineView;
-
+namespace widgets::test {
 namespace {
 
 constexpr int kTicksUntilSaved = 61;
@@ -82,9 +78,6 @@ void typeName(TimeLineView& view, const QString& text) {
 class BookmarksTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void theKeyBMarksTheMomentAndTheNameIsTypedInPlace() {
     BookmarkBench bench;
     bench.showTime(17);
@@ -127,7 +120,7 @@ class BookmarksTest : public QObject {
     auto view = bench.openView<TimeLineView>();
     auto& canvas = canvasOf(*view);
     const QPoint start = flag(*view, bench.bookmarks()[0]);
-    widgets::test::drag(*canvas.viewport(), Qt::LeftButton, start, start + QPoint(120, 0));
+    drag(*canvas.viewport(), Qt::LeftButton, start, start + QPoint(120, 0));
     const double moved = robotlink::seconds(bench.bookmarks()[0].from);
     QVERIFY(moved > 16);
     bench.tick(*view);
@@ -244,9 +237,12 @@ class BookmarksTest : public QObject {
     bench.logs().addBookmark(bench.log(), at(20), at(27), QStringLiteral("missed while it rolls"));
     auto view = bench.openView<TimeLineView>();
     canvasOf(*view).chooseBookmark(0, bench.bookmarks()[1].id);
-    widgets::test::keepPicture(*view, "time-line-bookmarks");
+    keepPicture(*view, "time-line-bookmarks");
   }
 };
 
-QTEST_MAIN(BookmarksTest)
+const GuiTest<BookmarksTest> kBookmarksTest;
+
+}  // namespace widgets::test
+
 #include "BookmarksTest.moc"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 
 namespace widgets::test {
 
@@ -13,7 +13,7 @@ class ColorBenchTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     bench_ = &colorBench(world_->context);
     bench_->setFrame(world_->frame());
   }
@@ -134,7 +134,7 @@ class ColorBenchTest : public QObject {
   static std::uint64_t suspiciousPixels(const colortool::Samples& samples, const colortool::ColorTable& table,
                                         const std::shared_ptr<const foxglove::RawImage>& image) {
     ColorScorer scorer([] {});
-    const auto frame = std::make_shared<ColorFrame>(image, ColorWorld::kStream, "", robotlink::Instant{});
+    const auto frame = std::make_shared<ColorFrame>(image, CameraBench::kStream, "", robotlink::Instant{});
     scorer.ask({1, samples, std::make_shared<colortool::ColorTable>(table), {}, {}, {frame}});
     std::optional<ColorQuality> quality;
     if (!QTest::qWaitFor([&] { return (quality = scorer.take()).has_value(); })) return 0;
@@ -152,15 +152,12 @@ class ColorBenchTest : public QObject {
     return QString::fromStdString(bench_->samples().classes.name(bench_->colors()->classes->row(y)[x]));
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   ColorBench* bench_ = nullptr;
 };
 
+const GuiTest<ColorBenchTest> kColorBenchTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorBenchTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorBenchTest.moc"

@@ -7,7 +7,7 @@
 #include <QMouseEvent>
 #include <chrono>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "widgets/color/image/ColorCanvas.h"
 #include "widgets/color/image/ColorImageView.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using widgets::ColorBench;
 using widgets::ColorCanvas;
-using widgets::test::ColorWorld;
+using widgets::test::CameraBench;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWidth = 1280, kHeight = 960;
@@ -33,7 +33,7 @@ class PaintClock final : public QObject {
 
 /// The view with strokes in it, as in the middle of the work.
 struct Desk {
-  ColorWorld world;
+  CameraBench world;
   ColorBench& bench{colorBench(world.context)};
   widgets::ColorImageView view{world.context};
   ColorCanvas& left = *widgets::test::child<ColorCanvas>(view, "colorLeft");
@@ -120,9 +120,3 @@ BENCHMARK(fromOptionToScreen)
     ->Iterations(40);
 
 }  // namespace
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}

@@ -15,7 +15,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "tests/widgets/DialogAnswer.h"
 
 namespace widgets::test {
@@ -24,9 +24,8 @@ namespace widgets::test {
 class ColorClassesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     bench_ = &colorBench(world_->context);
     bench_->setDocument(colortool::emptySamples());
     bench_->setFrame(world_->frame());
@@ -34,7 +33,7 @@ class ColorClassesViewTest : public QObject {
     view_->resize(380, 560);
     view_->show();
     QVERIFY(QTest::qWaitForWindowActive(view_.get()));
-    tree_ = child<QTreeView>(*view_, "classesTree");
+    tree_ = &child<QTreeView>(*view_, "classesTree");
     tester_ = std::make_unique<QAbstractItemModelTester>(
         tree_->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
   }
@@ -55,7 +54,7 @@ class ColorClassesViewTest : public QObject {
     QCOMPARE(bench_->currentClass(), 3);
     QTest::keyClick(tree_, Qt::Key_0);
     QCOMPARE(bench_->currentClass(), 0);
-    QVERIFY(!child<QToolButton>(*view_, "mustNotBe")->isEnabled());
+    QVERIFY(!child<QToolButton>(*view_, "mustNotBe").isEnabled());
   }
 
   void strokesAreCountedAndScored() {
@@ -128,8 +127,8 @@ class ColorClassesViewTest : public QObject {
 
   void aPresetKeepsStrokesByTheirClass() {
     stroke(2, 30, 7);
-    auto* menu = child<QMenu>(*view_, "classPresets");
-    child<QAction>(*menu, "preset.bhuman2009")->trigger();
+    auto* menu = &child<QMenu>(*view_, "classPresets");
+    child<QAction>(*menu, "preset.bhuman2009").trigger();
     const auto& samples = bench_->samples();
     QCOMPARE(samples.classes.name(3), std::string("blue"));
     QCOMPARE(samples.classes.name(samples.strokes[0]->colorClass), std::string("green"));
@@ -141,10 +140,10 @@ class ColorClassesViewTest : public QObject {
     clickRow(1);
     QTest::keyClick(tree_, Qt::Key_N);
     QVERIFY(bench_->mustNotBe());
-    QVERIFY(child<QToolButton>(*view_, "mustNotBe")->isChecked());
+    QVERIFY(child<QToolButton>(*view_, "mustNotBe").isChecked());
     press("mustNotBe");
     QVERIFY(!bench_->mustNotBe());
-    auto* weight = child<QDoubleSpinBox>(*view_, "strokeWeight");
+    auto* weight = &child<QDoubleSpinBox>(*view_, "strokeWeight");
     weight->selectAll();
     QTest::keyClicks(weight, QStringLiteral("2.5"));
     QTest::keyClick(weight, Qt::Key_Return);
@@ -154,13 +153,13 @@ class ColorClassesViewTest : public QObject {
 
   void aDragOfASliderIsOneStep() {
     press("trainingShown");
-    auto* slider = child<QSlider>(*view_, "radius-slider");
+    auto* slider = &child<QSlider>(*view_, "radius-slider");
     QVERIFY(slider->isVisible());
     const QPoint from(handle(*slider), slider->height() / 2);
     drag(*slider, Qt::LeftButton, from, from + QPoint(40, 0));
     const double radius = bench_->samples().settings.votes.radius;
     QVERIFY(radius > 9);
-    QCOMPARE(child<QDoubleSpinBox>(*view_, "radius")->value(), radius);
+    QCOMPARE(child<QDoubleSpinBox>(*view_, "radius").value(), radius);
     QCOMPARE(bench_->undoStack().count(), 1);
     const QPoint there(handle(*slider), slider->height() / 2);
     drag(*slider, Qt::LeftButton, there, there - QPoint(60, 0));
@@ -169,28 +168,28 @@ class ColorClassesViewTest : public QObject {
     QCOMPARE(bench_->samples().settings.votes.radius, radius);
     bench_->undoStack().undo();
     QCOMPARE(bench_->samples().settings.votes.radius, 8.0);
-    QCOMPARE(child<QDoubleSpinBox>(*view_, "radius")->value(), 8.0);
+    QCOMPARE(child<QDoubleSpinBox>(*view_, "radius").value(), 8.0);
   }
 
   void theMethodShowsItsOwnOptions() {
     press("trainingShown");
-    auto* method = child<QComboBox>(*view_, "trainingMethod");
+    auto* method = &child<QComboBox>(*view_, "trainingMethod");
     QTest::keyClick(method, Qt::Key_Down);
     QCOMPARE(bench_->samples().settings.method, colortool::TrainingMethod::kGaussians);
-    QVERIFY(!child<QSlider>(*view_, "radius-slider")->isVisible());
-    auto* distance = child<QDoubleSpinBox>(*view_, "gaussian-distance");
+    QVERIFY(!child<QSlider>(*view_, "radius-slider").isVisible());
+    auto* distance = &child<QDoubleSpinBox>(*view_, "gaussian-distance");
     QVERIFY(distance->isVisible());
     distance->selectAll();
     QTest::keyClicks(distance, QStringLiteral("12"));
     QTest::keyClick(distance, Qt::Key_Return);
     QCOMPARE(bench_->samples().settings.gaussians.mostSquaredDistance, 12.0);
-    auto* holes = child<QCheckBox>(*view_, "fill-holes");
+    auto* holes = &child<QCheckBox>(*view_, "fill-holes");
     QTest::mouseClick(holes, Qt::LeftButton, {}, {8, holes->height() / 2});
     QVERIFY(!bench_->samples().settings.cleanUp.fillHoles);
     press("trainingDefaults");
     QCOMPARE(bench_->samples().settings, colortool::TrainingSettings{});
     QCOMPARE(bench_->undoStack().count(), 4);
-    QVERIFY(!child<QToolButton>(*view_, "trainingDefaults")->isEnabled());
+    QVERIFY(!child<QToolButton>(*view_, "trainingDefaults").isEnabled());
   }
 
   void correctionsAreEstimatedAndWhatIsMissingIsSaid() {
@@ -215,7 +214,7 @@ class ColorClassesViewTest : public QObject {
  private:
   QModelIndex index(int row, int column) const { return tree_->model()->index(row, column); }
   QString text(int row, int column) const { return index(row, column).data().toString(); }
-  QString message() const { return child<QLabel>(*view_, "colorMessage")->text(); }
+  QString message() const { return child<QLabel>(*view_, "colorMessage").text(); }
   void press(const char* button) { click(*view_, button); }
   void clickRow(int row) {
     QTest::mouseClick(tree_->viewport(), Qt::LeftButton, {},
@@ -239,18 +238,15 @@ class ColorClassesViewTest : public QObject {
     return kHandle / 2 + static_cast<int>(share * (slider.width() - kHandle));
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   std::unique_ptr<ColorClassesView> view_;
   std::unique_ptr<QAbstractItemModelTester> tester_;
   ColorBench* bench_ = nullptr;
   QTreeView* tree_ = nullptr;
 };
 
+const GuiTest<ColorClassesViewTest> kColorClassesViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorClassesViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorClassesViewTest.moc"

@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "colortool/samples/SampleFile.h"
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/ColorFrameFinder.h"
 #include "widgets/color/ColorSender.h"
@@ -17,9 +17,8 @@ namespace widgets::test {
 class ColorCommandsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     addColorCommands(world_->context);
     addColorCommands(world_->context);  // a second window adds none
     bench_ = world_->context.colors.get();
@@ -122,15 +121,12 @@ class ColorCommandsTest : public QObject {
     return done ? line + " was done" : done.error().describe();
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   ColorBench* bench_ = nullptr;
 };
 
+const GuiTest<ColorCommandsTest> kColorCommandsTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorCommandsTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorCommandsTest.moc"

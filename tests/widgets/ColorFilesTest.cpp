@@ -15,7 +15,7 @@
 #include "colortool/samples/SampleFile.h"
 #include "colortool/table/NamedColorTable.h"
 #include "colortool/training/TableTrainer.h"
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/samples/ColorClassesView.h"
@@ -41,7 +41,7 @@ struct Sitting {
   }
   std::size_t strokes() const { return bench.samples().strokes.size(); }
 
-  ColorWorld world;
+  CameraBench world;
   ColorBench& bench;
   ColorFiles& files;
   QStringList failed, reported;
@@ -50,7 +50,6 @@ struct Sitting {
 class ColorFilesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
   void samplesAreSavedAndComeBack() {
@@ -152,7 +151,7 @@ class ColorFilesTest : public QObject {
     QCOMPARE(at.strokes(), std::size_t{3});
     QCOMPARE(at.failed.size(), 1);
     QVERIFY(at.failed[0].contains(QStringLiteral("damaged.samples:")));
-    QVERIFY(child<QLabel>(view, "colorMessage")->text().contains(QStringLiteral("Only a part")));
+    QVERIFY(child<QLabel>(view, "colorMessage").text().contains(QStringLiteral("Only a part")));
     QVERIFY(at.files.file().empty());
     QVERIFY(at.files.changed());
     QVERIFY2(!at.files.save(), "there must be no file that it could be saved to by mistake");
@@ -318,17 +317,14 @@ class ColorFilesTest : public QObject {
     return read(file);
   }
   static QAction* menuAction(QWidget& view, const char* name) {
-    return child<QAction>(*child<QMenu>(view, "colorFileMenu"), name);
+    return &child<QAction>(child<QMenu>(view, "colorFileMenu"), name);
   }
 
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
+const GuiTest<ColorFilesTest> kColorFilesTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorFilesTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorFilesTest.moc"

@@ -17,22 +17,22 @@
 #include "tests/TestFolder.h"
 #include "tests/game/Data.h"
 #include "tests/game/View.h"
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogReader.h"
 
 namespace widgets::test {
 namespace {
 
-using Model = SuspiciousFrameModel;
+using FrameModel = SuspiciousFrameModel;
 
 constexpr int kWidth = 320, kHeight = 240;
 constexpr char kStream[] = "red1/camera/image";
-constexpr int kWaitMs = 20000;
+constexpr int kSearchMs = 20000;
 
 /// Four quarters, and specks of orange, 4 pixels each, on the wall.
 std::shared_ptr<const foxglove::RawImage> imageWithSpecks(int specks) {
-  auto image = std::make_shared<foxglove::RawImage>(*ColorWorld::image(kWidth, kHeight));
+  auto image = std::make_shared<foxglove::RawImage>(*CameraBench::image(kWidth, kHeight));
   std::string& data = *image->mutable_data();
   for (int i = 0; i < specks; ++i) {
     const int x = kWidth / 2 + 8 + 6 * (i % 20), y = kHeight / 2 + 8 + 6 * (i / 20);
@@ -64,20 +64,20 @@ void writeLog(const std::filesystem::path& file, const std::vector<int>& specks)
 }
 
 /// The view on a robot whose table knows orange, green and the wall.
-struct Shown : LogBench {
+struct ShownFrames : LogBench {
   ColorBench& bench;
   std::unique_ptr<ColorFramesView> view;
   QTableView* table = nullptr;
   std::unique_ptr<QAbstractItemModelTester> tester;
 
-  Shown() : bench(colorBench(context)) {
+  ShownFrames() : bench(colorBench(context)) {
     context.logs = std::make_shared<OpenLogs>(session, readLogFile);
     show(imageWithSpecks(0), 0.5);
     stroke("orange", 40, 60);
     stroke("green", 240, 60);
     stroke(nullptr, 162, 238);
     view = std::make_unique<ColorFramesView>(context);
-    table = test::child<QTableView>(*view, "colorFramesTable");
+    table = &test::child<QTableView>(*view, "colorFramesTable");
     tester = std::make_unique<QAbstractItemModelTester>(
         table->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
     view->resize(720, 420);
@@ -104,28 +104,28 @@ struct Shown : LogBench {
   void openLog(const std::filesystem::path& file, double offset = 0) {
     LogBench::openLog(file.string(), offset);
     QTRY_VERIFY_WITH_TIMEOUT((turn(), logs().logs().front()->overview->stage == LogOverview::Stage::kDone),
-                             kWaitMs);
+                             kSearchMs);
   }
   void press(const char* button) {
-    QTest::mouseClick(test::child<QToolButton>(*view, button), Qt::LeftButton);
+    QTest::mouseClick(&test::child<QToolButton>(*view, button), Qt::LeftButton);
     turn();
   }
   ColorFrameFinder& finder() { return colorFrameFinder(context); }
-  void waitForTheEnd() { QTRY_VERIFY_WITH_TIMEOUT((turn(), !finder().busy()), kWaitMs); }
+  void waitForTheEnd() { QTRY_VERIFY_WITH_TIMEOUT((turn(), !finder().busy()), kSearchMs); }
   void search() {
     press("colorFramesSearch");
     waitForTheEnd();
   }
   QString text(int row, int column) const { return table->model()->index(row, column).data().toString(); }
   void clickRow(int row) {
-    table->scrollTo(table->model()->index(row, Model::kScore));
+    table->scrollTo(table->model()->index(row, FrameModel::kScore));
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                      table->visualRect(table->model()->index(row, Model::kScore)).center());
+                      table->visualRect(table->model()->index(row, FrameModel::kScore)).center());
   }
   int rows() const { return table->model()->rowCount(); }
   template <typename W>
   W* part(const char* name) const {
-    return test::child<W>(*view, name);
+    return &test::child<W>(*view, name);
   }
 };
 
@@ -134,22 +134,21 @@ struct Shown : LogBench {
 class ColorFramesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
-
   void theImagesOfALogAreListedWorstFirst() {
     const TestFolder folder;
     writeLog(folder / "game.mcap", {0, 3, 0, 40, 1, 0, 12});
-    Shown s;
+    ShownFrames s;
     s.openLog(folder / "game.mcap");
     s.search();
     QCOMPARE(s.rows(), 4);
     const char* const times[] = {"0.300 s", "0.600 s", "0.100 s", "0.400 s"};
     const int pixels[] = {160, 48, 12, 4};
     for (int row = 0; row < 4; ++row) {
-      QCOMPARE(s.text(row, Model::kTime), QLatin1String(times[row]));
-      QCOMPARE(s.text(row, Model::kSpecks).toInt(), pixels[row]);
-      QCOMPARE(s.text(row, Model::kClasses), QStringLiteral("orange %1").arg(pixels[row]));
-      QVERIFY(!s.table->model()->index(row, Model::kTime).data(Qt::DecorationRole).value<QImage>().isNull());
+      QCOMPARE(s.text(row, FrameModel::kTime), QLatin1String(times[row]));
+      QCOMPARE(s.text(row, FrameModel::kSpecks).toInt(), pixels[row]);
+      QCOMPARE(s.text(row, FrameModel::kClasses), QStringLiteral("orange %1").arg(pixels[row]));
+      QVERIFY(
+          !s.table->model()->index(row, FrameModel::kTime).data(Qt::DecorationRole).value<QImage>().isNull());
     }
     QCOMPARE(s.part<QLabel>("colorFramesState")->text(),
              QStringLiteral("game.mcap, red1/camera/image: 7 images, suspicious: 4"));
@@ -159,7 +158,7 @@ class ColorFramesViewTest : public QObject {
   void aClickAndEnterJumpThere() {
     const TestFolder folder;
     writeLog(folder / "game.mcap", {0, 3, 0, 40, 1});
-    Shown s;
+    ShownFrames s;
     s.openLog(folder / "game.mcap", 100);
     s.search();
     s.clickRow(0);
@@ -173,12 +172,12 @@ class ColorFramesViewTest : public QObject {
   }
 
   void whatARobotSentIsSearchedWithoutALog() {
-    Shown s;
+    ShownFrames s;
     for (const int specks : {0, 5, 20}) s.show(imageWithSpecks(specks), 1 + 0.1 * specks);
     QVERIFY(!s.part<QToolButton>("colorFramesLive")->isVisible());
     s.search();
     QCOMPARE(s.rows(), 2);
-    QCOMPARE(s.text(0, Model::kTime), QStringLiteral("3.000 s"));
+    QCOMPARE(s.text(0, FrameModel::kTime), QStringLiteral("3.000 s"));
     s.clickRow(1);
     QVERIFY(!s.session.timeline().live());
     QCOMPARE(s.session.timeline().shown(), at(1.5));
@@ -189,7 +188,7 @@ class ColorFramesViewTest : public QObject {
   }
 
   void aSearchIsCanceled() {
-    Shown s;
+    ShownFrames s;
     const auto image = imageWithSpecks(100);
     for (int i = 0; i < 2500; ++i) s.session.push({kStream, at(1 + 0.01 * i), image});
     s.session.tick();
@@ -208,7 +207,7 @@ class ColorFramesViewTest : public QObject {
   }
 
   void anotherTableMakesTheListStale() {
-    Shown s;
+    ShownFrames s;
     s.show(imageWithSpecks(5), 1);
     auto* stale = s.part<QLabel>("colorFramesStale");
     s.search();
@@ -235,7 +234,7 @@ class ColorFramesViewTest : public QObject {
   }
 
   void theClassesThatAreLookedAtCanBeChosen() {
-    Shown s;
+    ShownFrames s;
     s.show(imageWithSpecks(5), 1);
     auto* menu = s.part<QMenu>("colorFramesClassMenu");
     Q_EMIT menu->aboutToShow();
@@ -259,7 +258,7 @@ class ColorFramesViewTest : public QObject {
 
   void whatCannotBeSearchedIsSaid() {
     const TestFolder folder;
-    Shown s;
+    ShownFrames s;
     auto* problem = s.part<QLabel>("colorFramesProblem");
     s.bench.setFrame(nullptr);
     s.press("colorFramesSearch");
@@ -277,7 +276,7 @@ class ColorFramesViewTest : public QObject {
   }
 
   void onlyTheWorstAreKept() {
-    Model model;
+    FrameModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     std::vector<SuspiciousFrame> frames;
     for (int i = 0; i < 700; ++i) {
@@ -300,7 +299,7 @@ class ColorFramesViewTest : public QObject {
     const bool real = source == QStringLiteral("real");
     const auto file = game::dataOf(source.toStdString()) / "logs/bhuman2009.log";
     if (!std::filesystem::exists(file)) QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
-    Shown s;
+    ShownFrames s;
     auto log = logplayer::LogFile::open(file, {});
     QVERIFY(log);
     logplayer::LogFile::Cursor cursor(*log, {"nao/camera/image"});
@@ -333,17 +332,14 @@ class ColorFramesViewTest : public QObject {
     QCOMPARE(s.finder().progress().seen, count);
     QVERIFY2(s.rows() > static_cast<int>(count / 8), qPrintable(QString::number(s.rows())));
     for (int row = 1; row < s.rows(); ++row)
-      QVERIFY(s.text(row, Model::kScore).toInt() <= s.text(row - 1, Model::kScore).toInt());
+      QVERIFY(s.text(row, FrameModel::kScore).toInt() <= s.text(row - 1, FrameModel::kScore).toInt());
     s.clickRow(0);
     if (real) keepPicture(*s.view, "color-frames-view");
   }
 };
 
+const GuiTest<ColorFramesViewTest> kColorFramesViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorFramesViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorFramesViewTest.moc"

@@ -25,7 +25,7 @@ class ColorImageViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aStrokeShowsInTheSegmentedImageAndCanBeUndone() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.drag({{5, 5}, {9, 8}, {12, 6}});
     QCOMPARE(s.bench.samples().strokes.size(), std::size_t{1});
@@ -35,13 +35,13 @@ class ColorImageViewTest : public QObject {
     QTest::keyClick(s.left, Qt::Key_Z, Qt::ControlModifier);
     s.settle();
     QCOMPARE(s.pixel(*s.right, 16, 12), QColor(Qt::black));
-    QTest::mouseClick(child<QToolButton>(s.view, "colorRedo"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorRedo"), Qt::LeftButton);
     s.settle();
     QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
   }
 
   void thePictureStaysWhereItIsWhileAStrokesEffectIsSaid() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
     const QRect before(s.left->mapTo(&s.view, QPoint()), s.left->size());
@@ -49,13 +49,13 @@ class ColorImageViewTest : public QObject {
     s.bench.setWeight(10);
     s.tool("colorToolRectangle");
     s.drag({{4, 4}, {16, 12}});
-    QVERIFY(child<QLabel>(s.view, "colorEffect")->isVisible());
+    QVERIFY(child<QLabel>(s.view, "colorEffect").isVisible());
     QCoreApplication::processEvents();
     QCOMPARE(QRect(s.left->mapTo(&s.view, QPoint()), s.left->size()), before);
   }
 
   void theTableFollowsWhileTheMouseMoves() {
-    Shown s;
+    ShownColorImage s;
     s.choose("green");
     QTest::mousePress(s.left, Qt::LeftButton, {}, s.at(30, 5));
     moveMouse(*s.left, s.at(33, 8), Qt::LeftButton);
@@ -70,7 +70,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void eachToolTouchesItsArea() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.tool("colorToolPoint");
     s.click(4, 4);
@@ -95,7 +95,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void strokesAreDrawnInTheSegmentedImageToo() {
-    Shown s;
+    ShownColorImage s;
     s.choose("white");
     s.click(8, 22, s.right);
     const std::size_t pixels = colortool::pixelCount(s.lastStroke().area);
@@ -105,7 +105,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void theMenuSaysWhatASpotShouldBe() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
     QTest::mouseClick(s.right, Qt::RightButton, {}, s.at(8, 10, s.right));
@@ -125,8 +125,8 @@ class ColorImageViewTest : public QObject {
   }
 
   void bothPicturesShowTheSamePart() {
-    Shown s;
-    QTest::mouseClick(child<QToolButton>(s.view, "colorZoomIn"), Qt::LeftButton);
+    ShownColorImage s;
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorZoomIn"), Qt::LeftButton);
     QCOMPARE(s.right->viewport(), s.left->viewport());
     QVERIFY(!s.left->viewport().fit);
     s.tool("colorToolMove");
@@ -141,38 +141,38 @@ class ColorImageViewTest : public QObject {
   }
 
   void digitsChooseTheClassAndLettersTheTool() {
-    Shown s;
+    ShownColorImage s;
     s.left->setFocus();
     QTest::keyClick(s.left, Qt::Key_2);
     QCOMPARE(s.bench.currentClass(), 2);
     QTest::keyClick(s.left, Qt::Key_0);
-    QCOMPARE(child<QToolButton>(s.view, "colorClass")->text(), QStringLiteral("background"));
+    QCOMPARE(child<QToolButton>(s.view, "colorClass").text(), QStringLiteral("background"));
     QTest::keyClick(s.left, Qt::Key_3);
     QTest::keyClick(s.left, Qt::Key_N);
-    QVERIFY(child<QToolButton>(s.view, "colorClass")->text().startsWith(QStringLiteral("not ")));
+    QVERIFY(child<QToolButton>(s.view, "colorClass").text().startsWith(QStringLiteral("not ")));
     QTest::keyClick(s.left, Qt::Key_L);
-    QVERIFY(child<QToolButton>(s.view, "colorToolLasso")->isChecked());
+    QVERIFY(child<QToolButton>(s.view, "colorToolLasso").isChecked());
     s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
     QVERIFY(s.lastStroke().mustNotBe);
   }
 
   void thePixelUnderTheCursorIsSaid() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
     moveMouse(*s.left, s.at(9, 7));
-    QTRY_VERIFY(child<QLabel>(s.view, "colorPixel")->text().contains(QStringLiteral("% sure")));
-    const QString text = child<QLabel>(s.view, "colorPixel")->text();
+    QTRY_VERIFY(child<QLabel>(s.view, "colorPixel").text().contains(QStringLiteral("% sure")));
+    const QString text = child<QLabel>(s.view, "colorPixel").text();
     QVERIFY2(text.contains(QStringLiteral("Y 140  Cb  60  Cr 200")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("orange")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("cell 35 15 50")), qPrintable(text));
   }
 
   void aCollectedImageStaysWhileTheRobotGoesOn() {
-    Shown s;
+    ShownColorImage s;
     s.left->setFocus();
     QTest::keyClick(s.left, Qt::Key_C);
-    auto* strip = child<QListWidget>(s.view, "colorStrip");
+    auto* strip = &child<QListWidget>(s.view, "colorStrip");
     QCOMPARE(strip->count(), 1);
     QVERIFY(strip->isVisible());
     const ColorFramePtr first = s.bench.frame();
@@ -184,7 +184,7 @@ class ColorImageViewTest : public QObject {
     s.world.show();
     s.view.tick();
     QCOMPARE(s.bench.frame(), first);
-    QTest::mouseClick(child<QToolButton>(s.view, "colorFreeze"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorFreeze"), Qt::LeftButton);
     s.view.tick();
     QVERIFY(s.bench.frame() != first);
     strip->setCurrentRow(0);
@@ -193,7 +193,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void aSelectionIsOfTheCorrectedColors() {
-    Shown s;
+    ShownColorImage s;
     colortool::Samples samples = s.bench.samples();
     colortool::ColorCorrection darker;
     darker.channels[0] = {1, -60};
@@ -210,7 +210,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void aSelectionDarkensTheRest() {
-    Shown s;
+    ShownColorImage s;
     s.tool("colorToolSelect");
     s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
     QVERIFY(s.bench.hasSelection());
@@ -224,8 +224,8 @@ class ColorImageViewTest : public QObject {
   }
 
   void theRightPictureShowsDifferencesAndAmbiguity() {
-    Shown s;
-    auto* layer = child<QComboBox>(s.view, "colorRightLayer");
+    ShownColorImage s;
+    auto* layer = &child<QComboBox>(s.view, "colorRightLayer");
     s.choose("orange");
     s.click(8, 7);
     s.bench.setReference(std::make_shared<colortool::ColorTable>(), QStringLiteral("empty.c64"));
@@ -240,11 +240,11 @@ class ColorImageViewTest : public QObject {
   }
 
   void theTableIsSentAndConfirmed() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
-    auto* sent = child<QLabel>(s.view, "colorSent");
-    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    auto* sent = &child<QLabel>(s.view, "colorSent");
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     QCOMPARE(s.world.requests.size(), std::size_t{1});
     QCOMPARE(s.world.requests[0].robot(), std::string("red1"));
     const auto& table = s.world.requests[0].set_color_table().table();
@@ -261,18 +261,18 @@ class ColorImageViewTest : public QObject {
     QVERIFY2(sent->text().contains(QStringLiteral("refuses it: no task")), qPrintable(sent->text()));
     s.world.refusal.clear();
     s.world.wrongChecksum = true;
-    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     s.world.advance();
     QVERIFY2(sent->text().contains(QStringLiteral("send it again")), qPrintable(sent->text()));
   }
 
   void anOldRefusalGoesWhenTheTableIsAnother() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
-    auto* sent = child<QLabel>(s.view, "colorSent");
+    auto* sent = &child<QLabel>(s.view, "colorSent");
     s.world.refusal = "no task uses a color table";
-    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     s.world.advance();
     s.view.tick();
     QVERIFY(sent->text().contains(QStringLiteral("refuses it")));
@@ -282,9 +282,9 @@ class ColorImageViewTest : public QObject {
   }
 
   void theCarefulBrushLeavesOutWhatIsBeyondAnEdge() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
-    child<QDoubleSpinBox>(s.view, "colorRadius")->setValue(5);
+    child<QDoubleSpinBox>(s.view, "colorRadius").setValue(5);
     s.drag({{17, 5}, {17, 10}});
     QVERIFY(colortool::contains(s.lastStroke().area, 19, 7));
     QVERIFY(!colortool::contains(s.lastStroke().area, 21, 7));
@@ -294,8 +294,8 @@ class ColorImageViewTest : public QObject {
   }
 
   void whatAStrokeTakesFromAnotherClassIsSaidAndItsOutliersCanBeDropped() {
-    Shown s;
-    auto* effect = child<QLabel>(s.view, "colorEffect");
+    ShownColorImage s;
+    auto* effect = &child<QLabel>(s.view, "colorEffect");
     s.choose("green");
     s.drag({{25, 4}, {35, 10}});
     QVERIFY(!effect->isVisible() || !effect->text().contains(QStringLiteral("⚠")));
@@ -310,7 +310,7 @@ class ColorImageViewTest : public QObject {
              qPrintable(effect->text()));
     const std::size_t before = colortool::pixelCount(s.lastStroke().area);
     keepPicture(s.view, "color-effect");
-    QTest::mouseClick(child<QToolButton>(s.view, "colorDropOutliers"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorDropOutliers"), Qt::LeftButton);
     s.settle();
     QVERIFY(colortool::pixelCount(s.lastStroke().area) < before);
     QVERIFY(!colortool::contains(s.lastStroke().area, 30, 7));
@@ -323,7 +323,7 @@ class ColorImageViewTest : public QObject {
   }
 
   void theImageIsThereInAViewThatIsMadeAnewWhileNothingComes() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.drag({{5, 5}, {9, 8}});
     ColorImageView again(s.world.context);
@@ -331,14 +331,14 @@ class ColorImageViewTest : public QObject {
     again.show();
     QVERIFY(QTest::qWaitForWindowExposed(&again));
     again.tick();
-    auto* left = child<ColorCanvas>(again, "colorLeft");
-    auto* right = child<ColorCanvas>(again, "colorRight");
+    auto* left = &child<ColorCanvas>(again, "colorLeft");
+    auto* right = &child<ColorCanvas>(again, "colorRight");
     QCOMPARE(s.pixel(*left, 30, 7), s.pixel(*s.left, 30, 7));
     QCOMPARE(s.pixel(*right, 16, 12), s.shownColor("orange"));
   }
 
   void picturesAreOpenedAndPaintedIn() {
-    Shown s;
+    ShownColorImage s;
     QTemporaryDir folder;
     QImage picture(60, 40, QImage::Format_RGB888);
     picture.fill(QColor(255, 120, 0));
@@ -349,10 +349,10 @@ class ColorImageViewTest : public QObject {
     std::ofstream(folder.filePath(QStringLiteral("notes.txt")).toStdString()) << "no picture";
     ColorFiles& files = colorFiles(s.world.context);
     const auto answer = DialogAnswer::file(folder.path());
-    QTest::mouseClick(child<QToolButton>(s.view, "colorOpenFolder"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorOpenFolder"), Qt::LeftButton);
     QTRY_COMPARE((files.tick(), s.bench.collected().size()), std::size_t{3});
     QVERIFY2(files.message().text.contains(QStringLiteral(": 3")), qPrintable(files.message().text));
-    auto* strip = child<QListWidget>(s.view, "colorStrip");
+    auto* strip = &child<QListWidget>(s.view, "colorStrip");
     QCOMPARE(strip->count(), 3);
     QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
     QCOMPARE(s.bench.collected()[2].frame->width(), 320);
@@ -365,15 +365,15 @@ class ColorImageViewTest : public QObject {
     s.world.show();
     s.view.tick();
     QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
-    child<QAction>(s.view, "colorShowStripAction")->trigger();
+    child<QAction>(s.view, "colorShowStripAction").trigger();
     QVERIFY(!strip->isVisible());
     s.view.resize(900, 400);
-    child<QAction>(s.view, "colorShowStripAction")->trigger();
+    child<QAction>(s.view, "colorShowStripAction").trigger();
     QVERIFY(strip->isVisible() && strip->height() < 60);
   }
 
   void aFolderWithoutPicturesIsToldByItsName() {
-    Shown s;
+    ShownColorImage s;
     QTemporaryDir folder;
     ColorFiles& files = colorFiles(s.world.context);
     QSignalSpy failed(&s.bench, &ColorBench::failed);
@@ -384,10 +384,10 @@ class ColorImageViewTest : public QObject {
   }
 
   void theCorrectionOfTheRobotsCameraGoesWithTheTable() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
-    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     QVERIFY(!s.world.requests.back().set_color_table().table().has_correction());
     s.world.advance();
     colortool::Samples next = s.bench.samples();
@@ -398,7 +398,7 @@ class ColorImageViewTest : public QObject {
     next.settings.correctVignetting = next.settings.correctCameras = true;
     s.bench.change(QStringLiteral("correct"), std::move(next));
     s.settle();
-    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     const auto& sent = s.world.requests.back().set_color_table().table().correction();
     QCOMPARE(sent.luma_r2(), -0.25);
     QCOMPARE(sent.luma_r4(), 0.1);
@@ -408,8 +408,8 @@ class ColorImageViewTest : public QObject {
   }
 
   void eachNewTableIsSentWhileThatIsOn() {
-    Shown s;
-    QTest::mouseClick(child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    ShownColorImage s;
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
     s.world.advance();
     const std::size_t before = s.world.requests.size();
     s.choose("orange");
@@ -423,27 +423,27 @@ class ColorImageViewTest : public QObject {
     const auto& cells = s.world.requests.back().set_color_table().table().cells();
     QVERIFY(cells[colortool::ColorTable::cellOf({90, 110, 90})] != 0);
     s.world.advance();
-    QTest::mouseClick(child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    QTest::mouseClick(&child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
     s.click(35, 7);
     s.world.advance();
     QCOMPARE(s.world.requests.size(), before + 2);
   }
 
   void whatWasChosenComesBack() {
-    Shown s;
+    ShownColorImage s;
     s.tool("colorToolWand");
-    child<QSlider>(s.view, "colorOpacity")->setValue(40);
-    child<QComboBox>(s.view, "colorRightLayer")->setCurrentIndex(3);
+    child<QSlider>(s.view, "colorOpacity").setValue(40);
+    child<QComboBox>(s.view, "colorRightLayer").setCurrentIndex(3);
     ColorImageView other(s.world.context);
     other.restoreState(s.view.saveState());
-    QVERIFY(child<QToolButton>(other, "colorToolWand")->isChecked());
-    QCOMPARE(child<QSlider>(other, "colorOpacity")->value(), 40);
-    QCOMPARE(child<QComboBox>(other, "colorRightLayer")->currentIndex(), 3);
+    QVERIFY(child<QToolButton>(other, "colorToolWand").isChecked());
+    QCOMPARE(child<QSlider>(other, "colorOpacity").value(), 40);
+    QCOMPARE(child<QComboBox>(other, "colorRightLayer").currentIndex(), 3);
     other.restoreState({});
   }
 
   void looksRight() {
-    Shown s;
+    ShownColorImage s;
     s.choose("orange");
     s.drag({{5, 5}, {9, 8}});
     s.choose("green");
@@ -454,11 +454,8 @@ class ColorImageViewTest : public QObject {
   }
 };
 
+const GuiTest<ColorImageViewTest> kColorImageViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorImageViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorImageViewTest.moc"

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "tests/game/Data.h"
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/LabeledFolder.h"
 #include "widgets/color/quality/ConfusionModel.h"
@@ -33,9 +33,8 @@ class ColorQualityViewTest : public QObject {
     QCOMPARE(model.falseColors().value_or(-1), 0.1);
   }
 
-  void initTestCase() { failAtWarnings(); }
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     bench_ = &colorBench(world_->context);
     bench_->setDocument(colortool::emptySamples());
     bench_->setFrame(world_->frame());
@@ -46,7 +45,7 @@ class ColorQualityViewTest : public QObject {
     testers_.clear();
     for (const char* name : {"strokesMatrix", "labeledMatrix"}) {
       testers_.push_back(std::make_unique<QAbstractItemModelTester>(
-          child<QTableView>(*view_, name)->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
+          child<QTableView>(*view_, name).model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
     }
   }
   void cleanup() {
@@ -63,7 +62,7 @@ class ColorQualityViewTest : public QObject {
     stroke(2, 30, 7);
     QTRY_COMPARE(cell("strokesMatrix", "orange", "Recall"), QStringLiteral("100.0 %"));
     QCOMPARE(cell("strokesMatrix", "green", "Recall"), QStringLiteral("–"));
-    const QString note = child<QLabel>(*view_, "strokesNote")->text();
+    const QString note = child<QLabel>(*view_, "strokesNote").text();
     QVERIFY(note.contains(QStringLiteral("green")) && !note.contains(QStringLiteral("orange")));
     QVERIFY(note.contains(QStringLiteral("background")));
     QVERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
@@ -96,7 +95,7 @@ class ColorQualityViewTest : public QObject {
     QCOMPARE(cell("labeledMatrix", "background", "none"), QStringLiteral("100.0"));
     QVERIFY(summary("labeled").contains(QStringLiteral("False colors 0.00 %")));
     // What the table takes for right is shaded, and still reads.
-    auto* table = child<QTableView>(*view_, "labeledMatrix");
+    auto* table = &child<QTableView>(*view_, "labeledMatrix");
     const QImage picture = table->viewport()->grab().toImage();
     const QRect right = table->visualRect(index(*table, "orange", "orange"));
     QVERIFY(picture.pixelColor(right.topLeft() + QPoint(3, 3)) != table->palette().color(QPalette::Base));
@@ -221,16 +220,16 @@ class ColorQualityViewTest : public QObject {
     return {};
   }
   QString cell(const char* matrix, const char* row, const char* column) const {
-    return index(*child<QTableView>(*view_, matrix), row, column).data().toString();
+    return index(child<QTableView>(*view_, matrix), row, column).data().toString();
   }
   QString hint(const char* matrix) const {
-    return child<QLabel>(*child<QTableView>(*view_, matrix)->viewport(), "emptyHint")->text();
+    return child<QLabel>(*child<QTableView>(*view_, matrix).viewport(), "emptyHint").text();
   }
   QString summary(const char* name) const {
-    return child<QLabel>(*view_, (QByteArray(name) + "Summary").constData())->text();
+    return child<QLabel>(*view_, (QByteArray(name) + "Summary").constData()).text();
   }
-  QString note() const { return child<QLabel>(*view_, "strokesNote")->text(); }
-  QString state() const { return child<QLabel>(*view_, "qualityState")->text(); }
+  QString note() const { return child<QLabel>(*view_, "strokesNote").text(); }
+  QString state() const { return child<QLabel>(*view_, "qualityState").text(); }
   void stroke(int colorClass, double x, double y) {
     bench_->setCurrentClass(colorClass);
     const colortool::ImagePoint at[] = {{x, y}};
@@ -245,17 +244,14 @@ class ColorQualityViewTest : public QObject {
     }
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   std::unique_ptr<ColorQualityView> view_;
   std::vector<std::unique_ptr<QAbstractItemModelTester>> testers_;
   ColorBench* bench_ = nullptr;
 };
 
+const GuiTest<ColorQualityViewTest> kColorQualityViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorQualityViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorQualityViewTest.moc"

@@ -16,8 +16,10 @@
 #include <QTreeView>
 #include <QUndoView>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "tests/widgets/DialogAnswer.h"
+
+Q_DECLARE_METATYPE(widgets::ColorFramePtr)
 
 namespace widgets::test {
 
@@ -25,9 +27,9 @@ namespace widgets::test {
 class ColorSamplesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
+  void initTestCase() { qRegisterMetaType<ColorFramePtr>("widgets::ColorFramePtr"); }
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     bench_ = &colorBench(world_->context);
     bench_->setDocument(colortool::emptySamples());
     bench_->setFrame(world_->frame());
@@ -35,7 +37,7 @@ class ColorSamplesViewTest : public QObject {
     view_->resize(1000, 320);
     view_->show();
     QVERIFY(QTest::qWaitForWindowActive(view_.get()));
-    tree_ = child<QTreeView>(*view_, "samplesTree");
+    tree_ = &child<QTreeView>(*view_, "samplesTree");
     testers_.clear();
     auto* source = static_cast<QAbstractProxyModel*>(tree_->model())->sourceModel();
     for (QAbstractItemModel* model : {tree_->model(), source}) {
@@ -50,10 +52,10 @@ class ColorSamplesViewTest : public QObject {
   }
 
   void strokesAreListedWithWhatTheySay() {
-    QVERIFY(child<QLabel>(*tree_->viewport(), "emptyHint")->isVisible());
+    QVERIFY(child<QLabel>(*tree_->viewport(), "emptyHint").isVisible());
     stroke(2, 30, 7);
     stroke(1, 8, 7);
-    QVERIFY(!child<QLabel>(*tree_->viewport(), "emptyHint")->isVisible());
+    QVERIFY(!child<QLabel>(*tree_->viewport(), "emptyHint").isVisible());
     QCOMPARE(text(0, StrokeModel::kClass), QStringLiteral("orange"));  // sorted by class
     QCOMPARE(text(1, StrokeModel::kClass), QStringLiteral("green"));
     QCOMPARE(text(0, StrokeModel::kPixels), QStringLiteral("29"));
@@ -61,7 +63,7 @@ class ColorSamplesViewTest : public QObject {
     QCOMPARE(text(0, StrokeModel::kCamera), QStringLiteral("red1"));
     QVERIFY(text(0, StrokeModel::kImage).startsWith(QStringLiteral("red1/camera/image")));
     QVERIFY(!index(0, StrokeModel::kClass).data(Qt::DecorationRole).value<QIcon>().isNull());
-    QCOMPARE(child<QLabel>(*view_, "samplesCount")->text(), QStringLiteral("2 strokes"));
+    QCOMPARE(child<QLabel>(*view_, "samplesCount").text(), QStringLiteral("2 strokes"));
   }
 
   void aChangedStrokeStaysWhereItIsThoughTheOrderIsAnother() {
@@ -136,7 +138,7 @@ class ColorSamplesViewTest : public QObject {
     stroke(1, 8, 7);
     clickCell(0, StrokeModel::kImage);
     QMenu* menu = openMenu(0);
-    child<QAction>(*menu, "class.2")->trigger();
+    child<QAction>(*menu, "class.2").trigger();
     menu->close();
     QCOMPARE(int{bench_->samples().strokes[0]->colorClass}, 2);
     QCOMPARE(text(0, StrokeModel::kClass), QStringLiteral("green"));
@@ -185,7 +187,7 @@ class ColorSamplesViewTest : public QObject {
 
   void aClickInTheHistoryGoesBackAndForth() {
     for (const double x : {8.0, 10.0, 12.0}) stroke(1, x, 7);
-    auto* history = child<QUndoView>(*view_, "samplesHistory");
+    auto* history = &child<QUndoView>(*view_, "samplesHistory");
     QCOMPARE(history->model()->rowCount(), 4);
     const auto step = [history](int row) {
       QTest::mouseClick(history->viewport(), Qt::LeftButton, {},
@@ -214,7 +216,7 @@ class ColorSamplesViewTest : public QObject {
     const QPoint at = center(row, StrokeModel::kTool);
     QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree_->viewport()->mapToGlobal(at));
     QApplication::sendEvent(tree_->viewport(), &event);
-    return child<QMenu>(*view_, "samplesMenu");
+    return &child<QMenu>(*view_, "samplesMenu");
   }
   std::vector<double> weights() const {
     std::vector<double> result;
@@ -227,21 +229,15 @@ class ColorSamplesViewTest : public QObject {
     bench_->addStroke(colortool::brushArea(40, 30, at, 3), "brush");
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   std::unique_ptr<ColorSamplesView> view_;
   std::vector<std::unique_ptr<QAbstractItemModelTester>> testers_;
   ColorBench* bench_ = nullptr;
   QTreeView* tree_ = nullptr;
 };
 
+const GuiTest<ColorSamplesViewTest> kColorSamplesViewTest;
+
 }  // namespace widgets::test
 
-Q_DECLARE_METATYPE(widgets::ColorFramePtr)
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  qRegisterMetaType<widgets::ColorFramePtr>("widgets::ColorFramePtr");
-  widgets::test::ColorSamplesViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorSamplesViewTest.moc"

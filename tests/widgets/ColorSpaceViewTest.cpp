@@ -10,7 +10,7 @@
 #include <QTest>
 #include <set>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "widgets/color/space/ColorSpaceCanvas.h"
 #include "widgets/color/space/ColorSpaceView.h"
 
@@ -21,16 +21,16 @@ using colortool::CellSet;
 using colortool::ColorTable;
 
 // The middles of the world's four quarters (SampleFixture.h).
-constexpr robotlink::YCbCr kOrange{140, 60, 200}, kGreen{90, 110, 90}, kWhite{220, 128, 128};
+constexpr robotlink::YCbCr kOrangeColor{140, 60, 200}, kGreen{90, 110, 90}, kWhite{220, 128, 128};
 
 /// The view on a bench with a stroke of orange and one of green.
-struct Shown {
-  ColorWorld world;
+struct ShownSpace {
+  CameraBench world;
   ColorBench& bench = colorBench(world.context);
   ColorSpaceView view{world.context};
-  ColorSpaceCanvas* canvas = child<ColorSpaceCanvas>(view, "colorSpaceCanvas");
+  ColorSpaceCanvas* canvas = &child<ColorSpaceCanvas>(view, "colorSpaceCanvas");
 
-  explicit Shown(bool withColors = true) {
+  explicit ShownSpace(bool withColors = true) {
     view.resize(560, 420);
     view.show();
     if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
@@ -74,9 +74,9 @@ struct Shown {
     }
     return count;
   }
-  bool orangeIsInItsPlace() const { return looksLike(picture().pixelColor(at(kOrange)), "orange"); }
+  bool orangeIsInItsPlace() const { return looksLike(picture().pixelColor(at(kOrangeColor)), "orange"); }
   void toggleClass(const char* name) {
-    auto* list = child<QListWidget>(view, "colorSpaceClasses");
+    auto* list = &child<QListWidget>(view, "colorSpaceClasses");
     const int row = bench.samples().classes.index(name);
     const QRect item = list->visualItemRect(list->item(row));
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, item.topLeft() + QPoint(10, item.height() / 2));
@@ -104,7 +104,7 @@ struct Shown {
                 image.data.begin());
     auto message = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*message, image.view(), {}, "camera");
-    bench.setFrame(std::make_shared<ColorFrame>(message, ColorWorld::kStream, "", world.now()));
+    bench.setFrame(std::make_shared<ColorFrame>(message, CameraBench::kStream, "", world.now()));
     constexpr std::pair<int, const char*> kLabels[] = {
         {1, "orange"}, {3, "blue"}, {4, "white"}, {5, "green"}};
     for (const auto& [label, name] : kLabels) {
@@ -137,12 +137,10 @@ struct Shown {
 class ColorSpaceViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
-
   void withoutColorsItIsSaidWhatToDo() {
-    Shown s(false);
+    ShownSpace s(false);
     QVERIFY(s.step());
-    auto* hint = child<QLabel>(*s.canvas, "emptyHint");
+    auto* hint = &child<QLabel>(*s.canvas, "emptyHint");
     QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("draw strokes")));
     s.bench.setFrame(s.world.frame());
     QVERIFY(s.step());
@@ -150,7 +148,7 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void pixelsAreSeenInTheirOwnColorWhereTheyAre() {
-    Shown s;
+    ShownSpace s;
     s.toggle("colorSpaceTable");
     s.toggle("colorSpaceSamples");
     QVERIFY(s.step());
@@ -162,7 +160,7 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void samplesAndSurfacesHaveTheirClassesColor() {
-    Shown s;
+    ShownSpace s;
     QVERIFY(s.orangeIsInItsPlace());
     s.toggle("colorSpacePixels");
     s.toggle("colorSpaceSamples");
@@ -175,7 +173,7 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void aClassThatIsOffIsNotSeen() {
-    Shown s;
+    ShownSpace s;
     const int orange = s.countLike("orange"), green = s.countLike("green");
     s.toggleClass("orange");
     QVERIFY(s.step());
@@ -193,12 +191,12 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void draggingTurnsAndKeysTurnAndReset() {
-    Shown s;
+    ShownSpace s;
     const QImage before = s.picture();
-    const QPoint orange = s.at(kOrange);
+    const QPoint orange = s.at(kOrangeColor);
     drag(*s.canvas, Qt::LeftButton, {200, 150}, {260, 170});
     QVERIFY(s.step());
-    QVERIFY(s.picture() != before && s.at(kOrange) != orange);
+    QVERIFY(s.picture() != before && s.at(kOrangeColor) != orange);
     QVERIFY(s.orangeIsInItsPlace());
     QVERIFY(!s.bench.hasSelection());
     QTest::keyClick(s.canvas, Qt::Key_Home);
@@ -213,55 +211,55 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void theWheelZoomsToTheCursorAndTheRightButtonMoves() {
-    Shown s;
-    const QPoint before = s.at(kOrange);
+    ShownSpace s;
+    const QPoint before = s.at(kOrangeColor);
     turnWheel(*s.canvas, before, 3);
     QVERIFY(s.canvas->camera().zoom > 1.5);
-    QVERIFY((s.at(kOrange) - before).manhattanLength() < 60);
+    QVERIFY((s.at(kOrangeColor) - before).manhattanLength() < 60);
     QTest::keyClick(s.canvas, Qt::Key_Minus);
     QTest::keyClick(s.canvas, Qt::Key_Home);
     drag(*s.canvas, Qt::RightButton, {100, 100}, {140, 90});
-    const QPoint moved = s.at(kOrange) - before;
+    const QPoint moved = s.at(kOrangeColor) - before;
     QVERIFY2((moved - QPoint(40, -10)).manhattanLength() <= 2,
              qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
   }
 
   void aLassoSelectsWhatIsShown() {
-    Shown s;
-    s.lasso(s.at(kOrange));
-    QVERIFY(s.hasSelected(kOrange));
+    ShownSpace s;
+    s.lasso(s.at(kOrangeColor));
+    QVERIFY(s.hasSelected(kOrangeColor));
     QVERIFY(!s.hasSelected(kGreen));
     // What is inside of a surface, too, but nothing that is not shown.
     QVERIFY(s.bench.selection().size() > 20);
     const std::size_t first = s.bench.selection().size();
     QVERIFY(s.step());
     s.lasso(s.at(kGreen), 30, Qt::ControlModifier);
-    QVERIFY(s.hasSelected(kOrange) && s.hasSelected(kGreen));
+    QVERIFY(s.hasSelected(kOrangeColor) && s.hasSelected(kGreen));
     QVERIFY(s.bench.selection().size() > first);
     QVERIFY(s.step());
-    s.lasso(s.at(kOrange), 30, Qt::AltModifier);
-    QVERIFY(!s.hasSelected(kOrange) && s.hasSelected(kGreen));
+    s.lasso(s.at(kOrangeColor), 30, Qt::AltModifier);
+    QVERIFY(!s.hasSelected(kOrangeColor) && s.hasSelected(kGreen));
     QTest::keyClick(s.canvas, Qt::Key_Escape);
     QVERIFY(!s.bench.hasSelection());
   }
 
   void aLassoPassesOverWhatIsOff() {
-    Shown s;
+    ShownSpace s;
     s.toggleClass("orange");
     QVERIFY(s.step());
-    s.lasso(s.at(kOrange));
-    QVERIFY(!s.hasSelected(kOrange));
+    s.lasso(s.at(kOrangeColor));
+    QVERIFY(!s.hasSelected(kOrangeColor));
   }
 
   void aClickWithShiftSelectsACell() {
-    Shown s;
-    QTest::mouseClick(s.canvas, Qt::LeftButton, Qt::ShiftModifier, s.at(kOrange));
-    QVERIFY(s.hasSelected(kOrange));
+    ShownSpace s;
+    QTest::mouseClick(s.canvas, Qt::LeftButton, Qt::ShiftModifier, s.at(kOrangeColor));
+    QVERIFY(s.hasSelected(kOrangeColor));
     QCOMPARE(s.bench.selection().size(), std::size_t{1});
   }
 
   void escapeEndsALassoOnly() {
-    Shown s;
+    ShownSpace s;
     s.lasso(s.at(kGreen));
     QTest::mousePress(s.canvas, Qt::LeftButton, Qt::ShiftModifier, {10, 10});
     moveMouse(*s.canvas, {200, 200}, Qt::LeftButton, Qt::ShiftModifier);
@@ -271,16 +269,16 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void aSelectionFromElsewhereIsSeen() {
-    Shown s;
+    ShownSpace s;
     const QImage before = s.picture();
     QVERIFY(s.looksLike(before.pixelColor(s.at(kGreen)), "green"));
     CellSet cells;
-    cells.set(ColorTable::cellOf(kOrange));
+    cells.set(ColorTable::cellOf(kOrangeColor));
     s.bench.select(cells);
     QVERIFY(s.step());
     QVERIFY(s.orangeIsInItsPlace());
     QVERIFY(!s.looksLike(s.picture().pixelColor(s.at(kGreen)), "green"));  // dimmed
-    auto* text = child<QLabel>(s.view, "colorSpaceSelection");
+    auto* text = &child<QLabel>(s.view, "colorSpaceSelection");
     QVERIFY2(text->text().contains(QStringLiteral("1 cell, 300 pixels")), qPrintable(text->text()));
     click(s.view, "colorSpaceClear");
     QVERIFY(s.step());
@@ -289,7 +287,7 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void selectedCellsWithoutAnythingAreSeen() {
-    Shown s;
+    ShownSpace s;
     CellSet cells;
     const robotlink::YCbCr nothing{60, 200, 60};
     cells.set(ColorTable::cellOf(nothing));
@@ -300,8 +298,8 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void spacesDiffer() {
-    Shown s;
-    auto* choice = child<QComboBox>(s.view, "colorSpaceChoice");
+    ShownSpace s;
+    auto* choice = &child<QComboBox>(s.view, "colorSpaceChoice");
     std::set<std::pair<int, int>> places;
     std::vector<QImage> pictures;
     for (int i = 0; i < choice->count(); ++i) {
@@ -309,15 +307,15 @@ class ColorSpaceViewTest : public QObject {
       QVERIFY(s.step());
       for (const QImage& other : pictures) QVERIFY(s.picture() != other);
       pictures.push_back(s.picture());
-      places.insert({s.at(kOrange).x(), s.at(kOrange).y()});
+      places.insert({s.at(kOrangeColor).x(), s.at(kOrangeColor).y()});
       QVERIFY2(s.orangeIsInItsPlace(), qPrintable(choice->currentText()));
     }
     QCOMPARE(places.size(), std::size_t{4});
   }
 
   void whatDiffersFromAReferenceIsSeenAlone() {
-    Shown s;
-    auto* surfaces = child<QComboBox>(s.view, "colorSpaceSurfaces");
+    ShownSpace s;
+    auto* surfaces = &child<QComboBox>(s.view, "colorSpaceSurfaces");
     QVERIFY(!surfaces->isEnabled());
     s.bench.setReference(s.bench.colors()->table, QStringLiteral("yesterday"));
     s.stroke("skyblue", 8, 22);  // was white
@@ -336,12 +334,12 @@ class ColorSpaceViewTest : public QObject {
     QVERIFY(s.countLike("skyblue") > 300);
     QVERIFY(s.countLike("orange") < s.countLike("skyblue") / 5);
     moveMouse(*s.canvas, s.at(kWhite));
-    const QString text = child<QLabel>(s.view, "colorSpacePointed")->text();
+    const QString text = child<QLabel>(s.view, "colorSpacePointed").text();
     QVERIFY2(text.contains(QStringLiteral("skyblue   reference: background")), qPrintable(text));
   }
 
   void theColorThatAnImageViewPointsToIsMarked() {
-    Shown s;
+    ShownSpace s;
     const QImage before = s.canvas->rendered();
     s.bench.setPointed(kGreen);
     const QImage marked = s.canvas->rendered();
@@ -353,26 +351,26 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void aCutTakesAPartAway() {
-    Shown s;
-    auto* cut = child<QComboBox>(s.view, "colorSpaceCut");
+    ShownSpace s;
+    auto* cut = &child<QComboBox>(s.view, "colorSpaceCut");
     cut->setFocus();
     QTest::keyClick(cut, Qt::Key_End);  // at Cr
     QCOMPARE(cut->currentText(), QStringLiteral("cut at Cr"));
     QVERIFY(s.step());
     QCOMPARE(s.countLike("orange"), 0);  // Cr is 200, the cut at a half
     QVERIFY(s.countLike("green") > 300);
-    QTest::keyClick(child<QWidget>(s.view, "colorSpaceCutOther"), Qt::Key_Space);
+    QTest::keyClick(&child<QWidget>(s.view, "colorSpaceCutOther"), Qt::Key_Space);
     QVERIFY(s.step());
     QVERIFY(s.countLike("orange") > 300);
     QCOMPARE(s.countLike("green"), 0);
-    child<QSlider>(s.view, "colorSpaceCutAt")->setValue(0);
+    child<QSlider>(s.view, "colorSpaceCutAt").setValue(0);
     QVERIFY(s.step());
     QVERIFY(s.countLike("orange") > 300 && s.countLike("green") > 300);
   }
 
   void aCutAcrossTheViewFollowsTheCamera() {
-    Shown s;
-    child<QComboBox>(s.view, "colorSpaceCut")->setCurrentIndex(1);
+    ShownSpace s;
+    child<QComboBox>(s.view, "colorSpaceCut").setCurrentIndex(1);
     for (int i = 0; i < 8; ++i) QTest::keyClick(s.canvas, Qt::Key_Left);  // from one side
     QVERIFY(s.step());
     const bool orange = s.countLike("orange") > 0;
@@ -382,18 +380,18 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void theCellUnderTheCursorIsDescribed() {
-    Shown s;
+    ShownSpace s;
     QTRY_VERIFY(s.bench.colors()->margins != nullptr);
-    moveMouse(*s.canvas, s.at(kOrange));
-    const QString text = child<QLabel>(s.view, "colorSpacePointed")->text();
+    moveMouse(*s.canvas, s.at(kOrangeColor));
+    const QString text = child<QLabel>(s.view, "colorSpacePointed").text();
     for (const char* part : {"Y 140-143", "Cb 60-63", "Cr 200-203", "orange", "margin", "pixels: 300"})
       QVERIFY2(text.contains(QLatin1String(part)), qPrintable(text));
     moveMouse(*s.canvas, {2, 2});
-    QVERIFY(child<QLabel>(s.view, "colorSpacePointed")->text().isEmpty());
+    QVERIFY(child<QLabel>(s.view, "colorSpacePointed").text().isEmpty());
   }
 
   void imagesOfACameraAreFollowedNowAndThenAndNothingIsDrawnInBetween() {
-    Shown s;
+    ShownSpace s;
     QSignalSpy pictures(s.canvas, &ColorSpaceCanvas::pictureShown);
     for (int i = 0; i < 30; ++i) {
       s.bench.setFrame(s.world.frame(40, 30, i % 2));
@@ -411,7 +409,7 @@ class ColorSpaceViewTest : public QObject {
   }
 
   void theColorsOfARealRobotAreSeen() {
-    Shown s(false);
+    ShownSpace s(false);
     if (!s.learnFromARealRobot()) QSKIP("../shared/data/colour/bhuman2009 is missing");
     QVERIFY(s.step());
     for (const char* name : {"orange", "blue", "green"}) QVERIFY2(s.countLike(name) > 300, name);
@@ -419,36 +417,36 @@ class ColorSpaceViewTest : public QObject {
     QVERIFY(s.step());
     s.keep("pixels-and-surfaces");
     s.toggle("colorSpacePixels");
-    child<QSlider>(s.view, "colorSpaceOpacity")->setValue(200);
+    child<QSlider>(s.view, "colorSpaceOpacity").setValue(200);
     s.keep("surfaces");
-    child<QComboBox>(s.view, "colorSpaceCut")->setCurrentIndex(2);
-    child<QSlider>(s.view, "colorSpaceCutAt")->setValue(100);
+    child<QComboBox>(s.view, "colorSpaceCut").setCurrentIndex(2);
+    child<QSlider>(s.view, "colorSpaceCutAt").setValue(100);
     s.keep("cut");
-    child<QComboBox>(s.view, "colorSpaceCut")->setCurrentIndex(0);
-    child<QSlider>(s.view, "colorSpaceOpacity")->setValue(90);
+    child<QComboBox>(s.view, "colorSpaceCut").setCurrentIndex(0);
+    child<QSlider>(s.view, "colorSpaceOpacity").setValue(90);
     s.toggle("colorSpacePixels");
     for (const int space : {1, 2, 3}) {
-      child<QComboBox>(s.view, "colorSpaceChoice")->setCurrentIndex(space);
-      s.keep(qPrintable(child<QComboBox>(s.view, "colorSpaceChoice")->currentText()));
+      child<QComboBox>(s.view, "colorSpaceChoice").setCurrentIndex(space);
+      s.keep(qPrintable(child<QComboBox>(s.view, "colorSpaceChoice").currentText()));
     }
-    child<QComboBox>(s.view, "colorSpaceChoice")->setCurrentIndex(0);
+    child<QComboBox>(s.view, "colorSpaceChoice").setCurrentIndex(0);
     QVERIFY(s.step());
-    s.lasso(s.at(kOrange), 40);
+    s.lasso(s.at(kOrangeColor), 40);
     s.keep("selection");
   }
 
   void whatTheUserChoseSurvives() {
-    Shown a;
-    child<QComboBox>(a.view, "colorSpaceChoice")->setCurrentIndex(2);
-    child<QComboBox>(a.view, "colorSpaceCut")->setCurrentIndex(4);
-    child<QSlider>(a.view, "colorSpaceCutAt")->setValue(60);
-    child<QSlider>(a.view, "colorSpaceOpacity")->setValue(20);
+    ShownSpace a;
+    child<QComboBox>(a.view, "colorSpaceChoice").setCurrentIndex(2);
+    child<QComboBox>(a.view, "colorSpaceCut").setCurrentIndex(4);
+    child<QSlider>(a.view, "colorSpaceCutAt").setValue(60);
+    child<QSlider>(a.view, "colorSpaceOpacity").setValue(20);
     a.toggle("colorSpacePixels");
     a.toggleClass("green");
     QTest::keyClick(a.canvas, Qt::Key_Up);
     turnWheel(*a.canvas, {100, 100}, 2);
     const QJsonObject state = a.view.saveState();
-    Shown b;
+    ShownSpace b;
     b.view.restoreState(state);
     QCOMPARE(b.view.saveState(), state);
     QVERIFY(a.step() && b.step());
@@ -458,11 +456,8 @@ class ColorSpaceViewTest : public QObject {
   }
 };
 
+const GuiTest<ColorSpaceViewTest> kColorSpaceViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColorSpaceViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColorSpaceViewTest.moc"

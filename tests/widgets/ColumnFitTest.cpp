@@ -9,7 +9,7 @@
 #include <QTreeView>
 #include <numeric>
 
-#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/FieldBench.h"
 #include "widgets/HeaderState.h"
 
 namespace widgets::test {
@@ -56,8 +56,6 @@ struct Table {
 class ColumnFitTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
-
   void columnsFillTheRoom() {
     const std::vector<ColumnNeed> columns{{kName, 60, 120}, {kNumber, 50, 30}, {kText, 40, 0}};
     QCOMPARE(fittedWidths(columns, 800), (std::vector<int>{120, 50, 630}));
@@ -164,11 +162,8 @@ class ColumnFitTest : public QObject {
   }
 };
 
+const GuiTest<ColumnFitTest> kColumnFitTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ColumnFitTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ColumnFitTest.moc"

@@ -10,7 +10,7 @@
 
 #include "robotlink/config/FieldDescription.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/FieldBench.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/FieldView.h"
@@ -22,12 +22,12 @@ using robotlink::SceneDrawing;
 using robotlink::Vector2;
 namespace colors = robotlink::colors;
 
-struct Shown {
-  SyntheticWorld world;
+struct ShownField {
+  FieldBench world;
   FieldView view{world.context};
-  FieldCanvas* canvas = child<FieldCanvas>(view, "fieldCanvas");
+  FieldCanvas* canvas = &child<FieldCanvas>(view, "fieldCanvas");
 
-  Shown() {
+  ShownField() {
     view.resize(800, 600);
     view.show();
     if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
@@ -45,7 +45,7 @@ struct Shown {
   }
   void click(const char* button) { test::click(view, button); }
   void wheel(const QPoint& position, int notches) { turnWheel(*canvas, position, notches); }
-  QString text(const char* label) const { return child<QLabel>(view, label)->text(); }
+  QString text(const char* label) const { return child<QLabel>(view, label).text(); }
   void placeThings() {
     world.pushScene();
     world.pushPoses({-1, 0.5, 0.3}, {0.5, -0.4});
@@ -62,10 +62,8 @@ struct Shown {
 class FieldViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
-
   void aClickSelectsARobotAndMovesNothing() {
-    Shown s;
+    ShownField s;
     s.world.session.setRobots({"blue1", "red1"});
     s.world.session.selectRobot("blue1");
     s.placeThings();
@@ -81,7 +79,7 @@ class FieldViewTest : public QObject {
   }
 
   void onlyTheSelectedRobotsBeliefsAreShown() {
-    Shown s;
+    ShownField s;
     s.world.session.setRobots({"blue1", "red1"});
     s.placeThings();
     s.world.session.selectRobot("blue1");
@@ -94,14 +92,14 @@ class FieldViewTest : public QObject {
     s.world.session.selectRobot("red1");
     s.step();
     QVERIFY(s.picture().copy(around) != without.copy(around));
-    child<RobotChoice>(s.view, "fieldRobot")->setChoice(QStringLiteral("*"));
+    child<RobotChoice>(s.view, "fieldRobot").setChoice(QStringLiteral("*"));
     s.world.session.selectRobot("blue1");
     s.step();
     QVERIFY(s.picture().copy(around) != without.copy(around));
   }
 
   void theFieldHasItsColors() {
-    Shown s;
+    ShownField s;
     QVERIFY(isNear(s.colorAt(1.2, 0.9), s.named("green"), 2));
     QVERIFY(isNear(s.colorAt(0, 0.8), s.named("white"), 40));
     QVERIFY(isNear(s.colorAt(-2.11, 0.299), s.named("yellow"), 20));
@@ -112,7 +110,7 @@ class FieldViewTest : public QObject {
   }
 
   void anotherFieldIsFollowed() {
-    Shown s;
+    ShownField s;
     const QRgb green = s.colorAt(1.2, 0.9).rgb();
     auto other = std::make_shared<robotlink::FieldDescription>(*s.world.context.field);
     other->length *= 1.5;
@@ -126,7 +124,7 @@ class FieldViewTest : public QObject {
   }
 
   void trueAndEstimatedPosesDiffer() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     QVERIFY(isNear(s.colorAt(-1.02, 0.5), s.named("red"), 2));
     QVERIFY(isNear(s.colorAt(0.5, -0.4), s.named("orange"), 2));
@@ -140,7 +138,7 @@ class FieldViewTest : public QObject {
   }
 
   void theCursorsPlaceIsTold() {
-    Shown s;
+    ShownField s;
     moveMouse(*s.canvas, s.at(1, -0.5));
     const QStringList parts = s.text("fieldCursor").split(QLatin1Char(' '), Qt::SkipEmptyParts);
     QCOMPARE(parts.size(), 6);
@@ -148,7 +146,7 @@ class FieldViewTest : public QObject {
   }
 
   void aDrawingIsToggledByAClickInTheList() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.world.pushFrame({worldDrawing("field", "ball-model/area", "field", [](SceneDrawing& d) {
       d.circle({1, 0.9}, 0.2, colors::kPink, 1, colors::kPink);
@@ -156,7 +154,7 @@ class FieldViewTest : public QObject {
     s.step();
     QVERIFY(isNear(s.colorAt(1, 0.9), QColor(250, 90, 170)));
     s.click("fieldDrawings");
-    auto* list = child<QListView>(s.view, "drawingsList");
+    auto* list = &child<QListView>(s.view, "drawingsList");
     QVERIFY(list->isVisible());
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
@@ -166,7 +164,7 @@ class FieldViewTest : public QObject {
   }
 
   void theRobotWhoseDrawingsAreShownIsChosenInItsBox() {
-    Shown s;
+    ShownField s;
     s.world.session.setRobots({"red1", "blue1"});
     s.placeThings();
     s.world.pushFrame({worldDrawing("field", "ball-model/area", "field", [](SceneDrawing& d) {
@@ -174,7 +172,7 @@ class FieldViewTest : public QObject {
     })});
     s.step();
     QVERIFY(isNear(s.colorAt(1, 0.9), QColor(250, 90, 170)));
-    auto* robots = child<RobotChoice>(s.view, "fieldRobot");
+    auto* robots = &child<RobotChoice>(s.view, "fieldRobot");
     robots->setFocus();
     QTest::keyClick(robots, Qt::Key_End);
     QCOMPARE(robots->currentText(), QStringLiteral("blue1"));
@@ -190,7 +188,7 @@ class FieldViewTest : public QObject {
   }
 
   void aDrawingRelativeToTheRobotLiesWhereTheRobotIs() {
-    Shown s;
+    ShownField s;
     s.world.pushScene();
     s.world.pushPoses({0.5, 0, robotlink::kPi / 2}, {0, 0});
     s.world.pushFrame({worldDrawing("robot", "percept", "red1", [](SceneDrawing& d) {
@@ -201,7 +199,7 @@ class FieldViewTest : public QObject {
   }
 
   void aDamagedDrawingHarmsNothing() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.world.pushFrame({damagedDrawing("damaged", "field"), damagedDrawing("lost", "nowhere")});
     s.step();
@@ -209,7 +207,7 @@ class FieldViewTest : public QObject {
   }
 
   void zoomPanTurnAndFit() {
-    Shown s;
+    ShownField s;
     const QPoint before = s.at(1, 0.5);
     s.wheel(before, 3);
     QVERIFY((s.at(1, 0.5) - before).manhattanLength() <= 2);
@@ -229,7 +227,7 @@ class FieldViewTest : public QObject {
   }
 
   void theButtonsZoom() {
-    Shown s;
+    ShownField s;
     const auto pixelsPerMetre = [&] { return s.text("fieldZoom").section(QLatin1Char(' '), 0, 0).toInt(); };
     s.step();
     const int fitted = pixelsPerMetre();
@@ -243,7 +241,7 @@ class FieldViewTest : public QObject {
   }
 
   void draggingTheBallPlacesIt() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.drag(s.at(0.5, -0.4), s.at(1.0, 0.3));
     QVERIFY(s.world.requests.size() >= 2);
@@ -254,7 +252,7 @@ class FieldViewTest : public QObject {
   }
 
   void theWheelTurnsTheRobotThatIsDragged() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     const QPoint from = s.at(-1, 0.5);
     QTest::mousePress(s.canvas, Qt::LeftButton, {}, from);
@@ -268,7 +266,7 @@ class FieldViewTest : public QObject {
   }
 
   void withoutTheToolOnlyShiftMoves() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.click("fieldMove");
     s.drag(s.at(0.5, -0.4), s.at(0.6, -0.4));
@@ -278,7 +276,7 @@ class FieldViewTest : public QObject {
   }
 
   void aRefusedPlaceIsShown() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.world.refusal = "it would stand in a wall";
     const QImage before = s.picture();
@@ -294,7 +292,7 @@ class FieldViewTest : public QObject {
   }
 
   void trailsShowWhereTheBallWas() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     for (int i = 0; i < 20; ++i) {
       s.world.pushPoses({-1, 0.5, 0.3}, {-0.5 + 0.05 * i, -0.9});
@@ -307,14 +305,14 @@ class FieldViewTest : public QObject {
   }
 
   void thePictureIsCopied() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     s.view.findChild<QAction*>(QStringLiteral("fieldCopyAction"))->trigger();
     QVERIFY(isNear(QApplication::clipboard()->image().pixelColor(s.at(0.5, -0.4)), s.named("orange"), 4));
   }
 
   void thePictureIsSavedWhereTheDialogSays() {
-    Shown s;
+    ShownField s;
     s.placeThings();
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("field.png"));
@@ -326,7 +324,7 @@ class FieldViewTest : public QObject {
   }
 
   void aPictureThatCannotBeSavedSaysWhy() {
-    Shown s;
+    ShownField s;
     QString said;
     DialogAnswer answer([&](QDialog& dialog) {
       said = dynamic_cast<QMessageBox&>(dialog).text();
@@ -338,22 +336,22 @@ class FieldViewTest : public QObject {
   }
 
   void whatTheUserChoseSurvives() {
-    Shown a;
+    ShownField a;
     a.placeThings();
     a.click("fieldDrawings");
     a.click("fieldTrails");
     a.click("fieldTurn");
     a.wheel({300, 200}, 3);
-    child<RobotChoice>(a.view, "fieldRobot")->setChoice(QStringLiteral("*"));
+    child<RobotChoice>(a.view, "fieldRobot").setChoice(QStringLiteral("*"));
     const QJsonObject state = a.view.saveState();
-    Shown b;
+    ShownField b;
     b.view.restoreState(state);
     QCOMPARE(b.view.saveState(), state);
     b.view.restoreState({});  // harmless
   }
 
   void showsAWholePicture() {
-    Shown s;
+    ShownField s;
     s.world.session.setRobots({"red1", "blue1"});
     s.placeThings();
     s.world.pushEstimates({-0.9, 0.35, 0.5}, {1.4, -1.5});
@@ -380,11 +378,8 @@ class FieldViewTest : public QObject {
   }
 };
 
+const GuiTest<FieldViewTest> kFieldViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::FieldViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "FieldViewTest.moc"

@@ -10,6 +10,7 @@
 
 #include "tests/widgets/Bench.h"
 
+namespace widgets::test {
 namespace {
 
 /// The mean lightness of what an icon paints, by how opaque it is; -1 if it paints nothing.
@@ -37,9 +38,6 @@ void useText(const QColor& color) {
 class IconTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void everyIconPaintsSomething() {
     const QDir folder(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/icons"));
     const QStringList files = folder.entryList({QStringLiteral("*.svg")});
@@ -49,7 +47,7 @@ class IconTest : public QObject {
     }
   }
 
-  /// With ROBOTCONTROL_LOOKS=FOLDER: all icons on one sheet, to be looked at.
+  /// With ROBOTCONTROL_TEST_PICTURES=FOLDER: all icons on one sheet, to be looked at.
   void iconsFitTheirSquare() {
     const QDir folder(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/icons"));
     const QStringList files = folder.entryList({QStringLiteral("*.svg")});
@@ -67,8 +65,7 @@ class IconTest : public QObject {
       }
     }
     painter.end();
-    const QString looks = QString::fromLocal8Bit(qgetenv("ROBOTCONTROL_LOOKS"));
-    if (!looks.isEmpty()) QVERIFY(sheet.save(looks + QStringLiteral("/icons.png")));
+    keepPicture(sheet, "icons");
   }
 
   void everyViewHasItsIcon() {
@@ -95,5 +92,8 @@ class IconTest : public QObject {
   void anUnknownIconPaintsNothing() { QCOMPARE(lightness(widgets::icon("no-such-icon")), -1.0); }
 };
 
-QTEST_MAIN(IconTest)
+const GuiTest<IconTest> kIconTest;
+
+}  // namespace widgets::test
+
 #include "IconTest.moc"

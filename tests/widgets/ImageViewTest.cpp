@@ -15,7 +15,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageView.h"
 
@@ -38,12 +38,12 @@ QColor qColor(YCbCr color) {
 }
 
 /// An image view of the size of 2:1 pixels plus its tool and status rows.
-struct Shown {
-  SyntheticWorld world;
+struct ShownImage {
+  FieldBench world;
   ImageView view{world.context};
-  ImageCanvas* canvas = child<ImageCanvas>(view, "imageCanvas");
+  ImageCanvas* canvas = &child<ImageCanvas>(view, "imageCanvas");
 
-  Shown() {
+  ShownImage() {
     view.resize(700, 600);
     view.show();
     if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
@@ -65,16 +65,16 @@ struct Shown {
   QColor colorAt(double x, double y) const { return canvas->grab().toImage().pixelColor(at(x, y)); }
   void wheel(const QPoint& position, int notches) { turnWheel(*canvas, position, notches); }
   void click(const char* button) { test::click(view, button); }
-  QString text(const char* label) const { return child<QLabel>(view, label)->text(); }
+  QString text(const char* label) const { return child<QLabel>(view, label).text(); }
   /// Clicks the check box of a row of the list of drawings.
   void clickDrawing(int row) {
-    auto* list = child<QListView>(view, "drawingsList");
+    auto* list = &child<QListView>(view, "drawingsList");
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(row, 0)).topLeft() + QPoint(10, 8));
   }
 };
 
-SyntheticWorld::FramePart square(const char* key, robotlink::Color color) {
+FieldBench::FramePart square(const char* key, robotlink::Color color) {
   return imageDrawing(key, [color](ImageDrawing& d) {
     const std::vector<robotlink::Vector2> corners{{20, 20}, {60, 20}, {60, 60}, {20, 60}};
     d.polygon(corners, color, 1, color);
@@ -86,10 +86,8 @@ SyntheticWorld::FramePart square(const char* key, robotlink::Color color) {
 class ImageViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { failAtWarnings(); }
-
   void saysThatThereIsNoImageYet() {
-    Shown s;
+    ShownImage s;
     QCOMPARE(s.text("imageTime"), QStringLiteral("no image yet"));
     QVERIFY(s.canvas->picture().pixels.isNull());
     s.world.pushImage("red1/camera/image", kImage, kGrass);
@@ -98,7 +96,7 @@ class ImageViewTest : public QObject {
   }
 
   void showsTheImageInItsColors() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
     QVERIFY(isNear(s.colorAt(10.5, 10.5), qColor(kGrass), 2));
@@ -106,7 +104,7 @@ class ImageViewTest : public QObject {
   }
 
   void tellsThePixelUnderTheCursor() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
     moveMouse(*s.canvas, s.at(100.5, 50.5));
@@ -121,7 +119,7 @@ class ImageViewTest : public QObject {
   }
 
   void aDrawingOfAnEarlierImageIsFaded() {
-    Shown s;
+    ShownImage s;
     auto table = std::make_shared<robotcontrol::KeyTable>();
     auto& entry = *table->add_keys();
     entry.set_name("ball-percept/square");
@@ -143,7 +141,7 @@ class ImageViewTest : public QObject {
   }
 
   void tellsTheColorClassOfASegmentedPixel() {
-    Shown s;
+    ShownImage s;
     robotlink::Image segmented(4, 4, robotlink::PixelFormat::kRgb8);
     const Rgb orange = *s.world.context.field->color("orange");
     for (std::size_t i = 0; i < segmented.data.size(); i += 3) {
@@ -160,7 +158,7 @@ class ImageViewTest : public QObject {
   }
 
   void showsTrueClassesInTheirColorsByName() {
-    Shown s;
+    ShownImage s;
     robotlink::Image classes(4, 1, robotlink::PixelFormat::kMono8);
     classes.data = {0, 1, 9, 255};
     auto message = std::make_shared<foxglove::RawImage>();
@@ -168,7 +166,7 @@ class ImageViewTest : public QObject {
     s.world.push("red1/oracle/classes", message);
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
-    auto* streams = child<QComboBox>(s.view, "imageStream");
+    auto* streams = &child<QComboBox>(s.view, "imageStream");
     const int row = streams->findData(QStringLiteral("red1/oracle/classes"));
     QVERIFY(row >= 0);
     streams->setFocus();
@@ -187,7 +185,7 @@ class ImageViewTest : public QObject {
   }
 
   void aDrawingIsToggledByAClickInTheList() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("ball-percept/area", colors::kPink)});
     s.step();
@@ -200,7 +198,7 @@ class ImageViewTest : public QObject {
   }
 
   void whatIsNoLongerDrawnDisappears() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("a", colors::kPink)});
     s.step();
@@ -211,13 +209,13 @@ class ImageViewTest : public QObject {
   }
 
   void theOrderOfDrawingsIsChanged() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("a", colors::kPink), square("b", colors::kBlue)});
     s.step();
     s.click("imageDrawings");
     QVERIFY(isNear(s.colorAt(40, 40), QColor(40, 90, 230)));
-    auto* list = child<QListView>(s.view, "drawingsList");
+    auto* list = &child<QListView>(s.view, "drawingsList");
     list->setCurrentIndex(list->model()->index(0, 0));
     s.click("drawingsDown");
     QVERIFY(isNear(s.colorAt(40, 40), QColor(250, 90, 170)));
@@ -227,13 +225,13 @@ class ImageViewTest : public QObject {
   }
 
   void drawingsAreSearchedAndHiddenTogether() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("ball", colors::kPink), square("lines", colors::kBlue)});
     s.step();
     s.click("imageDrawings");
-    auto* list = child<QListView>(s.view, "drawingsList");
-    QTest::keyClicks(child<QLineEdit>(s.view, "drawingsSearch"), QStringLiteral("BAL"));
+    auto* list = &child<QListView>(s.view, "drawingsList");
+    QTest::keyClicks(&child<QLineEdit>(s.view, "drawingsSearch"), QStringLiteral("BAL"));
     QCOMPARE(list->model()->rowCount(), 1);
     s.click("drawingsNone");
     QVERIFY(isNear(s.colorAt(40, 40), qColor(kGrass)));
@@ -242,7 +240,7 @@ class ImageViewTest : public QObject {
   }
 
   void aDrawingIsSwitchedOnWhereItIsMissed() {
-    Shown s;
+    ShownImage s;
     const auto publish = [&s](robotcontrol::KeyMode::Kind kind) {
       auto table = std::make_shared<robotcontrol::KeyTable>();
       for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"},
@@ -259,7 +257,7 @@ class ImageViewTest : public QObject {
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     publish(robotcontrol::KeyMode::OFF);
     s.click("imageDrawings");
-    auto* list = child<QListView>(s.view, "drawingsList");
+    auto* list = &child<QListView>(s.view, "drawingsList");
     QCOMPARE(list->model()->rowCount(), 1);
     const auto state = [list] { return list->model()->index(0, 0).data(Qt::CheckStateRole).toInt(); };
     QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
@@ -283,15 +281,15 @@ class ImageViewTest : public QObject {
   }
 
   void theListOfDrawingsSaysWhyItIsEmpty() {
-    Shown s;
+    ShownImage s;
     s.click("imageDrawings");
-    auto* hint = child<QLabel>(*child<QListView>(s.view, "drawingsList"), "emptyHint");
+    auto* hint = &child<QLabel>(child<QListView>(s.view, "drawingsList"), "emptyHint");
     QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("no robot")));
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("ball", colors::kPink)});
     s.step();
     QVERIFY(!hint->isVisible());
-    auto* search = child<QLineEdit>(s.view, "drawingsSearch");
+    auto* search = &child<QLineEdit>(s.view, "drawingsSearch");
     search->setFocus();
     QTest::keyClicks(search, QStringLiteral("x"));
     QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("No drawing")));
@@ -300,7 +298,7 @@ class ImageViewTest : public QObject {
   }
 
   void theWheelZoomsToTheCursor() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
     const QPoint cursor = s.at(100.5, 50.5);
@@ -314,7 +312,7 @@ class ImageViewTest : public QObject {
   }
 
   void oneToOneShowsPixelByPixelAndDraggingMovesIt() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
     QTest::keyClick(s.canvas, Qt::Key_A);
@@ -330,7 +328,7 @@ class ImageViewTest : public QObject {
   }
 
   void aGridSeparatesThePixelsAtHighZoom() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
     const auto differentColors = [&] {
@@ -346,7 +344,7 @@ class ImageViewTest : public QObject {
   }
 
   void aFrozenPictureStaysWhileTheRobotGoesOn() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
     QTest::keyClick(s.canvas, Qt::Key_H);
@@ -360,7 +358,7 @@ class ImageViewTest : public QObject {
   }
 
   void followsTheTimeLineIntoTheHistory() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
     const auto early = s.world.now() - std::chrono::milliseconds(1);
@@ -373,12 +371,12 @@ class ImageViewTest : public QObject {
   }
 
   void anyStreamOfImagesCanBeChosen() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushImage("red1/images/segmented", kImage, kOrange);
     s.step();
     QSignalSpy titles(&s.view, &View::titleChanged);
-    auto* streams = child<QComboBox>(s.view, "imageStream");
+    auto* streams = &child<QComboBox>(s.view, "imageStream");
     const int row = streams->findData(QStringLiteral("red1/images/segmented"));
     QVERIFY(row >= 0);
     streams->setFocus();
@@ -388,7 +386,7 @@ class ImageViewTest : public QObject {
   }
 
   void thePictureIsCopiedAndSaved() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("a", colors::kPink)});
     s.step();
@@ -412,7 +410,7 @@ class ImageViewTest : public QObject {
   }
 
   void whatTheUserChoseSurvives() {
-    Shown a;
+    ShownImage a;
     a.world.pushImage("red1/images/other", kImage, kOrange);
     a.world.pushImage("red1/camera/image", kImage, kGrass);
     a.world.pushFrame({square("a", colors::kPink), square("b", colors::kBlue)});
@@ -421,14 +419,14 @@ class ImageViewTest : public QObject {
     a.clickDrawing(1);
     a.wheel(a.at(20, 20), 4);
     const QJsonObject state = a.view.saveState();
-    Shown b;
+    ShownImage b;
     b.view.restoreState(state);
     QCOMPARE(b.view.saveState(), state);
     b.view.restoreState({});  // harmless
   }
 
   void showsAWholePicture() {
-    Shown s;
+    ShownImage s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.world.pushFrame(
         {square("area", {{250, 90, 170}, 0.4}), imageDrawing("ball-percept/circle", [](ImageDrawing& d) {
@@ -445,11 +443,8 @@ class ImageViewTest : public QObject {
   }
 };
 
+const GuiTest<ImageViewTest> kImageViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::ImageViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "ImageViewTest.moc"

@@ -13,27 +13,32 @@
 #include "tests/widgets/Bench.h"
 #include "widgets/log/OpenLogs.h"
 
+namespace widgets::test {
+
 /// A LogReading whose results the test sets.
-class FakeReading final : public widgets::LogReading {
+class FakeReading final : public LogReading {
  public:
   struct Wanted {
     std::string stream;
     std::vector<robotlink::Instant> times;
   };
-  std::shared_ptr<const widgets::LogOverview> overview() override { return published; }
+  std::shared_ptr<const LogOverview> overview() override { return published; }
   void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int) override {
     wanted = {stream, std::move(times)};
   }
-  std::vector<widgets::Thumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }
+  std::vector<Thumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }
   std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() override {
     return std::exchange(bookmarks, std::nullopt);
   }
 
-  std::shared_ptr<const widgets::LogOverview> published;
+  std::shared_ptr<const LogOverview> published;
   Wanted wanted;
-  std::vector<widgets::Thumbnail> thumbnails;
+  std::vector<Thumbnail> thumbnails;
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks;
 };
+
+/// A log that is no file.
+inline constexpr char kFile[] = "/logs/game.mcap";
 
 inline robotlink::Instant at(double seconds) {
   return robotlink::Instant(robotlink::fromSeconds(seconds));
@@ -41,11 +46,11 @@ inline robotlink::Instant at(double seconds) {
 
 /// A log from 10 to 40 s: images at 5 Hz, joints at 100 Hz with a gap from 20 to 25 s, a warning and an
 /// error.
-inline widgets::LogOverview overviewOfTest(const std::string& file) {
+inline LogOverview overviewOfTest(const std::string& file) {
   using robotlink::Instant;
-  widgets::LogOverview overview;
+  LogOverview overview;
   overview.file = file;
-  overview.stage = widgets::LogOverview::Stage::kDone;
+  overview.stage = LogOverview::Stage::kDone;
   overview.robots = {"nao"};
   overview.begin = at(10);
   overview.end = at(40);
@@ -54,19 +59,18 @@ inline widgets::LogOverview overviewOfTest(const std::string& file) {
     for (double t = 10; t <= 40 + 1e-9; t += 1 / rate) {
       if (t < gapFrom || t >= gapTo) times.push_back(at(t));
     }
-    widgets::LogOverview::Stream stream{path,          type,        times.size(), times.size() * 1000,
-                                        times.front(), times.back()};
-    stream.density = widgets::MessageDensity(times);
+    LogOverview::Stream stream{path, type, times.size(), times.size() * 1000, times.front(), times.back()};
+    stream.density = MessageDensity(times);
     overview.streams.push_back(std::move(stream));
   };
   add("nao/camera/image", "foxglove.CompressedImage", 5, 50, 50);
   add("nao/frames/cognition", "robotcontrol.FrameInfo", 10, 50, 50);
   add("nao/joints/states", "foxglove.JointStates", 100, 20, 25);
   add("nao/log", "foxglove.Log", 0.5, 50, 50);
-  overview.said.push_back({at(18), widgets::LogEntry::Level::kWarning, QStringLiteral("nao"),
+  overview.said.push_back({at(18), LogEntry::Level::kWarning, QStringLiteral("nao"),
                            QStringLiteral("cognition"), QStringLiteral("the ball was lost")});
-  overview.said.push_back({at(31), widgets::LogEntry::Level::kError, QStringLiteral("nao"),
-                           QStringLiteral("motion"), QStringLiteral("a servo does not answer")});
+  overview.said.push_back({at(31), LogEntry::Level::kError, QStringLiteral("nao"), QStringLiteral("motion"),
+                           QStringLiteral("a servo does not answer")});
   return overview;
 }
 
@@ -74,11 +78,11 @@ inline widgets::LogOverview overviewOfTest(const std::string& file) {
 class LogBench : public Bench {
  public:
   LogBench() {
-    context.logs = std::make_shared<widgets::OpenLogs>(session, [this](const std::filesystem::path& file) {
+    context.logs = std::make_shared<OpenLogs>(session, [this](const std::filesystem::path& file) {
       auto reading = std::make_unique<FakeReading>();
       auto overview = overviewOfTest(file.string());
       if (shapeOverview) shapeOverview(overview);
-      reading->published = std::make_shared<const widgets::LogOverview>(std::move(overview));
+      reading->published = std::make_shared<const LogOverview>(std::move(overview));
       readings[file.string()] = reading.get();
       return reading;
     });
@@ -115,7 +119,7 @@ class LogBench : public Bench {
     session.tick();
     context.logs->tick();
   }
-  void tick(widgets::View& view) {
+  void tick(View& view) {
     session.tick();
     context.logs->tick();
     view.tick();
@@ -131,9 +135,11 @@ class LogBench : public Bench {
     if (requests.empty() || !requests.back().has_control_replay()) qFatal("nothing was asked of the replay");
     return requests.back().control_replay();
   }
-  widgets::OpenLogs& logs() { return *context.logs; }
+  OpenLogs& logs() { return *context.logs; }
 
   robotcontrol::ReplayStatus status;
   std::map<std::string, FakeReading*> readings;
-  std::function<void(widgets::LogOverview&)> shapeOverview;
+  std::function<void(LogOverview&)> shapeOverview;
 };
+
+}  // namespace widgets::test

@@ -23,10 +23,7 @@
 #include "widgets/log/LogReader.h"
 #include "widgets/timeline/TimeLineView.h"
 
-using widgets::LogOverview;
-using widgets::LogReader;
-using widgets::TimeLineView;
-
+namespace widgets::test {
 namespace {
 
 constexpr int kWaitMs = 20000;
@@ -91,9 +88,6 @@ class ReadBench : public LogBench {
 class LogReaderTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void readsAWholeLogStepByStep_data() {
     QTest::addColumn<QString>("source");
     for (const std::string& source : game::kSources)
@@ -255,5 +249,8 @@ class LogReaderTest : public QObject {
   }
 };
 
-QTEST_MAIN(LogReaderTest)
+const GuiTest<LogReaderTest> kLogReaderTest;
+
+}  // namespace widgets::test
+
 #include "LogReaderTest.moc"

@@ -7,21 +7,17 @@
 #include <QLineEdit>
 #include <QTableView>
 
+#include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
-#include "tests/widgets/SyntheticWorld.h"
 #include "widgets/log/ReplayPackagesView.h"
 #include "widgets/log/StreamsView.h"
 #include "widgets/log/TimeScale.h"
 
+namespace widgets::test {
+
 using robotcontrol::ControlReplay;
-using widgets::ReplayPackageModel;
-using widgets::ReplayPackagesView;
-using widgets::StreamListModel;
-using widgets::StreamsView;
 
 namespace {
-
-constexpr char kFile[] = "/logs/game.mcap";
 
 QModelIndex cell(const QTableView& table, const QString& first, int column) {
   const auto* model = table.model();
@@ -63,9 +59,6 @@ void addPackages(robotcontrol::ReplayStatus& status) {
 class LogViewsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void streamsAreListedWithCountSizeRateAndSchema() {
     LogBench bench;
     bench.openLog(kFile);
@@ -81,7 +74,7 @@ class LogViewsTest : public QObject {
              QStringLiteral("foxglove.CompressedImage"));
     QVERIFY(
         child<QLabel>(*view, "streamsSummary").text().contains(QStringLiteral("streams: 4, messages: 2969")));
-    widgets::test::keepPicture(*view, "streams");
+    keepPicture(*view, "streams");
   }
 
   void streamsAreSearchedByPathAndSchemaAndSortedByNumbers() {
@@ -145,7 +138,7 @@ class LogViewsTest : public QObject {
     bench.tick(*view);
     QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(),
              QStringLiteral("9 + 2 alone"));
-    widgets::test::keepPicture(*view, "packages");
+    keepPicture(*view, "packages");
   }
 
   void theSourceIsChosenInPlaceAndWhatIsImpossibleIsNot() {
@@ -226,5 +219,8 @@ class LogViewsTest : public QObject {
   }
 };
 
-QTEST_MAIN(LogViewsTest)
+const GuiTest<LogViewsTest> kLogViewsTest;
+
+}  // namespace widgets::test
+
 #include "LogViewsTest.moc"

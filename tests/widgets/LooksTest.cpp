@@ -17,6 +17,8 @@
 #include "widgets/processes/TimingView.h"
 #include "widgets/solutions/SolutionsView.h"
 
+namespace widgets::test {
+
 using robotcontrol::KeyMode;
 
 namespace {
@@ -215,16 +217,13 @@ void compareLooks(const char* name, QSize size, const std::function<void(V&)>& a
   auto view = bench.open<V>(size);
   look(bench, *view);
   if (arrange) arrange(*view);
-  const QByteArray folder = qgetenv("ROBOTCONTROL_LOOKS");
   const QPalette light = QApplication::palette();
   const QImage day = look(bench, *view);
   QApplication::setPalette(darkPalette());
   const QImage night = look(bench, *view);
   QApplication::setPalette(light);
-  if (!folder.isEmpty()) {
-    QVERIFY(day.save(QString::fromLocal8Bit(folder + '/' + name + "-light.png")));
-    QVERIFY(night.save(QString::fromLocal8Bit(folder + '/' + name + "-dark.png")));
-  }
+  keepPicture(day, (std::string(name) + "-light").c_str());
+  keepPicture(night, (std::string(name) + "-dark").c_str());
   // Paper is bright by day and dark by night: whoever paints a fixed color behind his texts fails.
   const auto brightness = [](const QImage& image) {
     const QImage one = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -273,17 +272,15 @@ void checkColumns(const char* items, QSize size, const std::vector<int>& names) 
 
 }  // namespace
 
-/// Every view with realistic contents, in light and dark. With ROBOTCONTROL_LOOKS=FOLDER the pictures are
-/// kept, to be looked at.
+/// Every view with realistic contents, in light and dark. With ROBOTCONTROL_TEST_PICTURES=FOLDER the pictures
+/// are kept, to be looked at.
 class LooksTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setPalette(QApplication::style()->standardPalette());
   }
-  void cleanupTestCase() { Bench::tidyUp(); }
 
   void namesAreWholeAndEmptyColumnsNarrowInNarrowViews() {
     for (const int width : {300, 380, 640}) {
@@ -317,5 +314,8 @@ class LooksTest : public QObject {
   }
 };
 
-QTEST_MAIN(LooksTest)
+const GuiTest<LooksTest> kLooksTest;
+
+}  // namespace widgets::test
+
 #include "LooksTest.moc"

@@ -93,9 +93,9 @@ class SceneCameraTest : public QObject {
   }
 
   void aNewViewIsNearTheRobotAndFollowsIt() {
-    SyntheticWorld world;
+    FieldBench world;
     SceneView view(world.context);
-    auto* canvas = child<SceneCanvas>(view, "sceneCanvas");
+    auto* canvas = &child<SceneCanvas>(view, "sceneCanvas");
     view.resize(600, 500);
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view));
@@ -265,7 +265,7 @@ class SceneCameraTest : public QObject {
     QVERIFY(s.placeThings());
     const auto before = s.canvas->camera();
     QTest::mouseClick(s.canvas, Qt::RightButton, {}, {100, 100});
-    auto* menu = child<QMenu>(s.view, "sceneMenu");
+    auto* menu = &child<QMenu>(s.view, "sceneMenu");
     QVERIFY(menu->isVisible());
     auto* fromAbove = s.view.findChild<QAction*>(QStringLiteral("sceneFromAboveAction"));
     QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(fromAbove).center());
@@ -273,11 +273,8 @@ class SceneCameraTest : public QObject {
   }
 };
 
+const GuiTest<SceneCameraTest> kSceneCameraTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::SceneCameraTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "SceneCameraTest.moc"

@@ -25,7 +25,7 @@ using robotlink::Vector3;
 namespace colors = robotlink::colors;
 
 /// A pillar and a name beside it, drawn by the key "ball-model/post".
-SyntheticWorld::FramePart post() {
+FieldBench::FramePart post() {
   return worldDrawing("field", "ball-model/post", "field", [](SceneDrawing& d) {
     robotlink::Pose3 pose = robotlink::Pose3::Identity();
     pose.translation() = Vector3(1, 0.6, 0.2);
@@ -181,7 +181,7 @@ class SceneViewTest : public QObject {
     const Vector3 post(-1 + 0.6 * std::cos(0.3), 0.5 + 0.6 * std::sin(0.3), 0.2);
     QVERIFY(s.colorAt(post).blue() > 100);
     s.click("sceneDrawings");
-    auto* list = child<QListView>(s.view, "drawingsList");
+    auto* list = &child<QListView>(s.view, "drawingsList");
     QVERIFY(list->isVisible());
     QVERIFY(s.step());  // the canvas is narrower now
     QVERIFY(isNear(s.colorAt({1, 0.6, 0}), QColor(250, 90, 170)));
@@ -199,7 +199,7 @@ class SceneViewTest : public QObject {
     QVERIFY(s.step());
     QVERIFY(s.step());  // what stands still is drawn once more, smoothly
     const Vector3 inPost(1, 0.6, 0.25), onCircle(0.3, 0.9, 0);
-    const auto* state = child<QLabel>(s.view, "sceneState");
+    const auto* state = &child<QLabel>(s.view, "sceneState");
     const auto white = [&] { return countNear(s.picture(), Qt::white, 8); };
     const QColor solid = s.colorAt(inPost);
     const int whiteBefore = white();
@@ -234,7 +234,7 @@ class SceneViewTest : public QObject {
     })});
     QVERIFY(s.step());
     QVERIFY(isNear(s.colorAt({1, 0.6, 0}), QColor(250, 90, 170)));
-    auto* robots = child<RobotChoice>(s.view, "sceneRobot");
+    auto* robots = &child<RobotChoice>(s.view, "sceneRobot");
     robots->setFocus();
     QTest::keyClick(robots, Qt::Key_End);
     QCOMPARE(robots->currentText(), QStringLiteral("blue1"));
@@ -288,7 +288,7 @@ class SceneViewTest : public QObject {
     a.click("sceneWireFrame");
     a.click("sceneGrid");
     a.click("sceneBehind");
-    child<RobotChoice>(a.view, "sceneRobot")->setChoice(QStringLiteral("red1"));
+    child<RobotChoice>(a.view, "sceneRobot").setChoice(QStringLiteral("red1"));
     const QJsonObject state = a.view.saveState();
     ShownScene b;
     b.view.restoreState(state);
@@ -331,11 +331,8 @@ class SceneViewTest : public QObject {
   }
 };
 
+const GuiTest<SceneViewTest> kSceneViewTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::SceneViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "SceneViewTest.moc"

@@ -5,21 +5,21 @@
 #include <QToolButton>
 #include <vector>
 
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 #include "widgets/color/image/ColorCanvas.h"
 #include "widgets/color/image/ColorImageView.h"
 
 namespace widgets::test {
 
 /// The view on a robot whose camera shows four quarters.
-struct Shown {
-  ColorWorld world;
+struct ShownColorImage {
+  CameraBench world;
   ColorBench& bench{colorBench(world.context)};
   ColorImageView view{world.context};
-  ColorCanvas* left = child<ColorCanvas>(view, "colorLeft");
-  ColorCanvas* right = child<ColorCanvas>(view, "colorRight");
+  ColorCanvas* left = &child<ColorCanvas>(view, "colorLeft");
+  ColorCanvas* right = &child<ColorCanvas>(view, "colorRight");
 
-  Shown() {
+  ShownColorImage() {
     world.show();
     view.resize(900, 560);
     view.show();
@@ -32,7 +32,7 @@ struct Shown {
     return (canvas == nullptr ? left : canvas)->toWidget({x + 0.5, y + 0.5}).toPoint();
   }
   void choose(const char* name) { bench.setCurrentClass(bench.samples().classes.index(name)); }
-  void tool(const char* name) { QTest::mouseClick(child<QToolButton>(view, name), Qt::LeftButton); }
+  void tool(const char* name) { QTest::mouseClick(&child<QToolButton>(view, name), Qt::LeftButton); }
   void drag(const std::vector<QPointF>& way, ColorCanvas* on = nullptr) {
     ColorCanvas* canvas = on == nullptr ? left : on;
     QTest::mousePress(canvas, Qt::LeftButton, {}, at(way.front().x(), way.front().y(), canvas));

@@ -11,21 +11,19 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
-#include "tests/widgets/SyntheticWorld.h"
 #include "widgets/Theme.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLinePaint.h"
 #include "widgets/timeline/TimeLineView.h"
 
+namespace widgets::test {
+
 using robotcontrol::ControlReplay;
-using widgets::TimeLineCanvas;
-using widgets::TimeLineView;
 using Kind = widgets::TimeLineLayout::Kind;
 
 namespace {
-
-constexpr char kFile[] = "/logs/game.mcap";
 
 /// Where on the canvas something lies.
 class Spots {
@@ -76,9 +74,6 @@ QString toolTipAt(QWidget& widget, const QPoint& point) {
 class TimeLineTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void paintsImagesDensityTicksRangeAndPlayHead() {
     widgets::TimeLineBand band;
     band.title = QStringLiteral("game.mcap");
@@ -107,7 +102,7 @@ class TimeLineTest : public QObject {
     const QImage picture = painted({band}, look);
     const QPalette palette = QApplication::palette();
     const auto isColor = [&](int px, int py, const QColor& color) {
-      return widgets::test::isNear(picture.pixelColor(px, py), color);
+      return isNear(picture.pixelColor(px, py), color);
     };
     QVERIFY(isColor(x(15), lane(Kind::kImages, 0).center().y(), QColor(250, 120, 10)));
     QVERIFY(isColor(x(18), lane(Kind::kTexts, 0).center().y(),
@@ -149,8 +144,7 @@ class TimeLineTest : public QObject {
     QCOMPARE(bench.asked().action(), ControlReplay::JUMP_TO_TIME);
     QVERIFY(isAbout(bench.asked().time(), 15));
     QCOMPARE(bench.requests.size(), std::size_t{1});
-    for (double t = 16; t <= 30; ++t)
-      widgets::test::moveMouse(spots.viewport(), spots.ruler(t), Qt::LeftButton);
+    for (double t = 16; t <= 30; ++t) moveMouse(spots.viewport(), spots.ruler(t), Qt::LeftButton);
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QVERIFY(isAbout(spots.canvas().look().shown.time_since_epoch().count(), 30));
     bench.answer(true);
@@ -173,13 +167,12 @@ class TimeLineTest : public QObject {
     QTest::mouseClick(&spots.viewport(), Qt::LeftButton, {}, near);
     QCOMPARE(bench.asked().action(), ControlReplay::JUMP_TO_TIME);
     QVERIFY(isAbout(bench.asked().time(), 12, 1e-6));
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kStream, 28, "nao/joints/states"),
-                        spots.on(Kind::kStream, 22, "nao/joints/states"));
+    drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kStream, 28, "nao/joints/states"),
+         spots.on(Kind::kStream, 22, "nao/joints/states"));
     QVERIFY(bench.asked().has_range());
     QVERIFY(isAbout(bench.asked().range().from(), 22));
     QVERIFY(isAbout(bench.asked().range().to(), 28));
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.ruler(12), spots.ruler(14), {},
-                        Qt::ShiftModifier);
+    drag(spots.viewport(), Qt::LeftButton, spots.ruler(12), spots.ruler(14), {}, Qt::ShiftModifier);
     QVERIFY(isAbout(bench.asked().range().from(), 12));
     QVERIFY(isAbout(bench.asked().range().to(), 14));
   }
@@ -191,8 +184,7 @@ class TimeLineTest : public QObject {
     auto view = bench.openView<TimeLineView>();
     Spots spots(*view);
     QVERIFY(child<QLabel>(*view, "rangeText").text().contains(QStringLiteral("10.000 s")));
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kTexts, 30),
-                        spots.on(Kind::kTexts, 35));
+    drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kTexts, 30), spots.on(Kind::kTexts, 35));
     QVERIFY(isAbout(bench.asked().range().from(), 20));
     QVERIFY(isAbout(bench.asked().range().to(), 35));
     QTest::keyClick(&spots.canvas(), Qt::Key_Escape);
@@ -251,11 +243,11 @@ class TimeLineTest : public QObject {
     Spots spots(*view);
     const QPoint where = spots.on(Kind::kStream, 25, "nao/log");
     const double before = spots.canvas().look().scale.nsPerPixel;
-    widgets::test::turnWheel(spots.viewport(), where, 4);
+    turnWheel(spots.viewport(), where, 4);
     QVERIFY(spots.canvas().look().scale.nsPerPixel < before / 2);
     QVERIFY(std::abs(spots.x(25) - where.x()) <= 2);
     const auto from = spots.canvas().look().scale.from;
-    widgets::test::drag(spots.viewport(), Qt::MiddleButton, where, where - QPoint(100, 0));
+    drag(spots.viewport(), Qt::MiddleButton, where, where - QPoint(100, 0));
     QVERIFY(spots.canvas().look().scale.from > from);
     QTest::keyClick(&spots.canvas(), Qt::Key_F);
     QVERIFY(std::abs(spots.canvas().look().scale.nsPerPixel - before) < 1);
@@ -266,7 +258,7 @@ class TimeLineTest : public QObject {
     bench.openLog(kFile);
     auto view = bench.openView<TimeLineView>();
     Spots spots(*view);
-    widgets::test::turnWheel(spots.viewport(), spots.on(Kind::kStream, 12, "nao/log"), 8);
+    turnWheel(spots.viewport(), spots.on(Kind::kStream, 12, "nao/log"), 8);
     bench.showTime(35);
     bench.tick(*view);
     QVERIFY(spots.x(35) > spots.canvas().look().gutter && spots.x(35) < spots.viewport().width());
@@ -291,7 +283,7 @@ class TimeLineTest : public QObject {
     QVERIFY(reading.wanted.times.empty());
     const QRect strip =
         spots.lane(Kind::kImages).adjusted(spots.x(10), 0, spots.x(40) - spots.viewport().width(), 0);
-    QVERIFY(widgets::test::countNear(spots.viewport().grab(strip).toImage(), QColor(20, 200, 30)) >
+    QVERIFY(countNear(spots.viewport().grab(strip).toImage(), QColor(20, 200, 30)) >
             strip.width() * strip.height() * 8 / 10);
   }
 
@@ -375,7 +367,7 @@ class TimeLineTest : public QObject {
     const QRect offset =
         widgets::offsetRect(spots.lane(Kind::kHeader, {}, 1), spots.canvas().look()).toRect();
     const double secondsPerPixel = spots.canvas().look().scale.nsPerPixel * 1e-9;
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, offset.center(), offset.center() + QPoint(20, 0));
+    drag(spots.viewport(), Qt::LeftButton, offset.center(), offset.center() + QPoint(20, 0));
     QCOMPARE(bench.asked().offsets_size(), 1);
     QCOMPARE(bench.asked().offsets(0).log(), std::string("/logs/other.mcap"));
     QVERIFY(isAbout(bench.asked().offsets(0).offset(), 5 + 20 * secondsPerPixel, 0.001));
@@ -393,7 +385,7 @@ class TimeLineTest : public QObject {
     auto view = bench.openView<TimeLineView>({1000, 190});
     Spots spots(*view);
     const int before = spots.lane(Kind::kStream, "nao/log").top();
-    widgets::test::turnWheel(spots.viewport(), QPoint(50, 100), -3);
+    turnWheel(spots.viewport(), QPoint(50, 100), -3);
     QVERIFY(spots.lane(Kind::kStream, "nao/log").top() < before);
     QVERIFY(spots.canvas().verticalScrollBar()->value() > 0);
   }
@@ -431,9 +423,12 @@ class TimeLineTest : public QObject {
     bench.setRange(22, 27);
     bench.showTime(24);
     auto view = bench.openView<TimeLineView>({1200, 420});
-    widgets::test::keepPicture(*view, "time-line");
+    keepPicture(*view, "time-line");
   }
 };
 
-QTEST_MAIN(TimeLineTest)
+const GuiTest<TimeLineTest> kTimeLineTest;
+
+}  // namespace widgets::test
+
 #include "TimeLineTest.moc"

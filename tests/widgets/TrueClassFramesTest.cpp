@@ -6,7 +6,7 @@
 #include <QTest>
 
 #include "robotlink/packages/Packages.h"
-#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/CameraBench.h"
 
 namespace widgets::test {
 
@@ -14,7 +14,7 @@ class TrueClassFramesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void init() {
-    world_ = std::make_unique<ColorWorld>();
+    world_ = std::make_unique<CameraBench>();
     bench_ = &colorBench(world_->context);
     frames_ = std::make_unique<TrueClassFrames>(*bench_);
   }
@@ -63,7 +63,7 @@ class TrueClassFramesTest : public QObject {
  private:
   /// The camera's image and its true classes, in the numbers of 2002.
   void report(int milliseconds = 40) {
-    auto image = std::make_shared<foxglove::RawImage>(*ColorWorld::image());
+    auto image = std::make_shared<foxglove::RawImage>(*CameraBench::image());
     robotlink::assign(*image->mutable_timestamp(), world_->now());
     robotlink::Image classes(40, 30, robotlink::PixelFormat::kMono8);
     const auto& all = bench_->samples().classes;
@@ -72,22 +72,19 @@ class TrueClassFramesTest : public QObject {
     }
     auto labels = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*labels, classes.view(), world_->now(), "camera");
-    world_->push(ColorWorld::kStream, image);
+    world_->push(CameraBench::kStream, image);
     world_->push("red1/" + std::string(robotlink::kOracleClasses.name), labels);
     world_->advance(milliseconds);
     frames_->tick();
   }
 
-  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<CameraBench> world_;
   ColorBench* bench_ = nullptr;
   std::unique_ptr<TrueClassFrames> frames_;
 };
 
+const GuiTest<TrueClassFramesTest> kTrueClassFramesTest;
+
 }  // namespace widgets::test
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  widgets::test::TrueClassFramesTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "TrueClassFramesTest.moc"

@@ -8,9 +8,11 @@
 
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
+#include "tests/widgets/GuiTest.h"
 #include "widgets/SplitterState.h"
 #include "widgets/View.h"
 
+namespace widgets::test {
 namespace {
 
 constexpr int kUsualHandle = 40;  // pixels; no style has a wider one
@@ -26,13 +28,13 @@ QJsonValue stateWith(quint32 count, const QList<qint32>& sizes, qint32 handle) {
 }
 
 /// Any view, on a session with nothing in it.
-struct Shown {
+struct ShownView {
   robotlink::Session session;
   robotlink::CommandTable commands;
   widgets::ViewContext context{session, commands, nullptr, {}};
   std::unique_ptr<widgets::View> view;
 
-  explicit Shown(const widgets::ViewType& type) : view(type.create(context, nullptr)) {}
+  explicit ShownView(const widgets::ViewType& type) : view(type.create(context, nullptr)) {}
 };
 
 }  // namespace
@@ -44,7 +46,7 @@ class ViewStateTest : public QObject {
     const QJsonObject state{{QStringLiteral("splitter"), stateWith(2, {100, 100}, 1 << 24)}};
     int splitters = 0;
     for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
-      Shown shown(type);
+      ShownView shown(type);
       shown.view->restoreState(state);
       for (const QSplitter* splitter : shown.view->findChildren<QSplitter*>()) {
         QVERIFY2(splitter->handleWidth() < kUsualHandle, type.id);
@@ -86,5 +88,8 @@ class ViewStateTest : public QObject {
   }
 };
 
-QTEST_MAIN(ViewStateTest)
+const GuiTest<ViewStateTest> kViewStateTest;
+
+}  // namespace widgets::test
+
 #include "ViewStateTest.moc"

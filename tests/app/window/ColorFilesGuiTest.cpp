@@ -5,28 +5,21 @@
 #include <QMessageBox>
 #include <QStatusBar>
 
-#include "app/core/Workbench.h"
-#include "app/robotcontrol/MainWindow.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/colortool/SampleFixture.h"
-#include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
 
+namespace app::test {
 namespace {
 
-/// A program with its window, on a home that outlives it.
-struct Sitting {
-  explicit Sitting(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
-    window.show();
-  }
-  widgets::ColorBench& bench() { return *window.context().colors; }
+/// A desk without a scene.
+struct Sitting : Desk {
+  explicit Sitting(const std::filesystem::path& home) : Desk(home, Opens::kNothing) {}
   void passTime() {
     for (int i = 0; i < 62; ++i) window.tick();
   }
-  app::Workbench workbench;
-  app::MainWindow window;
 };
 
 }  // namespace
@@ -36,7 +29,7 @@ class ColorFilesGuiTest : public WindowTest {
  private Q_SLOTS:
   void closingAsksAboutSamplesThatAreNotSaved() {
     Sitting at(home_);
-    at.bench().change(QStringLiteral("Strokes"), colortool::quarterSamples());
+    at.colors().change(QStringLiteral("Strokes"), colortool::quarterSamples());
     at.passTime();
     {
       const DialogAnswer cancel(
@@ -56,23 +49,26 @@ class ColorFilesGuiTest : public WindowTest {
   void whatWasNotSavedComesBackAtTheNextStart() {
     {
       Sitting crashed(home_);
-      crashed.bench().change(QStringLiteral("Strokes"), colortool::quarterSamples());
+      crashed.colors().change(QStringLiteral("Strokes"), colortool::quarterSamples());
       crashed.passTime();
     }  // without being asked
     Sitting next(home_);
-    QCOMPARE(next.bench().samples(), colortool::quarterSamples());
+    QCOMPARE(next.colors().samples(), colortool::quarterSamples());
     QVERIFY(next.window.statusBar()->currentMessage().contains(QStringLiteral("4 strokes")));
     QVERIFY(next.workbench.commands().runLine("color.discard").has_value());
-    QVERIFY(next.bench().samples().strokes.empty());
+    QVERIFY(next.colors().samples().strokes.empty());
   }
 
   void aScriptsErrorIsShown() {
     Sitting at(home_);
-    Q_EMIT at.bench().failed(QStringLiteral("the disk is full"));
+    Q_EMIT at.colors().failed(QStringLiteral("the disk is full"));
     QCOMPARE(child<QLabel>(at.window, "errorText").text(), QStringLiteral("the disk is full"));
     QVERIFY(at.window.close());  // nothing to ask about
   }
 };
 
-QTEST_MAIN(ColorFilesGuiTest)
+const widgets::test::GuiTest<ColorFilesGuiTest> kColorFilesGuiTest;
+
+}  // namespace app::test
+
 #include "ColorFilesGuiTest.moc"

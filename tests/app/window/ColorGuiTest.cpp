@@ -16,6 +16,7 @@
 #include "widgets/color/image/ColorCanvas.h"
 #include "widgets/image/ImagePixels.h"
 
+namespace app::test {
 namespace {
 
 using widgets::ColorBench;
@@ -193,7 +194,7 @@ class ColorGuiTest : public WindowTest {
       }
       const double falseBall = share(painter.segmented(), labels, 0, painter.colorOf("orange"), 0);
       QVERIFY2(falseBall <= 0.01, qPrintable(QString::number(falseBall)));
-      keepPicture(desk, image);
+      widgets::test::keepPicture(desk.window, image);
     }
   }
 
@@ -252,7 +253,7 @@ class ColorGuiTest : public WindowTest {
                               qPrintable(sent.text()), kWaitMs);
     painter.click("colorFreeze");
     QTRY_VERIFY_WITH_TIMEOUT(seesBall(desk), kWaitMs);
-    keepPicture(desk, "violet-ball");
+    widgets::test::keepPicture(desk.window, "violet-ball");
   }
 
  private:
@@ -302,13 +303,10 @@ class ColorGuiTest : public WindowTest {
     const auto& seen = percept->center_in_image();
     return ball.size() > 60 && std::hypot(seen.x() - center.x(), seen.y() - center.y()) < 8;
   }
-  /// For people to look at.
-  static void keepPicture(Desk& desk, const char* name) {
-    const QString folder = qEnvironmentVariable("ROBOTCONTROL_TEST_PICTURES");
-    if (!folder.isEmpty())
-      desk.window.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
-  }
 };
 
-QTEST_MAIN(ColorGuiTest)
+const widgets::test::GuiTest<ColorGuiTest> kColorGuiTest;
+
+}  // namespace app::test
+
 #include "ColorGuiTest.moc"

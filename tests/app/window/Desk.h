@@ -16,6 +16,13 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
+#include "widgets/color/ColorBench.h"
+
+namespace app::test {
+
+using widgets::test::child;
+using widgets::test::click;
+using widgets::test::find;
 
 /// Maximum time to wait for a condition.
 constexpr int kWaitMs = 20000;
@@ -24,10 +31,14 @@ constexpr int kWaitMs = 20000;
 /// Destroying it and creating another one with the same folder is a restart.
 class Desk {
  public:
-  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
+  enum class Opens : std::uint8_t { kNothing, kScene };
+
+  explicit Desk(const std::filesystem::path& home, Opens opens = Opens::kScene)
+      : workbench(home), window(workbench, home) {
     window.resize(1600, 1000);
     window.show();
-    workbench.load(app::Workbench::defaultOptions());
+    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
+    if (opens == Opens::kScene) workbench.load(Workbench::defaultOptions());
   }
 
   /// Whether the simulation is loaded and has published its status.
@@ -47,18 +58,15 @@ class Desk {
     }
     return std::nullopt;
   }
-  template <typename W>
   /// A widget or object by its name; aborts the test if there is none.
+  template <typename W>
   W& find(const char* name) {
-    auto* widget = window.findChild<W*>(QLatin1String(name));
-    if (widget == nullptr) qFatal("there is no %s", name);
-    return *widget;
+    return child<W>(window, name);
   }
   bool has(const char* name) const { return window.findChild<QObject*>(QLatin1String(name)) != nullptr; }
-  /// Clicks the toolbar button of an action.
-  void click(const char* action) {
-    auto* button = qobject_cast<QToolButton*>(
-        find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
+  /// Clicks the button of an action in a toolbar.
+  void click(const char* action, const char* bar = "simulationToolBar") {
+    auto* button = qobject_cast<QToolButton*>(find<QToolBar>(bar).widgetForAction(&find<QAction>(action)));
     if (button == nullptr) qFatal("there is no button for %s", action);
     QTest::mouseClick(button, Qt::LeftButton);
   }
@@ -74,6 +82,10 @@ class Desk {
     qFatal("%s is in no menu", action);
   }
 
-  app::Workbench workbench;
-  app::MainWindow window;
+  widgets::ColorBench& colors() { return *window.context().colors; }
+
+  Workbench workbench;
+  MainWindow window;
 };
+
+}  // namespace app::test

@@ -14,6 +14,7 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 
+namespace app::test {
 namespace {
 
 /// Lets what was deleted later go, and looks at everything once more.
@@ -359,5 +360,8 @@ class DocksGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(DocksGuiTest)
+const widgets::test::GuiTest<DocksGuiTest> kDocksGuiTest;
+
+}  // namespace app::test
+
 #include "DocksGuiTest.moc"

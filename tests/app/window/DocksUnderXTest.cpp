@@ -15,6 +15,7 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/XServer.h"
 
+namespace app::test {
 namespace {
 
 QByteArray output(const QString& program, const QStringList& arguments) {
@@ -101,14 +102,12 @@ class DocksUnderXTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+    home_ = widgets::test::BenchHome::path() / "robotcontrol";
     QTRY_VERIFY(
         output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_SUPPORTING_WM_CHECK")})
             .contains("window id"));
   }
   void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
 
   void aDockIsDraggedOutAndThePerspectiveIsChangedByItsKey() {
     Desk desk(home_);
@@ -230,6 +229,8 @@ class DocksUnderXTest : public QObject {
   std::filesystem::path home_;
 };
 
+}  // namespace app::test
+
 int main(int argc, char** argv) {
   const QStringList missing = XServer::missing();
   if (!missing.isEmpty()) {
@@ -243,7 +244,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   QApplication application(argc, argv);
-  DocksUnderXTest test;
+  const widgets::test::BenchHome home;
+  app::test::DocksUnderXTest test;
   return QTest::qExec(&test, argc, argv);
 }
 

@@ -17,70 +17,32 @@
 #include <map>
 #include <utility>
 
-#include "app/core/Workbench.h"
-#include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/actions/UndoOrder.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/window/ReplayDesk.h"
 #include "tests/app/window/WindowTest.h"
-#include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
+
+namespace app::test {
 
 using robotcontrol::ControlReplay;
 
 namespace {
 
-/// A window in which a log is open, whose requests the test keeps.
-class Desk {
- public:
-  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
-    workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
-      if (request.has_control_replay()) asked.push_back(request.control_replay());
-      ids.push_back(request.id());
-    });
-    window.resize(1400, 900);
-    window.show();
-    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
-  }
-  void openLog() {
-    robotcontrol::ReplayStatus status;
-    status.set_begin(10'000'000'000);
-    status.set_end(40'000'000'000);
-    status.set_time(20'000'000'000);
-    status.set_step_process("nao/cognition");
-    status.add_processes()->set_name("nao/cognition");
-    status.add_logs()->set_path("/no/such/folder/game.mcap");
-    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)),
-                              std::make_shared<const robotcontrol::ReplayStatus>(status)});
-    window.tick();
-  }
+struct KeysDesk : ReplayDesk {
+  using ReplayDesk::ReplayDesk;
+
   widgets::View* open(const char* id) {
     ads::CDockWidget* dock = window.docks().open(QLatin1String(id));
     dock->setAsCurrentTab();
     window.tick();
     return qobject_cast<widgets::View*>(dock->widget());
   }
-  /// Says yes to all that was asked: the replay asks for one jump after the other.
-  void answer() {
-    for (const auto id : std::exchange(ids, {})) {
-      robotcontrol::RequestResult result;
-      result.set_id(id);
-      result.set_accepted(true);
-      workbench.session().pushResult(result);
-    }
-    workbench.session().tick();
-  }
-  app::WindowKeys& keys() { return *window.findChild<app::WindowKeys*>(QStringLiteral("windowKeys")); }
-  widgets::ColorBench& bench() { return *window.context().colors; }
-
-  app::Workbench workbench;
-  app::MainWindow window;
-  std::vector<ControlReplay> asked;
-  std::vector<decltype(robotcontrol::Request().id())> ids;
+  WindowKeys& keys() { return find<WindowKeys>("windowKeys"); }
 };
 
 /// All below a widget that can have the focus now, and are no text fields.
@@ -100,7 +62,7 @@ QByteArray nameOf(const QWidget& widget) {
 }
 
 /// Plays, steps, jumps, chooses a class, takes back and saves with the focus on a widget.
-void pressAll(Desk& desk, QWidget& widget, bool colors) {
+void pressAll(KeysDesk& desk, QWidget& widget, bool colors) {
   const QByteArray name = nameOf(widget);
   const auto asks = [&](int key, Qt::KeyboardModifiers modifiers, ControlReplay::Action action, int count) {
     desk.asked.clear();
@@ -122,11 +84,11 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
   if (colors) {
     for (const int digit : {3, 0, 5}) {
       QTest::keyClick(&widget, static_cast<Qt::Key>(Qt::Key_0 + digit));
-      if (desk.bench().currentClass() != digit)
+      if (desk.colors().currentClass() != digit)
         qFatal("%s: the digit %d chose nothing", name.constData(), digit);
     }
   }
-  QUndoStack& stack = desk.bench().undoStack();
+  QUndoStack& stack = desk.colors().undoStack();
   stack.push(new QUndoCommand);
   const int index = stack.index();
   QTest::keyClick(&widget, Qt::Key_Z, Qt::ControlModifier);
@@ -170,7 +132,7 @@ class KeysGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void everyKeyMeansTheSameInEveryView() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.openLog();
     for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
       desk.window.docks().closeAll();
@@ -183,7 +145,7 @@ class KeysGuiTest : public WindowTest {
   }
 
   void everyKeyMeansTheSameInTheToolBarsAndInAFloatingDock() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.openLog();
     desk.window.showPerspective(QStringLiteral("Colour"));
     for (QToolBar* bar : desk.window.findChildren<QToolBar*>()) {
@@ -197,24 +159,24 @@ class KeysGuiTest : public WindowTest {
   }
 
   void aTextFieldKeepsItsKeys() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.openLog();
     desk.open("color-image");
     auto* keys = desk.open("debug-keys");
     auto& search = child<QLineEdit>(*keys, "keysSearch");
     search.setFocus();
     desk.asked.clear();
-    const int before = desk.bench().currentClass();
+    const int before = desk.colors().currentClass();
     QTest::keyClicks(&search, QStringLiteral("a 3.,5"));
     for (const auto key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Left, Qt::Key_Right})
       QTest::keyClick(&search, key);
     QTest::keyClick(&search, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(desk.asked.empty());
-    QCOMPARE(desk.bench().currentClass(), before);
+    QCOMPARE(desk.colors().currentClass(), before);
   }
 
   void aDialogKeepsItsKeys() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.openLog();
     desk.asked.clear();
     QDialog dialog(&desk.window);
@@ -227,7 +189,7 @@ class KeysGuiTest : public WindowTest {
   }
 
   void theFocusBelongsToAViewAtTheStartAndAfterAPerspectiveWasChosen() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     const auto inView = [&desk] {
       const QWidget* widget = desk.window.focusWidget();
       while (widget != nullptr && qobject_cast<const widgets::View*>(widget) == nullptr)
@@ -243,7 +205,7 @@ class KeysGuiTest : public WindowTest {
   }
 
   void noTwoKeysClash() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.openLog();
     for (const widgets::ViewType& type : widgets::ViewRegistry::all()) desk.open(type.id);
     const auto all = app::shortcutsOf(desk.window, desk.keys());
@@ -262,7 +224,7 @@ class KeysGuiTest : public WindowTest {
   }
 
   void theListOfKeysFitsTheScreenAndIsSearched() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     app::ShortcutsDialog dialog(desk.keys(), &desk.window);
     dialog.show();
     const QSize screen = desk.window.screen()->availableSize();
@@ -303,10 +265,10 @@ class KeysGuiTest : public WindowTest {
   }
 
   void whatIsOpenIsNotReplacedUnaskedWhileSamplesAreUnsaved() {
-    Desk desk(home_);
+    KeysDesk desk(home_);
     desk.workbench.load(app::Workbench::defaultOptions());
     QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr, 20000);
-    desk.bench().undoStack().push(new QUndoCommand);
+    desk.colors().undoStack().push(new QUndoCommand);
     QVERIFY(widgets::colorFiles(const_cast<widgets::ViewContext&>(desk.window.context())).changed());
     auto& scenes = child<QComboBox>(desk.window, "sceneBox");
     const auto choose = [&scenes] { Q_EMIT scenes.activated(0); };
@@ -323,9 +285,12 @@ class KeysGuiTest : public WindowTest {
     QVERIFY(goOn.asked());
     QVERIFY(desk.workbench.loading());
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading() || (desk.window.tick(), false), 20000);
-    desk.bench().undoStack().clear();
+    desk.colors().undoStack().clear();
   }
 };
 
-QTEST_MAIN(KeysGuiTest)
+const widgets::test::GuiTest<KeysGuiTest> kKeysGuiTest;
+
+}  // namespace app::test
+
 #include "KeysGuiTest.moc"

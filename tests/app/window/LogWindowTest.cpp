@@ -16,66 +16,29 @@
 #include <QUrl>
 #include <QtTest>
 
-#include "app/core/Workbench.h"
-#include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "colortool/table/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/window/ReplayDesk.h"
 #include "tests/app/window/WindowTest.h"
-#include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
+
+namespace app::test {
 
 using robotcontrol::ControlReplay;
 
 namespace {
 
-constexpr char kFile[] = "/no/such/folder/game.mcap";
+struct LogDesk : ReplayDesk {
+  using ReplayDesk::ReplayDesk;
 
-class Desk {
- public:
-  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
-    workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
-      if (request.has_control_replay()) asked.push_back(request.control_replay());
-      if (request.has_set_color_table()) tables.push_back(request);
-    });
-    window.resize(1400, 900);
-    window.show();
-    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
-    status.set_begin(at(10));
-    status.set_end(at(40));
-    status.set_time(at(20));
-    status.set_speed(1);
-    status.set_frame(309);
-    status.set_frame_index(101);
-    status.set_step_process("nao/cognition");
-    for (const char* name : {"nao/cognition", "nao/motion"}) {
-      auto& process = *status.add_processes();
-      process.set_name(name);
-      process.set_frames(434);
-    }
-  }
-  static std::int64_t at(double seconds) { return robotlink::fromSeconds(seconds).count(); }
-  void openLog() {
-    status.add_logs()->set_path(kFile);
-    publish();
-  }
-  void publish() {
-    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)),
-                              std::make_shared<const robotcontrol::ReplayStatus>(status)});
-    window.tick();
-  }
-  template <typename W>
-  W& find(const char* name) {
-    auto* widget = window.findChild<W*>(QLatin1String(name));
-    if (widget == nullptr) qFatal("there is no %s", name);
-    return *widget;
-  }
-  void click(const char* action) {
-    auto* button =
-        qobject_cast<QToolButton*>(find<QToolBar>("logToolBar").widgetForAction(&find<QAction>(action)));
-    if (button == nullptr) qFatal("there is no button for %s", action);
-    QTest::mouseClick(button, Qt::LeftButton);
+  void click(const char* action) { Desk::click(action, "logToolBar"); }
+  std::vector<robotcontrol::Request> tables() const {
+    std::vector<robotcontrol::Request> found;
+    std::copy_if(requests.begin(), requests.end(), std::back_inserter(found),
+                 [](const auto& request) { return request.has_set_color_table(); });
+    return found;
   }
   void dropFile(const QString& file) {
     QMimeData files;
@@ -86,16 +49,6 @@ class Desk {
     QDropEvent drop({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
     QApplication::sendEvent(&window, &drop);
   }
-  const ControlReplay& last() const {
-    if (asked.empty()) qFatal("nothing was asked of the replay");
-    return asked.back();
-  }
-
-  app::Workbench workbench;
-  app::MainWindow window;
-  robotcontrol::ReplayStatus status;
-  std::vector<ControlReplay> asked;
-  std::vector<robotcontrol::Request> tables;
 };
 
 }  // namespace
@@ -104,7 +57,7 @@ class LogWindowTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void theToolBarIsThereWhileALogIsOpen() {
-    Desk desk(home_ / "bar");
+    LogDesk desk(home_ / "bar");
     auto& bar = desk.find<QToolBar>("logToolBar");
     desk.window.tick();
     QVERIFY(!bar.isVisible());
@@ -121,7 +74,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void allTimesAreSinceTheBeginningOrTimeStamps() {
-    Desk desk(home_ / "stamps");
+    LogDesk desk(home_ / "stamps");
     desk.openLog();
     QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant(robotlink::fromSeconds(10)));
     desk.click("log.timeStamps");
@@ -135,22 +88,22 @@ class LogWindowTest : public WindowTest {
     time.selectAll();
     QTest::keyClicks(&time, QStringLiteral("25.5"));
     QTest::keyClick(&time, Qt::Key_Return);
-    QCOMPARE(desk.last().time(), Desk::at(25.5));
+    QCOMPARE(desk.last().time(), ReplayDesk::at(25.5));
     desk.status.clear_logs();
     desk.publish();
     QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant());
   }
 
   void homeGoesToTheFirstImage() {
-    Desk desk(home_ / "first");
-    desk.status.set_start(Desk::at(11));
+    LogDesk desk(home_ / "first");
+    desk.status.set_start(ReplayDesk::at(11));
     desk.openLog();
     QTest::keyClick(&desk.window, Qt::Key_Home);
-    QCOMPARE(desk.last().time(), Desk::at(11));
+    QCOMPARE(desk.last().time(), ReplayDesk::at(11));
   }
 
   void itsButtonsPlayStopAndStep() {
-    Desk desk(home_ / "buttons");
+    LogDesk desk(home_ / "buttons");
     desk.openLog();
     desk.click("log.playOrPause");
     QCOMPARE(desk.last().action(), ControlReplay::PLAY);
@@ -172,7 +125,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void speedAndProcessAreChosenInTheirBoxes() {
-    Desk desk(home_ / "boxes");
+    LogDesk desk(home_ / "boxes");
     desk.openLog();
     auto& speed = desk.find<QComboBox>("logSpeed");
     QCOMPARE(speed.currentText(), QStringLiteral("1×"));
@@ -186,7 +139,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void timesAndFramesAreTyped() {
-    Desk desk(home_ / "typed");
+    LogDesk desk(home_ / "typed");
     desk.openLog();
     const auto type = [&](const char* field, const char* text) {
       auto& edit = desk.find<QLineEdit>(field);
@@ -197,7 +150,7 @@ class LogWindowTest : public WindowTest {
     };
     type("logTime", "12.5");
     QCOMPARE(desk.last().action(), ControlReplay::JUMP_TO_TIME);
-    QCOMPARE(desk.last().time(), Desk::at(22.5));
+    QCOMPARE(desk.last().time(), ReplayDesk::at(22.5));
     type("logFrame", "17");
     QCOMPARE(desk.last().action(), ControlReplay::JUMP_TO_FRAME);
     QCOMPARE(desk.last().frame(), 17U);
@@ -208,7 +161,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void keysPlayWhereverTheFocusDoesNotNeedThem() {
-    Desk desk(home_ / "keys");
+    LogDesk desk(home_ / "keys");
     desk.openLog();
     desk.window.setFocus();
     const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
@@ -219,9 +172,9 @@ class LogWindowTest : public WindowTest {
     press(Qt::Key_Right, Qt::ShiftModifier);
     QCOMPARE(desk.last().count(), 10);
     press(Qt::Key_I);
-    QCOMPARE(desk.last().range().from(), Desk::at(20));
+    QCOMPARE(desk.last().range().from(), ReplayDesk::at(20));
     press(Qt::Key_Home);
-    QCOMPARE(desk.last().time(), Desk::at(10));
+    QCOMPARE(desk.last().time(), ReplayDesk::at(10));
     const auto requests = desk.asked.size();
     auto& search = desk.find<QLineEdit>("keysSearch");
     search.setFocus();
@@ -235,7 +188,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void keysPlayFromAFloatedDock() {
-    Desk desk(home_ / "floated");
+    LogDesk desk(home_ / "floated");
     desk.openLog();
     auto* dock = desk.window.docks().docks(QStringLiteral("field")).front();
     dock->setFloating();
@@ -245,7 +198,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void everyKeyIsInTheMenuAndInATip() {
-    Desk desk(home_ / "menu");
+    LogDesk desk(home_ / "menu");
     desk.openLog();
     auto& menu = desk.find<QMenu>("logMenu");
     QStringList keys;
@@ -260,40 +213,40 @@ class LogWindowTest : public WindowTest {
       QVERIFY2(keys.contains(QLatin1String(key)), key);
     }
     desk.find<QAction>("log.toEnd").trigger();
-    QCOMPARE(desk.last().time(), Desk::at(40));
+    QCOMPARE(desk.last().time(), ReplayDesk::at(40));
     desk.find<QAction>("log.tenFramesBack").trigger();
     QCOMPARE(desk.last().count(), -10);
     desk.find<QAction>("log.rangeEnd").trigger();
-    QCOMPARE(desk.last().range().from(), Desk::at(10));
+    QCOMPARE(desk.last().range().from(), ReplayDesk::at(10));
   }
 
   void droppedFilesAreOpened() {
-    Desk desk(home_ / "drop");
-    desk.dropFile(QLatin1String(kFile));
+    LogDesk desk(home_ / "drop");
+    desk.dropFile(QLatin1String(ReplayDesk::kFile));
     QTRY_VERIFY(desk.find<QLabel>("errorText").isVisible());  // it is not there, and that is said
-    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)),
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(ReplayDesk::kFile)),
              qPrintable(desk.find<QLabel>("errorText").text()));
   }
 
   void recentLogsAreRememberedOverRestarts() {
     const auto home = home_ / "recent";
     {
-      Desk desk(home);
+      LogDesk desk(home);
       QVERIFY(!desk.find<QMenu>("recentLogs").isEnabled());
       desk.openLog();
       QCOMPARE(desk.find<QMenu>("recentLogs").actions().size(), 1);
       desk.window.close();
     }
-    Desk desk(home);
+    LogDesk desk(home);
     auto& recent = desk.find<QMenu>("recentLogs");
     QCOMPARE(recent.actions().size(), 1);
-    QCOMPARE(recent.actions().first()->toolTip(), QLatin1String(kFile));
+    QCOMPARE(recent.actions().first()->toolTip(), QLatin1String(ReplayDesk::kFile));
     recent.actions().first()->trigger();
-    QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)));
+    QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QLatin1String(ReplayDesk::kFile)));
   }
 
   void theDialogOpensWhatIsChosen() {
-    Desk desk(home_ / "dialog");
+    LogDesk desk(home_ / "dialog");
     const QString file = QString::fromStdString((home_ / "empty.mcap").string());
     std::filesystem::create_directories(home_);
     QFile empty(file);
@@ -307,7 +260,7 @@ class LogWindowTest : public WindowTest {
   }
 
   void aColorTableIsLoadedFromTheMenuOrDroppedAndTakenBack() {
-    Desk desk(home_ / "table");
+    LogDesk desk(home_ / "table");
     const QString file = QString::fromStdString((home_ / "table/some.c64").string());
     QVERIFY(colortool::ColorTableFile().save(file.toStdString()).has_value());
     DialogAnswer early = DialogAnswer::file(file);
@@ -316,18 +269,18 @@ class LogWindowTest : public WindowTest {
     desk.workbench.session().setRobots({"nao"});
     DialogAnswer answer = DialogAnswer::file(file);
     desk.find<QAction>("robot.color-table").trigger();
-    QCOMPARE(desk.tables.size(), std::size_t{1});
-    QCOMPARE(desk.tables.back().robot(), std::string("nao"));
-    QVERIFY(!desk.tables.back().set_color_table().table().cells().empty());
+    QCOMPARE(desk.tables().size(), std::size_t{1});
+    QCOMPARE(desk.tables().back().robot(), std::string("nao"));
+    QVERIFY(!desk.tables().back().set_color_table().table().cells().empty());
     desk.find<QAction>("robot.no-color-table").trigger();
-    QCOMPARE(desk.tables.size(), std::size_t{2});
-    QVERIFY(desk.tables.back().set_color_table().table().cells().empty());
+    QCOMPARE(desk.tables().size(), std::size_t{2});
+    QVERIFY(desk.tables().back().set_color_table().table().cells().empty());
     desk.dropFile(file);
-    QCOMPARE(desk.tables.size(), std::size_t{3});
+    QCOMPARE(desk.tables().size(), std::size_t{3});
   }
 
   void theLogPerspectiveHasWhatOneNeeds() {
-    Desk desk(home_ / "perspective");
+    LogDesk desk(home_ / "perspective");
     desk.find<QAction>("perspective.Log").trigger();
     for (const char* view :
          {"image", "time-line", "replay-packages", "log-streams", "bookmarks", "solutions", "messages"}) {
@@ -336,12 +289,15 @@ class LogWindowTest : public WindowTest {
   }
 
   void aBookmarkWithoutItsLogIsRefusedInWords() {
-    Desk desk(home_ / "bookmark");
+    LogDesk desk(home_ / "bookmark");
     const auto refused = desk.workbench.commands().runLine("log.bookmark 1 here");
     QVERIFY(!refused);
     QVERIFY(refused.error().text.find("open one first") != std::string::npos);
   }
 };
 
-QTEST_MAIN(LogWindowTest)
+const widgets::test::GuiTest<LogWindowTest> kLogWindowTest;
+
+}  // namespace app::test
+
 #include "LogWindowTest.moc"

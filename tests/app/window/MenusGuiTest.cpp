@@ -15,6 +15,7 @@
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
+namespace app::test {
 namespace {
 
 constexpr char kLayouts[] = ROBOTCONTROL_SOURCE_DIR "/resources/layouts/";
@@ -295,5 +296,8 @@ class MenusGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(MenusGuiTest)
+const widgets::test::GuiTest<MenusGuiTest> kMenusGuiTest;
+
+}  // namespace app::test
+
 #include "MenusGuiTest.moc"

@@ -17,7 +17,7 @@
 #include "tests/logplayer/ForeignLog.h"
 #include "widgets/log/OpenLogs.h"
 
-using app::test::ShortLog;
+namespace app::test {
 
 class OpenedLogsGuiTest : public WindowTest {
   Q_OBJECT
@@ -173,5 +173,8 @@ class OpenedLogsGuiTest : public WindowTest {
   QTemporaryDir folder_;
 };
 
-QTEST_MAIN(OpenedLogsGuiTest)
+const widgets::test::GuiTest<OpenedLogsGuiTest> kOpenedLogsGuiTest;
+
+}  // namespace app::test
+
 #include "OpenedLogsGuiTest.moc"

@@ -17,6 +17,7 @@
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
+namespace app::test {
 namespace {
 
 /// A port that nobody listens at; the next one is most likely free as well.
@@ -151,5 +152,8 @@ class PioneersGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(PioneersGuiTest)
+const widgets::test::GuiTest<PioneersGuiTest> kPioneersGuiTest;
+
+}  // namespace app::test
+
 #include "PioneersGuiTest.moc"

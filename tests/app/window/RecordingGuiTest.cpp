@@ -14,17 +14,17 @@
 #include <QtTest>
 #include <fstream>
 
-#include "app/core/Workbench.h"
-#include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/StreamChooser.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "foxglove/Event.pb.h"
 #include "logplayer/base/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/logplayer/RecordedMessages.h"
-#include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
+
+namespace app::test {
 
 using logplayer::tests::ReadLog;
 using logplayer::tests::TestFolder;
@@ -32,17 +32,10 @@ using robotcontrol::ControlRecording;
 
 namespace {
 
-constexpr int kWaitMs = 20000;
-
-class Desk {
+class RecordingDesk : public Desk {
  public:
-  explicit Desk(const std::filesystem::path& home, bool simulates = false)
-      : workbench(home), window(workbench, home) {
-    window.resize(1600, 900);
-    window.show();
-    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
-    if (simulates) workbench.load(app::Workbench::defaultOptions());
-  }
+  using Desk::Desk;
+
   bool plays() {
     if (workbench.loaded() == nullptr) return false;
     if (!started_) started_ = workbench.commands().runLine("simulation.start").has_value();
@@ -53,27 +46,18 @@ class Desk {
     const auto done = workbench.commands().runLine(line);
     QVERIFY2(done.has_value(), done ? "" : done.error().text.c_str());
   }
-  QMenu& menu() { return child<QMenu>(window, "recordingMenu"); }
+  QMenu& menu() { return find<QMenu>("recordingMenu"); }
   /// Clicks an entry of the record button's menu, or of one of its submenus.
   void choose(const char* action, const char* submenu = nullptr) {
-    QMenu& in = submenu != nullptr ? child<QMenu>(window, submenu) : menu();
+    QMenu& in = submenu != nullptr ? find<QMenu>(submenu) : menu();
     auto* entry = window.findChild<QAction*>(QLatin1String(action));
     QVERIFY2(entry != nullptr && entry->isEnabled(), action);
     in.popup({10, 10});
     QVERIFY(QTest::qWaitForWindowExposed(&in));
     QTest::mouseClick(&in, Qt::LeftButton, {}, in.actionGeometry(entry).center());
   }
-  void clickButton(const char* action) {
-    auto& bar = child<QToolBar>(window, "recordingToolBar");
-    auto* button =
-        qobject_cast<QToolButton*>(bar.widgetForAction(window.findChild<QAction*>(QLatin1String(action))));
-    QVERIFY2(button != nullptr, action);
-    QTest::mouseClick(button, Qt::LeftButton);
-  }
-  QString shown() { return child<QLabel>(window, "recordingStatus").text(); }
-
-  app::Workbench workbench;
-  app::MainWindow window;
+  void clickButton(const char* action) { click(action, "recordingToolBar"); }
+  QString shown() { return find<QLabel>("recordingStatus").text(); }
 
  private:
   bool started_ = false;
@@ -91,7 +75,7 @@ class RecordingGuiTest : public WindowTest {
  private Q_SLOTS:
   void theButtonStartsAndStopsAndShowsWhatIsDone() {
     const TestFolder folder;
-    Desk desk(home_ / "button", true);
+    RecordingDesk desk(home_ / "button");
     desk.run("recording.folder " + folder.path().string());
     QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(desk.shown().startsWith(QStringLiteral("keeps")), kWaitMs);
@@ -110,14 +94,14 @@ class RecordingGuiTest : public WindowTest {
     QVERIFY(name.isVisible());
     QVERIFY(name.toolTip().endsWith(file));
     QVERIFY(!child<QWidget>(desk.window, "recordedBar").isVisible());
-    look(desk.window, "recording");
+    widgets::test::keepPicture(desk.window, "recording");
     QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
     QVERIFY(!desk.status().recording());
     QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>(desk.window, "recordedBar").isVisible(), kWaitMs);
     QVERIFY(child<QLabel>(desk.window, "recordedText").text().contains(file));
     QVERIFY(name.text().startsWith(QStringLiteral("last: ")) && name.toolTip().endsWith(file));
     QCOMPARE(button.text(), QStringLiteral("Record"));
-    look(desk.window, "recorded");
+    widgets::test::keepPicture(desk.window, "recorded");
     desk.workbench.recording().recorder().finish();
     const ReadLog log = logplayer::tests::readLog(folder / only(folder));
     QVERIFY(log.complete);
@@ -131,7 +115,7 @@ class RecordingGuiTest : public WindowTest {
 
   void whatWasRecordedIsOpenedAndItsFolderShown() {
     const TestFolder folder;
-    Desk desk(home_ / "recorded", true);
+    RecordingDesk desk(home_ / "recorded");
     desk.run("recording.folder " + folder.path().string());
     QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
     desk.run("recording.start");
@@ -152,7 +136,7 @@ class RecordingGuiTest : public WindowTest {
 
   void whatStopsRobotsStandsApartFromWhatEndsARecording() {
     const TestFolder folder;
-    Desk desk(home_ / "apart", true);
+    RecordingDesk desk(home_ / "apart");
     desk.window.resize(1280, 720);
     QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
     desk.run("recording.start-file " + (folder.path() / "a-name-that-is-rather-long.mcap").string());
@@ -175,11 +159,11 @@ class RecordingGuiTest : public WindowTest {
   void theLastSecondsAreKeptUnlessOneDoesNotWantIt() {
     const auto home = home_ / "kept";
     {
-      Desk desk(home);
+      RecordingDesk desk(home, Desk::Opens::kNothing);
       QCOMPARE(desk.status().keep_last(), 30.0);
       desk.run("recording.keep 0");
     }
-    Desk desk(home);
+    RecordingDesk desk(home, Desk::Opens::kNothing);
     QCOMPARE(desk.status().keep_last(), 0.0);
     desk.window.tick();
     QCOMPARE(desk.shown(), QStringLiteral("not recording"));
@@ -187,7 +171,7 @@ class RecordingGuiTest : public WindowTest {
 
   void keysRecordMarkAndSaveTheLastSeconds() {
     const TestFolder folder;
-    Desk desk(home_ / "keys", true);
+    RecordingDesk desk(home_ / "keys");
     desk.run("recording.folder " + folder.path().string());
     QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
     QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
@@ -220,7 +204,7 @@ class RecordingGuiTest : public WindowTest {
 
   void buttonsSaveAndMark() {
     const TestFolder folder;
-    Desk desk(home_ / "buttons", true);
+    RecordingDesk desk(home_ / "buttons");
     desk.run("recording.folder " + folder.path().string());
     desk.run("recording.keep 5");
     QTRY_VERIFY_WITH_TIMEOUT(
@@ -241,7 +225,7 @@ class RecordingGuiTest : public WindowTest {
     const TestFolder folder;
     const auto home = home_ / "choices";
     {
-      Desk desk(home);
+      RecordingDesk desk(home, Desk::Opens::kNothing);
       desk.choose("recording.images.jpeg", "recording.images");
       desk.choose("recording.compression.zstd", "recording.compression");
       desk.choose("recording.keep.30", "recording.keep");
@@ -263,7 +247,7 @@ class RecordingGuiTest : public WindowTest {
       desk.choose("recording.folder");
       QVERIFY(chosen.asked());
     }
-    Desk desk(home);
+    RecordingDesk desk(home, Desk::Opens::kNothing);
     const auto status = desk.status();
     QCOMPARE(status.image_coding(), ControlRecording::JPEG);
     QCOMPARE(status.compression(), ControlRecording::ZSTD);
@@ -281,7 +265,7 @@ class RecordingGuiTest : public WindowTest {
   }
 
   void whatCannotBeDoneIsSaid() {
-    Desk desk(home_ / "refused");
+    RecordingDesk desk(home_ / "refused", Desk::Opens::kNothing);
     QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled());
     QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled());
     for (const char* line :
@@ -334,7 +318,7 @@ class RecordingGuiTest : public WindowTest {
     QTest::keyClicks(&patterns, QStringLiteral(",,"));
     QVERIFY(!child<QLabel>(chooser, "streamProblem").text().isEmpty());
     QVERIFY(!chooser.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
-    look(chooser, "chooser");
+    widgets::test::keepPicture(chooser, "chooser");
   }
 
   void theTextBesideTheButtonSaysWhatWasLeftOut() {
@@ -358,14 +342,11 @@ class RecordingGuiTest : public WindowTest {
   void showUrl(const QUrl& url) { shown_ = url; }
 
  private:
-  /// With ROBOTCONTROL_LOOKS=FOLDER: a picture to be looked at.
-  static void look(QWidget& widget, const char* name) {
-    const QString looks = qEnvironmentVariable("ROBOTCONTROL_LOOKS");
-    if (!looks.isEmpty())
-      QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
-  }
   QUrl shown_;
 };
 
-QTEST_MAIN(RecordingGuiTest)
+const widgets::test::GuiTest<RecordingGuiTest> kRecordingGuiTest;
+
+}  // namespace app::test
+
 #include "RecordingGuiTest.moc"

@@ -3,9 +3,10 @@
 
 #include "tests/widgets/Bench.h"
 
+namespace app::test {
+
 void WindowTest::initTestCase() {
-  Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-  home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  home_ = widgets::test::BenchHome::path() / "robotcontrol";
 }
 
 void WindowTest::init() {
@@ -13,6 +14,4 @@ void WindowTest::init() {
   std::filesystem::create_directories(home_);
 }
 
-void WindowTest::cleanupTestCase() {
-  Bench::tidyUp();
-}
+}  // namespace app::test

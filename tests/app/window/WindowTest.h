@@ -4,8 +4,9 @@
 #include <QObject>
 #include <filesystem>
 
-/// What all tests of the window have in common: warnings fail them, resources are those of the source tree,
-/// and each test finds an empty home.
+namespace app::test {
+
+/// What all tests of the window have in common: each test finds an empty home.
 class WindowTest : public QObject {
   Q_OBJECT
  protected:
@@ -14,5 +15,6 @@ class WindowTest : public QObject {
  protected Q_SLOTS:
   void initTestCase();
   void init();
-  void cleanupTestCase();
 };
+
+}  // namespace app::test

@@ -10,6 +10,7 @@
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 
+namespace app::test {
 namespace {
 
 /// Pixels of the color that the disc around the ball is drawn in; nothing at the start of a game looks like
@@ -273,5 +274,8 @@ class WorkbenchGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(WorkbenchGuiTest)
+const widgets::test::GuiTest<WorkbenchGuiTest> kWorkbenchGuiTest;
+
+}  // namespace app::test
+
 #include "WorkbenchGuiTest.moc"

@@ -6,13 +6,12 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 #include "widgets/Theme.h"
 #include "widgets/drive/BatteryGauge.h"
 
-using widgets::BatteryLevel;
-
+namespace widgets::test {
 namespace {
 
 robotcontrol::LinkStatus connected() {
@@ -60,8 +59,8 @@ class BaseStateViewTest : public QObject {
   }
 
   void theStateIsTold() {
-    DriveWorld world;
-    auto state = DriveWorld::state();
+    DriveBench world;
+    auto state = DriveBench::state();
     robotlink::assign(*state.mutable_odometry(), {1.25, -0.5, robotlink::kPi / 2});
     state.mutable_velocity()->set_x(0.3);
     state.set_left_speed(0.29);
@@ -92,8 +91,8 @@ class BaseStateViewTest : public QObject {
   }
 
   void motorsAndSonarsAreSwitchedAtTheBase() {
-    DriveWorld world;
-    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    DriveBench world;
+    world.push("p3at1/drive/state", DriveBench::state(), 1);
     auto view = world.open<widgets::BaseStateView>();
     auto& motors = child<QToolButton>(*view, "baseMotors");
     QVERIFY(motors.isChecked());
@@ -105,7 +104,7 @@ class BaseStateViewTest : public QObject {
     world.answer(asked, false, "the line is lost");
     world.tick(*view);
     QCOMPARE(text(*view, "baseProblem"), QStringLiteral("Refused: the line is lost"));
-    auto state = DriveWorld::state();
+    auto state = DriveBench::state();
     state.set_motors_on(false);
     world.push("p3at1/drive/state", state, 2);
     world.tick(*view);
@@ -118,7 +117,7 @@ class BaseStateViewTest : public QObject {
   }
 
   void theLineIsToldInWords() {
-    DriveWorld world;
+    DriveBench world;
     auto status = connected();
     world.push("p3at1/link/status", status, 1);
     auto view = world.open<widgets::BaseStateView>();
@@ -137,14 +136,14 @@ class BaseStateViewTest : public QObject {
     QCOMPARE(text(*view, "linkState"), QStringLiteral("lost"));
     QCOMPARE(text(*view, "linkErrors"), QStringLiteral("3 checksums, 0 bytes lost"));
     QVERIFY(text(*view, "linkText").contains(QStringLiteral("tried again")));
-    world.push("p3at1/drive/state", DriveWorld::state(), 9);
+    world.push("p3at1/drive/state", DriveBench::state(), 9);
     world.tick(*view);
     QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new since 7 s"));
   }
 
   void whatTheBaseSaidTooLongAgoIsGrayWithItsAge() {
-    DriveWorld world;
-    auto state = DriveWorld::state();
+    DriveBench world;
+    auto state = DriveBench::state();
     state.set_left_stalled(true);
     world.push("p3at1/drive/state", state, 1);
     world.push("p3at1/link/status", connected(), 1);
@@ -170,7 +169,7 @@ class BaseStateViewTest : public QObject {
     QPainter painter(&picture);
     widgets::BatteryGauge::paint(painter, picture.rect(), battery.level(), view->palette());
     QCOMPARE(picture.pixelColor(8, 10).rgb(), muted.rgb());  // within the battery
-    widgets::test::keepPicture(*view, "base-state-stale");
+    keepPicture(*view, "base-state-stale");
     // It is back.
     world.push("p3at1/drive/state", state, 9);
     world.tick(*view);
@@ -180,7 +179,7 @@ class BaseStateViewTest : public QObject {
   }
 
   void aLineThatIsLostIsTriedAtOnceWhenSomebodyWantsThat() {
-    DriveWorld world;
+    DriveBench world;
     int asked = 0;
     world.commands.add({"robot.connect-now", "", {}, [&](const auto&) -> robotlink::Result<void> {
                           ++asked;
@@ -208,7 +207,7 @@ class BaseStateViewTest : public QObject {
   }
 
   void aRobotWithoutWheelsSaysSo() {
-    DriveWorld world;
+    DriveBench world;
     world.context.robots.erase("p3at1");
     auto view = world.open<widgets::BaseStateView>();
     QVERIFY(child<QLabel>(*view, "emptyHint").text().contains(QStringLiteral("p3at1 has no wheels")));
@@ -216,8 +215,8 @@ class BaseStateViewTest : public QObject {
   }
 
   void showsAWholePicture() {
-    DriveWorld world;
-    auto state = DriveWorld::state();
+    DriveBench world;
+    auto state = DriveBench::state();
     state.set_battery(11.3);
     state.set_temperature(29);
     state.set_front_bumpers(2, true);
@@ -231,14 +230,14 @@ class BaseStateViewTest : public QObject {
     status.set_commands_per_second(10.1);
     world.push("p3at1/link/status", status, 1);
     auto view = world.open<widgets::BaseStateView>({400, 560});
-    widgets::test::keepPicture(*view, "base-state-view");
+    keepPicture(*view, "base-state-view");
     QCOMPARE(text(*view, "baseBatteryWarning"), QStringLiteral("The battery is low: charge it soon."));
     QVERIFY(view->saveState().contains(QStringLiteral("robot")));
   }
 };
 
-int runBaseStateTests(int argc, char** argv) {
-  BaseStateViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<BaseStateViewTest> kBaseStateViewTest;
+
+}  // namespace widgets::test
+
 #include "BaseStateViewTest.moc"

@@ -10,12 +10,13 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 
+namespace widgets::test {
 namespace {
 
-struct ShownDialog : DriveWorld {
+struct ShownDialog : DriveBench {
   using Values = std::vector<robotlink::CommandTable::Value>;
 
   explicit ShownDialog(QStringList recent = {}) {
@@ -137,7 +138,7 @@ class ConnectDialogTest : public QObject {
     QVERIFY(!s.button().isEnabled());
     s.publish(robotcontrol::LinkStatus::LOST, "nobody listens at tcp://robot:8101; it is tried again in 2 s");
     QVERIFY(s.text("connectState").contains(QStringLiteral("nobody listens")));
-    widgets::test::keepPicture(*s.dialog, "connect-dialog");
+    keepPicture(*s.dialog, "connect-dialog");
     s.publish(robotcontrol::LinkStatus::CONNECTING, "waits for the robot's answer to SYNC1");
     QVERIFY(s.dialog->isVisible());
     s.publish(robotcontrol::LinkStatus::CONNECTED, "");
@@ -187,8 +188,8 @@ class ConnectDialogTest : public QObject {
   }
 };
 
-int runConnectTests(int argc, char** argv) {
-  ConnectDialogTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<ConnectDialogTest> kConnectDialogTest;
+
+}  // namespace widgets::test
+
 #include "ConnectDialogTest.moc"

@@ -7,12 +7,14 @@
 #include <QSlider>
 #include <QToolButton>
 
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 #include "widgets/motion/HeadPanel.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/MotionView.h"
 #include "widgets/motion/WalkPad.h"
+
+namespace widgets::test {
 
 using robotcontrol::MotionRequest;
 
@@ -31,8 +33,8 @@ robotcontrol::SolutionTable driving(const std::string& active) {
   return table;
 }
 
-struct Steering : DriveWorld {
-  Steering() {
+struct WheelSteering : DriveBench {
+  WheelSteering() {
     push("p3at1/tables/solutions", driving("wander"), 1);
     push("p3at1/drive/state", state(), 1);
     view = open<widgets::MotionView>({640, 420});
@@ -86,7 +88,7 @@ class DrivingTest : public QObject {
   }
 
   void theTaskThatObeysIsTakenOver() {
-    Steering s;
+    WheelSteering s;
     s.takeOver();
     const auto& asked = s.requests.front().select_solution();
     QCOMPARE(asked.task(), std::string("driving"));
@@ -97,7 +99,7 @@ class DrivingTest : public QObject {
   }
 
   void thereIsNeitherHeadNorKeyFrames() {
-    Steering s;
+    WheelSteering s;
     QVERIFY(!s.view->findChild<widgets::HeadPanel*>()->isVisible());
     QVERIFY(!s.view->findChild<widgets::MotionButtons*>()->isVisible());
     QVERIFY(!child<QSlider>(*s.view, "walkTurn").isVisible());
@@ -111,7 +113,7 @@ class DrivingTest : public QObject {
   }
 
   void leftAndRightTurn() {
-    Steering s;
+    WheelSteering s;
     s.takeOver();
     QTest::mousePress(s.walkPad, Qt::LeftButton, {}, {2, s.walkPad->height() / 2});
     auto pending = s.pending();
@@ -130,7 +132,7 @@ class DrivingTest : public QObject {
   }
 
   void eitherStickOfTheGamepadTurns() {
-    Steering s;
+    WheelSteering s;
     s.takeOver();
     s.pad = {true, QStringLiteral("Pad"), {1, 0.5, 0.2}, true, false};
     const auto pending = s.pending();
@@ -140,7 +142,7 @@ class DrivingTest : public QObject {
   }
 
   void theLimitsAreTheRobots() {
-    Steering s;
+    WheelSteering s;
     auto& limit = child<QAbstractSpinBox>(*s.view, "limitSpeed");
     limit.setFocus();
     limit.selectAll();
@@ -155,18 +157,18 @@ class DrivingTest : public QObject {
     const QJsonObject state = s.view->saveState();
     QCOMPARE(state[QStringLiteral("driveSpeed")].toDouble(), 0.75);
     QCOMPARE(state[QStringLiteral("speed")].toDouble(), 0.15);  // that of robots with legs
-    Steering other;
+    WheelSteering other;
     other.view->restoreState(state);
     QCOMPARE(other.view->saveState(), state);
   }
 
   void motorsAreSwitchedAndStopActsAtThePlatform() {
-    Steering s;
+    WheelSteering s;
     auto& motors = child<QToolButton>(*s.view, "motionMotors");
     QCOMPARE(motors.text(), QStringLiteral("Motors on"));
     click(motors);
     QVERIFY(s.requests.back().control_drive().has_motors() && !s.requests.back().control_drive().motors());
-    auto off = DriveWorld::state();
+    auto off = DriveBench::state();
     off.set_motors_on(false);
     s.push("p3at1/drive/state", off, 2);
     s.takeOver();
@@ -177,8 +179,8 @@ class DrivingTest : public QObject {
   }
 
   void whatTheRobotSaysOfItsSpeedIsShown() {
-    Steering s;
-    auto state = DriveWorld::state();
+    WheelSteering s;
+    auto state = DriveBench::state();
     state.mutable_velocity()->set_x(0.2);
     state.mutable_velocity()->set_rotation(0.4);
     s.push("p3at1/drive/state", state, 3);
@@ -189,12 +191,12 @@ class DrivingTest : public QObject {
     QTest::keyPress(s.walkPad, Qt::Key_W);
     QTest::keyPress(s.walkPad, Qt::Key_A);
     s.pending();
-    widgets::test::keepPicture(*s.view, "motion-wheels");
+    keepPicture(*s.view, "motion-wheels");
   }
 };
 
-int runDrivingTests(int argc, char** argv) {
-  DrivingTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<DrivingTest> kDrivingTest;
+
+}  // namespace widgets::test
+
 #include "DrivingTest.moc"

@@ -4,18 +4,17 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/FieldView.h"
 #include "widgets/field/PlaceNotice.h"
 #include "widgets/world/RobotBeliefs.h"
 
-using widgets::test::isNear;
-
+namespace widgets::test {
 namespace {
 
-struct ShownMapView : DriveWorld {
+struct ShownMapView : DriveBench {
   explicit ShownMapView(const robotcontrol::GroundMap& map = room(), QSize size = {840, 660}) {
     push("map", map, 0);
     view = open<widgets::FieldView>(size);
@@ -29,7 +28,7 @@ struct ShownMapView : DriveWorld {
   void press(double x, double y, Qt::KeyboardModifiers modifiers = {}) {
     QTest::mousePress(canvas, Qt::LeftButton, modifiers, at(x, y));
   }
-  void move(double x, double y) { widgets::test::moveMouse(*canvas, at(x, y), Qt::LeftButton); }
+  void move(double x, double y) { moveMouse(*canvas, at(x, y), Qt::LeftButton); }
   void release(double x, double y) { QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(x, y)); }
   const robotcontrol::DriveGoal& goal() const { return requests.back().set_goal(); }
 
@@ -43,8 +42,8 @@ class MapTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aMapIsTheGround() {
-    DriveWorld world;
-    world.push("map", DriveWorld::room(), 0);
+    DriveBench world;
+    world.push("map", DriveBench::room(), 0);
     world.session.tick();
     widgets::FieldView view(world.context);  // also of a view that is made while the map is there
     QSignalSpy titles(&view, &widgets::View::titleChanged);
@@ -66,14 +65,14 @@ class MapTest : public QObject {
     for (int i = 0; i < 40; ++i) forbidden += s.isGround(5.5 + 0.02 * i, 1) ? 0 : 1;
     QVERIFY(forbidden > 4 && !s.isGround(5, 1));  // hatched, with an edge
     // Zoomed in by sixteen, the wall is still where it was, and as thick as its points are apart.
-    for (int i = 0; i < 8; ++i) widgets::test::click(*s.view, "fieldZoomIn");
+    for (int i = 0; i < 8; ++i) click(*s.view, "fieldZoomIn");
     s.canvas->setViewport({false, s.canvas->viewport().scale, {4, 1.5}, 0});
     QVERIFY(!s.isGround(4, 1.5) && s.isGround(4.05, 1.5) && !s.isGround(4, 1.61));
   }
 
   void aSilentRobotIsGrayAndItsAgeIsTold() {
     ShownMapView s;
-    s.push("p3at1/drive/state", DriveWorld::state(), 1);
+    s.push("p3at1/drive/state", DriveBench::state(), 1);
     robotcontrol::RobotPose pose;
     robotlink::assign(*pose.mutable_robot_in_field(), robotlink::Pose2{6, 3, 0});
     s.push("p3at1/models/pose", pose, 1);
@@ -94,7 +93,7 @@ class MapTest : public QObject {
     QCOMPARE(reported.text(), QStringLiteral("p3at1 last heard 7 s ago"));
     QVERIFY(reported.isVisible());
     QVERIFY2(colored() < heard, "it may be elsewhere by now");
-    s.push("p3at1/drive/state", DriveWorld::state(), 8.1);
+    s.push("p3at1/drive/state", DriveBench::state(), 8.1);
     s.tick(*s.view);
     QVERIFY(!reported.isVisible());
     QCOMPARE(colored(), heard);
@@ -111,7 +110,7 @@ class MapTest : public QObject {
     ShownMapView s;
     widgets::RobotBelief lost;
     lost.robot = "p3at1";
-    auto base = DriveWorld::state();
+    auto base = DriveBench::state();
     const auto notice = [&](bool onMap) { return widgets::placeNotice(lost, &base, onMap); };
     QVERIFY(notice(true).contains(QStringLiteral("send it anywhere")));
     base.set_motors_on(false);
@@ -125,10 +124,10 @@ class MapTest : public QObject {
     lost.positionDeviation = 0.2;
     QVERIFY(notice(true).isEmpty());
     // In the view: a sentence at the top, until it has found itself.
-    s.push("p3at1/drive/state", DriveWorld::state(), 1);
+    s.push("p3at1/drive/state", DriveBench::state(), 1);
     s.tick(*s.view);
     const QImage reported = s.canvas->grab().toImage();
-    widgets::test::keepPicture(*s.view, "map-lost");
+    keepPicture(*s.view, "map-lost");
     s.pushEstimate("p3at1", {2, 3, 0}, 1);
     s.tick(*s.view);
     const QImage known = s.canvas->grab().toImage();
@@ -141,7 +140,7 @@ class MapTest : public QObject {
     s.press(2, 3);
     s.release(2, 3);
     QVERIFY(s.requests.empty());  // without the tool a drag moves the picture
-    widgets::test::click(*s.view, "fieldSend");
+    click(*s.view, "fieldSend");
     s.press(2, 3);
     s.release(2, 3);
     QCOMPARE(s.requests.size(), std::size_t{1});
@@ -163,7 +162,7 @@ class MapTest : public QObject {
 
   void aPlaceIsTakenWithItsNameAndHeading() {
     ShownMapView s;
-    widgets::test::click(*s.view, "fieldSend");
+    click(*s.view, "fieldSend");
     const QPoint near = s.at(6, 4.5) + QPoint(3, -3);
     QTest::mouseClick(s.canvas, Qt::LeftButton, {}, near);
     QCOMPARE(s.goal().name(), std::string("Desk"));
@@ -174,7 +173,7 @@ class MapTest : public QObject {
 
   void escapeAbandonsTheAimAndThenTheGoal() {
     ShownMapView s;
-    widgets::test::click(*s.view, "fieldSend");
+    click(*s.view, "fieldSend");
     auto& cancel = child<QToolButton>(*s.view, "fieldCancelGoal");
     QVERIFY(!cancel.isEnabled());
     s.press(2, 3);
@@ -236,16 +235,16 @@ class MapTest : public QObject {
     QVERIFY(s.isGround(5.55, 3) && !s.isGround(6 - 0.28, 3));
     // Only its own program knows where a real robot is: then that is its trail.
     s.session.restart();
-    s.push("map", DriveWorld::room(), 0);
+    s.push("map", DriveBench::room(), 0);
     for (int i = 0; i < 30; ++i) s.pushEstimate("p3at1", {1 + 0.1 * i, 4, 0}, 1 + 0.2 * i, 0);
     s.tick(*s.view);
     QVERIFY(s.isGround(2, 4));
-    widgets::test::click(*s.view, "fieldTrails");
+    click(*s.view, "fieldTrails");
     QVERIFY(!s.isGround(2, 4));
   }
 
   void showsTheShippedHouse() {
-    const auto map = DriveWorld::mapOf("resources/scenes/house.map");
+    const auto map = DriveBench::mapOf("resources/scenes/house.map");
     ShownMapView s(map, {840, 660});
     QCOMPARE(s.canvas->map()->lines_size(), 80);
     s.pushTruth({{"p3at1", {2.6, 5.5, 0}}}, 1);
@@ -262,8 +261,8 @@ class MapTest : public QObject {
     QVERIFY2(!s.isGround(5, 4.5) && !s.isGround(16, 8), "walls");
     QVERIFY2(!s.isGround(5, 5.5), "the path");
     QVERIFY2(s.isGround(14, 2), "the floor of a room");
-    widgets::test::keepPicture(*s.view, "map-house");
-    for (int i = 0; i < 5; ++i) widgets::test::click(*s.view, "fieldZoomIn");
+    keepPicture(*s.view, "map-house");
+    for (int i = 0; i < 5; ++i) click(*s.view, "fieldZoomIn");
     s.canvas->setViewport({false, s.canvas->viewport().scale, {12, 8}, 0});
     s.press(12, 8, Qt::ControlModifier);
     s.move(12.8, 8.6);
@@ -273,7 +272,7 @@ class MapTest : public QObject {
   }
 
   void showsARealBuilding() {
-    const auto map = DriveWorld::mapOf("../shared/data/arcos/columbia.map");
+    const auto map = DriveBench::mapOf("../shared/data/arcos/columbia.map");
     if (map.lines_size() == 0) QSKIP("../shared/data/arcos/columbia.map is not there");
     ShownMapView s(map, {760, 900});
     QCOMPARE(s.canvas->map()->points_size(), 2 * 63311);
@@ -290,19 +289,19 @@ class MapTest : public QObject {
     path.mutable_goal()->set_name("Hallway 1");
     s.push("p3at1/models/path", path, 1);
     s.tick(*s.view);
-    widgets::test::keepPicture(*s.view, "map-building");
-    for (int i = 0; i < 5; ++i) widgets::test::click(*s.view, "fieldZoomIn");
+    keepPicture(*s.view, "map-building");
+    for (int i = 0; i < 5; ++i) click(*s.view, "fieldZoomIn");
     s.canvas->setViewport({false, s.canvas->viewport().scale, {0, 8}, 0});
     s.press(0, 10.5, Qt::ControlModifier);
     s.move(0.8, 11.2);
-    widgets::test::keepPicture(*s.view, "map-near");
+    keepPicture(*s.view, "map-near");
     s.release(0.8, 11.2);
     QVERIFY(!s.goal().any_heading());
   }
 };
 
-int runMapTests(int argc, char** argv) {
-  MapTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<MapTest> kMapTest;
+
+}  // namespace widgets::test
+
 #include "MapTest.moc"

@@ -6,15 +6,12 @@
 #include <QPainter>
 
 #include "foxglove/Scene.pb.h"
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/drive/RadarCanvas.h"
 
-using widgets::RadarLook;
-using widgets::RadarReadings;
-using widgets::test::isNear;
-
+namespace widgets::test {
 namespace {
 
 QPalette whitePalette() {
@@ -105,10 +102,10 @@ class RadarViewTest : public QObject {
   }
 
   void olderEchoesStayWhereTheyWereWhileTheRobotDrives() {
-    DriveWorld world;
-    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    DriveBench world;
+    world.push("p3at1/drive/state", DriveBench::state(), 1);
     world.push("p3at1/range/sonar", world.sonar({{3, 2.0}}), 1);
-    auto state = DriveWorld::state();
+    auto state = DriveBench::state();
     state.mutable_odometry()->set_x(0.5);
     world.push("p3at1/drive/state", state, 2);
     world.push("p3at1/range/sonar", world.sonar({{3, 1.5}, {12, 5.0}}), 2);
@@ -125,8 +122,8 @@ class RadarViewTest : public QObject {
   }
 
   void aSilentRobotIsPaleAndItsAgeIsTold() {
-    DriveWorld world;
-    auto state = DriveWorld::state();
+    DriveBench world;
+    auto state = DriveBench::state();
     state.mutable_velocity()->set_x(0.4);
     world.push("p3at1/drive/state", state, 1);
     auto view = world.open<widgets::RadarView>();
@@ -158,7 +155,7 @@ class RadarViewTest : public QObject {
   }
 
   void itAsksForItsPackagesOnce() {
-    DriveWorld world;
+    DriveBench world;
     world.pushKeys({"drive/state", "range/sonar", "range/laser", "models/ball"}, 1);
     auto view = world.open<widgets::RadarView>();
     world.tick(*view);
@@ -168,26 +165,26 @@ class RadarViewTest : public QObject {
   }
 
   void wheelKeysAndButtonsZoom() {
-    DriveWorld world;
-    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    DriveBench world;
+    world.push("p3at1/drive/state", DriveBench::state(), 1);
     auto view = world.open<widgets::RadarView>();
     auto& canvas = child<widgets::RadarCanvas>(*view, "radarCanvas");
     QCOMPARE(child<QLabel>(*view, "radarRange").text(), QStringLiteral("4.0 m around"));
-    widgets::test::turnWheel(canvas, {100, 100}, 2);
+    turnWheel(canvas, {100, 100}, 2);
     QVERIFY(std::abs(canvas.look().range - 4 / 1.44) < 1e-9);
-    widgets::test::click(*view, "radarZoomOut");
+    click(*view, "radarZoomOut");
     QVERIFY(std::abs(canvas.look().range - 4 * std::sqrt(2.0) / 1.44) < 1e-9);
     for (int i = 0; i < 12; ++i) QTest::keyClick(&canvas, Qt::Key_Plus);
     QCOMPARE(canvas.look().range, RadarLook::kLeastRange);
-    widgets::test::moveMouse(canvas, {canvas.width() / 2, 0});
+    moveMouse(canvas, {canvas.width() / 2, 0});
     QVERIFY(child<QLabel>(*view, "radarCursor").text().endsWith(QStringLiteral("at 0°")));
     QTest::keyClick(&canvas, Qt::Key_N);
     QVERIFY(canvas.look().northUp);
   }
 
   void whatTheProgramDrawsLiesOnTop() {
-    DriveWorld world;
-    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    DriveBench world;
+    world.push("p3at1/drive/state", DriveBench::state(), 1);
     foxglove::SceneUpdate update;
     auto& entity = *update.add_entities();
     entity.set_id("avoid/goal");
@@ -205,25 +202,25 @@ class RadarViewTest : public QObject {
     auto& canvas = child<widgets::RadarCanvas>(*view, "radarCanvas");
     const QPoint at = widgets::robotToWidget(canvas.look(), 0).map(QPointF(2, 0)).toPoint();
     QVERIFY(isNear(canvas.rendered().pixelColor(at), QColor(255, 0, 255)));
-    widgets::test::click(*view, "radarDrawings");
-    widgets::test::click(*view, "drawingsNone");
+    click(*view, "radarDrawings");
+    click(*view, "drawingsNone");
     QVERIFY(!isNear(canvas.rendered().pixelColor(at), QColor(255, 0, 255)));
   }
 
   void anEmptyRadarSaysWhatToDo() {
-    DriveWorld world;
+    DriveBench world;
     auto view = world.open<widgets::RadarView>();
     const QImage empty = child<widgets::RadarCanvas>(*view, "radarCanvas").grab().toImage();
-    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    world.push("p3at1/drive/state", DriveBench::state(), 1);
     world.tick(*view);
     QVERIFY(child<widgets::RadarCanvas>(*view, "radarCanvas").grab().toImage() != empty);
   }
 
   void whatWasChosenSurvives() {
-    DriveWorld world;
+    DriveBench world;
     auto view = world.open<widgets::RadarView>();
-    widgets::test::click(*view, "radarNorthUp");
-    widgets::test::click(*view, "radarZoomIn");
+    click(*view, "radarNorthUp");
+    click(*view, "radarZoomIn");
     auto& robot = child<widgets::RobotChoice>(*view, "radarRobot");
     robot.setFocus();
     QTest::keyClick(&robot, Qt::Key_End);
@@ -236,8 +233,8 @@ class RadarViewTest : public QObject {
   }
 
   void showsAWholePicture() {
-    DriveWorld world;
-    auto state = DriveWorld::state();
+    DriveBench world;
+    auto state = DriveBench::state();
     state.mutable_velocity()->set_x(0.4);
     state.mutable_velocity()->set_rotation(0.5);
     state.set_front_bumpers(0, true);
@@ -252,20 +249,20 @@ class RadarViewTest : public QObject {
                               {(a + 4) % 8, 1.9}}),
                  1 + 0.1 * i);
     }
-    world.push("p3at1/range/laser", DriveWorld::laser([](double angle) {
+    world.push("p3at1/range/laser", DriveBench::laser([](double angle) {
                  return std::min(1.7 / std::max(0.02, std::abs(std::cos(angle))),
                                  2.1 / std::max(0.02, std::abs(std::sin(angle))));
                }),
                2.9);
     auto view = world.open<widgets::RadarView>({560, 600});
-    widgets::test::keepPicture(*view, "radar-view");
-    QVERIFY(widgets::test::countNear(child<widgets::RadarCanvas>(*view, "radarCanvas").rendered(),
-                                     QColor(168, 93, 0), 40) > 100);
+    keepPicture(*view, "radar-view");
+    QVERIFY(countNear(child<widgets::RadarCanvas>(*view, "radarCanvas").rendered(), QColor(168, 93, 0), 40) >
+            100);
   }
 };
 
-int runRadarTests(int argc, char** argv) {
-  RadarViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<RadarViewTest> kRadarViewTest;
+
+}  // namespace widgets::test
+
 #include "RadarViewTest.moc"

@@ -11,6 +11,8 @@
 
 #include "tests/widgets/Bench.h"
 
+namespace widgets::test {
+
 using robotcontrol::KeyMode;
 using robotcontrol::KeyTable;
 
@@ -40,9 +42,6 @@ KeyTable someKeys() {
 class DebugKeysViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void keysStandInATreeByTheirNamesAndInactiveOnesAreGrayedButSettable() {
     Bench bench;
     auto view = bench.open<widgets::DebugKeysView>();
@@ -273,5 +272,8 @@ class DebugKeysViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(DebugKeysViewTest)
+const GuiTest<DebugKeysViewTest> kDebugKeysViewTest;
+
+}  // namespace widgets::test
+
 #include "DebugKeysViewTest.moc"

@@ -14,6 +14,8 @@
 #include "foxglove/Robot.pb.h"
 #include "tests/widgets/LogBench.h"
 
+namespace widgets::test {
+
 using foxglove::Log;
 
 namespace {
@@ -42,9 +44,6 @@ QString cell(const QTableView& table, int row, int column) {
 class MessagesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void whatAllRobotsSayComesInOrderOfTime() {
     Bench bench;
     auto view = bench.open<widgets::MessagesView>();
@@ -326,5 +325,8 @@ class MessagesViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(MessagesViewTest)
+const GuiTest<MessagesViewTest> kMessagesViewTest;
+
+}  // namespace widgets::test
+
 #include "MessagesViewTest.moc"

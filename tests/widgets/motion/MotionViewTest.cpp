@@ -17,6 +17,8 @@
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/WalkPad.h"
 
+namespace widgets::test {
+
 using robotcontrol::HeadMode;
 using robotcontrol::MotionRequest;
 
@@ -36,8 +38,8 @@ robotcontrol::SolutionTable behavior(const std::string& active, const std::strin
 }
 
 /// A bench whose robot obeys; without a gamepad.
-struct Steering : Bench {
-  Steering() {
+struct WalkSteering : Bench {
+  WalkSteering() {
     push("red1/tables/solutions", behavior("go-to-ball"), 1);
     view = open<widgets::MotionView>({760, 560});
     view->setGamepad([this] { return pad; });
@@ -80,9 +82,6 @@ void pushPose(Bench& bench, double time, double x, double y, double heading) {
 class MotionViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void takingOverRequestsObeyAndGivingBackTheFormerSolution() {
     Bench bench;
     bench.push("red1/tables/solutions", behavior("go-to-ball"), 1);
@@ -133,7 +132,7 @@ class MotionViewTest : public QObject {
   }
 
   void theMousePadWalksUntilItIsReleased() {
-    Steering bench;
+    WalkSteering bench;
     auto& pad = child<widgets::WalkPad>(*bench.view, "walkPad");
     QTest::mousePress(&pad, Qt::LeftButton, {}, {pad.width() / 2, 2});
     bench.step();
@@ -147,7 +146,7 @@ class MotionViewTest : public QObject {
   }
 
   void keysWalkAndTurnAndAreResentTenTimesASecond() {
-    Steering bench;
+    WalkSteering bench;
     auto& pad = child<widgets::WalkPad>(*bench.view, "walkPad");
     QTest::keyPress(&pad, Qt::Key_A);
     QTest::keyPress(&pad, Qt::Key_E);
@@ -168,7 +167,7 @@ class MotionViewTest : public QObject {
   }
 
   void losingTheFocusAndHidingStopTheRobot() {
-    Steering bench;
+    WalkSteering bench;
     auto& pad = child<widgets::WalkPad>(*bench.view, "walkPad");
     pad.setFocus();
     QTest::keyPress(&pad, Qt::Key_W);
@@ -186,7 +185,7 @@ class MotionViewTest : public QObject {
   }
 
   void limitsBoundTheSpeedInEveryDirection() {
-    Steering bench;
+    WalkSteering bench;
     auto& limit = child<QAbstractSpinBox>(*bench.view, "limitSpeed");
     limit.setFocus();
     limit.selectAll();
@@ -200,7 +199,7 @@ class MotionViewTest : public QObject {
   }
 
   void headSlidersChooseAngles() {
-    Steering bench;
+    WalkSteering bench;
     auto& pan = child<QSlider>(*bench.view, "headPan");
     pan.setFocus();
     QTest::keyClick(&pan, Qt::Key_Right);
@@ -213,7 +212,7 @@ class MotionViewTest : public QObject {
   }
 
   void everySliderOfTheHeadMovesItsJoint() {
-    Steering bench;
+    WalkSteering bench;
     const double degree = std::acos(-1.0) / 180;
     using Angle = double (HeadMode::*)() const;
     const std::pair<const char*, Angle> joints[] = {{"headTilt", &HeadMode::tilt},
@@ -234,7 +233,7 @@ class MotionViewTest : public QObject {
   }
 
   void theHeadsModeIsChosenInItsBox() {
-    Steering bench;
+    WalkSteering bench;
     auto& mode = child<QComboBox>(*bench.view, "headMode");
     mode.setFocus();
     QTest::keyClick(&mode, Qt::Key_Down);
@@ -243,7 +242,7 @@ class MotionViewTest : public QObject {
   }
 
   void theTurnSliderTurnsAsLongAsItIsHeld() {
-    Steering bench;
+    WalkSteering bench;
     auto& turn = child<QSlider>(*bench.view, "walkTurn");
     QTest::mousePress(&turn, Qt::LeftButton, {}, turn.rect().center());
     QMouseEvent move(QEvent::MouseMove, QPointF(turn.width() - 2.0, turn.height() / 2.0), Qt::NoButton,
@@ -259,7 +258,7 @@ class MotionViewTest : public QObject {
   }
 
   void theGreatestTurnIsTyped() {
-    Steering bench;
+    WalkSteering bench;
     auto& limit = child<QAbstractSpinBox>(*bench.view, "limitRotation");
     limit.setFocus();
     limit.selectAll();
@@ -271,14 +270,14 @@ class MotionViewTest : public QObject {
   }
 
   void gettingUpIsAMotionOfItsOwn() {
-    Steering bench;
+    WalkSteering bench;
     click(child<QPushButton>(*bench.view, "motion-get-up"));
     bench.step();
     QCOMPARE(bench.motion().kind(), MotionRequest::GET_UP);
   }
 
   void aMotionIsCommandedUntilTheRobotPlaysIt() {
-    Steering bench;
+    WalkSteering bench;
     const QStringList motions = widgets::MotionButtons::shippedMotions();
     QVERIFY(!motions.isEmpty());
     const QByteArray name = "motion-" + motions.first().toLatin1();
@@ -295,7 +294,7 @@ class MotionViewTest : public QObject {
   }
 
   void theGamepadWalksKicksAndStops() {
-    Steering bench;
+    WalkSteering bench;
     QCOMPARE(child<QLabel>(*bench.view, "gamepadState").text(),
              QStringLiteral("No gamepad; plug one in to use it"));
     bench.pad = {true, QStringLiteral("Pad"), {0.5, 0, 0.25}, false, false};
@@ -378,5 +377,8 @@ class MotionViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(MotionViewTest)
+const GuiTest<MotionViewTest> kMotionViewTest;
+
+}  // namespace widgets::test
+
 #include "MotionViewTest.moc"

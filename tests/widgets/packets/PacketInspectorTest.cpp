@@ -19,13 +19,14 @@
 #include "robotlink/arcos/codec/Command.h"
 #include "tests/robotlink/arcos/Recordings.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "tests/widgets/SyntheticWorld.h"
-#include "tests/widgets/drive/DriveWorld.h"
+#include "tests/widgets/FieldBench.h"
+#include "tests/widgets/drive/DriveBench.h"
 #include "widgets/packets/PacketConversation.h"
+
+namespace widgets::test {
 
 using robotlink::arcos::Bytes;
 using robotlink::arcos::Command;
-using widgets::PacketModel;
 
 namespace {
 
@@ -41,7 +42,7 @@ Bytes information() {
       {0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
 }
 
-struct ShownInspector : DriveWorld {
+struct ShownInspector : DriveBench {
   ShownInspector() {
     view = open<widgets::PacketInspector>({900, 420});
     table = &child<QTableView>(*view, "packetsTable");
@@ -335,12 +336,12 @@ class PacketInspectorTest : public QObject {
     s.table->selectRow(14);
     s.view->resize(1150, 520);
     click(child<QToolButton>(*s.view, "packetReplayStep"));
-    widgets::test::keepPicture(*s.view, "packet-inspector");
+    keepPicture(*s.view, "packet-inspector");
   }
 };
 
-int runPacketTests(int argc, char** argv) {
-  PacketInspectorTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+const GuiTest<PacketInspectorTest> kPacketInspectorTest;
+
+}  // namespace widgets::test
+
 #include "PacketInspectorTest.moc"

@@ -22,6 +22,7 @@
 #include "tests/widgets/LogBench.h"
 #include "widgets/plots/PlotCanvas.h"
 
+namespace widgets::test {
 namespace {
 
 void pushPlot(Bench& bench, double time, double value) {
@@ -51,9 +52,6 @@ constexpr char kPlot[] = "red1/plots/ball-model/position/x";
 class PlotsViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void plotValuesAndNumbersOfAllStreamsCanBeFoundAndAdded() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
@@ -346,5 +344,8 @@ class PlotsViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(PlotsViewTest)
+const GuiTest<PlotsViewTest> kPlotsViewTest;
+
+}  // namespace widgets::test
+
 #include "PlotsViewTest.moc"

@@ -12,8 +12,9 @@
 #include "widgets/processes/ProcessGraphWidget.h"
 #include "widgets/processes/TableGraph.h"
 
+namespace widgets::test {
+
 using robotcontrol::ProcessTable;
-using widgets::ProcessGraph;
 
 namespace {
 
@@ -58,9 +59,6 @@ ProcessTable someProcesses(std::uint64_t n) {
 class ProcessesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void dataFlowFromLeftToRightAndCyclesAreTurned() {
     const ProcessGraph graph = widgets::processGraph(someProcesses(10), nullptr, {}, {});
     const auto rect = [&](const char* name) {
@@ -225,5 +223,8 @@ class ProcessesViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(ProcessesViewTest)
+const GuiTest<ProcessesViewTest> kProcessesViewTest;
+
+}  // namespace widgets::test
+
 #include "ProcessesViewTest.moc"

@@ -10,6 +10,8 @@
 
 #include "tests/widgets/Bench.h"
 
+namespace widgets::test {
+
 using robotcontrol::KeyMode;
 
 namespace {
@@ -28,7 +30,7 @@ robotcontrol::StopwatchTimes times(double ball, double pose) {
   return result;
 }
 
-QString cell(const QTableView& table, const QString& task, int column) {
+QString shownCell(const QTableView& table, const QString& task, int column) {
   for (int row = 0; row < table.model()->rowCount(); ++row) {
     if (table.model()->index(row, widgets::TimingModel::kTask).data().toString() == task) {
       return table.model()->index(row, column).data().toString();
@@ -49,9 +51,6 @@ struct Watched : Bench {
 class TimingViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void showsMinimumMeanMaximumRateAndShare() {
     Watched bench;
     const auto& table = bench.table;
@@ -61,15 +60,15 @@ class TimingViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 3);
     using Model = widgets::TimingModel;
     const QString ball = QStringLiteral("ball-percept");
-    QCOMPARE(cell(table, ball, Model::kProcess), QStringLiteral("cognition"));
-    QCOMPARE(cell(table, ball, Model::kSolution), QStringLiteral("scan-lines"));
-    QCOMPARE(cell(table, ball, Model::kLast), QStringLiteral("3.000"));
-    QCOMPARE(cell(table, ball, Model::kMean), QStringLiteral("2.000"));
-    QCOMPARE(cell(table, ball, Model::kMinimum), QStringLiteral("1.000"));
-    QCOMPARE(cell(table, ball, Model::kMax), QStringLiteral("3.000"));
-    QCOMPARE(cell(table, ball, Model::kRate), QStringLiteral("25.0"));
-    QCOMPARE(cell(table, ball, Model::kShare), QStringLiteral("5.00 %"));
-    QCOMPARE(cell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
+    QCOMPARE(shownCell(table, ball, Model::kProcess), QStringLiteral("cognition"));
+    QCOMPARE(shownCell(table, ball, Model::kSolution), QStringLiteral("scan-lines"));
+    QCOMPARE(shownCell(table, ball, Model::kLast), QStringLiteral("3.000"));
+    QCOMPARE(shownCell(table, ball, Model::kMean), QStringLiteral("2.000"));
+    QCOMPARE(shownCell(table, ball, Model::kMinimum), QStringLiteral("1.000"));
+    QCOMPARE(shownCell(table, ball, Model::kMax), QStringLiteral("3.000"));
+    QCOMPARE(shownCell(table, ball, Model::kRate), QStringLiteral("25.0"));
+    QCOMPARE(shownCell(table, ball, Model::kShare), QStringLiteral("5.00 %"));
+    QCOMPARE(shownCell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
   }
 
   void theRateIsThatOfTheLastSecondsThoughTimesWereNotToldOrTheClockWentBack() {
@@ -123,9 +122,9 @@ class TimingViewTest : public QObject {
     bench.push("red1/tables/processes", program, 2);
     bench.tick(*bench.view);
     QCOMPARE(table.model()->rowCount(), 2);
-    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess),
+    QCOMPARE(shownCell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess),
              QStringLiteral("cognition"));
-    QCOMPARE(cell(table, QStringLiteral("frame"), widgets::TimingModel::kProcess),
+    QCOMPARE(shownCell(table, QStringLiteral("frame"), widgets::TimingModel::kProcess),
              QStringLiteral("cognition"));
   }
 
@@ -150,7 +149,7 @@ class TimingViewTest : public QObject {
     bench.push("red1/stopwatches/cognition", times(0.001, 0.003), 1.04);
     bench.tick(*view);
     auto& table = child<QTableView>(*view, "timingTable");
-    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMax), QStringLiteral("3.000"));
+    QCOMPARE(shownCell(table, QStringLiteral("pose"), widgets::TimingModel::kMax), QStringLiteral("3.000"));
     click(child<QToolButton>(*view, "timingCopy"));
     QVERIFY(
         QApplication::clipboard()->text().contains(QStringLiteral("cognition,pose,particles,3,3,3,3,0,0")));
@@ -173,5 +172,8 @@ class TimingViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(TimingViewTest)
+const GuiTest<TimingViewTest> kTimingViewTest;
+
+}  // namespace widgets::test
+
 #include "TimingViewTest.moc"

@@ -7,9 +7,9 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "tests/widgets/GuiTest.h"
 
-using widgets::ParameterModel;
-
+namespace widgets::test {
 namespace {
 
 /// Parameters with a list of groups.
@@ -75,5 +75,8 @@ class ParameterModelTest : public QObject {
   ParameterModel model_;
 };
 
-QTEST_GUILESS_MAIN(ParameterModelTest)
+const GuiTest<ParameterModelTest> kParameterModelTest;
+
+}  // namespace widgets::test
+
 #include "ParameterModelTest.moc"

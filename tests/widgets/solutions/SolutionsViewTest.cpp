@@ -10,6 +10,8 @@
 #include "tests/widgets/Bench.h"
 #include "widgets/solutions/ParameterPanel.h"
 
+namespace widgets::test {
+
 using robotcontrol::SolutionTable;
 
 namespace {
@@ -66,9 +68,6 @@ robotcontrol::SimulationStatus sentParameters(const robotcontrol::Request& reque
 class SolutionsViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void oneClickSwitchesAndTheSwitchIsPendingUntilTheRobotConfirms() {
     Bench bench;
     auto view = bench.open<widgets::SolutionsView>();
@@ -235,5 +234,8 @@ class SolutionsViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(SolutionsViewTest)
+const GuiTest<SolutionsViewTest> kSolutionsViewTest;
+
+}  // namespace widgets::test
+
 #include "SolutionsViewTest.moc"

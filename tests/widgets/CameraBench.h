@@ -7,14 +7,14 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/colortool/SampleFixture.h"
-#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/FieldBench.h"
 #include "widgets/color/ColorBench.h"
 
 namespace widgets::test {
 
-/// A session whose robot's camera shows four quarters: orange, green, white and a gray wall
+/// A bench whose robot's camera shows four quarters: orange, green, white and a gray wall
 /// (SampleFixture.h).
-class ColorWorld : public SyntheticWorld {
+class CameraBench : public FieldBench {
  public:
   static constexpr char kStream[] = "red1/camera/image";
 

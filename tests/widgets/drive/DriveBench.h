@@ -17,16 +17,16 @@
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
 
+namespace widgets::test {
+
 /// A bench with two Pioneers, "p3at1" (selected) and "p3at2", whose streams the test publishes.
-struct DriveWorld : Bench {
-  DriveWorld() {
+struct DriveBench : Bench {
+  DriveBench() : Bench({.robots = {"p3at1", "p3at2"}}) {
     auto description =
         robotlink::readRobotDescription(std::string(ROBOTCONTROL_SOURCE_DIR) + "/resources/robots/p3at.yaml");
     if (!description) qFatal("the description of the p3at cannot be read");
     const auto shared = std::make_shared<const robotlink::RobotDescription>(std::move(*description));
     context.robots = {{"p3at1", shared}, {"p3at2", shared}};
-    session.setRobots({"p3at1", "p3at2"});
-    session.selectRobot("p3at1");
   }
 
   /// The program's key table, in which these packages are off.
@@ -166,10 +166,4 @@ struct DriveWorld : Bench {
   }
 };
 
-// Each function runs the tests of a view and returns the number of failures.
-int runRadarTests(int argc, char** argv);
-int runBaseStateTests(int argc, char** argv);
-int runMapTests(int argc, char** argv);
-int runDrivingTests(int argc, char** argv);
-int runPacketTests(int argc, char** argv);
-int runConnectTests(int argc, char** argv);
+}  // namespace widgets::test
