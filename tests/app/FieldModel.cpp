@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/FieldModel.h"
+#include "tests/app/FieldModel.h"
 
 #include <fmt/format.h>
 
