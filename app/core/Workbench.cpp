@@ -238,6 +238,7 @@ void Workbench::apply(Outcome outcome) {
   for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
   session_.setRobots(robots);
   if (outcome.change == Change::kPlatform) {
+    keysToSwitchOn_.clear();
     for (const std::string& robot : robots) switchKeysOn(robot);
   }
   if (onLoaded_) onLoaded_(*loaded_);
@@ -250,18 +251,23 @@ void Workbench::switchKeysOn(const std::string& robot) {
   auto keys = robotlink::KeyPresets(userFolder_ / "session").load(robot);
   if (!keys) keys = robotlink::KeyPresets(robotlink::resource("presets")).load("start");
   if (!keys) return;
+  const auto unanswered = std::make_shared<int>(keys->keys_size());
+  keysToSwitchOn_[robot] = unanswered;
   for (const auto& key : keys->keys()) {
     robotcontrol::Request request;
     request.set_robot(robot);
     request.mutable_set_key()->set_name(key.name());
     *request.mutable_set_key()->mutable_mode() = key.mode();
     // Another program may lack some of the keys that were on; that is no error to report.
-    session_.request(std::move(request), [](const robotcontrol::RequestResult&) {});
+    session_.request(std::move(request), [unanswered](const robotcontrol::RequestResult&) { --*unanswered; });
   }
 }
 
 robotlink::Result<void> Workbench::keepKeys() {
   for (const std::string& robot : session_.robots()) {
+    // Its table may still be the one from before the saved keys were switched on.
+    const auto unanswered = keysToSwitchOn_.find(robot);
+    if (unanswered != keysToSwitchOn_.end() && *unanswered->second > 0) continue;
     const auto* table = session_.store().latestAs<robotcontrol::KeyTable>(robot + "/tables/keys",
                                                                           session_.timeline().newest());
     if (table == nullptr) continue;

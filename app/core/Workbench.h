@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -73,7 +74,8 @@ class Workbench {
   /// Cancels opening that file; what ran before continues.
   void cancelOpening();
 
-  /// Saves the modes of each robot's debug keys for the next start. Fails if a file cannot be written.
+  /// Saves the modes of each robot's debug keys for the next start. Those of a robot that has not yet
+  /// switched on what was saved before stay as saved. Fails if a file cannot be written.
   robotlink::Result<void> keepKeys();
 
   /// The shipped scenes and maps; the shipped layouts.
@@ -149,6 +151,9 @@ class Workbench {
   /// Shared with the platform's thread.
   struct LastSimulation;
   std::shared_ptr<LastSimulation> lastSimulation_;
+  /// How many of the requests of switchKeysOn() a robot has not answered yet, by robot. Shared with the
+  /// handlers of the answers, which count down.
+  std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   /// How many results are still to come.

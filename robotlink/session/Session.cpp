@@ -67,6 +67,12 @@ struct Session::Inbox {
     lastTime = Instant{};
   }
 
+  // Call it with the mutex locked. Only the first result of a known request counts, so that the number of
+  // waiting results is bounded by that of requests.
+  void addResult(const RequestResult& result) {
+    if (awaited.erase(result.id()) > 0) results.push_back(std::make_shared<RequestResult>(result));
+  }
+
   void countDropped(const std::string& process, std::uint64_t count) {
     if (robotDropped.size() >= kMaxProcesses && !robotDropped.contains(process)) return;
     auto& [before, since] = robotDropped[process];
@@ -140,11 +146,11 @@ void Session::pushQueue(const std::string& robot, const std::shared_ptr<const Sh
   }
   // Not under the lock, so that other producers need not wait meanwhile.
   QueueMessages parts = messagesOf(robot, *queue, lastTime);
-  for (const ResultPtr& result : parts.results) pushResult(*result);
   Batch batch;
   batch.bytes = bytesOf(parts.messages);
   batch.messages = std::move(parts.messages);
   const std::lock_guard lock(inbox_->mutex);
+  for (const ResultPtr& result : parts.results) inbox_->addResult(*result);
   inbox_->dropped += parts.senseless;
   inbox_->countDropped(robot + "/" + queue->process, queue->dropped);
   if (!batch.messages.empty()) inbox_->add(std::move(batch));
@@ -152,10 +158,7 @@ void Session::pushQueue(const std::string& robot, const std::shared_ptr<const Sh
 
 void Session::pushResult(const RequestResult& result) {
   const std::lock_guard lock(inbox_->mutex);
-  // Only the first result of a known request, so that the number of waiting results is bounded by that of
-  // requests.
-  if (inbox_->awaited.erase(result.id()) > 0)
-    inbox_->results.push_back(std::make_shared<RequestResult>(result));
+  inbox_->addResult(result);
 }
 
 void Session::tick() {

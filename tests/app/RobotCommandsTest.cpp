@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -8,6 +9,7 @@
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/session/KeyPresets.h"
 #include "tests/TestFolder.h"
 #include "tests/app/TickUntil.h"
 
@@ -71,6 +73,26 @@ TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
     return false;
   }));
   EXPECT_EQ(errors, "");
+}
+
+TEST_F(RobotCommandsTest, keysThatAreBeingSwitchedOnAreNotLostToTheNextStart) {
+  const auto keptImage = [&] {
+    const auto kept = robotlink::KeyPresets(home_.path() / "session").load("red1");
+    if (!kept) return false;
+    return std::ranges::any_of(kept->keys(),
+                               [](const auto& key) { return key.name() == "package/camera/image"; });
+  };
+  workbench_.load(Workbench::defaultOptions());
+  // Keys are kept in each tick, as if the user quit or opened another scene then.
+  bool wasKept = false, wasLost = false;
+  EXPECT_TRUE(test::tickUntil(workbench_, [&] {
+    EXPECT_TRUE(workbench_.keepKeys());
+    const bool exists = std::filesystem::exists(home_.path() / "session" / "red1.keys.json");
+    wasKept = keptImage();
+    wasLost = wasLost || (exists && !wasKept);
+    return wasKept || wasLost;
+  }));
+  EXPECT_FALSE(wasLost);
 }
 
 TEST_F(RobotCommandsTest, loadingEndsHoweverManyLayoutsWereAskedForAtOnce) {
