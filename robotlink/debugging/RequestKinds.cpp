@@ -93,27 +93,101 @@ std::string tableChosen(const Request&) {
   return "the color table that was sent";
 }
 
+// ---- The task that it concerns
+
+std::string taskOfGet(const Request& request) {
+  return request.get_parameters().task();
+}
+std::string taskOfSet(const Request& request) {
+  return request.set_parameters().task();
+}
+
+// ---- Whether it removes what was chosen before
+
+/// Off is the default; and "n times" is over when the program ends.
+bool keyEnds(const Request& request) {
+  const auto kind = request.set_key().mode().kind();
+  return kind == robotcontrol::KeyMode::OFF || kind == robotcontrol::KeyMode::N_TIMES;
+}
+bool tableIsBuiltIn(const Request& request) {
+  return request.set_color_table().table().cells().empty();
+}
+bool nothingIsRecorded(const Request& request) {
+  return request.record_packages().packages().empty();
+}
+
 constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "nothing"};
 
+using Doer = RequestDoer;
+using Effect = RequestEffect;
+
 constexpr std::array<RequestKind, 16> kKinds{{
-    {Request::kSetKey, RequestDoer::kDebugProcess, "set key", true, keyOf, wrongKey},
-    {Request::kSelectSolution, RequestDoer::kTask, "select solution", true, taskOf, nullptr, solutionChosen},
-    {Request::kGetParameters, RequestDoer::kTask, "get parameters"},
-    {Request::kSetParameters, RequestDoer::kTask, "set parameters", true, parametersOf, nullptr,
-     parametersChosen},
-    {Request::kSendTables, RequestDoer::kDebugProcess, "send tables"},
-    {Request::kStop, RequestDoer::kPlatform, "stop", false, theOnlyOne},
-    {Request::kMotion, RequestDoer::kDebugProcess, "motion"},
-    {Request::kControlSimulation, RequestDoer::kSimulation, "control simulation", false, nullptr, wrongSpeed},
-    {Request::kPlaceModel, RequestDoer::kSimulation, "place model", false, nullptr, wrongPlace},
-    {Request::kRecordPackages, RequestDoer::kDebugProcess, "record packages", true},
-    {Request::kSetColorTable, RequestDoer::kDebugProcess, "set color table", true, theOnlyOne,
-     wrongColorTable, tableChosen},
-    {Request::kControlRecording, RequestDoer::kRecording, "control recording"},
-    {Request::kControlReplay, RequestDoer::kReplay, "control replay"},
-    {Request::kSetLighting, RequestDoer::kSimulation, "set lighting", false, theOnlyOne},
-    {Request::kSetGoal, RequestDoer::kDebugProcess, "set goal", false, nullptr, wrongGoal},
-    {Request::kControlDrive, RequestDoer::kPlatform, "control drive"},
+    {.what = Request::kSetKey,
+     .doer = Doer::kDebugProcess,
+     .words = "set key",
+     .effect = Effect::kPublishing,
+     .isOverride = true,
+     .subject = keyOf,
+     .wrong = wrongKey,
+     .removes = keyEnds,
+     .publishesTables = true},
+    // Before the choice of solutions, which may read them when they are constructed.
+    {.what = Request::kSetParameters,
+     .doer = Doer::kTask,
+     .words = "set parameters",
+     .effect = Effect::kBehavior,
+     .isOverride = true,
+     .subject = parametersOf,
+     .choice = parametersChosen,
+     .task = taskOfSet},
+    {.what = Request::kSelectSolution,
+     .doer = Doer::kTask,
+     .words = "select solution",
+     .effect = Effect::kBehavior,
+     .isOverride = true,
+     .subject = taskOf,
+     .choice = solutionChosen,
+     .task = taskOf,
+     .publishesTables = true},
+    {.what = Request::kSetColorTable,
+     .doer = Doer::kDebugProcess,
+     .words = "set color table",
+     .effect = Effect::kBehavior,
+     .isOverride = true,
+     .subject = theOnlyOne,
+     .wrong = wrongColorTable,
+     .choice = tableChosen,
+     .removes = tableIsBuiltIn},
+    {.what = Request::kRecordPackages,
+     .doer = Doer::kDebugProcess,
+     .words = "record packages",
+     .isOverride = true,
+     .subject = theOnlyOne,
+     .removes = nothingIsRecorded},
+    {.what = Request::kGetParameters, .doer = Doer::kTask, .words = "get parameters", .task = taskOfGet},
+    {.what = Request::kSendTables,
+     .doer = Doer::kDebugProcess,
+     .words = "send tables",
+     .publishesTables = true},
+    {.what = Request::kMotion, .doer = Doer::kDebugProcess, .words = "motion", .effect = Effect::kBehavior},
+    {.what = Request::kSetGoal,
+     .doer = Doer::kDebugProcess,
+     .words = "set goal",
+     .effect = Effect::kBehavior,
+     .wrong = wrongGoal},
+    {.what = Request::kStop, .doer = Doer::kPlatform, .words = "stop", .subject = theOnlyOne},
+    {.what = Request::kControlDrive, .doer = Doer::kPlatform, .words = "control drive"},
+    {.what = Request::kControlSimulation,
+     .doer = Doer::kSimulation,
+     .words = "control simulation",
+     .wrong = wrongSpeed},
+    {.what = Request::kPlaceModel, .doer = Doer::kSimulation, .words = "place model", .wrong = wrongPlace},
+    {.what = Request::kSetLighting,
+     .doer = Doer::kSimulation,
+     .words = "set lighting",
+     .subject = theOnlyOne},
+    {.what = Request::kControlRecording, .doer = Doer::kRecording, .words = "control recording"},
+    {.what = Request::kControlReplay, .doer = Doer::kReplay, .words = "control replay"},
 }};
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,6 +21,13 @@ enum class RequestDoer : std::uint8_t {
   kRecording
 };
 
+/// What a request changes of a robot's program.
+enum class RequestEffect : std::uint8_t {
+  kNone,        ///< what it does and shows stays as it is; the request is about something else, or only asks
+  kPublishing,  ///< what it publishes for views
+  kBehavior     ///< what it does
+};
+
 /// The properties of all requests of one kind. The table of all kinds is the only place that defines them;
 /// code that passes on, stores or describes requests looks them up.
 struct RequestKind {
@@ -28,6 +36,7 @@ struct RequestKind {
   robotcontrol::Request::WhatCase what;
   RequestDoer doer;
   const char* words;  ///< for users: "set debug key"
+  RequestEffect effect = RequestEffect::kNone;
   /// Whether it overrides what the robot's layout and files say, and so holds for later programs of the
   /// robot, too, after a reset or in another layout.
   bool isOverride = false;
@@ -39,9 +48,18 @@ struct RequestKind {
   /// What the user chose by it, for a sentence about its loss: "solution red of task ball". Null or empty:
   /// nothing that would be missed.
   Text choice = nullptr;
+  /// The task that it concerns, for RequestDoer::kTask; otherwise null.
+  Text task = nullptr;
+  /// Whether it removes the override of its subject instead of being one. Null: it never does.
+  bool (*removes)(const robotcontrol::Request& request) = nullptr;
+  /// Whether the program publishes its tables of keys, solutions and processes afterwards.
+  bool publishesTables = false;
+
+  /// Whether the robot's program fulfills it.
+  bool isOfProgram() const { return doer == RequestDoer::kTask || doer == RequestDoer::kDebugProcess; }
 };
 
-/// One row for each kind.
+/// One row for each kind, in the order in which overrides are applied to a program.
 std::span<const RequestKind> requestKinds();
 const RequestKind& kindOf(const robotcontrol::Request& request);
 
@@ -53,6 +71,23 @@ std::string wrongWith(const robotcontrol::Request& request);
 std::string wrongWith(const robotcontrol::ColorTable& table);
 /// Whether both set the same thing, so that the later one takes the place of the one before.
 bool setTheSame(const robotcontrol::Request& a, const robotcontrol::Request& b);
+
+/// A row in the table of someone who fulfills requests: a kind and its handler, a pointer to a member
+/// function. Each fulfiller has one such table; tests/app/RequestFulfillersTest.cpp compares them with the
+/// table of kinds.
+template <typename Handler>
+struct RequestRow {
+  robotcontrol::Request::WhatCase what;
+  Handler handler;
+};
+/// The row of a kind of request in such a table; null if there is none.
+template <typename Row, std::size_t kSize>
+constexpr const Row* rowOf(const Row (&rows)[kSize], robotcontrol::Request::WhatCase what) {
+  for (const Row& row : rows) {
+    if (row.what == what) return &row;
+  }
+  return nullptr;
+}
 
 /// Ids with this bit are those of requests that repeat what a person chose, for a program that takes the
 /// place of another one. Sessions count from 1.

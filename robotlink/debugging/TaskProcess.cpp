@@ -8,6 +8,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
@@ -53,13 +54,18 @@ struct TaskProcess::Implementation {
   void connectPackages();
   void runTasks();
   void takeRequests();
-  void handle(const Request& request);
+  // The handlers of requests.
   void setKey(const Request& request);
+  void selectSolution(const Request& request);
+  void getParameters(const Request& request);
+  void setParameters(const Request& request);
+  void recordPackages(const Request& request);
+  void sendTablesAgain(const Request& request);
+
   void setKey(int key, const robotcontrol::KeyMode& mode);
   Result<void> select(const std::string& task, const std::string& solution);
   Result<TaskRunner*> selectable(const std::string& task, const std::string& solution) const;
-  Result<void> getParameters(const std::string& task, const std::string& solution);
-  Result<void> setParameters(const robotcontrol::SetParameters& details);
+  Result<void> publishParameters(const std::string& task, const std::string& solution);
   void answer(const Request& request, const Result<void>& result);
   Result<std::pair<TaskRunner*, SolutionParameters*>> parametersOf(const std::string& task,
                                                                    const std::string& solution);
@@ -84,7 +90,20 @@ struct TaskProcess::Implementation {
   bool solutionsChanged = true;
   // Keys that are on for n times.
   std::vector<int> limitedKeys;
+
+  /// The requests that a task process gets.
+  static constexpr RequestRow<void (Implementation::*)(const Request&)> kRows[]{
+      {Request::kSetKey, &Implementation::setKey},
+      {Request::kSelectSolution, &Implementation::selectSolution},
+      {Request::kGetParameters, &Implementation::getParameters},
+      {Request::kSetParameters, &Implementation::setParameters},
+      {Request::kRecordPackages, &Implementation::recordPackages},
+      {Request::kSendTables, &Implementation::sendTablesAgain}};
 };
+
+bool TaskProcess::fulfills(const Request& request) {
+  return rowOf(Implementation::kRows, request.what_case()) != nullptr;
+}
 
 // ---- Construction
 
@@ -261,32 +280,10 @@ void TaskProcess::Implementation::takeRequests() {
     const std::uint64_t number = package.first_number() + static_cast<std::uint64_t>(i);
     // It was in an earlier package, too.
     if (number <= requestsDone) continue;
-    handle(package.requests(i));
+    // The debug process passes on no others.
+    if (const auto* row = rowOf(kRows, package.requests(i).what_case()))
+      (this->*row->handler)(package.requests(i));
     requestsDone = number;
-  }
-}
-
-void TaskProcess::Implementation::handle(const Request& request) {
-  switch (request.what_case()) {
-    case Request::kSetKey:
-      return setKey(request);
-    case Request::kSelectSolution:
-      return answer(request, select(request.select_solution().task(), request.select_solution().solution()));
-    case Request::kGetParameters:
-      return answer(request,
-                    getParameters(request.get_parameters().task(), request.get_parameters().solution()));
-    case Request::kSetParameters:
-      return answer(request, setParameters(request.set_parameters()));
-    case Request::kRecordPackages: {
-      const auto& packages = request.record_packages().packages();
-      return board.record({packages.begin(), packages.end()});
-    }
-    case Request::kSendTables:
-      keysChanged = solutionsChanged = true;
-      return;
-    default:
-      // The debug process sends no other requests.
-      return;
   }
 }
 
@@ -366,8 +363,26 @@ Result<std::pair<TaskRunner*, SolutionParameters*>> TaskProcess::Implementation:
   return std::pair(found, parameters);
 }
 
-Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
-                                                        const std::string& solution) {
+void TaskProcess::Implementation::selectSolution(const Request& request) {
+  answer(request, select(request.select_solution().task(), request.select_solution().solution()));
+}
+
+void TaskProcess::Implementation::getParameters(const Request& request) {
+  answer(request, publishParameters(request.get_parameters().task(), request.get_parameters().solution()));
+}
+
+void TaskProcess::Implementation::setParameters(const Request& request) {
+  const robotcontrol::SetParameters& details = request.set_parameters();
+  const auto found = parametersOf(details.task(), details.solution());
+  if (!found) return answer(request, tl::unexpected(found.error()));
+  auto done = found->second->set(details.value());
+  // The new values go to everyone who displays them.
+  if (done) done = publishParameters(details.task(), details.solution());
+  answer(request, done);
+}
+
+Result<void> TaskProcess::Implementation::publishParameters(const std::string& task,
+                                                            const std::string& solution) {
   const auto found = parametersOf(task, solution);
   if (!found) return tl::unexpected(found.error());
   const std::string name = solution.empty() ? found->first->active() : solution;
@@ -378,12 +393,13 @@ Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
   return {};
 }
 
-Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetParameters& details) {
-  const auto found = parametersOf(details.task(), details.solution());
-  if (!found) return tl::unexpected(found.error());
-  if (auto set = found->second->set(details.value()); !set) return set;
-  // The new values go to everyone who displays them.
-  return getParameters(details.task(), details.solution());
+void TaskProcess::Implementation::recordPackages(const Request& request) {
+  const auto& packages = request.record_packages().packages();
+  board.record({packages.begin(), packages.end()});
+}
+
+void TaskProcess::Implementation::sendTablesAgain(const Request&) {
+  keysChanged = solutionsChanged = true;
 }
 
 void TaskProcess::Implementation::answer(const Request& request, const Result<void>& result) {

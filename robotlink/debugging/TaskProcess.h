@@ -13,6 +13,10 @@
 #include "robotlink/process/Layout.h"
 #include "robotlink/process/Process.h"
 
+namespace robotcontrol {
+class Request;
+}
+
 namespace robotlink {
 
 /// A process of a layout that runs its tasks in order, each with the solution that is selected for it.
@@ -37,6 +41,9 @@ class TaskProcess final : public Process {
   /// cannot be read.
   static tl::expected<std::unique_ptr<TaskProcess>, Errors> create(const Setup& setup, const Clock& clock);
   ~TaskProcess() override;
+
+  /// Whether there is a handler for requests of this kind.
+  static bool fulfills(const robotcontrol::Request& request);
 
   DebugContext& debug();
   /// Has the same effect as a RecordPackages request before the first frame. Before it runs.

@@ -58,7 +58,10 @@ struct DebugProcess::Implementation {
   void route(const Request& request);
   std::optional<Target> targetOf(const Request& request) const;
   std::string refusal(const Request& request) const;
+  // The handlers of requests that no task process handles.
   void setKey(const Request& request);
+  void sendTablesAgain(const Request& request);
+  void recordPackages(const Request& request);
   void sendMotion(const Request& request);
   void sendColorTable(const Request& request);
   void sendGoal(const Request& request);
@@ -95,7 +98,32 @@ struct DebugProcess::Implementation {
   bool colorTableDue = true;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
+
+  /// How a request is handled.
+  struct Handler {
+    void (Implementation::*handle)(const Request& request);
+    /// Whether a task receives the package that it sends, and what that task does: "drives to goals". Null:
+    /// it sends none.
+    bool (Implementation::*connected)() const;
+    const char* use;
+  };
+  bool motionConnected() const { return remoteMotion.connected(); }
+  bool colorsConnected() const { return colorTable.connected(); }
+  bool goalConnected() const { return driveGoal.connected(); }
+  static constexpr RequestRow<Handler> kRows[]{
+      {Request::kSetKey, {&Implementation::setKey, nullptr, ""}},
+      {Request::kSendTables, {&Implementation::sendTablesAgain, nullptr, ""}},
+      {Request::kRecordPackages, {&Implementation::recordPackages, nullptr, ""}},
+      {Request::kMotion,
+       {&Implementation::sendMotion, &Implementation::motionConnected, "obeys remote motions"}},
+      {Request::kSetColorTable,
+       {&Implementation::sendColorTable, &Implementation::colorsConnected, "uses a color table"}},
+      {Request::kSetGoal, {&Implementation::sendGoal, &Implementation::goalConnected, "drives to goals"}}};
 };
+
+bool DebugProcess::fulfills(const Request& request) {
+  return rowOf(Implementation::kRows, request.what_case()) != nullptr;
+}
 
 DebugProcess::DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes)
     : Process(std::move(name), clock),
@@ -214,67 +242,29 @@ void DebugProcess::Implementation::route(const Request& request) {
                                       [&](const auto& entry) { return entry->process() == target->process; });
     return (*channel)->add(request);
   }
-  switch (request.what_case()) {
-    case Request::kSetKey:
-      return setKey(request);
-    case Request::kSendTables:
-      sendToAll(request);
-      processTableDue.reset();
-      solutionsDue = !routes.absent.empty();
-      colorTableDue = true;
-      return answer(request, "");
-    case Request::kRecordPackages:
-      sendToAll(request);
-      return answer(request, "");
-    case Request::kMotion:
-      return sendMotion(request);
-    case Request::kSetColorTable:
-      return sendColorTable(request);
-    default:
-      return sendGoal(request);
-  }
+  const auto* row = rowOf(kRows, request.what_case());
+  (this->*row->handler.handle)(request);
 }
 
 /// Returns nothing if the debug process itself handles the request.
 std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(
     const Request& request) const {
-  const auto ofTask = [&](const std::string& task) { return Target{routes.processOf(task), task}; };
-  switch (request.what_case()) {
-    case Request::kSetKey: {
-      const std::string package = packageOfKey(request.set_key().name());
-      if (package.empty() || requested.has(package)) return std::nullopt;
-      const auto owner = routes.packages.find(package);
-      return Target{owner != routes.packages.end() ? owner->second : "", request.set_key().name()};
-    }
-    case Request::kSelectSolution:
-      return ofTask(request.select_solution().task());
-    case Request::kGetParameters:
-      return ofTask(request.get_parameters().task());
-    case Request::kSetParameters:
-      return ofTask(request.set_parameters().task());
-    default:
-      return std::nullopt;
-  }
+  const RequestKind& kind = kindOf(request);
+  if (kind.task != nullptr) return Target{routes.processOf(kind.task(request)), kind.task(request)};
+  const std::string package = request.has_set_key() ? packageOfKey(request.set_key().name()) : "";
+  if (package.empty() || requested.has(package)) return std::nullopt;
+  const auto owner = routes.packages.find(package);
+  return Target{owner != routes.packages.end() ? owner->second : "", request.set_key().name()};
 }
 
 /// Empty if the request will be done here or forwarded.
 std::string DebugProcess::Implementation::refusal(const Request& request) const {
   if (std::string wrong = wrongWith(request); !wrong.empty()) return wrong;
   if (const auto target = targetOf(request)) return whyNotBy(*target);
-  switch (request.what_case()) {
-    case Request::kSetKey:
-    case Request::kSendTables:
-    case Request::kRecordPackages:
-      return "";
-    case Request::kMotion:
-      return remoteMotion.connected() ? "" : "no task of this layout obeys remote motions";
-    case Request::kSetColorTable:
-      return colorTable.connected() ? "" : "no task of this layout uses a color table";
-    case Request::kSetGoal:
-      return driveGoal.connected() ? "" : "no task of this layout drives to goals";
-    default:
-      return "a robot's program cannot do this; ask its platform or the simulation";
-  }
+  const auto* row = rowOf(kRows, request.what_case());
+  if (row == nullptr) return "a robot's program cannot do this; ask its platform or the simulation";
+  const auto& [handle, connected, use] = row->handler;
+  return connected == nullptr || (this->*connected)() ? "" : std::string("no task of this layout ") + use;
 }
 
 void DebugProcess::Implementation::setKey(const Request& request) {
@@ -284,6 +274,19 @@ void DebugProcess::Implementation::setKey(const Request& request) {
   } else {
     sendToAll(request);
   }
+  answer(request, "");
+}
+
+void DebugProcess::Implementation::sendTablesAgain(const Request& request) {
+  sendToAll(request);
+  processTableDue.reset();
+  solutionsDue = !routes.absent.empty();
+  colorTableDue = true;
+  answer(request, "");
+}
+
+void DebugProcess::Implementation::recordPackages(const Request& request) {
+  sendToAll(request);
   answer(request, "");
 }
 
@@ -370,9 +373,8 @@ void DebugProcess::Implementation::noticeStopped() {
   for (const auto& channel : channels) {
     if (known.count(channel->process()) == 0) continue;
     for (const Request& request : channel->takePending()) {
-      const bool answered = request.has_send_tables() || request.has_record_packages() ||
-                            (request.has_set_key() && packageOfKey(request.set_key().name()).empty());
-      if (!answered) answer(request, stoppedText(*watchedProcess(channel->process())));
+      // Requests to all processes were answered here.
+      if (targetOf(request)) answer(request, stoppedText(*watchedProcess(channel->process())));
     }
   }
 }

@@ -55,6 +55,8 @@ class DebugProcess final : public Process {
   /// Sends one of the packages that this process offers, so that it is there in the first frame. Other
   /// packages and invalid color tables are ignored. Call it before the process runs.
   void offer(const PackagePtr& package);
+  /// Whether there is a handler for requests of this kind; those to task processes are passed on without one.
+  static bool fulfills(const robotcontrol::Request& request);
   /// Enqueues a request; any thread. Returns false if the queue is full and the request was dropped.
   bool request(const robotcontrol::Request& request);
 

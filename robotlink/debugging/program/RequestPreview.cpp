@@ -2,6 +2,7 @@
 #include "robotlink/debugging/program/RequestPreview.h"
 
 #include "robotlink/debugging/ColorTableInUse.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/packages/Checksum.h"
@@ -26,46 +27,62 @@ const TaskProcess* RequestPreview::processOf(const Request& request) const {
   return nullptr;
 }
 
+/// What a request changes here, and what is published when it is accepted; null: nothing.
+struct RequestPreview::Handlers {
+  struct Handler {
+    std::string (RequestPreview::*add)(const Request& request);
+    void (RequestPreview::*describe)(const Request& request);
+  };
+  static constexpr RequestRow<Handler> kRows[]{
+      {Request::kSetKey, {&RequestPreview::setKey, nullptr}},
+      {Request::kSelectSolution, {&RequestPreview::selectSolution, nullptr}},
+      {Request::kGetParameters, {&RequestPreview::getParameters, &RequestPreview::describeGotten}},
+      {Request::kSetParameters, {&RequestPreview::setParameters, &RequestPreview::describeSet}},
+      {Request::kSetColorTable, {&RequestPreview::setColorTable, nullptr}}};
+};
+
+bool RequestPreview::handles(const Request& request) {
+  return rowOf(Handlers::kRows, request.what_case()) != nullptr;
+}
+
 std::string RequestPreview::add(const Request& request) {
   std::string refusal = program_.debugProcess().refusal(request);
-  if (!refusal.empty()) return refusal;
-  if (const TaskProcess* process = processOf(request)) refusal = addTo(*process, request);
-  if (refusal.empty() && request.has_set_key()) keys_[request.set_key().name()] = request.set_key().mode();
-  if (refusal.empty() && request.has_set_color_table())
-    colorTable_ = colorTableInUse(&request.set_color_table().table());
+  const auto* row = rowOf(Handlers::kRows, request.what_case());
+  if (refusal.empty() && row != nullptr) refusal = (this->*row->handler.add)(request);
   return refusal;
 }
 
-std::string RequestPreview::addTo(const TaskProcess& process, const Request& request) {
-  switch (request.what_case()) {
-    case Request::kSelectSolution:
-      return selectSolution(process, request.select_solution());
-    case Request::kSetParameters:
-      return setParameters(process, request.set_parameters());
-    case Request::kGetParameters: {
-      const auto known =
-          parametersOf(process, request.get_parameters().task(), request.get_parameters().solution());
-      return known ? std::string() : known.error().text;
-    }
-    default:
-      return "";
-  }
+std::string RequestPreview::setKey(const Request& request) {
+  keys_[request.set_key().name()] = request.set_key().mode();
+  return "";
 }
 
-std::string RequestPreview::selectSolution(const TaskProcess& process,
-                                           const robotcontrol::SelectSolution& details) {
-  std::string refusal = reasonOf(process.trySolution(details.task(), details.solution()));
+std::string RequestPreview::selectSolution(const Request& request) {
+  const robotcontrol::SelectSolution& details = request.select_solution();
+  std::string refusal = reasonOf(processOf(request)->trySolution(details.task(), details.solution()));
   if (refusal.empty()) solutions_[details.task()] = details.solution();
   return refusal;
 }
 
-std::string RequestPreview::setParameters(const TaskProcess& process,
-                                          const robotcontrol::SetParameters& details) {
+std::string RequestPreview::getParameters(const Request& request) {
+  const robotcontrol::GetParameters& details = request.get_parameters();
+  const auto known = parametersOf(*processOf(request), details.task(), details.solution());
+  return known ? std::string() : known.error().text;
+}
+
+std::string RequestPreview::setParameters(const Request& request) {
+  const robotcontrol::SetParameters& details = request.set_parameters();
+  const TaskProcess& process = *processOf(request);
   const auto known = parametersOf(process, details.task(), details.solution());
   if (!known) return known.error().text;
   const std::string solution = solutionOf(process, details.task(), details.solution());
   const auto entry = parameters_.try_emplace({details.task(), solution}, (*known)->clone()).first;
   return reasonOf(entry->second.set(details.value()));
+}
+
+std::string RequestPreview::setColorTable(const Request& request) {
+  colorTable_ = colorTableInUse(&request.set_color_table().table());
+  return "";
 }
 
 Result<const SolutionParameters*> RequestPreview::parametersOf(const TaskProcess& process,
@@ -90,9 +107,10 @@ std::string RequestPreview::solutionOf(const TaskProcess& process, const std::st
 
 bool RequestPreview::answer(const Request& request) {
   const std::string refusal = add(request);
+  const auto* row = rowOf(Handlers::kRows, request.what_case());
   if (refusal.empty()) {
-    tablesAsked_ |= request.has_send_tables() || request.has_set_key() || request.has_select_solution();
-    if (request.has_get_parameters() || request.has_set_parameters()) describeParameters(request);
+    tablesAsked_ |= kindOf(request).publishesTables;
+    if (row != nullptr && row->handler.describe != nullptr) (this->*row->handler.describe)(request);
   }
   auto& result = queue().add<robotcontrol::RequestResult>(streams::kResults);
   result.set_id(request.id());
@@ -105,13 +123,19 @@ bool RequestPreview::answer(const Request& request) {
   return refusal.empty();
 }
 
-void RequestPreview::describeParameters(const Request& request) {
-  const TaskProcess& process = *processOf(request);
-  const std::string& task =
-      request.has_get_parameters() ? request.get_parameters().task() : request.set_parameters().task();
-  const std::string solution = solutionOf(process, task,
-                                          request.has_get_parameters() ? request.get_parameters().solution()
-                                                                       : request.set_parameters().solution());
+void RequestPreview::describeGotten(const Request& request) {
+  describeParameters(*processOf(request), request.get_parameters().task(),
+                     request.get_parameters().solution());
+}
+
+void RequestPreview::describeSet(const Request& request) {
+  describeParameters(*processOf(request), request.set_parameters().task(),
+                     request.set_parameters().solution());
+}
+
+void RequestPreview::describeParameters(const TaskProcess& process, const std::string& task,
+                                        const std::string& asked) {
+  const std::string solution = solutionOf(process, task, asked);
   auto& values = queue().add<robotcontrol::ParameterValues>(streams::kParameters + (task + "/" + solution));
   values.set_task(task);
   values.set_solution(solution);

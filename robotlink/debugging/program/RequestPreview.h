@@ -32,6 +32,10 @@ class RequestPreview {
  public:
   explicit RequestPreview(RobotProgram& program) : program_(program) {}
 
+  /// Whether there is a handler for requests of this kind. What a program always accepts, and answers without
+  /// anything else, needs none.
+  static bool handles(const robotcontrol::Request& request);
+
   /// The reason why the program will refuse a request; empty if it will not.
   std::string add(const robotcontrol::Request& request);
   /// The same, with the result in the queue; returns whether the program will do it.
@@ -43,16 +47,24 @@ class RequestPreview {
   using TaskSolution = std::pair<std::string, std::string>;
   /// The task process that a request goes to; null if the debug process handles it.
   const TaskProcess* processOf(const robotcontrol::Request& request) const;
-  std::string addTo(const TaskProcess& process, const robotcontrol::Request& request);
-  std::string selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& details);
-  std::string setParameters(const TaskProcess& process, const robotcontrol::SetParameters& details);
+  // The handlers of requests, called if the debug process does not refuse them. They return the reason of a
+  // refusal.
+  std::string setKey(const robotcontrol::Request& request);
+  std::string selectSolution(const robotcontrol::Request& request);
+  std::string getParameters(const robotcontrol::Request& request);
+  std::string setParameters(const robotcontrol::Request& request);
+  std::string setColorTable(const robotcontrol::Request& request);
+  struct Handlers;
   /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
                          const std::string& solution) const;
   /// The parameters that a request means, as the program has them; fails if there are none.
   Result<const SolutionParameters*> parametersOf(const TaskProcess& process, const std::string& task,
                                                  const std::string& solution) const;
-  void describeParameters(const robotcontrol::Request& request);
+  // What accepted requests publish.
+  void describeGotten(const robotcontrol::Request& request);
+  void describeSet(const robotcontrol::Request& request);
+  void describeParameters(const TaskProcess& process, const std::string& task, const std::string& asked);
   void describeTables();
   void describeColorTable();
   SharedDebugQueue& queue();

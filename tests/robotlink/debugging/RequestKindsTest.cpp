@@ -35,6 +35,9 @@ TEST(RequestKinds, everyKindOfRequestIsDeclaredOnce) {
   for (const RequestKind& kind : requestKinds()) {
     EXPECT_TRUE(declared.insert(kind.what).second) << kind.words;
     EXPECT_NE(kind.doer, RequestDoer::kNobody) << kind.words;
+    EXPECT_EQ(kind.task != nullptr, kind.doer == RequestDoer::kTask) << kind.words;
+    EXPECT_TRUE(!kind.isOverride || (kind.subject != nullptr && kind.isOfProgram()))
+        << kind.words << ": an override belongs to a program, and replaces the one before";
   }
   const auto* what = Request::descriptor()->FindOneofByName("what");
   ASSERT_NE(what, nullptr);
@@ -84,4 +87,16 @@ TEST(RequestKinds, whatAPersonChoseIsKeptForLaterProgramsAndCanBeNamed) {
   stop.mutable_stop();
   EXPECT_FALSE(kindOf(stop).isOverride);
   EXPECT_EQ(kindOf(stop).doer, RequestDoer::kPlatform);
+}
+
+TEST(RequestKinds, anOverrideCanBeRemoved) {
+  const auto removes = [](const Request& request) { return kindOf(request).removes(request); };
+  EXPECT_FALSE(removes(keyRequest("a")));
+  EXPECT_TRUE(removes(keyRequest("a", KeyMode::OFF)));
+  EXPECT_TRUE(removes(keyRequest("a", KeyMode::N_TIMES))) << "it ends by itself";
+  Request packages;
+  packages.mutable_record_packages();
+  EXPECT_TRUE(removes(packages));
+  packages.mutable_record_packages()->add_packages("models/ball");
+  EXPECT_FALSE(removes(packages));
 }
