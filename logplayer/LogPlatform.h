@@ -44,6 +44,9 @@ class LogPlatform final : public robotlink::Platform {
   /// A replayed robot cannot move.
   void actuate() override {}
   void engageStop(bool) override {}
+  std::string refusal() const override {
+    return "what a logged robot did cannot be changed; pause the log instead";
+  }
 
  protected:
   /// Sends the packages of the platform.

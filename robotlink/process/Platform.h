@@ -34,6 +34,9 @@ class Platform : public Process {
   virtual bool stopEngaged() const { return false; }
   /// Fulfills a request of the user for the robot's base. Refused if the robot has no wheels.
   virtual Result<void> control(const robotcontrol::ControlDrive& details);
+  /// Why nothing of what the robot does can be changed by requests, neither by STOP nor for its base, as a
+  /// sentence; empty if it can.
+  virtual std::string refusal() const { return {}; }
   /// Senders of packages that no task may need: a debug process receives those that no task does while their
   /// keys are on. What takes time to make is made only while its sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }

@@ -35,6 +35,13 @@ Request colors(const std::string& cells) {
   return request;
 }
 
+Request packages(const std::vector<std::string>& names) {
+  Request request;
+  request.mutable_record_packages();
+  for (const std::string& name : names) request.mutable_record_packages()->add_packages(name);
+  return request;
+}
+
 /// "key a", "parameters ball/region 1", ...: what a new program is asked for.
 std::vector<std::string> asked(const ProgramOverrides& overrides) {
   std::vector<std::string> lines;
@@ -48,6 +55,8 @@ std::vector<std::string> asked(const ProgramOverrides& overrides) {
       lines.push_back("parameters " + set.task() + "/" + set.solution() + " " + set.value().data());
     }
     if (request.has_set_color_table()) lines.push_back("colors " + request.set_color_table().table().cells());
+    for (const std::string& name : request.record_packages().packages()) lines.push_back("record " + name);
+    EXPECT_EQ(request.id(), 0U) << "it is another request than the one of the user";
     if (request.has_send_tables()) lines.emplace_back("tables");
   }
   return lines;
@@ -88,11 +97,45 @@ TEST(ProgramOverrides, parametersOfTheActiveSolutionComeAfterItsChoice) {
 
 TEST(ProgramOverrides, aColorTableWithoutCellsTakesBackTheLast) {
   ProgramOverrides overrides;
-  EXPECT_TRUE(overrides.note(colors("cells")));
+  auto first = colors("cells");
+  first.set_id(7);
+  EXPECT_TRUE(overrides.note(first));
   EXPECT_THAT(asked(overrides), ElementsAre("colors cells", "tables"));
   EXPECT_TRUE(overrides.note(colors("")));
   EXPECT_EQ(overrides.colorTable(), nullptr);
   EXPECT_THAT(asked(overrides), ElementsAre("tables"));
+}
+
+TEST(ProgramOverrides, recordedPackagesAreAskedForAgainUntilNoneAreWanted) {
+  ProgramOverrides overrides;
+  EXPECT_TRUE(overrides.note(packages({"models/ball"})));
+  EXPECT_TRUE(overrides.note(packages({"models/pose", "percepts/ball"})));
+  EXPECT_THAT(overrides.recordedPackages(), ElementsAre("models/pose", "percepts/ball"));
+  EXPECT_THAT(asked(overrides), ElementsAre("record models/pose", "record percepts/ball", "tables"));
+  EXPECT_TRUE(overrides.note(packages({})));
+  EXPECT_THAT(overrides.recordedPackages(), ElementsAre());
+  EXPECT_THAT(asked(overrides), ElementsAre("tables"));
+}
+
+TEST(ProgramOverrides, whatARequestSetsIsKnownToBeChosenOrNot) {
+  ProgramOverrides overrides;
+  overrides.note(solution("ball", "region"));
+  overrides.note(parameters("ball", "region", "1"));
+  EXPECT_TRUE(overrides.contains(solution("ball", "other")));
+  EXPECT_FALSE(overrides.contains(solution("motion", "region")));
+  EXPECT_TRUE(overrides.contains(parameters("ball", "region", "2")));
+  EXPECT_FALSE(overrides.contains(parameters("ball", "", "2")));
+  EXPECT_FALSE(overrides.contains({}));
+}
+
+TEST(ProgramOverrides, parametersOfTheActiveSolutionAreTheLastOnes) {
+  ProgramOverrides overrides;
+  overrides.note(parameters("ball", "", "2"));
+  overrides.note(parameters("ball", "region", "1"));
+  const auto values = overrides.parameters();
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_EQ(values[0].solution(), "region");
+  EXPECT_EQ(values[1].solution(), "");
 }
 
 TEST(ProgramOverrides, whatIsForTheMomentIsNotKept) {

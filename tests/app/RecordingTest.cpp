@@ -39,6 +39,7 @@ class RecordingTest : public ::testing::Test {
     listeners.queue = [this](const std::string&, const auto& queue) {
       reported += toWire(*queue).ByteSizeLong();
       if (queue->process == "cognition") ++thoughts;
+      for (const auto& message : queue->messages) models += message.path == "models/ball" ? 1 : 0;
     };
     auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
     ASSERT_TRUE(made.has_value());
@@ -75,6 +76,7 @@ class RecordingTest : public ::testing::Test {
   std::unique_ptr<SimulatedRun> run;
   std::atomic<std::size_t> reported{0};
   std::atomic<int> thoughts{0};  // queues of frames of cognition
+  std::atomic<int> models{0};    // of the ball
 };
 
 template <typename T>
@@ -190,6 +192,34 @@ TEST_F(RecordingTest, whenItEndsTheProgramTellsNoMoreThanBefore) {
   reported = 0;
   steps(125);
   EXPECT_NEAR(static_cast<double>(reported), static_cast<double>(before), 0.05 * static_cast<double>(before));
+}
+
+TEST_F(RecordingTest, packagesThatTheUserAsksForAreThereBesideThoseOfTheRecordingAndAfterAReset) {
+  make(true);
+  Request request;
+  request.set_robot("red1");
+  request.mutable_record_packages()->add_packages("models/ball");
+  steps(50);
+  ASSERT_TRUE(run->request(request).has_value());
+  steps(50);
+  const ReadLog log = stop();
+  for (const char* path : {"red1/models/ball", "red1/models/pose"}) {
+    const auto entries = on(log, path);
+    ASSERT_FALSE(entries.empty()) << path;
+    EXPECT_GE(entries.back().time, robotlink::Instant(std::chrono::milliseconds(700))) << path;
+  }
+  const auto published = [this] {
+    models = 0;
+    steps(50);
+    return models > 0;
+  };
+  EXPECT_TRUE(published()) << "also while nothing is recorded";
+  ASSERT_TRUE(run->reset(1).empty());
+  EXPECT_TRUE(published()) << "and by the next program";
+  request.mutable_record_packages()->clear_packages();
+  ASSERT_TRUE(run->request(request).has_value());
+  steps(2);
+  EXPECT_FALSE(published());
 }
 
 TEST_F(RecordingTest, theSetUpSaysWhatTheProgramIsMadeOf) {

@@ -88,7 +88,7 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  return robot_->make(std::move(platform), file, *layout);
+  return robot_->make({.platform = std::move(platform), .file = file, .layout = std::move(*layout)});
 }
 
 void PioneerRun::start(RobotHost::Candidate program) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/program/ProgramExecutor.h"
 
-#include "robotlink/debugging/program/RobotProgram.h"
-
 namespace app {
 
 const char* nameOf(ExecutorKind kind) {
@@ -30,10 +28,10 @@ ProgramExecutor::ProgramExecutor(Options options) : options_(std::move(options))
 
 ProgramExecutor::~ProgramExecutor() = default;
 
-void ProgramExecutor::add(robotlink::Platform& platform, robotlink::RobotProgram& program) {
+void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes) {
   if (lockstep_) lockstep_->add(platform);
   if (threads_) platforms_.push_back(&platform);
-  for (robotlink::Process* process : program.processes()) {
+  for (robotlink::Process* process : processes) {
     if (lockstep_) lockstep_->add(*process);
     if (threads_) threads_->add(*process);
   }
@@ -49,6 +47,11 @@ void ProgramExecutor::step() {
   } else {
     stepPlatforms();
   }
+}
+
+void ProgramExecutor::stepFromSensors() {
+  lockstep_->stepPlatforms();
+  lockstep_->runProcesses();
 }
 
 void ProgramExecutor::stepPlatforms() {

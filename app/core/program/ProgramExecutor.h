@@ -10,10 +10,6 @@
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
 
-namespace robotlink {
-class RobotProgram;
-}
-
 namespace app {
 
 /// How the processes of the programs are executed: in turn, or in parallel.
@@ -40,13 +36,17 @@ class ProgramExecutor {
   ~ProgramExecutor();
 
   ExecutorKind kind() const { return options_.kind; }
-  /// Adds a robot before start(). Platform and program must outlive this object.
-  void add(robotlink::Platform& platform, robotlink::RobotProgram& program);
+  /// Adds a robot before start(): its platform and its processes, in the order of their execution. All must
+  /// outlive this object.
+  void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes);
   /// Starts the threads, if there are any; to be called once, after all add().
   void start();
   /// Makes one step: the platforms actuate, the world advances, the platforms send their sensor data. In
   /// lockstep, all processes that can run do so first.
   void step();
+  /// The same with the platforms first, so that the processes compute from the present sensor data. Only in
+  /// lockstep.
+  void stepFromSensors();
 
  private:
   /// A step with threads: the platforms' part only.

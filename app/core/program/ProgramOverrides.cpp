@@ -1,90 +1,111 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/program/ProgramOverrides.h"
 
+#include <algorithm>
+
 #include "robotlink/debugging/RequestKinds.h"
 
 namespace app {
 
-using robotcontrol::KeyMode;
 using robotcontrol::Request;
 
+ProgramOverrides::Subject ProgramOverrides::subjectOf(const Request& request) {
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  return {static_cast<std::size_t>(&kind - robotlink::requestKinds().data()), kind.subject(request)};
+}
+
 bool ProgramOverrides::note(const Request& request) {
-  if (!robotlink::kindOf(request).isOverride) return false;
-  switch (request.what_case()) {
-    case Request::kSetKey:
-      noteKey(request.set_key());
-      return true;
-    case Request::kSelectSolution:
-      chooseSolution(request.select_solution().task(), request.select_solution().solution());
-      return true;
-    case Request::kSetParameters:
-      noteParameters(request.set_parameters());
-      return true;
-    case Request::kSetColorTable:
-      // A table without cells removes the one that was sent.
-      colorTable_ = request.set_color_table().table().cells().empty()
-                        ? nullptr
-                        : std::make_shared<const robotcontrol::ColorTable>(request.set_color_table().table());
-      return true;
-    case Request::kRecordPackages:
-      recordedPackages_ = {request.record_packages().packages().begin(),
-                           request.record_packages().packages().end()};
-      return true;
-    default:
-      return false;
-  }
-}
-
-void ProgramOverrides::noteKey(const robotcontrol::SetKey& key) {
-  // Off is the default; and "n times" was over when the program ended.
-  if (key.mode().kind() == KeyMode::OFF || key.mode().kind() == KeyMode::N_TIMES) {
-    keys_.erase(key.name());
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  if (!kind.isOverride) return false;
+  if (kind.removes != nullptr && kind.removes(request)) {
+    requests_.erase(subjectOf(request));
   } else {
-    keys_[key.name()] = key.mode();
+    requests_[subjectOf(request)] = std::make_shared<const Request>(request);
   }
+  return true;
 }
 
-void ProgramOverrides::noteParameters(const robotcontrol::SetParameters& details) {
-  auto& values = parameters_[{details.task(), details.solution()}];
-  values.set_task(details.task());
-  values.set_solution(details.solution());
-  *values.mutable_value() = details.value();
+void ProgramOverrides::chooseSolution(const std::string& task, const std::string& solution) {
+  Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  note(request);
+}
+
+void ProgramOverrides::chooseColorTable(const std::shared_ptr<const robotcontrol::ColorTable>& table) {
+  Request request;
+  request.mutable_set_color_table();
+  if (table) *request.mutable_set_color_table()->mutable_table() = *table;
+  note(request);
+}
+
+bool ProgramOverrides::contains(const Request& request) const {
+  return robotlink::kindOf(request).isOverride && requests_.contains(subjectOf(request));
 }
 
 std::vector<Request> ProgramOverrides::requests(const std::string& robot) const {
-  std::vector<Request> all;
-  Request request;
-  request.set_robot(robot);
-  for (const auto& [name, mode] : keys_) {
-    request.mutable_set_key()->set_name(name);
-    *request.mutable_set_key()->mutable_mode() = mode;
-    all.push_back(request);
+  std::vector<Request> all, last;
+  for (const auto& [subject, request] : requests_) {
+    // Parameters of the active solution come after the choice of that solution.
+    const bool ofActive = request->has_set_parameters() && request->set_parameters().solution().empty();
+    (ofActive ? last : all).push_back(*request);
   }
-  const auto addParameters = [&](bool ofActive) {
-    for (const auto& [solution, values] : parameters_) {
-      if (solution.second.empty() != ofActive) continue;
-      request.mutable_set_parameters()->set_task(solution.first);
-      request.mutable_set_parameters()->set_solution(solution.second);
-      *request.mutable_set_parameters()->mutable_value() = values.value();
-      all.push_back(request);
-    }
-  };
-  // Parameters of a named solution come before the choice of solutions, which may read them when they are
-  // constructed. Parameters of the active solution come after it.
-  addParameters(false);
-  for (const auto& [task, solution] : solutions_) {
-    request.mutable_select_solution()->set_task(task);
-    request.mutable_select_solution()->set_solution(solution);
-    all.push_back(request);
+  last.emplace_back().mutable_send_tables();
+  all.insert(all.end(), last.begin(), last.end());
+  for (Request& request : all) {
+    request.clear_id();
+    request.set_robot(robot);
   }
-  addParameters(true);
-  if (colorTable_) {
-    *request.mutable_set_color_table()->mutable_table() = *colorTable_;
-    all.push_back(request);
-  }
-  request.mutable_send_tables();
-  all.push_back(request);
   return all;
+}
+
+// ---- Of each kind
+
+std::map<std::string, robotcontrol::KeyMode> ProgramOverrides::keys() const {
+  std::map<std::string, robotcontrol::KeyMode> modes;
+  for (const auto& [subject, request] : requests_) {
+    if (request->has_set_key()) modes[request->set_key().name()] = request->set_key().mode();
+  }
+  return modes;
+}
+
+std::map<std::string, std::string> ProgramOverrides::solutions() const {
+  std::map<std::string, std::string> solutions;
+  for (const auto& [subject, request] : requests_) {
+    if (request->has_select_solution())
+      solutions[request->select_solution().task()] = request->select_solution().solution();
+  }
+  return solutions;
+}
+
+std::vector<robotcontrol::ParameterValues> ProgramOverrides::parameters() const {
+  std::vector<robotcontrol::ParameterValues> all;
+  for (const auto& [subject, request] : requests_) {
+    if (!request->has_set_parameters()) continue;
+    auto& values = all.emplace_back();
+    values.set_task(request->set_parameters().task());
+    values.set_solution(request->set_parameters().solution());
+    *values.mutable_value() = request->set_parameters().value();
+  }
+  std::ranges::stable_partition(all, [](const auto& values) { return !values.solution().empty(); });
+  return all;
+}
+
+std::shared_ptr<const robotcontrol::ColorTable> ProgramOverrides::colorTable() const {
+  for (const auto& [subject, request] : requests_) {
+    // Shares the request, which contains the table.
+    if (request->has_set_color_table()) return {request, &request->set_color_table().table()};
+  }
+  return nullptr;
+}
+
+std::vector<std::string> ProgramOverrides::recordedPackages() const {
+  for (const auto& [subject, request] : requests_) {
+    if (!request->has_record_packages()) continue;
+    const auto& packages = request->record_packages().packages();
+    return {packages.begin(), packages.end()};
+  }
+  return {};
 }
 
 }  // namespace app

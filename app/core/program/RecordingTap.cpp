@@ -73,6 +73,8 @@ struct RecordingTap::Robot {
   std::string name;
   robotlink::Platform* platform = nullptr;
   robotlink::RobotProgram* program = nullptr;
+  /// The packages that the user chose to have published.
+  std::set<std::string> chosen;
   /// The packages that the program was requested to publish.
   std::set<std::string> asked;
   /// What the platform sends.
@@ -88,13 +90,23 @@ struct RecordingTap::Robot {
     return {name + "/" + robotlink::streams::kProgram, time,
             std::make_shared<robotcontrol::ProgramSetup>(setup)};
   }
-  /// The packages of the program that the recorder wants now.
+  /// The packages of the program that the user or the recorder wants now.
   std::set<std::string> wanted(const logplayer::Recorder& recorder) const {
-    std::set<std::string> packages;
+    std::set<std::string> packages = chosen;
     for (const std::string& package : program->yieldedPackages()) {
       if (recorder.wants(name + "/" + package)) packages.insert(package);
     }
     return packages;
+  }
+  /// Requests packages from the program; false if it takes no requests now. Other details than the packages
+  /// are those of `request`.
+  bool ask(std::set<std::string> packages, robotcontrol::Request request) {
+    request.set_robot(name);
+    auto& details = *request.mutable_record_packages();
+    details.mutable_packages()->Assign(packages.begin(), packages.end());
+    if (!program->debugProcess().request(request)) return false;
+    asked = std::move(packages);
+    return true;
   }
 };
 
@@ -137,15 +149,8 @@ void RecordingTap::askForPackages() {
   if (demand == demand_) return;
   for (const auto& robot : robots_) {
     std::set<std::string> packages = robot->wanted(recorder_);
-    if (packages == robot->asked) continue;
-    robotcontrol::Request request;
-    request.set_robot(robot->name);
-    request.mutable_record_packages();
-    for (const std::string& package : packages) request.mutable_record_packages()->add_packages(package);
-    if (!robot->program->debugProcess().request(request))
-      // Too many requests are waiting: try again at the next step.
-      return;
-    robot->asked = std::move(packages);
+    // Too many requests may be waiting: try again at the next step.
+    if (packages != robot->asked && !robot->ask(std::move(packages), {})) return;
   }
   demand_ = demand;
 }
@@ -159,11 +164,20 @@ void RecordingTap::endStep() {
   }
 }
 
-void RecordingTap::recordRequest(const robotcontrol::Request& request) {
-  const Robot* robot = find(request.robot());
-  if (robot == nullptr || !recorder_.active() || request.has_record_packages()) return;
-  recorder_.add({{robot->name + "/" + robotlink::streams::kRequests, robot->platform->clock().now(),
-                  std::make_shared<robotcontrol::Request>(request)}});
+bool RecordingTap::request(const std::string& name, const robotcontrol::Request& request) {
+  Robot* robot = find(name);
+  if (robot == nullptr) return false;
+  if (request.has_record_packages()) {
+    const auto& packages = request.record_packages().packages();
+    robot->chosen = {packages.begin(), packages.end()};
+    return robot->ask(robot->wanted(recorder_), request);
+  }
+  if (!robot->program->debugProcess().request(request)) return false;
+  if (recorder_.active()) {
+    recorder_.add({{name + "/" + robotlink::streams::kRequests, robot->platform->clock().now(),
+                    std::make_shared<robotcontrol::Request>(request)}});
+  }
+  return true;
 }
 
 void RecordingTap::world(StreamMessage message) {

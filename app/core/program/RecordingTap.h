@@ -21,7 +21,7 @@ namespace app {
 
 /// Passes everything that a log may contain from the robots of one run to a recorder, in complete frames: the
 /// messages of debug queues; the packages of the platform and of the debug process, tapped at their senders
-/// at full rate; requests, when a program gets them; and the setups of the programs. While nothing is
+/// at full rate; requests, which it passes to the programs; and the setups of the programs. While nothing is
 /// recorded, this costs one look at a flag for each package; only latched messages are still passed on.
 ///
 /// One object for one run. The recorder must outlive the platforms and programs of the run.
@@ -48,8 +48,9 @@ class RecordingTap {
   void askForPackages();
   /// After a step: records what the platforms have sent in it as one frame each.
   void endStep();
-  /// Records a request that a program has just got.
-  void recordRequest(const robotcontrol::Request& request);
+  /// Passes a request to the program of a robot, and records it. If it asks for packages, those that the
+  /// recorder wants are added. Returns false if the program takes no requests now.
+  bool request(const std::string& robot, const robotcontrol::Request& request);
   /// Records a message that belongs to no robot's program: the scene, transforms, the state of the
   /// simulation.
   void world(robotlink::StreamMessage message);

@@ -7,8 +7,6 @@
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
-#include "robotcontrol/Debugging.pb.h"
-#include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/program/RobotProgram.h"
@@ -41,7 +39,7 @@ RobotHost::RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, 
     : robot_(std::move(robot)),
       listeners_(std::move(listeners)),
       tap_(tap),
-      requests_(robot_.name, std::move(overrides)) {}
+      requests_(robot_.name, std::move(overrides), listeners_.overridden) {}
 
 RobotHost::~RobotHost() {
   stop();
@@ -50,17 +48,26 @@ RobotHost::~RobotHost() {
 
 // ---- The program
 
-tl::expected<RobotHost::Candidate, Errors> RobotHost::make(std::unique_ptr<robotlink::Platform> platform,
-                                                           const std::filesystem::path& file,
-                                                           const robotlink::Layout& layout) {
-  const robotlink::RobotSetup setup{robot_.name, robot_.team, description(), robot_.field, robot_.map};
+tl::expected<RobotHost::Candidate, Errors> RobotHost::make(Parts parts) {
   Candidate made;
-  made.platform = std::move(platform);
-  made.layout = file;
-  auto program = robotlink::RobotProgram::create(setup, layout, made.platform ? *made.platform : *platform_,
-                                                 {.folder = parameterFolder(description())});
+  made.robot = parts.robot ? std::move(*parts.robot) : robot_;
+  made.platform = std::move(parts.platform);
+  made.layout = std::move(parts.file);
+  made.overridden = parts.overridden;
+  const robotlink::RobotSetup setup{made.robot.name, made.robot.team, *made.robot.description,
+                                    made.robot.field, made.robot.map};
+  auto program = robotlink::RobotProgram::create(
+      setup, std::move(parts.layout), made.platform ? *made.platform : *platform_,
+      {.folder = parameterFolder(*made.robot.description), .recorded = std::move(parts.parameters)});
   if (!program) return tl::unexpected(program.error());
   made.program = std::move(*program);
+  made.processes = made.program->processes();
+  if (parts.overridden) {
+    const ProgramOverrides chosen = overrides();
+    const std::vector<std::string> recorded = chosen.recordedPackages();
+    made.program->setKeys(chosen.keys());
+    made.program->recordPackages({recorded.begin(), recorded.end()});
+  }
   made.program->debugProcess().setListener([this](auto queue) {
     requests_.answered(*queue);
     if (tap_ != nullptr) tap_->add(robot_.name, queue);
@@ -70,8 +77,11 @@ tl::expected<RobotHost::Candidate, Errors> RobotHost::make(std::unique_ptr<robot
 }
 
 void RobotHost::adopt(Candidate candidate) {
+  robot_ = std::move(candidate.robot);
   program_ = std::move(candidate.program);
   layout_ = std::move(candidate.layout);
+  overridden_ = candidate.overridden;
+  processes_ = std::move(candidate.processes);
   if (!candidate.platform) return;
   if (platform_) platform_->shutDown();
   platform_ = std::move(candidate.platform);
@@ -81,9 +91,14 @@ void RobotHost::adopt(Candidate candidate) {
 std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   if (tap_ != nullptr) record(executor.kind());
   setUp();
-  std::vector<std::string> lost = requests_.begin(*program_);
+  std::vector<std::string> lost;
+  if (overridden_) {
+    requests_.beginOverridden();
+  } else {
+    lost = requests_.begin(*program_);
+  }
   if (executor.kind() == ExecutorKind::kThreads) enqueueRequests();
-  executor.add(*platform_, *program_);
+  executor.add(*platform_, processes_);
   return lost;
 }
 
@@ -106,26 +121,42 @@ void RobotHost::stop() {
 
 // ---- Requests
 
+/// The requests that the table of requests assigns to platforms.
+struct RobotHost::Handlers {
+  using Request = robotcontrol::Request;
+  static constexpr robotlink::RequestRow<robotlink::Result<void> (RobotHost::*)(const Request&)> kRows[]{
+      {Request::kStop, &RobotHost::engageStop}, {Request::kControlDrive, &RobotHost::controlDrive}};
+};
+
+bool RobotHost::fulfills(const robotcontrol::Request& request) {
+  return robotlink::rowOf(Handlers::kRows, request.what_case()) != nullptr;
+}
+
 robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request) {
-  if (robotlink::kindOf(request).doer == robotlink::RequestDoer::kPlatform) return requestPlatform(request);
+  if (const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case())) {
+    if (std::string why = platform_->refusal(); !why.empty())
+      return robotlink::failure("platform.refused", std::move(why), {}, {robot_.name});
+    return (this->*row->handler)(request);
+  }
   if (requests_.ask(request)) return {};
   return robotlink::failure("request.queue-full",
                             "robot " + robot_.name + " does not take requests now: too many wait already", {},
                             {robot_.name});
 }
 
-robotlink::Result<void> RobotHost::requestPlatform(const robotcontrol::Request& request) {
-  if (request.has_control_drive()) return platform_->control(request.control_drive());
+robotlink::Result<void> RobotHost::engageStop(const robotcontrol::Request& request) {
   platform_->engageStop(request.stop().engaged());
   return {};
+}
+
+robotlink::Result<void> RobotHost::controlDrive(const robotcontrol::Request& request) {
+  return platform_->control(request.control_drive());
 }
 
 void RobotHost::enqueueRequests() {
   requests_.ran();
   requests_.hand([this](const robotcontrol::Request& request) {
-    const bool accepted = program_->debugProcess().request(request);
-    if (accepted && tap_ != nullptr) tap_->recordRequest(request);
-    return accepted;
+    return tap_ != nullptr ? tap_->request(robot_.name, request) : program_->debugProcess().request(request);
   });
 }
 

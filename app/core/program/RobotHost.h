@@ -3,25 +3,21 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/program/HostedRobot.h"
 #include "app/core/program/ProgramExecutor.h"
 #include "app/core/program/ProgramRequests.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/process/Layout.h"
 
-namespace robotcontrol {
-class Request;
-}  // namespace robotcontrol
 namespace robotlink {
 class RobotProgram;
-struct FieldDescription;
-struct GroundMap;
-struct Layout;
-struct ParameterSource;
 struct SharedDebugQueue;
 }  // namespace robotlink
 
@@ -29,25 +25,9 @@ namespace app {
 
 class RecordingTap;
 
-/// What a robot is, independent of whether it is simulated, real or logged. A plain value.
-struct HostedRobot {
-  /// A name such as "red1".
-  std::string name;
-  /// Empty if it plays in none.
-  std::string team;
-  /// Not null.
-  std::shared_ptr<const robotlink::RobotDescription> description;
-  /// Not null; without a field, one that has no goals, lines and colors.
-  std::shared_ptr<const robotlink::FieldDescription> field;
-  /// The map by which it drives; null if it knows none.
-  std::shared_ptr<const robotlink::GroundMap> map = nullptr;
-  /// The file of `field`; empty if there is none.
-  std::filesystem::path fieldFile = {};
-};
-
 /// Runs the program of one robot. It holds what the robot is, its platform, the current program, the user's
 /// overrides and the recorder's tap. It outlives the programs, which are replaced on each reset and change of
-/// layout.
+/// layout, and at each jump in a log.
 ///
 /// One thread at a time; listeners are called in the threads of the program. The tap must outlive it.
 class RobotHost {
@@ -61,14 +41,36 @@ class RobotHost {
         trouble;
     /// Called with sentences about the platform being set up, in the owner's thread.
     std::function<void(const std::string& robot, const std::string& text)> platform = {};
+    /// Called with each request that became an override of the user; it must not call this object.
+    ProgramRequests::OverrideListener overridden = {};
+  };
+  /// What a program is to be made of. A plain value.
+  struct Parts {
+    /// Null if the robot keeps its platform.
+    std::unique_ptr<robotlink::Platform> platform;
+    /// The file of the layout; empty if it comes from elsewhere.
+    std::filesystem::path file;
+    robotlink::Layout layout;
+    /// What the robot is from then on; unset: what it is now.
+    std::optional<HostedRobot> robot = std::nullopt;
+    /// Parameters that take the place of those in the robot's files.
+    std::vector<robotcontrol::ParameterValues> parameters = {};
+    /// Whether layout and parameters contain the user's overrides already; otherwise the program is requested
+    /// to apply them in its first frames.
+    bool overridden = false;
   };
   /// A program that has not run yet, for adopt().
   struct Candidate {
+    HostedRobot robot;
     /// Null if the robot keeps its platform.
     std::unique_ptr<robotlink::Platform> platform;
     std::unique_ptr<robotlink::RobotProgram> program;
     /// The file of its layout.
     std::filesystem::path layout;
+    bool overridden = false;
+    /// All that is executed with the platform, in this order: the processes of the program, and those of the
+    /// platform that stand in for others.
+    std::vector<robotlink::Process*> processes;
 
     Candidate();
     Candidate(Candidate&&) noexcept;
@@ -88,23 +90,24 @@ class RobotHost {
   const robotlink::RobotDescription& description() const { return *robot_.description; }
   /// Null before the first adopt().
   robotlink::Platform* platform() const { return platform_.get(); }
+  /// Null before the first adopt() and after stop().
+  robotlink::RobotProgram* program() const { return program_.get(); }
   /// The file of the layout of the last adopted program.
   const std::filesystem::path& layout() const { return layout_; }
 
-  /// Makes a program in a layout for this platform, or, if that is null, for the one that the robot has. If
-  /// the program cannot be made, the program that runs continues.
-  tl::expected<Candidate, robotlink::Errors> make(std::unique_ptr<robotlink::Platform> platform,
-                                                  const std::filesystem::path& file,
-                                                  const robotlink::Layout& layout);
-  /// Replaces program and, if it has one, platform by those of the candidate. The previous program must be
-  /// stopped; the previous platform is shut down.
+  /// Makes a program. If that is impossible, the program that runs continues.
+  tl::expected<Candidate, robotlink::Errors> make(Parts parts);
+  /// Replaces program and, if it has one, platform by those of the candidate. The previous program must not
+  /// be in an executor any more; the previous platform is shut down.
   void adopt(Candidate candidate);
   /// Initializes the platform, if it is new, and adds platform and program to an executor that has not
-  /// started. Returns a sentence for each override that this program cannot fulfill.
+  /// started. Returns a sentence for each override that this program refuses.
   std::vector<std::string> begin(ProgramExecutor& executor);
   /// Ends the program, whose processes must not be running in an executor any more. The platform stays.
   void stop();
 
+  /// Whether there is a handler that has the platform fulfill requests of this kind.
+  static bool fulfills(const robotcontrol::Request& request);
   /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if the
   /// platform refuses or if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
@@ -128,10 +131,12 @@ class RobotHost {
   void record(ExecutorKind executor);
   /// Initializes the platform once, and reports how long that took.
   void setUp();
-  /// Has the platform fulfill a request.
-  robotlink::Result<void> requestPlatform(const robotcontrol::Request& request);
+  // The handlers of requests that the platform fulfills.
+  robotlink::Result<void> engageStop(const robotcontrol::Request& request);
+  robotlink::Result<void> controlDrive(const robotcontrol::Request& request);
+  struct Handlers;
 
-  const HostedRobot robot_;
+  HostedRobot robot_;
   const Listeners listeners_;
   RecordingTap* const tap_;
   /// Requests to all its programs, one after the other, and the overrides that follow from them.
@@ -139,6 +144,9 @@ class RobotHost {
   std::unique_ptr<robotlink::Platform> platform_;
   std::unique_ptr<robotlink::RobotProgram> program_;
   std::filesystem::path layout_;
+  /// As in the candidate that was adopted last.
+  bool overridden_ = false;
+  std::vector<robotlink::Process*> processes_;
   /// Whether initialize() was called for platform_.
   bool platformIsSetUp_ = false;
 };

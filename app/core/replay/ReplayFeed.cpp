@@ -2,7 +2,6 @@
 #include "app/core/replay/ReplayFeed.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
@@ -67,9 +66,8 @@ tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptio
 }
 
 Instant ReplayFeed::firstImage() const {
-  constexpr int kAll = std::numeric_limits<int>::min() / 2;
-  if (const auto image = run_->messageTime(imagesOf(*run_), kAll)) return *image;
-  return run_->frameTime(run_->stepProcess(), kAll).value_or(run_->begin());
+  if (const auto image = run_->firstTime(imagesOf(*run_))) return *image;
+  return run_->firstTime(ReplayLogs::framesOf(run_->stepProcess())).value_or(run_->begin());
 }
 
 ReplayRun::Listeners ReplayFeed::listeners() {

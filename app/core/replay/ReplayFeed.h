@@ -47,6 +47,8 @@ class ReplayFeed final : public PlatformFeed {
   PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                 const logplayer::LogFile::Progress& progress) const override;
 
+  /// Whether there is a handler for requests of this kind, other than those to robots.
+  static bool fulfills(const robotcontrol::Request& request);
   /// The present instant of the time line.
   robotlink::Instant now() const { return run_->now(); }
   /// The options with which it was created, updated by what the user chose since.
@@ -88,7 +90,8 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> goTo(robotlink::Instant time);
 
   /// Fulfills all parts of a request: settings, choices, then the action.
-  robotlink::Result<void> control(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> control(const robotcontrol::Request& request);
+  struct Handlers;
   /// Applies settings that change no program: speed, loop, gaps, range, step process. All or none.
   robotlink::Result<void> set(const robotcontrol::ControlReplay& control);
   /// Applies what restarts the programs: sources of packages, and offsets.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/session/Session.h"
 
 namespace app {
@@ -20,15 +21,23 @@ Instant instantOf(std::int64_t time) {
   return Instant(robotlink::Duration(time));
 }
 
-/// Whether what the programs publish of the present instant stays as it is.
-bool onlyAsks(const robotcontrol::Request& request) {
-  return request.has_get_parameters() || request.has_send_tables() || request.has_record_packages();
-}
-
 }  // namespace
 
+/// The requests that only a log fulfills.
+struct ReplayFeed::Handlers {
+  using Request = robotcontrol::Request;
+  static constexpr robotlink::RequestRow<Result<void> (ReplayFeed::*)(const Request&)> kRows[]{
+      {Request::kControlReplay, &ReplayFeed::control}};
+};
+
+bool ReplayFeed::fulfills(const robotcontrol::Request& request) {
+  return robotlink::rowOf(Handlers::kRows, request.what_case()) != nullptr;
+}
+
 Result<void> ReplayFeed::requestReplay(const robotcontrol::Request& request) {
-  return control(request.control_replay());
+  const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case());
+  if (row == nullptr) return failure("replay.request", "a log cannot " + robotlink::inWords(request));
+  return (this->*row->handler)(request);
 }
 
 Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request&) {
@@ -36,11 +45,9 @@ Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request&) {
 }
 
 Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
-  if (request.has_stop())
-    return failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");
   auto done = run_->request(request);
   if (!done) return done;
-  stale_ = stale_ || !onlyAsks(request);
+  stale_ = stale_ || robotlink::kindOf(request).effect != robotlink::RequestEffect::kNone;
   publishAnswers();
   return done;
 }
@@ -52,7 +59,8 @@ void ReplayFeed::publishAnswers() {
   for (const auto& [robot, queue] : run_->answersToCome()) session_.pushQueue(robot, queue);
 }
 
-Result<void> ReplayFeed::control(const ControlReplay& control) {
+Result<void> ReplayFeed::control(const robotcontrol::Request& request) {
+  const ControlReplay& control = request.control_replay();
   if (auto done = set(control); !done) return done;
   if (auto done = change(control); !done) return done;
   const auto done = act(control);
@@ -91,18 +99,16 @@ Result<void> ReplayFeed::change(const ControlReplay& control) {
     if (auto done = changed([&] { return run_->choosePackages(packages); }); !done) return done;
   }
   if (control.offsets_size() == 0) return {};
+  std::map<std::filesystem::path, robotlink::Duration> offsets;
   for (const auto& offset : control.offsets()) {
     const auto& logs = run_->options().logs;
     const bool known =
         std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return log.file == offset.log(); });
     if (!known)
       return failure("replay.log", offset.log() + " is not open", {offset.log(), 0, 0}, {offset.log()});
+    offsets[offset.log()] = robotlink::Duration(offset.offset());
   }
-  return changed([&] {
-    for (const auto& offset : control.offsets())
-      run_->setOffset(offset.log(), robotlink::Duration(offset.offset()));
-    return robotlink::Errors();
-  });
+  return changed([&] { return run_->setOffsets(offsets); });
 }
 
 Result<void> ReplayFeed::act(const ControlReplay& control) {

@@ -5,11 +5,12 @@
 
 #include "app/core/program/ColorTables.h"
 #include "app/core/program/ProgramSetups.h"
-#include "app/core/replay/ReplayRobotProgram.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/packages/MapConversions.h"
 
 namespace app {
@@ -39,17 +40,12 @@ bool fits(const google::protobuf::Descriptor& type, const std::string& streamTyp
 }  // namespace
 
 ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
-                         ReplayChoices choices, ProgramOverrides overrides, Listeners listeners)
+                         ReplayChoices choices, ProgramOverrides overrides, RobotHost::Listeners listeners)
     : log_(std::move(log)),
       logName_(std::move(logName)),
-      name_(std::move(name)),
-      listeners_(std::move(listeners)),
       types_(robotlink::packageTypes()),
-      choices_(std::move(choices)),
-      requests_(name_, std::move(overrides), [this](const Request& request) {
-        // What another program recomputed is not compared any more.
-        if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
-      }) {
+      host_({.name = std::move(name)}, comparing(std::move(listeners)), nullptr, std::move(overrides)) {
+  started_.choices = std::move(choices);
   for (const auto& stream : log_->streams()) {
     if (!stream.path.starts_with(logName_ + "/")) continue;
     const std::string path = below(stream.path);
@@ -66,6 +62,14 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
 }
 
 ReplayRobot::~ReplayRobot() = default;
+
+RobotHost::Listeners ReplayRobot::comparing(RobotHost::Listeners listeners) {
+  listeners.overridden = [this](const Request& request) {
+    // What another program recomputed is not compared any more.
+    if (robotlink::kindOf(request).effect == robotlink::RequestEffect::kBehavior) differences_.clear();
+  };
+  return listeners;
+}
 
 // ---- Making the program
 
@@ -90,115 +94,109 @@ std::shared_ptr<const robotlink::GroundMap> ReplayRobot::loggedMapAt(Instant tim
   return map != nullptr ? std::make_shared<const robotlink::GroundMap>(robotlink::groundMap(*map)) : nullptr;
 }
 
-Errors ReplayRobot::readSetupAt(Instant time) {
-  auto logged = loggedSetupAt(time);
-  auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
+Errors ReplayRobot::readSetup(Start& start) const {
+  start.logged = loggedSetupAt(start.time);
+  auto setup = readReplaySetup(start.logged ? &*start.logged : nullptr, logName_, start.choices.layout);
   if (!setup) return setup.error();
-  const ProgramOverrides chosen = overrides();
+  const ProgramOverrides chosen = host_.overrides();
+  const std::map<std::string, std::string> solutions = chosen.solutions();
+  std::map<std::string, std::string> active;
   for (auto& process : setup->layout.processes) {
     for (auto& task : process.tasks) {
-      const auto solution = chosen.solutions().find(task.task);
-      if (solution != chosen.solutions().end()) task.choose(solution->second);
+      if (const auto solution = solutions.find(task.task); solution != solutions.end())
+        task.choose(solution->second);
+      active[task.task] = task.solution;
     }
   }
-  for (const auto& [solution, values] : chosen.parameters()) setup->parameters.recorded.push_back(values);
-  if (setup->team.empty()) setup->team = setup->use.teamOf(logName_);
-  setup->map = loggedMapAt(time);
-  setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
-  loggedSetup_ = std::move(logged);
+  for (auto& values : chosen.parameters()) {
+    if (values.solution().empty()) values.set_solution(active[values.task()]);
+    setup->parameters.push_back(std::move(values));
+  }
+  setup->robot.name = name();
+  setup->robot.map = loggedMapAt(start.time);
+  start.setup = std::move(*setup);
   return {};
 }
 
-Errors ReplayRobot::start(Instant time) {
-  return start(time, choices_);
-}
-
-Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
-  Errors errors = startWith(time, std::move(choices));
-  if (errors.empty()) giveWhatIsBefore(time);
-  return errors;
-}
-
-Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
+tl::expected<ReplayRobot::Start, Errors> ReplayRobot::prepare(Instant time, ReplayChoices choices) {
   // What was asked is decided, so that the next program is made with it.
-  if (program_) (void)answersToCome();
-  const auto before =
-      std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
+  if (host_.program() != nullptr) (void)host_.answersToCome();
+  Start start;
+  start.time = time;
+  start.choices = std::move(choices);
+  const Instant now = clock_.now();
   clock_.set(time);
-  Errors errors = readSetupAt(time);
-  if (errors.empty()) {
-    errors = makeProgram();
-    const bool nothingChosen = choices_.packages.empty() && !choices_.recomputeAll;
-    if (!errors.empty() && setup_->layoutFromLog && nothingChosen) errors = playOnly(errors);
-  }
-  if (!errors.empty()) {
-    Instant then;
-    std::tie(choices_, loggedSetup_, setup_, then) = before;
-    clock_.set(then);
-  }
-  return errors;
+  Errors errors = readSetup(start);
+  if (errors.empty()) errors = makeProgram(start);
+  clock_.set(now);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return start;
 }
 
-// A log can be played even if its layout cannot run any more.
-Errors ReplayRobot::playOnly(const Errors& why) {
-  ReplaySetup setup = *setup_;
-  setup.layout = emptyLayout(setup.layout);
-  setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " +
-                        robotlink::describe(why));
-  setup_ = std::make_shared<const ReplaySetup>(std::move(setup));
-  return makeProgram();
+void ReplayRobot::begin(Start start) {
+  adopt(std::move(start));
+  giveWhatIsBefore();
+}
+
+void ReplayRobot::adopt(Start start) {
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      .trouble = [this](const auto& process, const auto& text) { host_.reportTrouble(process, text); }});
+  clock_.set(start.time);
+  host_.adopt(std::move(start.program));
+  started_ = std::move(start);
+  paths_ = LoggedPaths(plan());
+  due_.clear();
+  differences_.dropInstant();
+  compare();
+  (void)host_.begin(*executor_);
+}
+
+Errors ReplayRobot::makeProgram(Start& start) {
+  Errors errors = makeAvailable(start);
+  const bool nothingChosen = start.choices.packages.empty() && !start.choices.recomputeAll;
+  if (errors.empty() || !start.setup.layoutFromLog || !nothingChosen) return errors;
+  // A log can be played even if its layout cannot run any more.
+  start.setup.layout = emptyLayout(start.setup.layout);
+  start.setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " +
+                              robotlink::describe(errors));
+  return makeAvailable(start);
 }
 
 std::vector<std::string> ReplayRobot::lostChoices() const {
   std::vector<std::string> lost;
-  const ProgramOverrides chosen = overrides();
-  for (const auto& [task, solution] : chosen.solutions()) {
+  for (const auto& [task, solution] : host_.overrides().solutions()) {
     const auto uses = [&wanted = task, &choice = solution](const auto& process) {
       return std::any_of(process.tasks.begin(), process.tasks.end(),
                          [&](const auto& own) { return own.task == wanted && own.solution == choice; });
     };
-    const auto& processes = setup_->layout.processes;
+    const auto& processes = setup().layout.processes;
     if (std::any_of(processes.begin(), processes.end(), uses)) continue;
-    lost.push_back(name_ + " could not keep solution " + solution + " of task " + task +
+    lost.push_back(name() + " could not keep solution " + solution + " of task " + task +
                    ": no process of this layout has " + task);
   }
   return lost;
 }
 
-ReplaySelection ReplayRobot::selection() const {
-  ReplaySelection selection;
-  selection.layout = setup_->layout;
-  selection.fromLog = setup_->layoutFromLog;
-  selection.logged = logged_;
-  selection.debugOffers = robotlink::debugPackages();
-  selection.packages = choices_.packages;
-  selection.recomputeAll = choices_.recomputeAll;
-  return selection;
-}
-
-Errors ReplayRobot::makeProgram() {
+Errors ReplayRobot::makeAvailable(Start& start) {
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
-  for (ReplaySelection requested = selection();;) {
-    auto plan = planReplay(requested, catalog);
+  ReplaySelection selection{.layout = start.setup.layout,
+                            .logged = logged_,
+                            .debugOffers = robotlink::debugPackages(),
+                            .broken = {},
+                            .fromLog = start.setup.layoutFromLog,
+                            .packages = start.choices.packages,
+                            .recomputeAll = start.choices.recomputeAll};
+  for (;;) {
+    auto plan = planReplay(selection, catalog);
     if (!plan) return plan.error();
-    auto program = programFor(*plan);
-    if (program) {
-      plan_ = std::move(*plan);
-      paths_ = LoggedPaths(plan_);
-      program_ = std::move(*program);
-      describeProgram(*program_);
-      due_.clear();
-      differences_.dropInstant();
-      requests_.beginOverridden();
-      handRequests();
-      return {};
-    }
-    const std::size_t before = requested.broken.size();
-    for (const robotlink::Error& error : program.error()) {
+    start.plan = std::move(*plan);
+    Errors errors = makeProgramOfPlan(start);
+    const std::size_t before = selection.broken.size();
+    for (const robotlink::Error& error : errors) {
       if (error.id != "solution.broken" || error.arguments.size() != 3) continue;
-      requested.broken.emplace(std::pair(error.arguments[0], error.arguments[1]), error.arguments[2]);
+      selection.broken.emplace(std::pair(error.arguments[0], error.arguments[1]), error.arguments[2]);
     }
-    if (requested.broken.size() == before) return program.error();
+    if (selection.broken.size() == before) return errors;
   }
 }
 
@@ -211,57 +209,47 @@ std::vector<logplayer::LogPlatform::Package> ReplayRobot::platformPackages(const
   return packages;
 }
 
-tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::programFor(const ReplayPlan& plan) {
-  robotlink::LockstepExecutor::Options options;
-  options.onStarved = [this](const auto& process, const auto& what) {
-    listeners_.trouble(process, "waits for " + what);
-  };
-  options.onFailed = [this](const auto& process) {
-    listeners_.trouble(process, "was stopped because it threw: " + process.failure());
-  };
-  auto made = std::make_unique<Program>(clock_, platformPackages(plan), std::move(options));
-  const robotlink::RobotSetup robot{name_, setup_->team, *setup_->description, setup_->field, setup_->map};
-  auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
-  if (!program) return tl::unexpected(program.error());
-  made->program = std::move(*program);
-  const ProgramOverrides chosen = overrides();
-  made->program->setKeys(chosen.keys());
-  const auto& requested = chosen.recordedPackages();
-  std::set<std::string> recorded(requested.begin(), requested.end());
-  if (choices_.publishAllPackages) {
-    const auto yielded = made->program->yieldedPackages();
-    recorded.insert(yielded.begin(), yielded.end());
+Errors ReplayRobot::makeProgramOfPlan(Start& start) {
+  auto platform = std::make_unique<logplayer::LogPlatform>(clock_, platformPackages(start.plan));
+  start.platform = platform.get();
+  auto made = host_.make({.platform = std::move(platform),
+                          .file = {},
+                          .layout = start.plan.layout,
+                          .robot = start.setup.robot,
+                          .parameters = start.setup.parameters,
+                          .overridden = true});
+  if (!made) return made.error();
+  robotlink::RobotProgram& program = *made->program;
+  if (start.choices.publishAllPackages) {
+    const auto yielded = program.yieldedPackages(), chosen = host_.overrides().recordedPackages();
+    std::set<std::string> all(yielded.begin(), yielded.end());
+    all.insert(chosen.begin(), chosen.end());
+    program.recordPackages(all);
   }
-  made->program->recordPackages(recorded);
-  made->executor.add(made->platform);
-  for (const auto& process : setup_->layout.processes) {
-    if (robotlink::Process* turn = made->platform.turnOf(process.name)) made->executor.add(*turn);
-    for (robotlink::Process* running : made->program->processes()) {
-      if (running->name() == process.name) made->executor.add(*running);
+  made->processes.clear();
+  for (const auto& process : start.setup.layout.processes) {
+    if (robotlink::Process* turn = start.platform->turnOf(process.name)) made->processes.push_back(turn);
+    for (robotlink::Process* running : program.processes()) {
+      if (running->name() == process.name) made->processes.push_back(running);
     }
   }
-  listen(*made, plan);
-  return made;
+  start.program = std::move(*made);
+  return {};
 }
 
-void ReplayRobot::describeProgram(const Program& program) {
+std::shared_ptr<const ProgramSetup> ReplayRobot::ownSetup() const {
   auto own = std::make_shared<ProgramSetup>(
-      programSetup(*program.program, program.platform, {{}, {}, {}, "lockstep"}));
-  own->set_robot(name_);
-  *own->mutable_layout() = setup_->files.layout();
-  *own->mutable_description() = setup_->files.description();
-  *own->mutable_field() = setup_->files.field();
-  ownSetup_ = std::move(own);
+      programSetup(*host_.program(), *host_.platform(), {{}, {}, {}, nameOf(executor_->kind())}));
+  *own->mutable_layout() = setup().files.layout();
+  *own->mutable_description() = setup().files.description();
+  *own->mutable_field() = setup().files.field();
+  return own;
 }
 
-void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
-  program.program->debugProcess().setListener([this](const auto& queue) {
-    requests_.answered(*queue);
-    listeners_.queue(queue);
-  });
-  for (const robotlink::Process* process : program.program->processes()) {
+void ReplayRobot::compare() {
+  for (const robotlink::Process* process : host_.program()->processes()) {
     for (robotlink::AnySender* sender : process->senders()) {
-      const auto* package = plan.find(sender->package());
+      const auto* package = plan().find(sender->package());
       if (package == nullptr || !package->logged) continue;
       sender->addTap([this, name = package->name](const robotlink::PackagePtr& value) {
         const bool counts = countsDifferences_ && clock_.now() <= comparedUntil_.at(name);
@@ -273,31 +261,32 @@ void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
 
 // Packages that are not published in every frame must be there from the start. Those that processes wait for
 // are left out: they have triggered their frames already.
-void ReplayRobot::giveWhatIsBefore(Instant time) {
+void ReplayRobot::giveWhatIsBefore() {
   if (!computes()) return;
   std::set<std::string> awaited;
-  for (const auto& process : plan_.layout.processes) {
+  for (const auto& process : plan().layout.processes) {
     for (const auto& input : process.blocking) awaited.insert(input.package);
   }
   const auto before = [&](const std::string& package, Instant last) {
     return log_->latest(logName_ + "/" + package, last);
   };
-  const Instant earlier = time - robotlink::Duration(1);
-  for (const auto& package : plan_.packages) {
+  const Instant time = started_.time, earlier = time - robotlink::Duration(1);
+  for (const auto& package : plan().packages) {
     if (package.source != ControlReplay::AS_LOGGED || awaited.contains(package.name)) continue;
     if (const auto message = before(package.name, earlier))
-      program_->platform.put(package.name, message->value);
+      started_.platform->put(package.name, message->value);
   }
+  auto& debugProcess = host_.program()->debugProcess();
   // Requests at `time` itself are taken from the log at that instant, if it contains requests.
   for (const std::string& package : robotlink::debugPackages()) {
     const auto message = before(package, hasRequests() ? earlier : time);
     if (!message) continue;
     const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(message->value.get());
     const bool own = table != nullptr && !table->cells().empty();
-    program_->program->debugProcess().offer(
-        own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table)) : message->value);
+    debugProcess.offer(own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table))
+                           : message->value);
   }
-  if (const auto table = overrides().colorTable()) program_->program->debugProcess().offer(table);
+  if (const auto table = host_.overrides().colorTable()) debugProcess.offer(table);
 }
 
 }  // namespace app

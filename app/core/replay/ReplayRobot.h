@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/program/ProgramRequests.h"
+#include "app/core/program/RobotHost.h"
 #include "app/core/replay/LoggedPaths.h"
 #include "app/core/replay/PackageDifferences.h"
 #include "app/core/replay/ReplayPlan.h"
@@ -20,8 +20,6 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/debugging/program/RobotProgram.h"
-#include "robotlink/process/LockstepExecutor.h"
 
 namespace app {
 
@@ -37,41 +35,47 @@ struct ReplayChoices {
   bool publishAllPackages = false;
 };
 
-/// One robot of a log and the program that runs on the logged data. All times are those of the log, so that
-/// an offset on the time line changes no bytes. One thread; listeners are called in it.
+/// One robot of a log: chooses what runs for it on the logged data, passes that data to the platform of its
+/// host, and compares what is computed with what was logged. All times are those of the log, so that an
+/// offset on the time line changes no bytes. One thread; listeners are called in it.
 class ReplayRobot {
  public:
-  /// Functions that are called with what the program publishes; must not be empty.
-  struct Listeners {
-    /// Called with each debug queue.
-    std::function<void(std::shared_ptr<const robotlink::SharedDebugQueue>)> queue;
-    /// Called with the rest of a sentence about a process: "waits for ...".
-    std::function<void(const robotlink::Process&, const std::string&)> trouble;
+  /// A program that has not run yet, with all that it was made from, for begin().
+  struct Start {
+    robotlink::Instant time;
+    ReplayChoices choices;
+    /// The logged setup; nothing if the log has none.
+    std::optional<robotcontrol::ProgramSetup> logged;
+    ReplaySetup setup;
+    ReplayPlan plan;
+    /// Owned by `program`.
+    logplayer::LogPlatform* platform = nullptr;
+    RobotHost::Candidate program;
   };
+
   /// `logName` is the robot's name in the log, `name` that in the replay; `overrides` are the user's against
-  /// the layout and the logged requests. There is no program before start().
+  /// the layout and the logged requests. There is no program before begin().
   ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
-              ReplayChoices choices, ProgramOverrides overrides, Listeners listeners);
+              ReplayChoices choices, ProgramOverrides overrides, RobotHost::Listeners listeners);
   ~ReplayRobot();
 
-  const std::string& name() const { return name_; }
-  /// What the robot is and what should run for it; valid after start().
-  const ReplaySetup& setup() const { return *setup_; }
+  const std::string& name() const { return host_.name(); }
+  RobotHost& host() { return host_; }
+  const RobotHost& host() const { return host_; }
+  /// What should run for it; valid after begin().
+  const ReplaySetup& setup() const { return started_.setup; }
   /// What runs of it.
-  const ReplayPlan& plan() const { return plan_; }
-  /// The setup of the program that runs here, as a log of it would contain it.
-  std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup() const { return ownSetup_; }
-  const ReplayChoices& choices() const { return choices_; }
-  /// A copy of the user's overrides so far.
-  ProgramOverrides overrides() const { return requests_.overrides(); }
+  const ReplayPlan& plan() const { return started_.plan; }
+  /// The setup of the program that was begun, as a log of it would contain it. Before it runs.
+  std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup() const;
+  const ReplayChoices& choices() const { return started_.choices; }
   /// The overrides that the program cannot fulfill, as a sentence each.
   std::vector<std::string> lostChoices() const;
 
-  /// Makes a new program as of a time, and gives it what the log contains before. If that is impossible, the
-  /// previous program stays.
-  robotlink::Errors start(robotlink::Instant time);
-  /// The same with other choices; if that is impossible, the previous ones stay, too.
-  robotlink::Errors start(robotlink::Instant time, ReplayChoices choices);
+  /// Makes a program as of a time, with these choices. Nothing changes before begin().
+  tl::expected<Start, robotlink::Errors> prepare(robotlink::Instant time, ReplayChoices choices);
+  /// Replaces the program, and gives the new one what the log contains before its time.
+  void begin(Start start);
 
   /// Whether any task runs.
   bool computes() const;
@@ -88,12 +92,6 @@ class ReplayRobot {
   /// logged ones.
   robotlink::StreamMessage published(robotlink::StreamMessage message) const;
 
-  /// Passes a request to the program when that runs next; overrides are kept for later programs. Fails for
-  /// STOP and if too many requests are waiting.
-  robotlink::Result<void> request(const robotcontrol::Request& request);
-  /// As RobotHost::answersToCome().
-  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome();
-
   /// How recomputed packages differ from logged ones.
   PackageDifferences& differences() { return differences_; }
   const PackageDifferences& differences() const { return differences_; }
@@ -101,32 +99,28 @@ class ReplayRobot {
   void countDifferences(bool count) { countsDifferences_ = count; }
 
  private:
-  /// The program with its platform and executor, which are made together.
-  struct Program;
   /// The logged map at a time, or the first one later; null if there is none.
   std::shared_ptr<const robotlink::GroundMap> loggedMapAt(robotlink::Instant time) const;
   /// The logged setup at a time, or the first one later.
   std::optional<robotcontrol::ProgramSetup> loggedSetupAt(robotlink::Instant time) const;
-  /// Sets setup_ and loggedSetup_ to what holds at a time, with the user's overrides.
-  robotlink::Errors readSetupAt(robotlink::Instant time);
-  /// Makes plan and program from the setup. Solutions that cannot be constructed count as unavailable.
-  robotlink::Errors makeProgram();
-  /// Makes a program that computes nothing, because that of the log cannot run for these reasons.
-  robotlink::Errors playOnly(const robotlink::Errors& why);
-  /// The input of planReplay() from setup and choices.
-  ReplaySelection selection() const;
-  /// Makes a program for a plan, without replacing the present one.
-  tl::expected<std::unique_ptr<Program>, robotlink::Errors> programFor(const ReplayPlan& plan);
+  /// Reads the setup that holds at a time, with the user's overrides.
+  robotlink::Errors readSetup(Start& start) const;
+  /// Makes plan and program from the setup, without any tasks if those of the log cannot run any more.
+  robotlink::Errors makeProgram(Start& start);
+  /// The same for a layout. Solutions that cannot be constructed count as unavailable.
+  robotlink::Errors makeAvailable(Start& start);
+  /// Makes a program for the plan.
+  robotlink::Errors makeProgramOfPlan(Start& start);
   /// The packages that the platform sends, since they are as logged.
   std::vector<logplayer::LogPlatform::Package> platformPackages(const ReplayPlan& plan) const;
-  /// Sets ownSetup_.
-  void describeProgram(const Program& program);
-  /// Connects listeners and taps to a program.
-  void listen(Program& program, const ReplayPlan& plan);
-  /// start() without the data before that time.
-  robotlink::Errors startWith(robotlink::Instant time, ReplayChoices choices);
-  /// Gives a new program the latest packages and requests before a time.
-  void giveWhatIsBefore(robotlink::Instant time);
+  /// Adds to the listeners what affects the comparison.
+  RobotHost::Listeners comparing(RobotHost::Listeners listeners);
+  /// Taps what the program sends to compare it with what was logged.
+  void compare();
+  /// begin() without the data before that time.
+  void adopt(Start start);
+  /// Gives a new program the latest packages and requests before its time.
+  void giveWhatIsBefore();
   /// The part of a logged path behind the robot's name.
   std::string below(const std::string& path) const { return path.substr(logName_.size() + 1); }
   /// Passes a logged package to the platform, or to the comparison if it is recomputed.
@@ -141,13 +135,9 @@ class ReplayRobot {
   bool takeSetup(const robotcontrol::ProgramSetup& setup, robotlink::Instant now);
   /// Whether the debug process ran at this instant of the recording.
   bool debugProcessRan(const std::vector<robotlink::StreamMessage>& messages) const;
-  /// Passes the requests that wait to the program.
-  void handRequests();
 
   const std::shared_ptr<logplayer::LogFile> log_;
   const std::string logName_;
-  const std::string name_;
-  const Listeners listeners_;
   /// The types of all packages, by name.
   const std::map<std::string, const google::protobuf::Descriptor*> types_;
   /// Names of the packages in the log.
@@ -156,18 +146,14 @@ class ReplayRobot {
   std::map<std::string, robotlink::Instant> comparedUntil_;
   /// Paths of the log below the robot's name.
   std::set<std::string> streams_;
-  ReplayChoices choices_;
-  /// The user's requests to all programs of the robot, and the overrides that follow from them.
-  ProgramRequests requests_;
-  /// The logged setup from which setup_ was made.
-  std::optional<robotcontrol::ProgramSetup> loggedSetup_;
-  std::shared_ptr<const ReplaySetup> setup_;
-  std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup_;
-  ReplayPlan plan_;
+  /// What the present program was made from.
+  Start started_;
   LoggedPaths paths_;
   /// The clock of the platform, in times of the log.
   robotlink::ManualClock clock_;
-  std::unique_ptr<Program> program_;
+  RobotHost host_;
+  /// Declared after the host, whose processes it executes.
+  std::unique_ptr<ProgramExecutor> executor_;
   /// Logged requests that wait until the debug process ran in the recording.
   std::vector<robotcontrol::Request> due_;
   PackageDifferences differences_;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a ReplayRobot runs over its log, and its requests.
+// How a ReplayRobot runs over its log.
 #include <algorithm>
 
 #include "app/core/program/ColorTables.h"
-#include "app/core/replay/ReplayRobotProgram.h"
-#include "robotlink/debugging/SharedDebugQueue.h"
+#include "app/core/replay/ReplayRobot.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Motion.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
@@ -13,23 +16,22 @@ namespace streams = robotlink::streams;
 
 using robotcontrol::ProgramSetup;
 using robotcontrol::Request;
-using robotlink::Errors;
 using robotlink::Instant;
 using robotlink::StreamMessage;
 
 // ---- Running it
 
 bool ReplayRobot::computes() const {
-  const auto& all = plan_.layout.processes;
+  const auto& all = plan().layout.processes;
   return std::any_of(all.begin(), all.end(), [](const auto& process) { return !process.tasks.empty(); });
 }
 
 std::string ReplayRobot::whyNotDoneBy(const std::string& task, const std::string& solution) const {
-  for (const auto& process : plan_.layout.processes) {
+  for (const auto& process : plan().layout.processes) {
     for (const auto& entry : process.tasks) {
       if (entry.task != task || entry.solution == solution) continue;
-      const auto found = plan_.replaced.find(task);
-      return found != plan_.replaced.end() ? found->second : "it is unavailable here";
+      const auto found = plan().replaced.find(task);
+      return found != plan().replaced.end() ? found->second : "it is unavailable here";
     }
   }
   return {};
@@ -49,13 +51,13 @@ std::vector<std::string> ReplayRobot::neededStreams() const {
 
 void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
   clock_.set(now);
-  handRequests();
   bool startedAnew = false;
   for (const StreamMessage& message : messages) {
     const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
     const bool isSetup = setup != nullptr && below(message.path) == streams::kProgram;
     if (isSetup && takeSetup(*setup, now)) startedAnew = true;
   }
+  host_.enqueueRequests();
   for (const StreamMessage& message : messages) {
     const std::string path = below(message.path);
     // Packages of the instant of a restart belong to the previous program.
@@ -67,11 +69,11 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
   // Requests take effect when the debug process ran in the recording. Here it runs at every instant, so that
   // what programs publish is seen at once.
   if (!debugProcessRan(messages)) return;
-  for (const Request& request : std::exchange(due_, {})) program_->program->debugProcess().request(request);
+  for (const Request& request : std::exchange(due_, {})) host_.program()->debugProcess().request(request);
 }
 
 bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) const {
-  for (const auto& process : setup_->layout.processes) {
+  for (const auto& process : setup().layout.processes) {
     const std::string frames = streams::kFrames + process.name;
     if (!process.debug || !streams_.contains(frames)) continue;
     return std::any_of(messages.begin(), messages.end(),
@@ -82,40 +84,32 @@ bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) co
 }
 
 void ReplayRobot::takePackage(const std::string& package, const StreamMessage& message) {
-  if (program_->platform.put(package, message.value)) return;
-  if (countsDifferences_ && !plan_.isAsLogged(package)) differences_.addLogged(package, message.value);
+  if (started_.platform->put(package, message.value)) return;
+  if (countsDifferences_ && !plan().isAsLogged(package)) differences_.addLogged(package, message.value);
 }
 
 bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
-  if (!loggedSetup_ || !isAnotherProgram(*loggedSetup_, setup)) return false;
-  const Errors errors = startWith(now, choices_);
-  if (errors.empty()) return true;
-  listeners_.trouble(program_->platform,
-                     "cannot be started anew as in the log: " + robotlink::describe(errors));
-  return false;
+  if (!started_.logged || !isAnotherProgram(*started_.logged, setup)) return false;
+  auto start = prepare(now, choices());
+  if (!start) {
+    host_.reportTrouble(*host_.platform(),
+                        "cannot be started anew as in the log: " + robotlink::describe(start.error()));
+    return false;
+  }
+  adopt(std::move(*start));
+  return true;
 }
 
 // The user's present overrides take precedence over requests of the recording. Requests that only concern
 // views do not matter.
 void ReplayRobot::takeRequest(const Request& request) {
-  const ProgramOverrides chosen = overrides();
-  bool counts = false;
-  if (request.has_select_solution()) {
-    const std::string& task = request.select_solution().task();
-    counts = plan_.runs(task) && !chosen.solutions().contains(task);
-  } else if (request.has_set_parameters()) {
-    const auto& details = request.set_parameters();
-    counts =
-        plan_.runs(details.task()) && !chosen.parameters().contains({details.task(), details.solution()});
-  } else if (request.has_motion() || request.has_set_goal()) {
-    counts = true;
-  } else if (request.has_set_color_table()) {
-    counts = chosen.colorTable() == nullptr;
-  }
-  if (!counts) return;
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  const bool runs = kind.task == nullptr || plan().runs(kind.task(request));
+  const bool matters = kind.isOfProgram() && kind.effect == robotlink::RequestEffect::kBehavior;
+  if (!matters || !runs || host_.overrides().contains(request)) return;
   due_.push_back(request);
   due_.back().clear_id();
-  due_.back().set_robot(name_);
+  due_.back().set_robot(name());
   if (request.has_set_color_table() && !request.set_color_table().table().cells().empty())
     *due_.back().mutable_set_color_table()->mutable_table() =
         colorTableOfLog(request.set_color_table().table());
@@ -134,9 +128,7 @@ void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
 }
 
 void ReplayRobot::run() {
-  program_->executor.stepPlatforms();
-  program_->executor.runProcesses();
-  requests_.ran();
+  executor_->stepFromSensors();
   if (countsDifferences_) {
     differences_.endInstant(clock_.now());
   } else {
@@ -147,32 +139,10 @@ void ReplayRobot::run() {
 StreamMessage ReplayRobot::published(StreamMessage message) const {
   const std::string path = below(message.path);
   const bool anew = paths_.isRecomputed(path, *message.value);
-  message.path = name_ + "/" + (anew ? streams::kLogged : "") + path;
+  message.path = name() + "/" + (anew ? streams::kLogged : "") + path;
   // The process counts its frames anew here. Drawings are matched to frames by their times.
   if (!anew && paths_.runs(message.process)) message.frame = 0;
   return message;
-}
-
-// ---- Requests
-
-robotlink::Result<void> ReplayRobot::request(const Request& request) {
-  if (request.has_stop()) {
-    return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {},
-                              {name_});
-  }
-  if (requests_.ask(request)) return {};
-  return robotlink::failure("request.queue-full",
-                            "robot " + name_ + " does not take requests now: too many wait already", {},
-                            {name_});
-}
-
-void ReplayRobot::handRequests() {
-  requests_.hand(
-      [this](const Request& request) { return program_->program->debugProcess().request(request); });
-}
-
-std::shared_ptr<const robotlink::SharedDebugQueue> ReplayRobot::answersToCome() {
-  return requests_.answersToCome(*program_->program, clock_.now());
 }
 
 }  // namespace app

@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "app/core/program/ColorTables.h"
-#include "app/core/replay/ReplayRunParts.h"
-#include "foxglove/Scene.pb.h"
+#include "app/core/program/SolutionChoices.h"
+#include "foxglove/Robot.pb.h"
+#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/QueueMessages.h"
@@ -47,10 +49,24 @@ std::shared_ptr<const SharedDebugQueue> moved(const std::shared_ptr<const Shared
   return copy;
 }
 
+/// Returns a message of a log as it is published; nothing if it is not.
+std::optional<StreamMessage> published(const ReplayLogs::Source& source, const StreamMessage& message) {
+  const auto robot = source.byLogName.find(robotOf(message.path));
+  if (robot == source.byLogName.end() && !source.publishesWorld) return std::nullopt;
+  StreamMessage result = robot == source.byLogName.end() ? message : robot->second->published(message);
+  result.time = source.onLine(result.time);
+  return result;
+}
+
+/// Whether a message comes before another one that is published with it.
+bool isBefore(const StreamMessage& a, const StreamMessage& b) {
+  return std::pair(a.time, isFrameEnd(a)) < std::pair(b.time, isFrameEnd(b));
+}
+
 }  // namespace
 
-ReplayRun::ReplayRun(std::unique_ptr<Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
+ReplayRun::ReplayRun(ReplayOptions options, Listeners listeners)
+    : options_(std::move(options)), listeners_(std::move(listeners)) {}
 
 ReplayRun::~ReplayRun() = default;
 
@@ -58,38 +74,32 @@ ReplayRun::~ReplayRun() = default;
 
 tl::expected<std::unique_ptr<ReplayRun>, Errors> ReplayRun::create(ReplayOptions options,
                                                                    Listeners listeners) {
-  auto made = std::make_unique<Implementation>();
-  made->options = std::move(options);
-  made->listeners = std::move(listeners);
-  if (Errors errors = made->open(); !errors.empty()) return tl::unexpected(std::move(errors));
-  std::unique_ptr<ReplayRun> run(new ReplayRun(std::move(made)));
-  run->implementation_->now = run->begin();
-  run->implementation_->findStepProcess();
+  std::unique_ptr<ReplayRun> run(new ReplayRun(std::move(options), std::move(listeners)));
+  if (Errors errors = run->open(); !errors.empty()) return tl::unexpected(std::move(errors));
+  run->now_ = run->begin();
+  run->stepProcess_ = run->logs_.stepProcess();
   return run;
 }
 
-Errors ReplayRun::Implementation::open() {
-  if (options.logs.empty()) return {{"replay.no-log", "there is no log to play", {}, {}}};
-  if (!options.colorTable.empty()) {
-    auto table = readColorTable(options.colorTable);
+Errors ReplayRun::open() {
+  if (options_.logs.empty()) return {{"replay.no-log", "there is no log to play", {}, {}}};
+  if (!options_.colorTable.empty()) {
+    auto table = readColorTable(options_.colorTable);
     if (!table) return {table.error()};
-    colorTable = std::move(*table);
+    colorTable_ = std::move(*table);
   }
-  bool hasWorld = false;
-  for (std::size_t i = 0; i < options.logs.size(); ++i) {
+  for (std::size_t i = 0; i < options_.logs.size(); ++i) {
     LogFile::Options opening;
-    if (options.progress) {
-      const double count = static_cast<double>(options.logs.size());
+    if (options_.progress) {
+      const double count = static_cast<double>(options_.logs.size());
       opening.progress = [this, i, count](double share) {
-        return options.progress((static_cast<double>(i) + share) / count);
+        return options_.progress((static_cast<double>(i) + share) / count);
       };
     }
-    auto file = LogFile::open(options.logs[i].file, std::move(opening));
+    auto file = LogFile::open(options_.logs[i].file, std::move(opening));
     if (!file) return {file.error()};
-    options.logs[i].offset = offsetOf(options.logs[i], **file);
-    auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
-    hasWorld = hasWorld || std::any_of((*file)->streams().begin(), (*file)->streams().end(),
-                                       [](const auto& stream) { return stream.path == streams::kScene; });
+    options_.logs[i].offset = offsetOf(options_.logs[i], **file);
+    auto& source = logs_.add(options_.logs[i], *file);
     if (Errors errors = addRobots(source); !errors.empty()) return errors;
     source.reader.seek((*file)->begin());
     source.reader.onBrokenImage([this, &source](const StreamMessage& message, const std::string& why) {
@@ -100,60 +110,80 @@ Errors ReplayRun::Implementation::open() {
   return checkChosenSolutions();
 }
 
-Duration ReplayRun::Implementation::offsetOf(const ReplayLog& log, const LogFile& file) const {
-  if (log.offsetChosen || log.offset != Duration::zero() || sources.empty()) return log.offset;
-  const Source& first = *sources.front();
+Duration ReplayRun::offsetOf(const ReplayLog& log, const LogFile& file) const {
+  if (log.offsetChosen || log.offset != Duration::zero() || logs_.sources().empty()) return log.offset;
+  const ReplayLogs::Source& first = *logs_.sources().front();
   const Instant begin = first.onLine(first.reader.file().begin()),
                 end = first.onLine(first.reader.file().end());
   const bool overlaps = file.begin() <= end && file.end() >= begin;
   return overlaps ? Duration::zero() : begin - file.begin();
 }
 
-Errors ReplayRun::Implementation::addRobots(Source& source) {
+Errors ReplayRun::addRobots(ReplayLogs::Source& source) {
   for (const std::string& logName : source.reader.file().robots()) {
-    const std::string name = freeName(logName);
-    ReplayChoices choices;
-    choices.layout = options.layout;
-    ProgramOverrides overrides;
-    if (const auto before = options.overrides.find(name); before != options.overrides.end())
-      overrides = before->second;
-    for (const auto& [task, solution] : options.solutions) overrides.chooseSolution(task, solution);
-    if (colorTable) overrides.chooseColorTable(colorTable);
-    choices.recomputeAll = options.recomputeAll;
-    choices.publishAllPackages = options.publishAllPackages;
-    for (const std::string& prefix : {std::string("*/"), name + "/"}) {
-      for (const auto& [package, choice] : options.packages) {
-        if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;
-      }
-    }
-    ReplayRobot::Listeners ears;
-    ears.queue = [this, &source, name](const auto& queue) { hear(source, name, queue); };
-    ears.trouble = [this, name](const robotlink::Process& process, const std::string& text) {
-      if (listeners.trouble) listeners.trouble(name, process, "Process " + process.name() + " " + text);
-    };
+    const std::string name = logs_.freeName(logName);
+    RobotHost::Listeners listeners{
+        [this, &source](const std::string& robot, const auto& queue) { hear(source, robot, queue); },
+        listeners_.trouble};
     auto& robot = *source.robots.emplace_back(
-        std::make_unique<ReplayRobot>(source.reader.filePointer(), logName, name, std::move(choices),
-                                      std::move(overrides), std::move(ears)));
+        std::make_unique<ReplayRobot>(source.reader.filePointer(), logName, name, choicesOf(name),
+                                      overridesOf(name), std::move(listeners)));
     source.byLogName[logName] = &robot;
-    if (Errors errors = robot.start(source.reader.file().begin()); !errors.empty()) return errors;
+    auto start = robot.prepare(source.reader.file().begin(), robot.choices());
+    if (!start) return start.error();
+    robot.begin(std::move(*start));
   }
   return {};
 }
 
-std::string ReplayRun::Implementation::freeName(const std::string& robot) const {
-  std::string name = robot;
-  for (int number = 2; findRobot(name) != nullptr; ++number) name = robot + "-" + std::to_string(number);
-  return name;
+ReplayChoices ReplayRun::choicesOf(const std::string& robot) const {
+  ReplayChoices choices;
+  choices.layout = options_.layout;
+  choices.recomputeAll = options_.recomputeAll;
+  choices.publishAllPackages = options_.publishAllPackages;
+  for (const std::string& prefix : {std::string("*/"), robot + "/"}) {
+    for (const auto& [package, choice] : options_.packages) {
+      if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;
+    }
+  }
+  return choices;
+}
+
+ProgramOverrides ReplayRun::overridesOf(const std::string& robot) const {
+  const auto before = options_.overrides.find(robot);
+  ProgramOverrides overrides = before != options_.overrides.end() ? before->second : ProgramOverrides();
+  for (const auto& [task, solution] : options_.solutions) overrides.chooseSolution(task, solution);
+  if (colorTable_) overrides.chooseColorTable(colorTable_);
+  return overrides;
+}
+
+Errors ReplayRun::checkChosenSolutions() const {
+  if (options_.solutions.empty()) return {};
+  std::vector<const robotlink::Layout*> layouts;
+  for (const ReplayRobot* robot : logs_.robots()) layouts.push_back(&robot->setup().layout);
+  Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), layouts);
+  if (!errors.empty()) return errors;
+  for (const ReplayRobot* robot : logs_.robots()) {
+    for (const auto& [task, solution] : options_.solutions) {
+      const std::string why = robot->whyNotDoneBy(task, solution);
+      if (why.empty()) continue;
+      errors.push_back({"replay.solution",
+                        robot->name() + ": task " + task + " cannot be done by " + solution + ": " + why,
+                        {robot->name(), task, solution},
+                        {}});
+    }
+  }
+  return errors;
 }
 
 // ---- Steps
 
-bool ReplayRun::Implementation::step() {
+bool ReplayRun::step() {
   const auto time = nextTime();
   if (!time) return false;
-  now = *time;
-  for (const auto& source : sources) {
-    const Instant logTime = source->inLog(now);
+  now_ = *time;
+  for (const auto& source : logs_.sources()) {
+    const Instant logTime = source->inLog(now_);
     if (source->reader.nextTime() != logTime) continue;
     const std::vector<StreamMessage> messages = source->reader.next();
     give(*source, logTime, messages);
@@ -163,128 +193,130 @@ bool ReplayRun::Implementation::step() {
   return true;
 }
 
-void ReplayRun::Implementation::give(Source& source, Instant logTime,
-                                     const std::vector<StreamMessage>& messages) {
+void ReplayRun::give(ReplayLogs::Source& source, Instant logTime,
+                     const std::vector<StreamMessage>& messages) {
   std::map<std::string, std::vector<StreamMessage>> byRobot;
   for (const StreamMessage& message : messages) byRobot[robotOf(message.path)].push_back(message);
   for (const auto& [logName, robot] : source.byLogName) robot->take(logTime, byRobot[logName]);
 }
 
-std::optional<StreamMessage> ReplayRun::Implementation::published(Source& source,
-                                                                  const StreamMessage& message) const {
-  const auto robot = source.byLogName.find(robotOf(message.path));
-  if (robot == source.byLogName.end() && !source.publishesWorld) return std::nullopt;
-  StreamMessage result = robot == source.byLogName.end() ? message : robot->second->published(message);
-  result.time = source.onLine(result.time);
-  return result;
-}
-
-void ReplayRun::Implementation::publish(Source& source, const std::vector<StreamMessage>& messages) {
-  std::vector<StreamMessage> all = std::exchange(notes, {});
+void ReplayRun::publish(ReplayLogs::Source& source, const std::vector<StreamMessage>& messages) {
+  std::vector<StreamMessage> all = std::exchange(notes_, {});
   for (const StreamMessage& message : messages) {
     if (auto shown = published(source, message)) all.push_back(std::move(*shown));
   }
-  if (!all.empty() && listeners.logged) listeners.logged(std::move(all));
+  if (!all.empty() && listeners_.logged) listeners_.logged(std::move(all));
 }
 
-void ReplayRun::Implementation::hear(const Source& source, const std::string& robot,
-                                     const std::shared_ptr<const SharedDebugQueue>& queue) {
+void ReplayRun::hear(const ReplayLogs::Source& source, const std::string& robot,
+                     const std::shared_ptr<const SharedDebugQueue>& queue) {
   const auto shown = moved(queue, source.log.offset);
-  if (!quiet) {
-    if (listeners.queue) listeners.queue(robot, shown);
+  if (!quiet_) {
+    if (listeners_.queue) listeners_.queue(robot, shown);
     return;
   }
   const auto reader =
-      options.publishAllPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
-  auto taken = robotlink::messagesOf(robot, *shown, now, reader);
+      options_.publishAllPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
+  auto taken = robotlink::messagesOf(robot, *shown, now_, reader);
   for (StreamMessage& message : taken.messages) {
     if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
-      history.push_back(std::move(message));
+      history_.push_back(std::move(message));
     } else {
-      newest[message.path] = std::move(message);
+      newest_[message.path] = std::move(message);
     }
   }
   for (const SharedDebugMessage& message : shown->messages) {
     if (message.as<robotcontrol::RequestResult>() == nullptr) continue;
-    if (!answers) answers = std::make_shared<SharedDebugQueue>();
-    answers->process = shown->process;
-    answers->messages.push_back(message);
+    if (!answers_) answers_ = std::make_shared<SharedDebugQueue>();
+    answers_->process = shown->process;
+    answers_->messages.push_back(message);
   }
 }
 
-void ReplayRun::Implementation::note(const Source& source, const std::string& robot, Instant logTime,
-                                     int level, const std::string& text) {
+void ReplayRun::note(const ReplayLogs::Source& source, const std::string& robot, Instant logTime, int level,
+                     const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
   const Instant time = source.onLine(logTime);
   robotlink::assign(*log->mutable_timestamp(), time);
   log->set_level(static_cast<foxglove::Log::Level>(level));
   log->set_name("replay");
   log->set_message(text);
-  notes.push_back({robot + "/" + streams::kLog, time, std::move(log)});
+  notes_.push_back({robot + "/" + streams::kLog, time, std::move(log)});
 }
 
 // ---- Jumps
 
-Errors ReplayRun::Implementation::jump(Instant time) {
-  quiet = true;
-  newest.clear();
-  history.clear();
-  answers.reset();
-  notes.clear();
-  now = time;
-  Errors errors;
-  for (const auto& source : sources) {
-    const Errors own = jump(*source, time);
-    errors.insert(errors.end(), own.begin(), own.end());
-  }
-  quiet = false;
-  std::vector<StreamMessage> messages = std::exchange(history, {});
-  for (const auto& source : sources) {
-    const Instant logTime = source->inLog(time);
-    for (const StreamMessage& message : source->reader.past(logTime - options.preroll, logTime)) {
-      if (auto shown = published(*source, message)) messages.push_back(std::move(*shown));
-    }
-  }
-  for (auto& [path, message] : newest) messages.push_back(std::move(message));
-  newest.clear();
-  std::move(notes.begin(), notes.end(), std::back_inserter(messages));
-  notes.clear();
-  std::stable_sort(messages.begin(), messages.end(), [](const StreamMessage& a, const StreamMessage& b) {
-    return std::pair(a.time, isFrameEnd(a)) < std::pair(b.time, isFrameEnd(b));
-  });
-  if (listeners.logged) listeners.logged(std::move(messages));
-  if (answers && listeners.queue) listeners.queue(firstRobot(), std::exchange(answers, nullptr));
-  return errors;
+Instant ReplayRun::startOf(const ReplayLogs::Source& source, Instant time) const {
+  const logplayer::LogFile& file = source.reader.file();
+  return std::max(file.begin(), std::min(source.inLog(time), file.end()) - options_.preroll);
 }
 
-// Results are matched by the id of their request, so any robot will do.
-std::string ReplayRun::Implementation::firstRobot() const {
-  for (const auto& source : sources) {
-    if (!source->robots.empty()) return source->robots.front()->name();
+Errors ReplayRun::jump(Instant time, const Change& change) {
+  std::vector<std::pair<ReplayRobot*, ReplayRobot::Start>> starts;
+  Errors errors;
+  for (const auto& source : logs_.sources()) {
+    for (const auto& robot : source->robots) {
+      ReplayChoices choices = robot->choices();
+      if (change) change(robot->name(), choices);
+      auto start = robot->prepare(startOf(*source, time), std::move(choices));
+      if (start) {
+        starts.emplace_back(robot.get(), std::move(*start));
+      } else {
+        errors.insert(errors.end(), start.error().begin(), start.error().end());
+      }
+    }
   }
+  if (!errors.empty()) return errors;
+  now_ = time;
+  newest_.clear();
+  history_.clear();
+  notes_.clear();
+  answers_.reset();
+  quiet_ = true;
+  for (auto& [robot, start] : starts) {
+    robot->begin(std::move(start));
+    if (change) robot->differences().clear();
+  }
+  for (const auto& source : logs_.sources()) {
+    const Instant target = source->inLog(time);
+    for (const auto& robot : source->robots) noteStart(*source, *robot, time);
+    runQuietly(*source, startOf(*source, time), target);
+    source->reader.seek(target + Duration(1));
+  }
+  quiet_ = false;
+  publishCollected();
   return {};
 }
 
-Errors ReplayRun::Implementation::jump(Source& source, Instant time) {
-  const Instant target = source.inLog(time);
-  const Instant begin = source.reader.file().begin();
-  const Instant from = std::max(begin, std::min(target, source.reader.file().end()) - options.preroll);
-  Errors errors;
-  for (const auto& robot : source.robots) {
-    const Errors own = robot->start(from);
-    errors.insert(errors.end(), own.begin(), own.end());
-    notes.push_back({robot->name() + "/" + streams::kProgram, time, robot->ownSetup()});
-    for (const auto* texts : {&robot->setup().notes, &robot->plan().notes}) {
-      for (const std::string& text : *texts)
-        note(source, robot->name(), target, foxglove::Log::WARNING, text);
-    }
+void ReplayRun::noteStart(const ReplayLogs::Source& source, const ReplayRobot& robot, Instant time) {
+  notes_.push_back({robot.name() + "/" + streams::kProgram, time, robot.ownSetup()});
+  for (const auto* texts : {&robot.setup().notes, &robot.plan().notes}) {
+    for (const std::string& text : *texts)
+      note(source, robot.name(), source.inLog(time), foxglove::Log::WARNING, text);
   }
-  runQuietly(source, from, target);
-  source.reader.seek(target + Duration(1));
-  return errors;
 }
 
-void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant to) {
+void ReplayRun::publishCollected() {
+  std::vector<StreamMessage> messages = std::exchange(history_, {});
+  for (const auto& source : logs_.sources()) {
+    const Instant logTime = source->inLog(now_);
+    for (const StreamMessage& message : source->reader.past(logTime - options_.preroll, logTime)) {
+      if (auto shown = published(*source, message)) messages.push_back(std::move(*shown));
+    }
+  }
+  for (auto& [path, message] : newest_) messages.push_back(std::move(message));
+  newest_.clear();
+  std::move(notes_.begin(), notes_.end(), std::back_inserter(messages));
+  notes_.clear();
+  std::stable_sort(messages.begin(), messages.end(), isBefore);
+  if (listeners_.logged) listeners_.logged(std::move(messages));
+  if (!answers_ || !listeners_.queue) return;
+  // Results are matched by the id of their request, so any robot will do.
+  const auto robots = logs_.robots();
+  listeners_.queue(robots.empty() ? std::string() : robots.front()->name(), std::exchange(answers_, nullptr));
+}
+
+void ReplayRun::runQuietly(ReplayLogs::Source& source, Instant from, Instant to) {
   std::vector<std::string> needed;
   bool computes = false;
   for (const auto& robot : source.robots) {
@@ -312,46 +344,32 @@ void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant
   }
 }
 
-// ---- Requests
+Errors ReplayRun::jump(Instant time) {
+  return jump(std::clamp(time, begin(), end()), {});
+}
 
-Errors ReplayRun::Implementation::changeChoices(
-    const std::function<void(const std::string&, ReplayChoices&)>& change) {
-  std::vector<std::function<void()>> takeBack;
-  Errors errors;
-  for (const auto& source : sources) {
+// ---- What the user chooses
+
+// The programs of a jump begin before now(), where the log may have another setup.
+Errors ReplayRun::change(const Change& change) {
+  for (const auto& source : logs_.sources()) {
     for (const auto& robot : source->robots) {
       ReplayChoices choices = robot->choices();
       change(robot->name(), choices);
-      const Instant logTime = source->inLog(now);
-      const auto undo = [&changed = *robot, before = robot->choices(), logTime] {
-        (void)changed.start(logTime, before);
-      };
-      errors = robot->start(logTime, std::move(choices));
-      // Nothing has changed for this robot.
-      if (!errors.empty()) break;
-      takeBack.emplace_back(undo);
-      robot->differences().clear();
+      const auto tried = robot->prepare(source->inLog(now_), std::move(choices));
+      if (!tried) return tried.error();
     }
-    if (!errors.empty()) break;
   }
-  if (!errors.empty()) {
-    for (const auto& undo : takeBack) undo();
-  }
-  const Errors jumped = jump(now);
-  errors.insert(errors.end(), jumped.begin(), jumped.end());
-  return errors;
+  return jump(now_, change);
 }
 
 Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::PackageSource>& packages) {
-  Implementation& self = *implementation_;
   for (const auto& [package, source] : packages) {
-    if (self.findRobot(robotOf(package)) != nullptr) continue;
-    return {{"replay.no-robot",
-             "there is no robot " + robotOf(package) + " in the logs",
-             {robotOf(package)},
-             {}}};
+    const std::string robot = robotOf(package);
+    if (logs_.find(robot) != nullptr) continue;
+    return {{"replay.no-robot", "there is no robot " + robot + " in the logs", {robot}, {}}};
   }
-  return self.changeChoices([&](const std::string& robot, ReplayChoices& choices) {
+  return change([&](const std::string& robot, ReplayChoices& choices) {
     for (const auto& [package, source] : packages) {
       if (package.starts_with(robot + "/")) choices.packages[package.substr(robot.size() + 1)] = source;
     }
@@ -359,36 +377,34 @@ Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::Pack
 }
 
 Errors ReplayRun::setLayout(const std::filesystem::path& file) {
-  Errors errors = implementation_->changeChoices(
-      [&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
-  if (errors.empty()) implementation_->options.layout = file;
+  Errors errors = change([&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
+  if (errors.empty()) options_.layout = file;
   return errors;
 }
 
-void ReplayRun::setOffset(const std::filesystem::path& log, Duration offset) {
-  for (const auto& source : implementation_->sources) {
-    if (source->log.file == log) source->log = {log, offset, true};
+Errors ReplayRun::setOffsets(const std::map<std::filesystem::path, Duration>& offsets) {
+  const std::vector<ReplayLog> before = options_.logs;
+  for (ReplayLog& log : options_.logs) {
+    if (const auto offset = offsets.find(log.file); offset != offsets.end())
+      log = {log.file, offset->second, true};
   }
-  for (ReplayLog& known : implementation_->options.logs) {
-    if (known.file == log) known = {log, offset, true};
-  }
-  (void)implementation_->jump(std::clamp(now(), begin(), end()));
+  Errors errors = jump(now_);
+  // The sources refer to the elements, which stay where they are.
+  if (!errors.empty()) std::copy(before.begin(), before.end(), options_.logs.begin());
+  return errors;
 }
 
 robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request) {
-  ReplayRobot* robot = implementation_->findRobot(request.robot());
-  if (robot == nullptr) {
-    return robotlink::failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
-                              {request.robot()});
-  }
-  return robot->request(request);
+  if (ReplayRobot* robot = logs_.find(request.robot())) return robot->host().request(request);
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
+                            {request.robot()});
 }
 
 std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
   std::vector<Answers> all;
-  for (const auto& source : implementation_->sources) {
+  for (const auto& source : logs_.sources()) {
     for (const auto& robot : source->robots) {
-      if (const auto queue = robot->answersToCome())
+      if (const auto queue = robot->host().answersToCome())
         all.emplace_back(robot->name(), moved(queue, source->log.offset));
     }
   }
@@ -397,28 +413,68 @@ std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
 
 std::map<std::string, ProgramOverrides> ReplayRun::overrides() const {
   std::map<std::string, ProgramOverrides> all;
-  for (const auto& source : implementation_->sources) {
-    for (const auto& robot : source->robots) all[robot->name()] = robot->overrides();
-  }
+  for (const ReplayRobot* robot : logs_.robots()) all[robot->name()] = robot->host().overrides();
   return all;
 }
 
 std::vector<std::string> ReplayRun::lostChoices() const {
   std::vector<std::string> all;
-  for (const auto& source : implementation_->sources) {
-    for (const auto& robot : source->robots) {
-      for (std::string& lost : robot->lostChoices()) all.push_back(std::move(lost));
-    }
+  for (const ReplayRobot* robot : logs_.robots()) {
+    for (std::string& lost : robot->lostChoices()) all.push_back(std::move(lost));
   }
   return all;
 }
 
-bool ReplayRun::step() {
-  return implementation_->step();
+std::vector<std::string> ReplayRun::unusedSolutions() const {
+  std::vector<std::string> sentences;
+  for (const ReplayRobot* robot : logs_.robots()) {
+    for (const auto& absence : robot->plan().layout.absent) {
+      const auto chosen = options_.solutions.find(absence.task);
+      if (chosen == options_.solutions.end()) continue;
+      sentences.push_back(robot->name() + ": task " + absence.task + " does not run, so that its solution " +
+                          chosen->second + " changes nothing; " + absence.reason);
+    }
+  }
+  return sentences;
 }
 
-Errors ReplayRun::jump(Instant time) {
-  return implementation_->jump(std::clamp(time, begin(), end()));
+// ---- Finding and describing
+
+std::optional<Instant> ReplayRun::frameTime(const std::string& process, int count) const {
+  return messageTime(ReplayLogs::framesOf(process), count);
+}
+
+std::optional<Instant> ReplayRun::messageTime(const std::string& stream, int count) const {
+  return logs_.countedTime(stream, count, now_);
+}
+
+bool ReplayRun::setStepProcess(const std::string& process) {
+  if (!firstTime(ReplayLogs::framesOf(process))) return false;
+  stepProcess_ = process;
+  return true;
+}
+
+std::vector<std::string> ReplayRun::robots() const {
+  std::vector<std::string> names;
+  for (const ReplayRobot* robot : logs_.robots()) names.push_back(robot->name());
+  return names;
+}
+
+std::shared_ptr<const robotlink::RobotDescription> ReplayRun::description(const std::string& name) const {
+  const ReplayRobot* robot = logs_.find(name);
+  return robot != nullptr ? robot->host().robot().description : nullptr;
+}
+
+std::shared_ptr<const robotlink::FieldDescription> ReplayRun::field() const {
+  const auto robots = logs_.robots();
+  return robots.empty() ? nullptr : robots.front()->host().robot().field;
+}
+
+void ReplayRun::describe(robotcontrol::ReplayStatus& status) const {
+  status.set_time(now_.time_since_epoch().count());
+  status.set_step_process(stepProcess_);
+  logs_.describe(status);
+  logs_.describeFrame(stepProcess_, now_, status);
 }
 
 }  // namespace app

@@ -10,60 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/program/ProgramOverrides.h"
-#include "logplayer/file/LogFile.h"
-#include "robotcontrol/Debugging.pb.h"
-#include "robotcontrol/Logging.pb.h"
+#include "app/core/replay/ReplayLogs.h"
+#include "app/core/replay/ReplayOptions.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/session/StreamMessage.h"
 
-namespace robotcontrol {
-class Request;
-}
-namespace robotlink {
-class Process;
-struct FieldDescription;
-struct RobotDescription;
-struct SharedDebugQueue;
-}  // namespace robotlink
-
 namespace app {
-
-/// One of the logs of a replay. A plain value.
-struct ReplayLog {
-  std::filesystem::path file;
-  /// Added to the times of the log.
-  robotlink::Duration offset{0};
-  /// Whether the user chose the offset. Otherwise a log that does not overlap with the first one is shifted
-  /// to begin with it, since the clocks of different computers do not agree.
-  bool offsetChosen = false;
-};
-
-/// What is replayed, and how. A plain value.
-struct ReplayOptions {
-  /// Robots of equal names in several logs get "-2", "-3" and so on behind their names.
-  std::vector<ReplayLog> logs;
-  /// The layout of the programs that run on the logged data; empty: the one in each robot's log or, without
-  /// one, that of the robot's kind.
-  std::filesystem::path layout;
-  /// Maps tasks to solutions, instead of the layout's.
-  std::map<std::string, std::string> solutions;
-  /// What the user chose for the robots before, by name.
-  std::map<std::string, ProgramOverrides> overrides;
-  /// Sources of packages, by "<robot>/<package>" or, for all robots, "*/<package>". For others the contents
-  /// of the logs decide.
-  std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
-  /// Whether all packages that `packages` does not name are recomputed if possible.
-  bool recomputeAll = false;
-  /// A color table (.c64) for all robots; empty: the one in the log.
-  std::filesystem::path colorTable;
-  /// Whether the programs publish all packages that they yield, even if their debug keys are off.
-  bool publishAllPackages = false;
-  /// How much of the log before the aim of a jump the programs run on, so that their models settle.
-  robotlink::Duration preroll = std::chrono::seconds(2);
-  /// Called while the logs are opened; can cancel that.
-  logplayer::LogFile::Progress progress;
-};
 
 /// Robot programs on logged data. The caller moves them along the logs' common time line: by steps to the
 /// next instant at which a log has messages, or by jumps. They run in lockstep, so the same logs, choices and
@@ -94,31 +46,37 @@ class ReplayRun {
   ~ReplayRun();
 
   /// The present instant; before the first step the beginning.
-  robotlink::Instant now() const;
+  robotlink::Instant now() const { return now_; }
   /// The first and the last instant of all logs.
-  robotlink::Instant begin() const;
-  robotlink::Instant end() const;
+  robotlink::Instant begin() const { return logs_.begin(); }
+  robotlink::Instant end() const { return logs_.end(); }
   /// The instant of the next step; nothing at the end.
-  std::optional<robotlink::Instant> nextTime() const;
+  std::optional<robotlink::Instant> nextTime() const { return logs_.nextTime(); }
 
   /// Steps to nextTime(). Returns false at the end.
   bool step();
   /// Jumps to `time`, or to the nearer end: restarts the programs, runs them over the preroll without
   /// publishing, and then publishes the newest message of every stream up to `time`, in order of time,
   /// including what was recomputed on the way. Of streams with a history (numbers, texts) the whole preroll
-  /// is published, so that plots and lists do not start empty. Where a program cannot be made, errors say
-  /// why, and its previous one stays.
+  /// is published, so that plots and lists do not start empty. If one of the programs cannot be made, nothing
+  /// changes, and errors say why.
   robotlink::Errors jump(robotlink::Instant time);
 
   /// Sets the process whose frames are stepped and counted, "<robot>/<process>"; at first one that waits for
   /// images. Returns false if the logs have no frames of it.
   bool setStepProcess(const std::string& process);
-  const std::string& stepProcess() const;
+  const std::string& stepProcess() const { return stepProcess_; }
   /// The time of the frame `count` frames after (negative: before) the present one of "<robot>/<process>";
   /// the last or first one if there are fewer. Nothing if the logs have no frames of it.
   std::optional<robotlink::Instant> frameTime(const std::string& process, int count) const;
   /// The time of a frame by the number that the process gave it; nothing if it is not in the logs.
-  std::optional<robotlink::Instant> timeOfFrame(const std::string& process, std::uint64_t frame) const;
+  std::optional<robotlink::Instant> timeOfFrame(const std::string& process, std::uint64_t frame) const {
+    return logs_.timeOfFrame(process, frame);
+  }
+  /// The time of the first message of a stream; nothing if there is no such stream.
+  std::optional<robotlink::Instant> firstTime(const std::string& stream) const {
+    return logs_.firstTime(stream);
+  }
   /// Like frameTime(), for the messages of a stream; those of the same instant count as one.
   std::optional<robotlink::Instant> messageTime(const std::string& stream, int count) const;
 
@@ -128,8 +86,9 @@ class ReplayRun {
       const std::map<std::string, robotcontrol::ControlReplay::PackageSource>& packages);
   /// Restarts the programs in another layout at now(). If that is impossible, the previous layouts stay.
   robotlink::Errors setLayout(const std::filesystem::path& file);
-  /// Shifts a log on the time line; jumps to now(), or to the nearer end.
-  void setOffset(const std::filesystem::path& log, robotlink::Duration offset);
+  /// Shifts logs on the time line, by their files; jumps to now(), or to the nearer end. If that is
+  /// impossible, the previous offsets stay.
+  robotlink::Errors setOffsets(const std::map<std::filesystem::path, robotlink::Duration>& offsets);
   /// Passes a request to a robot's program; overrides are kept over jumps. Call jump(now()) to see its effect
   /// at once.
   robotlink::Result<void> request(const robotcontrol::Request& request);
@@ -145,7 +104,7 @@ class ReplayRun {
   /// process. ReplayFeed fills in the state of playback.
   void describe(robotcontrol::ReplayStatus& status) const;
   /// The options with the present layout and offsets.
-  const ReplayOptions& options() const;
+  const ReplayOptions& options() const { return options_; }
   /// What the user chose so far, by robot.
   std::map<std::string, ProgramOverrides> overrides() const;
   /// The overrides that the present programs cannot fulfill, as a sentence each.
@@ -158,9 +117,68 @@ class ReplayRun {
   std::shared_ptr<const robotlink::FieldDescription> field() const;
 
  private:
-  struct Implementation;
-  explicit ReplayRun(std::unique_ptr<Implementation> implementation);
-  std::unique_ptr<Implementation> implementation_;
+  /// Changes what the user chose for a robot.
+  using Change = std::function<void(const std::string& robot, ReplayChoices&)>;
+
+  ReplayRun(ReplayOptions options, Listeners listeners);
+  /// Opens all logs and makes their robots; to be called once.
+  robotlink::Errors open();
+  /// The offset of a log that is opened after the present ones.
+  robotlink::Duration offsetOf(const ReplayLog& log, const logplayer::LogFile& file) const;
+  /// Makes the robots of a log and starts their programs at its beginning.
+  robotlink::Errors addRobots(ReplayLogs::Source& source);
+  /// What the options say about a robot.
+  ReplayChoices choicesOf(const std::string& robot) const;
+  ProgramOverrides overridesOf(const std::string& robot) const;
+  /// Checks the solutions of the options. A comparison with another solution than the requested one would be
+  /// wrong.
+  robotlink::Errors checkChosenSolutions() const;
+
+  /// Jumps with other choices; `change` may be empty.
+  robotlink::Errors jump(robotlink::Instant time, const Change& change);
+  /// Jumps with other choices to now(), if programs can be made with them there, too.
+  robotlink::Errors change(const Change& change);
+  /// The log time at which the programs start for a jump.
+  robotlink::Instant startOf(const ReplayLogs::Source& source, robotlink::Instant time) const;
+  /// Runs the programs of a log over a range of log times while nothing is published. Only the last instant
+  /// counts for differences.
+  void runQuietly(ReplayLogs::Source& source, robotlink::Instant from, robotlink::Instant to);
+  /// Publishes what a jump has collected, with what the logs contain.
+  void publishCollected();
+  /// Adds the setup of a program that was started for a jump, and what is to be said about it, to notes_.
+  void noteStart(const ReplayLogs::Source& source, const ReplayRobot& robot, robotlink::Instant time);
+  /// Passes the messages of an instant to the robots of a log. All of them advance to it.
+  static void give(ReplayLogs::Source& source, robotlink::Instant logTime,
+                   const std::vector<robotlink::StreamMessage>& messages);
+  /// Publishes the messages of an instant, after waiting notes.
+  void publish(ReplayLogs::Source& source, const std::vector<robotlink::StreamMessage>& messages);
+  /// Publishes a debug queue, or collects its messages during a jump.
+  void hear(const ReplayLogs::Source& source, const std::string& robot,
+            const std::shared_ptr<const robotlink::SharedDebugQueue>& queue);
+  /// Adds a text to notes_. `level` is a foxglove::Log::Level.
+  void note(const ReplayLogs::Source& source, const std::string& robot, robotlink::Instant logTime, int level,
+            const std::string& text);
+
+  ReplayOptions options_;
+  const Listeners listeners_;
+  /// That of the options; null if they have none.
+  std::shared_ptr<const robotcontrol::ColorTable> colorTable_;
+  ReplayLogs logs_;
+  robotlink::Instant now_;
+  std::string stepProcess_;
+
+  // During a jump, nothing is published. What the programs send meanwhile is collected in the members below
+  // and published at its end.
+  /// Whether a jump is in progress.
+  bool quiet_ = false;
+  /// All messages of streams with a history; see hasHistory().
+  std::vector<robotlink::StreamMessage> history_;
+  /// The newest message of each other stream, by path.
+  std::map<std::string, robotlink::StreamMessage> newest_;
+  /// Results of requests; null if there are none.
+  std::shared_ptr<robotlink::SharedDebugQueue> answers_;
+  /// Texts of the replay itself that were not published yet.
+  std::vector<robotlink::StreamMessage> notes_;
 };
 
 }  // namespace app

@@ -3,6 +3,9 @@
 
 #include "app/core/program/RobotFiles.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/config/RobotUse.h"
 
 namespace app {
 
@@ -108,14 +111,15 @@ tl::expected<ReplaySetup, Errors> read(const ProgramSetup* logged, const std::st
   setup.layoutFromLog = layoutFile.empty();
   setup.files = std::move(*files);
   if (logged != nullptr && setup.layoutFromLog) choose(setup.layout, *logged);
-  setup.parameters.folder = parameterFolder(*description);
+  setup.robot.name = robot;
   if (logged != nullptr) {
-    setup.team = logged->team();
-    setup.parameters.recorded.assign(logged->parameters().begin(), logged->parameters().end());
+    setup.robot.team = logged->team();
+    setup.parameters.assign(logged->parameters().begin(), logged->parameters().end());
   }
-  setup.use = useOf(setup.files.description(), description->name);
-  setup.description = std::make_shared<const RobotDescription>(std::move(*description));
-  setup.field = std::make_shared<const FieldDescription>(std::move(*field));
+  if (setup.robot.team.empty())
+    setup.robot.team = useOf(setup.files.description(), description->name).teamOf(robot);
+  setup.robot.description = std::make_shared<const RobotDescription>(std::move(*description));
+  setup.robot.field = std::make_shared<const FieldDescription>(std::move(*field));
   return setup;
 }
 

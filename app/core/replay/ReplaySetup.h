@@ -2,20 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/core/program/HostedRobot.h"
 #include "robotcontrol/Logging.pb.h"
-#include "robotlink/config/FieldDescription.h"
-#include "robotlink/config/RobotDescription.h"
-#include "robotlink/config/RobotUse.h"
-#include "robotlink/debugging/SolutionParameters.h"
+#include "robotlink/base/Error.h"
 #include "robotlink/process/Layout.h"
-
-namespace robotlink {
-struct GroundMap;
-}
 
 namespace app {
 
@@ -28,16 +21,10 @@ struct ReplaySetup {
   bool layoutFromLog = false;
   /// Layout, description and field as texts.
   robotcontrol::ProgramSetup files;
-  /// Empty if it plays in none or the log does not say.
-  std::string team;
-  std::shared_ptr<const robotlink::RobotDescription> description;
-  /// Where such robots are used.
-  robotlink::RobotUse use;
-  std::shared_ptr<const robotlink::FieldDescription> field;
-  /// The map by which it drove; null if the log has none.
-  std::shared_ptr<const robotlink::GroundMap> map = {};
-  /// Logged parameters, and the folder of the shipped ones.
-  robotlink::ParameterSource parameters;
+  /// Named as in the log, with the team that the log says or else that its kind has by its name; without map.
+  HostedRobot robot;
+  /// Those of the log.
+  std::vector<robotcontrol::ParameterValues> parameters;
   /// A sentence for each part of the log that cannot be used, with what is used instead.
   std::vector<std::string> notes;
 };

@@ -173,7 +173,7 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});
   }
-  return robot.make(std::move(*platform), file, layout);
+  return robot.make({.platform = std::move(*platform), .file = file, .layout = layout});
 }
 
 void SimulatedRun::startPrograms(Candidates candidates) {

@@ -8,6 +8,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "simcore/Scene.h"
@@ -146,23 +147,43 @@ robotlink::Result<void> SimulationFeed::requestRobot(const robotcontrol::Request
   return done;
 }
 
+/// The requests that only a simulation fulfills.
+struct SimulationFeed::Handlers {
+  using Request = robotcontrol::Request;
+  static constexpr robotlink::RequestRow<robotlink::Result<void> (SimulationFeed::*)(const Request&)> kRows[]{
+      {Request::kControlSimulation, &SimulationFeed::controlSimulation},
+      {Request::kPlaceModel, &SimulationFeed::placeModel},
+      {Request::kSetLighting, &SimulationFeed::setLighting}};
+};
+
+bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
+  return robotlink::rowOf(Handlers::kRows, request.what_case()) != nullptr;
+}
+
 robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Request& request) {
-  robotlink::Result<void> done;
-  if (request.has_control_simulation()) {
-    done = control(request.control_simulation());
-  } else if (request.has_place_model()) {
-    const auto& place = request.place_model();
-    done = run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
-    publishTransforms();
-  } else {
-    done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
-  }
+  const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case());
+  if (row == nullptr)
+    return robotlink::failure("simulation.request", "a simulation cannot " + robotlink::inWords(request));
+  const robotlink::Result<void> done = (this->*row->handler)(request);
   publishAnswers();
   return done;
 }
 
-robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimulation& control) {
+robotlink::Result<void> SimulationFeed::placeModel(const robotcontrol::Request& request) {
+  const auto& place = request.place_model();
+  const auto done =
+      run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
+  publishTransforms();
+  return done;
+}
+
+robotlink::Result<void> SimulationFeed::setLighting(const robotcontrol::Request& request) {
+  return run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
+}
+
+robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Request& request) {
   using Control = robotcontrol::ControlSimulation;
+  const Control& control = request.control_simulation();
   if (control.speed() >= 0) pace_.setSpeed(control.speed());
   restartPace();
   switch (control.action()) {

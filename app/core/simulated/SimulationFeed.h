@@ -9,10 +9,6 @@
 #include "app/core/program/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
 
-namespace robotcontrol {
-class ControlSimulation;
-}
-
 namespace app {
 
 /// A SimulatedRun in the workbench: stepped at the speed that the user chose, it publishes to a session what
@@ -30,6 +26,9 @@ class SimulationFeed final : public PlatformFeed {
   /// Makes the run, paused. Fails with all reasons if that is impossible.
   static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
       RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices = {});
+
+  /// Whether there is a handler for requests of this kind, other than those to robots.
+  static bool fulfills(const robotcontrol::Request& request);
 
   /// Closes the ports, since another simulation may need them before it is known that it can be run.
   bool makeWay() override;
@@ -68,8 +67,13 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Instant now() const { return run_->world().clock().now(); }
   /// Makes the present instant due now.
   void restartPace() { pace_.restart(Clock::now(), now()); }
+  // The handlers of requests.
   /// Starts, pauses, steps or resets the simulation, or sets its speed.
-  robotlink::Result<void> control(const robotcontrol::ControlSimulation& control);
+  robotlink::Result<void> controlSimulation(const robotcontrol::Request& request);
+  robotlink::Result<void> placeModel(const robotcontrol::Request& request);
+  robotlink::Result<void> setLighting(const robotcontrol::Request& request);
+  struct Handlers;
+
   /// Resets the run with the same seed, and publishes the scene again.
   robotlink::Result<void> reset();
   /// While the simulation is paused, publishes results that the programs would give in their next frames.

@@ -400,7 +400,7 @@ TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
   robotcontrol::Request stop;
   stop.set_robot("red1");
   stop.mutable_stop()->set_engaged(true);
-  EXPECT_THAT(replay.run->request(stop).error().text, HasSubstr("nothing to stop"));
+  EXPECT_THAT(replay.run->request(stop).error().text, HasSubstr("cannot be changed"));
   EXPECT_FALSE(replay.run->request(keyRequest("blue7", "segmentation/regions")));
 }
 
@@ -443,7 +443,7 @@ TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   EXPECT_EQ(replay.lastOn("red1-2/percepts/regions")->time, at(2.5));
   EXPECT_EQ(replay.lastOn("red1-2/camera/image")->time, at(2.5));
   EXPECT_EQ(replay.countOn("scene"), 1U) << "of the first log";
-  replay.run->setOffset(file(), 0ms);
+  ASSERT_TRUE(replay.run->setOffsets({{file(), 0ms}}).empty());
   EXPECT_EQ(replay.run->end(), at(2.032));
   EXPECT_EQ(replay.status().logs(1).offset(), 0);
   ASSERT_TRUE(replay.run->jump(at(1)).empty());
@@ -478,7 +478,7 @@ TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   EXPECT_EQ(replay.status().logs(1).begin(), replay.status().logs(0).begin());
   EXPECT_EQ(replay.run->options().logs[1].offset, replay.run->begin() - at(5000));
-  replay.run->setOffset(later, 0ms);
+  ASSERT_TRUE(replay.run->setOffsets({{later, 0ms}}).empty());
   const Replay chosen{ReplayOptions(replay.run->options())};
   ASSERT_TRUE(chosen.run);
   EXPECT_EQ(chosen.run->end(), at(5001)) << "what a person chose is kept";

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace robotlink {
+struct FieldDescription;
+struct GroundMap;
+struct RobotDescription;
+}  // namespace robotlink
+
+namespace app {
+
+/// What a robot is, independent of whether it is simulated, real or logged. A plain value.
+struct HostedRobot {
+  /// A name such as "red1".
+  std::string name;
+  /// Empty if it plays in none.
+  std::string team = {};
+  /// Not null once a program was made for the robot.
+  std::shared_ptr<const robotlink::RobotDescription> description = nullptr;
+  /// Not null once a program was made; without a field, one that has no goals, lines and colors.
+  std::shared_ptr<const robotlink::FieldDescription> field = nullptr;
+  /// The map by which it drives; null if it knows none.
+  std::shared_ptr<const robotlink::GroundMap> map = nullptr;
+  /// The file of `field`; empty if there is none.
+  std::filesystem::path fieldFile = {};
+};
+
+}  // namespace app

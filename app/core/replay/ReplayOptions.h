@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/core/program/ProgramOverrides.h"
+#include "logplayer/file/LogFile.h"
+#include "robotcontrol/Logging.pb.h"
+
+namespace app {
+
+/// One of the logs of a replay. A plain value.
+struct ReplayLog {
+  std::filesystem::path file;
+  /// Added to the times of the log.
+  robotlink::Duration offset{0};
+  /// Whether the user chose the offset. Otherwise a log that does not overlap with the first one is shifted
+  /// to begin with it, since the clocks of different computers do not agree.
+  bool offsetChosen = false;
+};
+
+/// What is replayed, and how. A plain value.
+struct ReplayOptions {
+  /// Robots of equal names in several logs get "-2", "-3" and so on behind their names.
+  std::vector<ReplayLog> logs;
+  /// The layout of the programs that run on the logged data; empty: the one in each robot's log or, without
+  /// one, that of the robot's kind.
+  std::filesystem::path layout;
+  /// Maps tasks to solutions, instead of the layout's.
+  std::map<std::string, std::string> solutions;
+  /// What the user chose for the robots before, by name.
+  std::map<std::string, ProgramOverrides> overrides;
+  /// Sources of packages, by "<robot>/<package>" or, for all robots, "*/<package>". For others the contents
+  /// of the logs decide.
+  std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
+  /// Whether all packages that `packages` does not name are recomputed if possible.
+  bool recomputeAll = false;
+  /// A color table (.c64) for all robots; empty: the one in the log.
+  std::filesystem::path colorTable;
+  /// Whether the programs publish all packages that they yield, even if their debug keys are off.
+  bool publishAllPackages = false;
+  /// How much of the log before the aim of a jump the programs run on, so that their models settle.
+  robotlink::Duration preroll = std::chrono::seconds(2);
+  /// Called while the logs are opened; can cancel that.
+  logplayer::LogFile::Progress progress;
+};
+
+}  // namespace app
