@@ -76,3 +76,15 @@ TEST(LinkMeterTest, packetsAreKeptWithTheBytesThatTheyHadOrWouldHave) {
   const auto frame = robotlink::arcos::encode(kPacket);
   EXPECT_EQ(packets->packets(1).bytes(), std::string(frame.begin(), frame.end()));
 }
+
+TEST(LinkMeterTest, whatWasDroppedCountsForItsConnectionOnly) {
+  LinkMeter meter;
+  meter.setKeeping(true);
+  for (int i = 0; i < 2001; ++i) meter.packet(true, kPacket, kBytes, {});
+  EXPECT_EQ(meter.takePackets({})->dropped(), 1U);
+  meter.packet(true, kPacket, kBytes, {});
+  EXPECT_EQ(meter.takePackets({})->dropped(), 1U) << "in all";
+  meter.restart();
+  meter.packet(true, kPacket, kBytes, {});
+  EXPECT_EQ(meter.takePackets({})->dropped(), 0U);
+}

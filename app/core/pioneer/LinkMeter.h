@@ -30,13 +30,17 @@ class LinkMeter {
   void damage(std::span<const std::uint8_t> bytes, robotlink::Instant now);
   /// To be called for the packet that the robot sends once a cycle; gaps are measured between these.
   void cycle(robotlink::Instant now);
-  /// To be called when a connection ends, so that the time without one is no gap.
-  void restart() { lastCycle_.reset(); }
+  /// To be called when a connection ends, so that the time without one is no gap, and what was dropped is not
+  /// counted for the next one.
+  void restart() {
+    lastCycle_.reset();
+    dropped_ = 0;
+  }
 
   /// Fills in the packet count, rates per second, and the longest gap in seconds.
   void fill(robotcontrol::LinkStatus& status, robotlink::Instant now);
   /// Returns the packets since the last call; null if there are none. At most 2000 are kept in between; the
-  /// number of those dropped since construction is included.
+  /// number of those dropped since the connection began is included.
   std::shared_ptr<robotcontrol::LinkPackets> takePackets(robotlink::Instant now);
 
  private:
