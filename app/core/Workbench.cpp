@@ -2,6 +2,7 @@
 #include "app/core/Workbench.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "app/core/LogCommands.h"
@@ -342,11 +343,11 @@ void Workbench::addSimulationCommands() {
 
 robotlink::Result<void> Workbench::setUp(const Values& values) {
   const double robots = std::get<double>(values[2]), port = std::get<double>(values[4]);
-  if (!(robots >= 0 && robots <= 100)) {
-    return robotlink::failure("simulation.setup", "the number of robots must be between 0 and 100");
-  }
-  if (!(port >= 0 && port + robots <= 65536)) {
-    return robotlink::failure("simulation.setup", "the ports must be between 1 and 65535; 0 opens none");
+  if (!(robots >= 0 && robots <= 100 && robots == std::floor(robots)))
+    return robotlink::failure("simulation.setup", "the number of robots must be a whole one, 0 to 100");
+  if (!(port >= 0 && port + robots <= 65536 && port == std::floor(port))) {
+    return robotlink::failure("simulation.setup",
+                              "the ports must be whole numbers, 1 to 65535; 0 opens none");
   }
   const auto& teams = std::get<std::string>(values[6]);
   if (teams != "both" && teams != "red" && teams != "blue") {

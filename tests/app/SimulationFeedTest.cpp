@@ -120,6 +120,19 @@ TEST_F(SimulationFeedTest, whatCannotBeDoneIsRefusedWithAReason) {
   EXPECT_TRUE(waitFor([&] { return !reason.empty(); }));
 }
 
+TEST_F(SimulationFeedTest, robotsAndPortsAreCountedInWholeNumbers) {
+  const auto reason = [this](const std::string& robots, const std::string& port) {
+    const auto done = workbench.commands().runLine("simulation.setup field2002 ers210 " + robots + " false " +
+                                                   port + " false both");
+    return done ? std::string() : done.error().text;
+  };
+  EXPECT_EQ(reason("1.5", "0"), "the number of robots must be a whole one, 0 to 100");
+  EXPECT_EQ(reason("101", "0"), "the number of robots must be a whole one, 0 to 100");
+  EXPECT_EQ(reason("1", "8101.5"), "the ports must be whole numbers, 1 to 65535; 0 opens none");
+  EXPECT_EQ(reason("0", "0"), "");
+  EXPECT_TRUE(waitFor([this] { return !workbench.loading(); }));
+}
+
 TEST_F(SimulationFeedTest, aPausedRobotTellsItsTablesAndAnswersWhatItIsAsked) {
   const auto* solutions =
       workbench.session().store().latest("red1/tables/solutions", workbench.session().timeline().newest());
