@@ -87,6 +87,23 @@ double share(const QImage& segmented, const QImage& labels, int label, const QCo
   return all == 0 ? none : static_cast<double>(right) / all;
 }
 
+/// Which colors of an image are not segmented as its labels say; empty if all are.
+QString wrongColors(Painter& painter, const QImage& labels) {
+  QStringList wrong;
+  const struct {
+    int label;
+    const char* name;
+    double least;
+  } expected[] = {{1, "orange", 0.85}, {5, "green", 0.95}, {4, "white", 0.75}};
+  for (const auto& [label, name, least] : expected) {
+    const double found = share(painter.segmented(), labels, label, painter.colorOf(name), 1);
+    if (found < least) wrong << QStringLiteral("%1: %2").arg(QLatin1String(name)).arg(found);
+  }
+  const double falseBall = share(painter.segmented(), labels, 0, painter.colorOf("orange"), 0);
+  if (falseBall > 0.01) wrong << QStringLiteral("false orange: %1").arg(falseBall);
+  return wrong.join(QStringLiteral(", "));
+}
+
 /// Pixels of the violet ball.
 std::vector<QPoint> violet(const QImage& image) {
   std::vector<QPoint> pixels;
@@ -181,19 +198,8 @@ class ColorGuiTest : public WindowTest {
       const QImage labels(
           QString::fromStdString((data / "colour/bhuman2009/labels" / image).string() + ".png"));
       QCOMPARE(labels.format(), QImage::Format_Grayscale8);
-      const struct {
-        int label;
-        const char* name;
-        double least;
-      } expected[] = {{1, "orange", 0.85}, {5, "green", 0.95}, {4, "white", 0.75}};
-      for (const auto& [label, name, least] : expected) {
-        const double found = share(painter.segmented(), labels, label, painter.colorOf(name), 1);
-        QVERIFY2(found >= least, qPrintable(QStringLiteral("%1 of image %2: %3")
-                                                .arg(QLatin1String(name), QLatin1String(image))
-                                                .arg(found)));
-      }
-      const double falseBall = share(painter.segmented(), labels, 0, painter.colorOf("orange"), 0);
-      QVERIFY2(falseBall <= 0.01, qPrintable(QString::number(falseBall)));
+      // A log that jumps may show another image on its way.
+      QTRY_COMPARE_WITH_TIMEOUT((painter.settle(), wrongColors(painter, labels)), QString(), kWaitMs);
       widgets::test::keepPicture(desk.window, image);
     }
   }
