@@ -14,9 +14,9 @@
 namespace app::test {
 namespace {
 
-/// A desk without a scene.
-struct Sitting : Desk {
-  explicit Sitting(const std::filesystem::path& home) : Desk(home, Opens::kNothing) {}
+struct Sitting : EmptyDesk {
+  using EmptyDesk::EmptyDesk;
+
   void passTime() {
     for (int i = 0; i < 62; ++i) window.tick();
   }

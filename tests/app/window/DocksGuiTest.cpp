@@ -75,7 +75,7 @@ class DocksGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void everyPerspectiveIsShownWhileDocksFloatAndComesBackWithThem() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     const QStringList names = {QStringLiteral("Log"),    QStringLiteral("Colour"),
                                QStringLiteral("Motion"), QStringLiteral("Processes"),
                                QStringLiteral("Drive"),  QStringLiteral("Play")};
@@ -103,7 +103,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aPerspectiveWaitsUntilAMenuIsClosedSinceAViewMayWaitForIt() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     QPointer<QWidget> field = dock(desk, "field").widget();
     auto* menu = new QMenu(field);  // as the context menu of the view
@@ -120,7 +120,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aFloatingDockThatIsDeletedWithItsWindowLeavesTheList() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     dock(desk, "messages").setFloating();
     settle(desk);
     delete space(desk).floatingWidgets().front();
@@ -132,7 +132,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aClosedFloatIsOpenedAgainByItsMenuEntry() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     dock(desk, "messages").setFloating();
     settle(desk);
     space(desk).floatingWidgets().front()->close();
@@ -145,7 +145,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void whatFloatsIsNamedByTheViewInFront() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     dock(desk, "messages").setFloating();
     settle(desk);
     auto* floating = space(desk).floatingWidgets().front();
@@ -163,7 +163,7 @@ class DocksGuiTest : public WindowTest {
 
   void closingTheWindowClosesWhatFloatsAndKeepsIt() {
     {
-      Desk desk(home_);
+      EmptyDesk desk(home_);
       dock(desk, "messages").setFloating();
       dock(desk, "scene").setFloating();
       settle(desk);
@@ -172,7 +172,7 @@ class DocksGuiTest : public WindowTest {
       QCOMPARE(closed.count(), 1);
       QCOMPARE(visibleFloats(desk), 0);
     }
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     QCOMPARE(visibleFloats(desk), 2);
     QVERIFY(dock(desk, "scene").isFloating());
@@ -180,7 +180,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void theThemeChangesWhileDocksFloat() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     dock(desk, "messages").setFloating();
     settle(desk);
     for (const char* name : {"appearance.dark", "appearance.light"}) {
@@ -191,7 +191,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void theButtonsOfDocksAreLightInTheDarkTheme() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     desk.find<QAction>("appearance.dark").trigger();
     settle(desk);
     auto* area = dock(desk, "scene").dockAreaWidget();
@@ -221,7 +221,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aClosedAreaOfFourTabsIsOpenedAgainByUndo() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     QVERIFY(!desk.find<QAction>("undoLayout").isEnabled());
     auto* area = dock(desk, "messages").dockAreaWidget();
@@ -241,7 +241,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aResetPerspectiveIsUndoneWithTheViewsThatWereOpen() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     desk.choose("another.image");
     dock(desk, "messages").setFloating();
     settle(desk);
@@ -276,7 +276,7 @@ class DocksGuiTest : public WindowTest {
   void aDamagedLayoutIsRefusedAndLeavesTheDocksAsTheyAre() {
     QFETCH(QString, whole);
     QFETCH(QString, damaged);
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     QJsonObject state = desk.window.docks().save();
     QString layout = state[QStringLiteral("docks")].toString();
@@ -292,7 +292,7 @@ class DocksGuiTest : public WindowTest {
     QJsonObject root, window;
     const auto file = QString::fromStdString((home_ / "window.json").string());
     {
-      Desk desk(home_);
+      EmptyDesk desk(home_);
       desk.find<QToolBar>("recordingToolBar").hide();
       desk.window.close();
       QFile kept(file);
@@ -300,7 +300,7 @@ class DocksGuiTest : public WindowTest {
       root = QJsonDocument::fromJson(kept.readAll()).object();
       window = root[QStringLiteral("window")].toObject();
     }
-    QVERIFY(!Desk(home_).find<QToolBar>("recordingToolBar").isVisible());
+    QVERIFY(!EmptyDesk(home_).find<QToolBar>("recordingToolBar").isVisible());
     const auto state = QByteArray::fromBase64(window[QStringLiteral("toolbars")].toString().toLatin1());
     const auto lines = state.indexOf('\xfc') + 1;
     QVERIFY(lines > 0);
@@ -313,13 +313,13 @@ class DocksGuiTest : public WindowTest {
       QVERIFY(written.open(QIODevice::WriteOnly));
       written.write(QJsonDocument(root).toJson());
       written.close();
-      Desk desk(home_);
+      EmptyDesk desk(home_);
       QVERIFY(desk.find<QToolBar>("simulationToolBar").isVisible());
     }
   }
 
   void aViewOfTheMenuOpensAsATabOfTheLargestArea() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     auto* largest = space(desk).largestArea();
     const QSize before = largest->size();
@@ -331,7 +331,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void theMenuTicksWhatIsOpenBringsItToTheFrontAndClosesIt() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     settle(desk);
     desk.choose("view.plots");
     settle(desk);
@@ -347,7 +347,7 @@ class DocksGuiTest : public WindowTest {
   }
 
   void aHintIsShownWhileAllViewsAreClosed() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     auto& hint = desk.find<QLabel>("noViews");
     QTRY_VERIFY(!hint.isVisible());
     const auto areas = space(desk).openedDockAreas();

@@ -74,7 +74,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void thePictureOfTheWindowIsSavedOrItIsSaidWhyNot() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
     DialogAnswer answer = DialogAnswer::file(file);
@@ -91,7 +91,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void quitClosesTheWindow() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     desk.choose("file.quit");
     QVERIFY(!desk.window.isVisible());
   }
@@ -180,7 +180,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void aPerspectiveIsNamedShownByItsKeyAndDeleted() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     desk.choose("perspective.Processes");
     QCOMPARE(docks(desk, "scene"), std::size_t{0});
     desk.choose("view.image");
@@ -206,7 +206,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void aPerspectiveIsPutBackToWhatIsShipped() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     desk.choose("another.image");
     QCOMPARE(docks(desk, "image"), std::size_t{2});
     desk.choose("resetPerspective");
@@ -237,7 +237,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void theAppearanceIsChosenAndGivenBackToTheSystem() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     const auto lightness = [&desk] { return desk.window.palette().color(QPalette::Window).lightness(); };
     const int system = lightness();
     desk.choose(system < 128 ? "appearance.light" : "appearance.dark");
@@ -248,7 +248,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void helpTellsTheKeysAndWhatThisIs() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     QString said;
     const auto read = [&said](QDialog& dialog) {
       said = dynamic_cast<QMessageBox&>(dialog).text();

@@ -10,11 +10,11 @@ namespace app::test {
 
 /// A desk on which the test is the replay: it publishes the status of a log that is no file, and records the
 /// requests.
-class ReplayDesk : public Desk {
+class ReplayDesk : public EmptyDesk {
  public:
   static constexpr char kFile[] = "/no/such/folder/game.mcap";
 
-  explicit ReplayDesk(const std::filesystem::path& home) : Desk(home, Opens::kNothing) {
+  explicit ReplayDesk(const std::filesystem::path& home) : EmptyDesk(home) {
     workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
       if (request.has_control_replay()) asked.push_back(request.control_replay());
       requests.push_back(request);

@@ -175,13 +175,13 @@ class WorkbenchGuiTest : public WindowTest {
   void aPerspectiveIsSavedAndFoundAgainAfterARestart() {
     const auto home = home_ / "restart";
     {
-      Desk desk(home);
+      EmptyDesk desk(home);
       desk.window.showPerspective(QStringLiteral("Processes"));
       QVERIFY(desk.window.docks().docks(QStringLiteral("scene")).empty());
       desk.find<QAction>("view.image").trigger();
       desk.window.close();
     }
-    Desk desk(home);
+    EmptyDesk desk(home);
     QVERIFY(desk.find<QAction>("perspective.Processes").isChecked());
     QVERIFY(desk.window.docks().docks(QStringLiteral("scene")).empty());
     QCOMPARE(desk.window.docks().docks(QStringLiteral("image")).size(), std::size_t{1});
@@ -193,7 +193,7 @@ class WorkbenchGuiTest : public WindowTest {
     const auto home = home_ / "broken";
     std::filesystem::create_directories(home);
     { std::ofstream(home / "window.json") << "{ this is no JSON"; }
-    Desk desk(home);
+    EmptyDesk desk(home);
     QVERIFY(desk.find<QLabel>("errorText").isVisible());
     QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("window.json")));
     QVERIFY(std::filesystem::exists(home / "window.json.broken"));
@@ -241,7 +241,7 @@ class WorkbenchGuiTest : public WindowTest {
   }
 
   void lightAndDarkReachEveryView() {
-    Desk desk(home_ / "appearance");
+    EmptyDesk desk(home_ / "appearance");
     const auto lightness = [&desk] {
       return desk.find<QTreeView>("keysTree").palette().color(QPalette::Base).lightness();
     };
@@ -252,7 +252,7 @@ class WorkbenchGuiTest : public WindowTest {
   }
 
   void everyViewOfTheMenuOpens() {
-    Desk desk(home_ / "views");
+    EmptyDesk desk(home_ / "views");
     for (const auto& type : widgets::ViewRegistry::all()) {
       desk.find<QAction>((std::string("view.") + type.id).c_str()).trigger();
       QVERIFY2(!desk.window.docks().docks(QLatin1String(type.id)).empty(), type.id);
