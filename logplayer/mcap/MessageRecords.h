@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bitset>
 #include <optional>
+#include <vector>
 
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/RecordBytes.h"
@@ -65,7 +66,7 @@ std::size_t visitMessages(Bytes records, const ChannelSet& channels, Visit visit
     const auto length = loadNumber<std::uint64_t>(record + 1);
     if (record[0] == 0 || length > size - offset - kRecordHeadBytes) break;
     const std::uint8_t* content = record + kRecordHeadBytes;
-    __builtin_prefetch(record + 8 * (kRecordHeadBytes + length));
+    __builtin_prefetch(record + 24 * (kRecordHeadBytes + length));
     if (record[0] == static_cast<std::uint8_t>(Opcode::kMessage) &&
         length >= kMessageHeadBytes - kRecordHeadBytes && channels[loadNumber<std::uint16_t>(content)]) {
       if (!visit(MessageRecord{messageTime(content), static_cast<std::uint32_t>(offset),
@@ -87,27 +88,30 @@ struct RecordsOverview {
   bool inOrder = true;
   /// The earliest and the latest time.
   Instant first, last;
-  /// The end of the last message's record; 0 if there is none.
-  std::size_t end = 0;
+  /// How many messages were listed, and how many there are of all channels.
+  std::size_t listed = 0;
   std::uint64_t messages = 0;
 };
 
-/// Summarizes the messages of all channels. The loop is kept short, since chunks whose messages are in order
-/// need no other pass over them before they are read.
-inline RecordsOverview overviewOf(Bytes records) {
+/// Summarizes the messages of all channels, and lists those of some in the order of the records. They are the
+/// first ones in `messages`, which grows but does not shrink, since memory that is not initialized again is
+/// faster. The loop is kept short: it takes most of the time of reading small messages in order of time.
+inline RecordsOverview overviewOf(Bytes records, const ChannelSet& channels,
+                                  std::vector<MessageRecord>& messages) {
   // Later times are treated as this one.
   constexpr std::uint64_t kLatest = INT64_MAX;
   const std::uint8_t* const data = records.data();
   const std::size_t size = records.size();
-  std::uint64_t first = UINT64_MAX, last = 0, previous = 0;
+  std::uint64_t first = UINT64_MAX, last = 0, previous = 0, count = 0;
   bool inOrder = true;
-  std::size_t end = 0, offset = 0;
-  std::uint64_t messages = 0;
+  std::size_t offset = 0, listed = 0;
+  if (messages.empty()) messages.resize(64);
   while (size - offset >= kRecordHeadBytes) {
     const std::uint8_t* record = data + offset;
     const auto length = loadNumber<std::uint64_t>(record + 1);
     if (record[0] == 0 || length > size - offset - kRecordHeadBytes) break;
-    __builtin_prefetch(record + 8 * (kRecordHeadBytes + length));
+    __builtin_prefetch(record + 24 * (kRecordHeadBytes + length));
+    const auto at = static_cast<std::uint32_t>(offset);
     offset += kRecordHeadBytes + static_cast<std::size_t>(length);
     if (record[0] != static_cast<std::uint8_t>(Opcode::kMessage)) continue;
     if (length < kMessageHeadBytes - kRecordHeadBytes) continue;
@@ -116,27 +120,12 @@ inline RecordsOverview overviewOf(Bytes records) {
     previous = time;
     first = std::min(first, time);
     last = std::max(last, time);
-    end = offset;
-    ++messages;
+    ++count;
+    if (listed == messages.size()) messages.resize(2 * listed);
+    messages[listed] = {instantOf(time), at, static_cast<std::uint32_t>(length)};
+    listed += channels[loadNumber<std::uint16_t>(record + kRecordHeadBytes)] ? 1 : 0;
   }
-  return {offset == size, inOrder, instantOf(first), instantOf(last), end, messages};
-}
-
-/// Returns the offset of the next message of some channels at or after `offset`; `end` if there is none.
-/// overviewOf() must have found the records whole up to `end`.
-inline std::size_t nextMessage(const std::uint8_t* data, std::size_t offset, std::size_t end,
-                               const ChannelSet& channels) {
-  while (offset < end) {
-    const std::uint8_t* record = data + offset;
-    const auto length = static_cast<std::size_t>(loadNumber<std::uint64_t>(record + 1));
-    if (record[0] == static_cast<std::uint8_t>(Opcode::kMessage) &&
-        length >= kMessageHeadBytes - kRecordHeadBytes &&
-        channels[loadNumber<std::uint16_t>(record + kRecordHeadBytes)]) {
-      return offset;
-    }
-    offset += kRecordHeadBytes + length;
-  }
-  return end;
+  return {offset == size, inOrder, instantOf(first), instantOf(last), listed, count};
 }
 
 }  // namespace logplayer::mcap

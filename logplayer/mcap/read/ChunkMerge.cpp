@@ -8,15 +8,6 @@
 namespace logplayer::mcap {
 namespace {
 
-Instant timeAt(const std::uint8_t* records, std::size_t record) {
-  return messageTime(records + record + kRecordHeadBytes);
-}
-
-std::size_t endOfRecord(const std::uint8_t* records, std::size_t record) {
-  return record + kRecordHeadBytes +
-         static_cast<std::size_t>(loadNumber<std::uint64_t>(records + record + 1));
-}
-
 /// Returns the first message for which `is` is false, where it is true for all before. Searches in growing
 /// steps, since runs of overlapping sections are short.
 template <typename Is>
@@ -82,14 +73,14 @@ ChunkMerge::Run ChunkMerge::next(const MessagePosition& behind) {
   if (open_.empty()) return {};
   const Open& top = *open_.front();
   until_ = endOfRun();
-  Run run{top.offset, &top.records, top.place, top.end, until_, {}, nullptr};
-  if (!top.inOrder) {
-    const std::span<const MessageRecord> rest = std::span(top.messages).subspan(top.place);
-    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until_; };
-    run.messages = rest.first(static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin()));
-    run.channels = top.records ? nullptr : top.channels.data() + top.place;
-  }
-  return run;
+  const std::span<const MessageRecord> rest = std::span(top.messages).first(top.end).subspan(top.place);
+  const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until_; };
+  // Usually all.
+  const auto count = nanosecondsOf(top.last) < until_
+                         ? rest.size()
+                         : static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
+  return {top.offset, &top.records, rest.first(count),
+          top.records ? nullptr : top.channels.data() + top.place};
 }
 
 void ChunkMerge::lookUp(const MessagePosition& behind) {
@@ -120,7 +111,6 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
   }
   open->section = section;
   open->offset = index_.sections[section].info.offset;
-  open->messages.clear();
   open->channels.clear();
   if (auto records = cache_.records(section)) {
     open->records = std::move(*records);
@@ -128,39 +118,29 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
   } else {
     listDamaged(*open);
   }
-  open->goOnBehind(behind, wanted_);
+  open->goOnBehind(behind);
   if (open->place == open->end) return leave(std::move(open));
   open_.push_back(std::move(open));
   std::ranges::push_heap(open_, isLater);
 }
 
 void ChunkMerge::lookOver(Open& open) {
-  const RecordsOverview overview = overviewOf(*open.records);
+  const RecordsOverview overview = overviewOf(*open.records, wanted_, open.messages);
   open.place = 0;
   if (!overview.whole) return sortBroken(open);
   const Section& section = index_.sections[open.section];
   if (section.indexed && section.info.messages != overview.messages)
     cache_.compareIndexes(open.section, MessageList::fromRecords(*open.records));
-  open.inOrder = overview.inOrder;
-  open.end = overview.end;
-  open.last = overview.last;
-  if (open.end == 0) return;
-  if (!open.inOrder) sort(open);
+  open.end = overview.listed;
+  if (overview.messages == 0) return;
+  if (!overview.inOrder)
+    std::ranges::stable_sort(std::span(open.messages).first(open.end), {}, &MessageRecord::time);
+  if (open.end != 0) open.last = open.messages[open.end - 1].time;
   cache_.correctTimes(open.section, overview.first, overview.last);
-}
-
-void ChunkMerge::sort(Open& open) const {
-  visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
-    open.messages.push_back(message);
-    return true;
-  });
-  std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
-  open.end = open.messages.size();
 }
 
 /// As Reader::next() and read() find them, which look at the records where the message indexes say.
 void ChunkMerge::sortBroken(Open& open) {
-  open.inOrder = false;
   open.messages = cache_.messagesOfBroken(open.section, *open.records);
   std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
   if (!open.messages.empty())
@@ -173,7 +153,7 @@ void ChunkMerge::sortBroken(Open& open) {
 }
 
 void ChunkMerge::listDamaged(Open& open) {
-  open.inOrder = false;
+  open.messages.clear();
   open.place = open.end = 0;
   if (!index_.sections[open.section].indexed) return;
   const auto list = cache_.messages(open.section);
@@ -194,7 +174,7 @@ void ChunkMerge::listDamaged(Open& open) {
 void ChunkMerge::finishRun() {
   if (open_.empty()) return;
   std::ranges::pop_heap(open_, isLater);
-  open_.back()->goOnFrom(until_, wanted_);
+  open_.back()->goOnFrom(until_);
   if (open_.back()->place == open_.back()->end) {
     leave(std::move(open_.back()));
     open_.pop_back();
@@ -203,39 +183,23 @@ void ChunkMerge::finishRun() {
   }
 }
 
-void ChunkMerge::Open::goOnFrom(std::uint64_t until, const ChannelSet& wanted) {
+void ChunkMerge::Open::goOnFrom(std::uint64_t until) {
   if (nanosecondsOf(last) < until) {
     place = end;
-  } else if (inOrder) {
-    const std::uint8_t* data = records->data();
-    place = nextMessage(data, place, end, wanted);
-    while (place < end && nanosecondsOf(timeAt(data, place)) < until)
-      place = nextMessage(data, endOfRecord(data, place), end, wanted);
-    if (place < end) time = timeAt(data, place);
-  } else {
-    const std::span<const MessageRecord> rest = std::span(messages).subspan(place);
-    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until; };
-    place += static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
-    if (place < end) time = messages[place].time;
+    return;
   }
+  const std::span<const MessageRecord> rest = std::span(messages).first(end).subspan(place);
+  const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until; };
+  place += static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
+  if (place < end) time = messages[place].time;
 }
 
-void ChunkMerge::Open::goOnBehind(const MessagePosition& position, const ChannelSet& wanted) {
+void ChunkMerge::Open::goOnBehind(const MessagePosition& position) {
   if (place == end) return;
-  goOnFrom(nanosecondsOf(position.time), wanted);
-  const auto isBefore = [&](std::uint64_t at) {
-    return std::tuple(time, offset, at) <= std::tuple(position.time, position.chunkOffset, position.offset);
-  };
-  if (inOrder) {
-    const std::uint8_t* data = records->data();
-    while (place < end && isBefore(place)) {
-      place = nextMessage(data, endOfRecord(data, place), end, wanted);
-      if (place < end) time = timeAt(data, place);
-    }
-  } else {
-    while (place < end && isBefore(messages[place].offset)) {
-      if (++place < end) time = messages[place].time;
-    }
+  goOnFrom(nanosecondsOf(position.time));
+  while (place < end && std::tuple(time, offset, std::uint64_t{messages[place].offset}) <=
+                            std::tuple(position.time, position.chunkOffset, position.offset)) {
+    if (++place < end) time = messages[place].time;
   }
 }
 

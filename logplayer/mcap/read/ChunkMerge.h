@@ -7,8 +7,8 @@
 namespace logplayer::mcap {
 
 /// Merges the messages of a file's sections, which may overlap in time, in order of time. A section is read
-/// when the first of its messages may be due. If its messages are in order, as usual, the caller iterates
-/// over its records; otherwise they are sorted once. One thread at a time.
+/// when the first of its messages may be due; its messages are listed then, and sorted if they are not in
+/// order. One thread at a time.
 class ChunkMerge {
  public:
   /// Consecutive messages of one section.
@@ -17,12 +17,7 @@ class ChunkMerge {
     std::uint64_t sectionOffset = 0;
     /// The records of the section. Null: there is no run. A pointer to null: the section is damaged.
     const SectionCache::Records* records = nullptr;
-    /// If `messages` is empty: the range of the records that has the messages, the first of them at `begin`;
-    /// those not before `until` do not belong to the run.
-    std::size_t begin = 0, end = 0;
-    /// In ns.
-    std::uint64_t until = 0;
-    /// The messages, if they had to be sorted or are damaged; with their channels in the latter case.
+    /// In order of time; with their channels if the section is damaged.
     std::span<const MessageRecord> messages;
     const std::uint16_t* channels = nullptr;
   };
@@ -36,8 +31,6 @@ class ChunkMerge {
   /// The next run of messages behind a position. Without a seek() before, `behind` must be the last message
   /// of the previous run. Empty at the end, or if the sections do not fit(). Valid until the next call.
   Run next(const MessagePosition& behind);
-  /// The channels of the constructor.
-  const ChannelSet& wanted() const { return wanted_; }
   /// Whether overlapping sections fit into `maxBytes`. Known after next().
   bool fits() const { return fits_; }
 
@@ -48,13 +41,11 @@ class ChunkMerge {
     /// Offset of the section in the file.
     std::uint64_t offset = 0;
     SectionCache::Records records;
-    /// Whether the messages are in order in the records; otherwise `messages` has their order.
-    bool inOrder = false;
-    /// In order of time.
+    /// The first `end` are in order of time; those beyond are spare memory.
     std::vector<MessageRecord> messages;
     /// The channels of `messages`, if the section is damaged.
     std::vector<std::uint16_t> channels;
-    /// The next message and the end, in the records or in `messages`.
+    /// The next message and the end.
     std::size_t place = 0;
     std::size_t end = 0;
     /// The time of the next message.
@@ -63,9 +54,9 @@ class ChunkMerge {
     Instant last;
 
     /// Moves to the first message behind a position.
-    void goOnBehind(const MessagePosition& position, const ChannelSet& wanted);
+    void goOnBehind(const MessagePosition& position);
     /// Moves to the first message not before a time, in ns.
-    void goOnFrom(std::uint64_t until, const ChannelSet& wanted);
+    void goOnFrom(std::uint64_t until);
   };
   /// The order of the heap: by time, then by place in the file.
   static bool isLater(const std::unique_ptr<Open>& a, const std::unique_ptr<Open>& b) {
@@ -84,10 +75,8 @@ class ChunkMerge {
   void enterDue(const MessagePosition& behind);
   /// Reads a section and opens it, if it has messages behind the position.
   void enter(std::size_t section, const MessagePosition& behind);
-  /// Finds out whether the messages of a section are in order.
+  /// Lists the messages of a section in order of time.
   void lookOver(Open& open);
-  /// Sorts the messages of a section.
-  void sort(Open& open) const;
   /// Sorts those that can be found in a section whose records break off before its end.
   void sortBroken(Open& open);
   /// Lists the messages of a damaged section by its message indexes, so that users learn what is missing.

@@ -38,7 +38,6 @@ void MessageCursor::seek(const MessagePosition& behind) {
 /// Holds nothing any more that the merge hands out.
 void MessageCursor::stop() {
   come_ = false;
-  place_ = recordsEnd_ = 0;
   next_ = end_ = nullptr;
 }
 
@@ -55,14 +54,7 @@ bool MessageCursor::advance() {
   sectionOffset_ = run.sectionOffset;
   readable_ = *run.records != nullptr;
   records_ = readable_ ? (*run.records)->data() : nullptr;
-  wanted_ = &self.merge.wanted();
   self.owner = run.records;
-  if (run.messages.empty()) {
-    place_ = run.begin;
-    recordsEnd_ = run.end;
-    until_ = run.until;
-    return goOver();
-  }
   next_ = run.messages.data();
   end_ = next_ + run.messages.size();
   channel_ = run.channels;

@@ -25,7 +25,6 @@ class MessageCursor {
   void seek(const MessagePosition& behind);
   /// Moves to the next message. Returns false at the end.
   bool next() {
-    if (goOver()) return true;
     if (next_ == end_) return advance();
     take();
     return true;
@@ -44,25 +43,7 @@ class MessageCursor {
 
  private:
   struct Implementation;
-  /// Moves to the next message in the records. Returns false if other sections come before it.
-  bool goOver() {
-    if (place_ == recordsEnd_) return false;
-    place_ = nextMessage(records_, place_, recordsEnd_, *wanted_);
-    if (place_ == recordsEnd_) return false;
-    const std::uint8_t* record = records_ + place_;
-    const Instant time = messageTime(record + kRecordHeadBytes);
-    if (nanosecondsOf(time) >= until_) {
-      place_ = recordsEnd_;
-      return false;
-    }
-    const auto bytes = static_cast<std::uint32_t>(loadNumber<std::uint64_t>(record + 1));
-    message_ = messageIn(records_, {time, static_cast<std::uint32_t>(place_), bytes});
-    offset_ = place_;
-    place_ += kRecordHeadBytes + bytes;
-    come_ = true;
-    return true;
-  }
-  /// Moves to the next one of the sorted messages.
+  /// Moves to the next message of the run.
   void take() {
     const MessageRecord& next = *next_++;
     offset_ = next.offset;
@@ -90,15 +71,10 @@ class MessageCursor {
   std::uint64_t offset_ = 0;
   /// The records of the current run, if it is readable.
   const std::uint8_t* records_ = nullptr;
-  /// The range that is still to be read...
-  std::size_t place_ = 0, recordsEnd_ = 0;
-  /// ...as far as its messages come before this time, in ns.
-  std::uint64_t until_ = 0;
-  const ChannelSet* wanted_ = nullptr;
-  /// The sorted messages that are still to come.
+  /// The messages of the run that are still to come.
   const MessageRecord* next_ = nullptr;
   const MessageRecord* end_ = nullptr;
-  /// The channel of the next sorted message, if they are not readable.
+  /// The channel of the next message, if they are not readable.
   const std::uint16_t* channel_ = nullptr;
   bool readable_ = true;
   Message message_;
