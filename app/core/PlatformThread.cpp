@@ -61,7 +61,7 @@ void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
     if (!feed) {
       robotlink::Errors errors = feed.error();
       if (sameKind && feed_) {
-        for (robotlink::Error& error : feed_->goOn()) errors.push_back(std::move(error));
+        for (robotlink::Error& error : feed_->restoreAfterMakeWay()) errors.push_back(std::move(error));
       }
       handler(tl::unexpected(std::move(errors)));
       return;

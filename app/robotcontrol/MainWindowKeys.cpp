@@ -144,10 +144,10 @@ bool MainWindow::mayReplace(const QString& command) {
                   QMessageBox::Save | QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("unsavedWork"));
   box.setInformativeText(tr("Save them first? They stay in the color views either way."));
-  auto* goOn = box.addButton(tr("Continue without saving"), QMessageBox::DestructiveRole);
+  auto* proceed = box.addButton(tr("Continue without saving"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
-  if (box.clickedButton() == goOn) return true;
+  if (box.clickedButton() == proceed) return true;
   return answer == QMessageBox::Save && widgets::saveSamples(files, this);
 }
 

@@ -101,7 +101,7 @@ Evaluation scoreStrokes(const Samples& samples, const ColorTable& table) {
   return std::move(quality.evaluation);
 }
 
-std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& goOn) {
+std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& proceed) {
   const TrainingSettings& settings = samples.settings;
   std::vector<Candidate> candidates;
   ColorVotes votes(samples.classes.size(), settings.votes);
@@ -117,7 +117,7 @@ std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::fu
                         aloneIn(sorted)};
   TableCleanUp cleanUp;
   for (const Fold& fold : foldsOf(sorted, settings.method)) {
-    if (goOn && !goOn()) return std::nullopt;
+    if (proceed && !proceed()) return std::nullopt;
     for (const Candidate* candidate : fold) addTo(votes, candidate->cells, candidate->stroke->colorClass, -1);
     const ColorTable& table =
         cleanUp.clean(learnedTable(votes, settings), votes.sampledCells(), settings.cleanUp);

@@ -41,9 +41,9 @@ struct StrokeQuality {
 
 /// Scores each stroke with a table that is trained without it, using the samples' settings including
 /// corrections and clean-up. TrainingMethod::kVotes leaves out one stroke at a time (about 0.5 ms each); the
-/// other methods leave out a fifth of the strokes at a time (five tables). Any thread. `goOn` is called
+/// other methods leave out a fifth of the strokes at a time (five tables). Any thread. `proceed` is called
 /// between strokes; if it returns false, the result is empty.
-std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& goOn = {});
+std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& proceed = {});
 
 /// Evaluates a table that was not trained on these strokes, such as one of another team, in the same way:
 /// each stroke has the same weight. The class numbers of `table` must be those of the samples.

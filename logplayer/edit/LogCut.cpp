@@ -68,7 +68,7 @@ class Rewriting {
   Result<void> writeOrigin(const Input& input);
   bool anythingThere() const;
   tl::unexpected<robotlink::Error> nothingLeft() const;
-  bool goOn();
+  bool reportProgress();
   void conclude();
 
   const RewriteOptions& options_;
@@ -249,7 +249,7 @@ Result<void> Rewriting::writeUnits() {
     if (!first) return count > 0 || !anythingThere() ? Result<void>() : nothingLeft();
     if (const auto written = writeUnit(*first, *first->unit); !written) return written;
     first->unit = first->source.next();
-    if (count % kUnitsPerProgress == 0 && !goOn()) return givenUp();
+    if (count % kUnitsPerProgress == 0 && !reportProgress()) return givenUp();
   }
 }
 
@@ -354,7 +354,7 @@ Result<void> Rewriting::writeOrigin(const Input& input) {
   return writer_->addMetadata(origin);
 }
 
-bool Rewriting::goOn() {
+bool Rewriting::reportProgress() {
   if (!options_.progress) return true;
   double done = 0;
   for (const auto& input : inputs_) {

@@ -97,7 +97,7 @@ class PlatformFeed {
   /// run. Returns false if this platform cannot continue afterwards and has to be ended first.
   virtual bool makeWay() { return true; }
   /// Undoes makeWay(), since the other platform cannot be run.
-  virtual robotlink::Errors goOn() { return {}; }
+  virtual robotlink::Errors restoreAfterMakeWay() { return {}; }
   /// The state of playback, for the platform that replaces this one.
   virtual Going going() const { return {}; }
   /// Continues at the state of playback of the platform that this one replaces.

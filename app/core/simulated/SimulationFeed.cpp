@@ -77,7 +77,7 @@ bool SimulationFeed::makeWay() {
   return true;
 }
 
-robotlink::Errors SimulationFeed::goOn() {
+robotlink::Errors SimulationFeed::restoreAfterMakeWay() {
   const auto opened = run_->openPorts();
   return opened ? robotlink::Errors{} : robotlink::Errors{opened.error()};
 }

@@ -33,7 +33,7 @@ class SimulationFeed final : public PlatformFeed {
   /// Closes the ports, since another simulation may need them before it is known that it can be run.
   bool makeWay() override;
   /// Opens the ports again. Fails if another program has opened one meanwhile.
-  robotlink::Errors goOn() override;
+  robotlink::Errors restoreAfterMakeWay() override;
   Going going() const override { return {running_, pace_.speed()}; }
   void inheritPlayback(const Going& before) override;
 

@@ -118,7 +118,7 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
   } else {
     listDamaged(*open);
   }
-  open->goOnBehind(behind);
+  open->seekBehind(behind);
   if (open->place == open->end) return leave(std::move(open));
   open_.push_back(std::move(open));
   std::ranges::push_heap(open_, isLater);
@@ -174,7 +174,7 @@ void ChunkMerge::listDamaged(Open& open) {
 void ChunkMerge::finishRun() {
   if (open_.empty()) return;
   std::ranges::pop_heap(open_, isLater);
-  open_.back()->goOnFrom(until_);
+  open_.back()->seek(until_);
   if (open_.back()->place == open_.back()->end) {
     leave(std::move(open_.back()));
     open_.pop_back();
@@ -183,7 +183,7 @@ void ChunkMerge::finishRun() {
   }
 }
 
-void ChunkMerge::Open::goOnFrom(std::uint64_t until) {
+void ChunkMerge::Open::seek(std::uint64_t until) {
   if (nanosecondsOf(last) < until) {
     place = end;
     return;
@@ -194,9 +194,9 @@ void ChunkMerge::Open::goOnFrom(std::uint64_t until) {
   if (place < end) time = messages[place].time;
 }
 
-void ChunkMerge::Open::goOnBehind(const MessagePosition& position) {
+void ChunkMerge::Open::seekBehind(const MessagePosition& position) {
   if (place == end) return;
-  goOnFrom(nanosecondsOf(position.time));
+  seek(nanosecondsOf(position.time));
   while (place < end && std::tuple(time, offset, std::uint64_t{messages[place].offset}) <=
                             std::tuple(position.time, position.chunkOffset, position.offset)) {
     if (++place < end) time = messages[place].time;

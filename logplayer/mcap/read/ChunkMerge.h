@@ -54,9 +54,9 @@ class ChunkMerge {
     Instant last;
 
     /// Moves to the first message behind a position.
-    void goOnBehind(const MessagePosition& position);
+    void seekBehind(const MessagePosition& position);
     /// Moves to the first message not before a time, in ns.
-    void goOnFrom(std::uint64_t until);
+    void seek(std::uint64_t until);
   };
   /// The order of the heap: by time, then by place in the file.
   static bool isLater(const std::unique_ptr<Open>& a, const std::unique_ptr<Open>& b) {

@@ -139,11 +139,11 @@ ChannelSet ReaderParts::knownChannels() const {
 
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   Buffer records;
-  bool goOn = true;
+  bool proceed = true;
   const auto& sections = parts_->index.sections;
   ChannelSet known = parts_->knownChannels();
   std::uint64_t readTo = 0;
-  for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
+  for (std::size_t i = 0; proceed && i < sections.size(); ++i) {
     if (!parts_->cache.readInto(i, records)) {
       if (!parts_->refit()) continue;
       // On with the first that was not read.
@@ -155,12 +155,12 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
     }
     readTo = sections[i].info.offset + 1;
     const std::size_t end = visitMessages(records, known, [&](const MessageRecord& record) {
-      return goOn = visit(messageIn(records.data(), record));
+      return proceed = visit(messageIn(records.data(), record));
     });
-    if (!goOn || end == records.size()) continue;
+    if (!proceed || end == records.size()) continue;
     for (const MessageRecord& record : parts_->cache.messagesOfBroken(i, records)) {
       if (record.offset < end || !known[channelOf(records.data(), record)]) continue;
-      if (!(goOn = visit(messageIn(records.data(), record)))) break;
+      if (!(proceed = visit(messageIn(records.data(), record)))) break;
     }
   }
 }

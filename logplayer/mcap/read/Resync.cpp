@@ -65,10 +65,10 @@ Resync::Resync(const Source& source, std::size_t maxRecordBytes)
 
 std::optional<std::uint64_t> Resync::find(std::uint64_t offset, bool loose,
                                           const std::map<std::uint16_t, Channel>& channels,
-                                          const std::function<bool(std::uint64_t)>& goOn) {
+                                          const std::function<bool(std::uint64_t)>& proceed) {
   dataEnd_ = 0;
   for (; offset < source_.bytes(); offset += kBlock) {
-    if (!goOn(offset)) return std::nullopt;
+    if (!proceed(offset)) return std::nullopt;
     const Buffer block = source_.read(offset, kBlock);
     if (block.empty()) return std::nullopt;
     if (isZero(block)) continue;

@@ -23,10 +23,10 @@ class Resync {
 
   /// Returns the first offset from `offset` on at which a readable chunk begins (with a correct CRC, if it
   /// has one) or, if `loose`, a sequence of several records with known channels. Empty if there is none, or
-  /// `goOn`, called repeatedly with the current offset, returned false.
+  /// `proceed`, called repeatedly with the current offset, returned false.
   std::optional<std::uint64_t> find(std::uint64_t offset, bool loose,
                                     const std::map<std::uint16_t, Channel>& channels,
-                                    const std::function<bool(std::uint64_t)>& goOn);
+                                    const std::function<bool(std::uint64_t)>& proceed);
   /// Offset behind the last nonzero byte that the last search visited; 0: there was none.
   std::uint64_t dataEnd() const { return dataEnd_; }
 

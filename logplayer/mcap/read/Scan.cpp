@@ -41,7 +41,7 @@ class Scanner {
   void hop();
   bool recover();
   bool atEnd();
-  bool goOn(std::uint64_t at);
+  bool reportProgress(std::uint64_t at);
   Taken take(Opcode opcode, std::uint64_t length);
   Taken takeChunk(std::uint64_t length);
   Taken takeMessageIndex(std::uint64_t length);
@@ -88,7 +88,7 @@ class Scanner {
 
 FileIndex Scanner::run() {
   if (begin()) {
-    while (offset_ < source_.bytes() && !atEnd() && goOn(offset_)) hop();
+    while (offset_ < source_.bytes() && !atEnd() && reportProgress(offset_)) hop();
   }
   unsure_ = true;
   finishSection();
@@ -115,7 +115,7 @@ bool Scanner::atEnd() {
   return offset_ == source_.bytes();
 }
 
-bool Scanner::goOn(std::uint64_t at) {
+bool Scanner::reportProgress(std::uint64_t at) {
   if (!options_.progress || at - std::min(reported_, at) < kProgressBytes) return true;
   reported_ = at;
   if (options_.progress(static_cast<double>(at) / static_cast<double>(source_.bytes()))) return true;
@@ -163,7 +163,7 @@ bool Scanner::recover() {
   // Do not find the same place again: the record there was not understood.
   certain_ = std::max(certain_, searchFrom_);
   const auto found =
-      resync_.find(certain_, loose, index_.channels, [this](std::uint64_t at) { return goOn(at); });
+      resync_.find(certain_, loose, index_.channels, [this](std::uint64_t at) { return reportProgress(at); });
   if (index_.givenUp) return false;
   const std::uint64_t next = found.value_or(source_.bytes());
   const std::uint64_t lost = torn_ ? *torn_ : next < read_ ? certain_ : std::max(certain_, read_);

@@ -21,7 +21,7 @@ class Verification {
   /// Keyed by channel.
   using Counts = std::map<std::uint16_t, std::uint64_t>;
 
-  bool goOn(std::uint64_t done);
+  bool reportProgress(std::uint64_t done);
   void checkSection(std::size_t number);
   /// The messages in the records of a section, with its message indexes checked.
   Counts countWhole(std::size_t number);
@@ -44,7 +44,7 @@ std::optional<Reader::Readable> Verification::run() {
   const std::size_t before = index_.damage.size();
   std::uint64_t done = 0;
   for (std::size_t i = 0; i < index_.sections.size(); ++i) {
-    if (!goOn(done)) return std::nullopt;
+    if (!reportProgress(done)) return std::nullopt;
     checkSection(i);
     done += index_.sections[i].info.length;
   }
@@ -59,7 +59,7 @@ std::optional<Reader::Readable> Verification::run() {
   return readable_;
 }
 
-bool Verification::goOn(std::uint64_t done) {
+bool Verification::reportProgress(std::uint64_t done) {
   // If there is a CRC of the whole data, everything is read twice.
   const double all = static_cast<double>(source_.bytes()) * (index_.dataCrc != 0 ? 2 : 1);
   return !options_.progress || options_.progress(std::min(1.0, static_cast<double>(done) / all));
@@ -110,7 +110,7 @@ void Verification::checkStatistics() {
 std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
   std::uint32_t crc = 0;
   for (std::uint64_t offset = 0; offset < index_.dataEnd; offset += kVerifiedPiece) {
-    if (!goOn(before + offset)) return std::nullopt;
+    if (!reportProgress(before + offset)) return std::nullopt;
     crc = crc32(source_.read(offset, std::min(kVerifiedPiece, index_.dataEnd - offset)), crc);
   }
   return crc;

@@ -167,15 +167,15 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   if (!reader) return tl::unexpected(reader.error());
   if (!(*reader)->verify()) return failure("log.given-up", "the repair was canceled");
   Digest digest;
-  bool goOn = true;
+  bool proceed = true;
   (*reader)->readAll([&](const Message& message) {
     digest.add(message);
     const double share = static_cast<double>(digest.messages()) / static_cast<double>(expected.messages());
     if (progress && digest.messages() % kMessagesPerProgress == 0)
-      goOn = progress(0.9 + 0.1 * std::min(1.0, share));
-    return goOn;
+      proceed = progress(0.9 + 0.1 * std::min(1.0, share));
+    return proceed;
   });
-  if (!goOn) return failure("log.given-up", "the repair was canceled");
+  if (!proceed) return failure("log.given-up", "the repair was canceled");
   if ((*reader)->complete() && (*reader)->damage().empty() && digest == expected) return {};
   return failure("mcap.repair", "the repaired file does not read as it was written; check the disk",
                  {file.string(), 0, 0});

@@ -279,10 +279,10 @@ class KeysGuiTest : public WindowTest {
     choose();
     QVERIFY(cancel.asked());
     QVERIFY(!desk.workbench.loading());
-    DialogAnswer goOn(
+    DialogAnswer proceed(
         [](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::DestructiveRole); });
     choose();
-    QVERIFY(goOn.asked());
+    QVERIFY(proceed.asked());
     QVERIFY(desk.workbench.loading());
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading() || (desk.window.tick(), false), 20000);
     desk.colors().undoStack().clear();
