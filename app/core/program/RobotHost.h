@@ -44,7 +44,7 @@ class RobotHost {
     /// Called with each request that became an override of the user; it must not call this object.
     ProgramRequests::OverrideListener overridden = {};
   };
-  /// What a program is to be made of. A plain value.
+  /// What a program is to be made of.
   struct Parts {
     /// Null if the robot keeps its platform.
     std::unique_ptr<robotlink::Platform> platform;

@@ -9,6 +9,9 @@
 #include "foxglove/Scene.pb.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
 #include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
@@ -200,4 +203,30 @@ TEST_F(ReplayJumps, parametersOfTheActiveSolutionAreKept) {
   for (int i = 0; i < 10; ++i) replay.run->step();
   ASSERT_NE(values(), nullptr);
   EXPECT_EQ(values()->value().data(), data);
+}
+
+TEST_F(ReplayJumps, aRobotIsWhatTheLogSaysAtThatPlace) {
+  const auto setup = [](const std::string& kind) {
+    auto value = std::make_shared<robotcontrol::ProgramSetup>();
+    value->set_team(kind == "p3at" ? "" : "blue");
+    const auto text = robotlink::readFile(robotlink::resource("robots/" + kind + ".yaml"));
+    value->mutable_description()->set_name("robots/" + kind + ".yaml");
+    value->mutable_description()->set_text(text.value_or(""));
+    return value;
+  };
+  const auto file = folder_ / "two.mcap";
+  {
+    auto writer = logplayer::LogWriter::create(file, {});
+    for (const auto& [time, kind] : {std::pair(0, "ers210"), std::pair(5, "p3at"), std::pair(10, "p3at")})
+      ASSERT_TRUE((*writer)->write({{"robot7/program", at(time), setup(kind)}}));
+  }
+  Replay replay(file);
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  EXPECT_EQ(replay.run->description("robot7")->name, "ers210");
+  EXPECT_NE(replay.run->field()->name, "");
+  ASSERT_TRUE(replay.run->jump(at(10)).empty());
+  EXPECT_EQ(replay.run->description("robot7")->name, "p3at");
+  EXPECT_EQ(replay.run->field()->name, "") << "a Pioneer has none";
+  ASSERT_TRUE(replay.run->jump(at(0)).empty());
+  EXPECT_EQ(replay.run->description("robot7")->name, "ers210");
 }
