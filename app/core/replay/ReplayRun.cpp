@@ -258,7 +258,10 @@ Errors ReplayRun::jump(Instant time, const Change& change) {
     for (const auto& robot : source->robots) {
       ReplayChoices choices = robot->choices();
       if (change) change(robot->name(), choices);
-      auto start = robot->prepare(startOf(*source, time), std::move(choices));
+      // If nothing is computed, nothing has to settle, and the program is that of the aim.
+      const bool computes = change || robot->computes();
+      auto start =
+          robot->prepare(computes ? startOf(*source, time) : source->inLog(time), std::move(choices));
       if (start) {
         starts.emplace_back(robot.get(), std::move(*start));
       } else {

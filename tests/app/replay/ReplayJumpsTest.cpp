@@ -224,8 +224,10 @@ TEST_F(ReplayJumps, aRobotIsWhatTheLogSaysAtThatPlace) {
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   EXPECT_EQ(replay.run->description("robot7")->name, "ers210");
   EXPECT_NE(replay.run->field()->name, "");
-  ASSERT_TRUE(replay.run->jump(at(10)).empty());
-  EXPECT_EQ(replay.run->description("robot7")->name, "p3at");
+  ASSERT_TRUE(replay.run->jump(at(4.9)).empty());
+  EXPECT_EQ(replay.run->description("robot7")->name, "ers210");
+  ASSERT_TRUE(replay.run->jump(at(5.1)).empty());
+  EXPECT_EQ(replay.run->description("robot7")->name, "p3at") << "though the jump begins before";
   EXPECT_EQ(replay.run->field()->name, "") << "a Pioneer has none";
   ASSERT_TRUE(replay.run->jump(at(0)).empty());
   EXPECT_EQ(replay.run->description("robot7")->name, "ers210");
