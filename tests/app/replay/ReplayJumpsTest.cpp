@@ -208,7 +208,9 @@ TEST_F(ReplayJumps, parametersOfTheActiveSolutionAreKept) {
 TEST_F(ReplayJumps, aRobotIsWhatTheLogSaysAtThatPlace) {
   const auto setup = [](const std::string& kind) {
     auto value = std::make_shared<robotcontrol::ProgramSetup>();
-    value->set_team(kind == "p3at" ? "" : "blue");
+    value->mutable_layout()->set_name("layouts/none.yaml");
+    value->mutable_layout()->set_text(
+        "version: 1\nname: none\nprocesses: [{name: debug, debug: true, period_ms: 16}]\n");
     const auto text = robotlink::readFile(robotlink::resource("robots/" + kind + ".yaml"));
     value->mutable_description()->set_name("robots/" + kind + ".yaml");
     value->mutable_description()->set_text(text.value_or(""));
