@@ -57,11 +57,12 @@ class MemoryBytes final : public ByteSource {
 }  // namespace
 
 robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  // Without O_NONBLOCK a named pipe would wait for somebody who writes to it.
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status {};
-  if (descriptor < 0 || ::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
-    const std::string reason =
-        descriptor < 0 || errno != 0 ? std::strerror(errno) : "it is not a regular file";
+  const bool known = descriptor >= 0 && ::fstat(descriptor, &status) == 0;
+  if (!known || !S_ISREG(status.st_mode)) {
+    const std::string reason = known ? "it is not a regular file" : std::strerror(errno);
     if (descriptor >= 0) ::close(descriptor);
     return robotlink::failure("log.open", "the log cannot be opened: " + reason, {file.string(), 0, 0});
   }

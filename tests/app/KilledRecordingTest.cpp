@@ -13,13 +13,13 @@
 #include <thread>
 
 #include "logplayer/file/LogFile.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using logplayer::tests::TestFolder;
 
 namespace {
 
-const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
 constexpr double kLongest = 4;  // s, that a killed program has recorded
 
 /// What a frame told: paths and bytes, in order.

@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 namespace {
 
 /// What the robot and its program told; from all threads.
-class Ears {
+class RobotEars {
  public:
   PioneerRun::Listeners listeners() {
     return {[this](const std::string& robot, auto queue) {
@@ -112,7 +112,7 @@ class PioneerRunTest : public testing::Test {
   }
 
   ServedWorld world_;
-  Ears ears_;
+  RobotEars ears_;
   const TestFolder folder_;
   const std::filesystem::path layout_ = folder_ / "bare.yaml";
   std::unique_ptr<PioneerRun> run_;

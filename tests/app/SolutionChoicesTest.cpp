@@ -11,8 +11,8 @@ namespace {
 using robotlink::Layout;
 using robotlink::TaskCatalog;
 
-TaskCatalog catalog() {
-  TaskCatalog catalog;
+TaskCatalog choiceCatalog() {
+  TaskCatalog choiceCatalog;
   for (const auto& [task, solutions] : std::map<std::string, std::vector<std::string>>{
            {"ball-percept", {"region", "circle-fit"}}, {"motion", {"wheel-model"}}}) {
     TaskCatalog::Task added;
@@ -22,9 +22,9 @@ TaskCatalog catalog() {
       solution.name = name;
       added.solutions.push_back(solution);
     }
-    catalog.tasks[task] = added;
+    choiceCatalog.tasks[task] = added;
   }
-  return catalog;
+  return choiceCatalog;
 }
 
 Layout layoutWith(const std::string& task) {
@@ -38,7 +38,7 @@ std::string problems(const std::map<std::string, std::string>& solutions,
                      const std::vector<Layout>& layouts) {
   std::vector<const Layout*> pointers;
   for (const Layout& layout : layouts) pointers.push_back(&layout);
-  return describe(checkSolutions(solutions, catalog(), pointers));
+  return describe(checkSolutions(solutions, choiceCatalog(), pointers));
 }
 
 TEST(SolutionChoices, whatOneOfTheLayoutsHasIsFine) {
@@ -61,8 +61,9 @@ TEST(SolutionChoices, tasksAndSolutionsThatThereAreNoneOfAreSaidWithThoseThatThe
 
 TEST(SolutionChoices, allThatIsWrongIsSaidAtOnce) {
   const auto layout = layoutWith("ball-percept");
-  EXPECT_EQ(checkSolutions({{"a", "b"}, {"ball-percept", "guess"}, {"c", "d"}}, catalog(), {&layout}).size(),
-            3U);
+  EXPECT_EQ(
+      checkSolutions({{"a", "b"}, {"ball-percept", "guess"}, {"c", "d"}}, choiceCatalog(), {&layout}).size(),
+      3U);
 }
 
 }  // namespace

@@ -42,12 +42,12 @@ ColorTable learned(const Session& session, unsigned seed) {
   return cleanUp.clean(votes.update(), colortool::sampledCells(votes.samples(), votes.classes()), {});
 }
 
-struct Score {
+struct RobotScore {
   std::uint64_t right = 0, all = 0;
   double share() const { return static_cast<double>(right) / static_cast<double>(all); }
 };
 
-void addScore(Score& score, const ColorTable& table, const Session& session) {
+void addScore(RobotScore& score, const ColorTable& table, const Session& session) {
   std::uint8_t colorClass = 0;
   for (const auto& [label, colors] : session) {
     ++colorClass;
@@ -88,10 +88,10 @@ TEST_P(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
   if (robots.empty())
     GTEST_SKIP() << "the labeled pixels are not in ../shared/data/colour/ers7, or xz is missing";
   ASSERT_GE(robots.size(), 2U);
-  Score total;
+  RobotScore total;
   for (const auto& [teacher, session] : robots) {
     ASSERT_EQ(session.size(), 7U) << teacher;
-    Score score;
+    RobotScore score;
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const ColorTable table = learned(session, seed);
       for (const auto& [pupil, other] : robots) {

@@ -19,12 +19,12 @@ namespace {
 using namespace colortool;
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kFrameWidth = 320, kHeight = 240;
 constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
 
 struct Frame {
   std::string name;
-  ColorImage image{kWidth, kHeight};
+  ColorImage image{kFrameWidth, kHeight};
   std::vector<std::uint8_t> labels;
   std::array<std::vector<ImagePoint>, 9> places;  ///< by class, where a stroke lies inside of it
 };
@@ -41,9 +41,11 @@ Frame readFrame(const fs::path& data, const std::string& stem) {
   const std::string png = robotlink::readFile(data / "labels" / (stem + ".png")).value();
   frame.labels =
       logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
-  const auto label = [&](int x, int y) { return frame.labels[static_cast<std::size_t>(y * kWidth + x)]; };
+  const auto label = [&](int x, int y) {
+    return frame.labels[static_cast<std::size_t>(y * kFrameWidth + x)];
+  };
   for (int y = 3; y < kHeight - 3; ++y) {
-    for (int x = 3; x < kWidth - 3; ++x) {
+    for (int x = 3; x < kFrameWidth - 3; ++x) {
       bool inside = label(x, y) < frame.places.size();
       for (int off = -3; off <= 3 && inside; ++off) {
         const int across = std::abs(off) == 3 ? 0 : std::abs(off) == 2 ? 2 : off == 0 ? 3 : 2;
@@ -70,7 +72,7 @@ Samples strokes(const std::vector<Frame>& frames, const Frame& left, int perClas
     for (int i = 0; i < perClass && !places.empty(); ++i) {
       const auto& [frame, place] = places[random() % places.size()];
       addStroke(samples, {0, frame->name, "nao", "", 0, 0}, frame->image,
-                brushArea(kWidth, kHeight, {&place, 1}, 3), {colorClass, false, 1, "brush"});
+                brushArea(kFrameWidth, kHeight, {&place, 1}, 3), {colorClass, false, 1, "brush"});
     }
   }
   return samples;

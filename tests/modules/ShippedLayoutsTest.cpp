@@ -12,7 +12,7 @@ using namespace robotlink;
 
 namespace {
 
-const std::filesystem::path kResources = ROBOTCONTROL_SOURCE_DIR "/resources";
+const std::filesystem::path kShipped = ROBOTCONTROL_SOURCE_DIR "/resources";
 
 /// A shipped layout and the kind of robot that it is for.
 struct Shipped {
@@ -24,10 +24,10 @@ struct Shipped {
 class ShippedLayoutsTest : public testing::TestWithParam<Shipped> {
  protected:
   void SetUp() override {
-    auto robot = readRobotDescription(kResources / "robots" / (std::string(GetParam().robot) + ".yaml"));
+    auto robot = readRobotDescription(kShipped / "robots" / (std::string(GetParam().robot) + ".yaml"));
     ASSERT_TRUE(robot) << describe(robot.error());
     robot_ = *robot;
-    auto layout = readLayout(kResources / "layouts" / (std::string(GetParam().layout) + ".yaml"));
+    auto layout = readLayout(kShipped / "layouts" / (std::string(GetParam().layout) + ".yaml"));
     ASSERT_TRUE(layout) << describe(layout.error());
     layout_ = *layout;
   }

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace simcore::testing {
+namespace simcore::test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -230,4 +230,4 @@ CameraScene tableScene() {
                        lookAt({-0.8, -0.2, 0.2}, {0.5, 0.1, 0.15}), lookAt({0.9, -0.8, 0.03}, {0, 0, 0.05})});
 }
 
-}  // namespace simcore::testing
+}  // namespace simcore::test

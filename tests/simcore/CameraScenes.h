@@ -6,7 +6,7 @@
 
 #include "simcore/rendering/CameraRenderer.h"
 
-namespace simcore::testing {
+namespace simcore::test {
 
 /// A test scene with the poses of its bodies and some cameras.
 struct CameraScene {
@@ -29,4 +29,4 @@ CameraScene fieldScene();
 /// them.
 CameraScene tableScene();
 
-}  // namespace simcore::testing
+}  // namespace simcore::test

@@ -7,7 +7,7 @@
 #include "tests/simcore/CameraScenes.h"
 
 using namespace simcore;
-using namespace simcore::testing;
+using namespace simcore::test;
 using robotlink::Image;
 using robotlink::PixelFormat;
 

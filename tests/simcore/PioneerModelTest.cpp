@@ -21,13 +21,13 @@ robotlink::RobotDescription pioneerDescription() {
   return robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/p3at.yaml").value();
 }
 
-const ModelDescription& model() {
+const ModelDescription& pioneerModel() {
   const auto& models = pioneerScene()->contents().world.models;
   return *std::ranges::find(models, "p3at1", &ModelInstance::name)->type;
 }
 
 const VisualDescription& visual(const std::string& name) {
-  const auto& visuals = model().links.front().visuals;
+  const auto& visuals = pioneerModel().links.front().visuals;
   const auto found = std::ranges::find(visuals, name, &VisualDescription::name);
   EXPECT_NE(found, visuals.end()) << name;
   return *found;
@@ -36,7 +36,7 @@ const VisualDescription& visual(const std::string& name) {
 /// Half of the model's extent along an axis, of all solids; they are boxes, and cylinders about y.
 double halfExtent(int axis) {
   double most = 0;
-  for (const LinkDescription& link : model().links) {
+  for (const LinkDescription& link : pioneerModel().links) {
     for (const CollisionDescription& solid : link.collisions) {
       const Pose3 pose = link.poseInModel * solid.poseInLink;
       const Shape& shape = solid.shape;
@@ -54,11 +54,11 @@ TEST(PioneerModel, itIsTheDescribedRobot) {
   EXPECT_EQ(pioneerScene()->robots()[0].name, "p3at1");
   EXPECT_EQ(pioneerScene()->robots()[0].description, "p3at");
   const auto drive = *pioneerDescription().drive;
-  ASSERT_TRUE(model().drive);
-  EXPECT_NEAR(model().drive->track, drive.track, 1e-9);
-  EXPECT_NEAR(model().drive->wheelRadius, drive.wheelRadius, 1e-9);
-  EXPECT_GE(model().drive->maximumSpeed, drive.maximumSpeed);
-  EXPECT_GE(model().drive->maximumSpeed, drive.maximumRotation * drive.track / 2);
+  ASSERT_TRUE(pioneerModel().drive);
+  EXPECT_NEAR(pioneerModel().drive->track, drive.track, 1e-9);
+  EXPECT_NEAR(pioneerModel().drive->wheelRadius, drive.wheelRadius, 1e-9);
+  EXPECT_GE(pioneerModel().drive->maximumSpeed, drive.maximumSpeed);
+  EXPECT_GE(pioneerModel().drive->maximumSpeed, drive.maximumRotation * drive.track / 2);
 }
 
 TEST(PioneerModel, itIsAsLongAndAsWide) {
@@ -70,7 +70,7 @@ TEST(PioneerModel, itIsAsLongAndAsWide) {
 
 TEST(PioneerModel, massesSumUpToRobotAndLaser) {
   double sum = 0;
-  for (const LinkDescription& link : model().links) sum += link.mass;
+  for (const LinkDescription& link : pioneerModel().links) sum += link.mass;
   EXPECT_NEAR(sum, 12 + 4.5, 0.01);
 }
 

@@ -7,7 +7,7 @@
 
 #include "simcore/rendering/BodyTree.h"
 
-namespace simcore::testing {
+namespace simcore::test {
 namespace {
 
 constexpr int kLanes = 8;
@@ -233,4 +233,4 @@ void ReferenceCamera::render(const Pose3& cameraInWorld, const CameraModel& came
   }
 }
 
-}  // namespace simcore::testing
+}  // namespace simcore::test

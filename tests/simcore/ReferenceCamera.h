@@ -9,7 +9,7 @@
 
 #include "simcore/rendering/CameraRenderer.h"
 
-namespace simcore::testing {
+namespace simcore::test {
 
 /// The reference for CameraRenderer, implemented with Embree: one ray per pixel, in packets of eight, and one
 /// from each lamp to the point that it hits. It shares no code with the renderer except for the scene. Images
@@ -43,4 +43,4 @@ class ReferenceCamera {
   std::vector<Eigen::Matrix3f> rotations_;
 };
 
-}  // namespace simcore::testing
+}  // namespace simcore::test

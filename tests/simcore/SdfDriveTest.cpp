@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 /// A cart of two wheels of 10 cm, 40 cm apart; the left wheel's joint looks to the right.
-const char* const kCart = R"(<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf">
+const char* const kSdfCart = R"(<sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf">
 <model name="cart">
 <robotcontrol:drive name="motors">
 <robotcontrol:left>l</robotcontrol:left>
@@ -62,11 +62,11 @@ Reading read(const std::string& text) {
 }
 
 std::string errorsWith(const std::string& from, const std::string& to) {
-  return read(replaced(kCart, from, to)).errors;
+  return read(replaced(kSdfCart, from, to)).errors;
 }
 
 TEST(SdfDrive, aDriveHasItsWheelsAndTheLeastOfTheirLimits) {
-  const Reading cart = read(kCart);
+  const Reading cart = read(kSdfCart);
   ASSERT_EQ(cart.errors, "");
   const DriveDescription& drive = *cart.model->drive;
   EXPECT_EQ(drive.name, "motors");
@@ -113,7 +113,7 @@ TEST(SdfDrive, whatIsWrongWithADriveIsToldWithItsLine) {
 
 TEST(SdfDrive, aTrackThatWheelsCannotHaveIsRefused) {
   // Four wheels turn about more than their distance.
-  std::string text = replaced(kCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0.3 0.2 0.1 0 0 0</pose>");
+  std::string text = replaced(kSdfCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0.3 0.2 0.1 0 0 0</pose>");
   EXPECT_THAT(read(text).errors, HasSubstr("cannot turn the model with that track"));
   text = replaced(text, "track>0.4<", "track>0.6<");
   EXPECT_EQ(read(text).errors, "");
@@ -123,7 +123,7 @@ TEST(SdfDrive, aTrackThatWheelsCannotHaveIsRefused) {
 }
 
 TEST(SdfDrive, itsGeometryFollowsFromTheWheels) {
-  const DriveGeometry geometry = driveGeometry(*read(kCart).model);
+  const DriveGeometry geometry = driveGeometry(*read(kSdfCart).model);
   EXPECT_LT((geometry.center - Vector3(0, 0, 0.1)).norm(), 1e-9);
   EXPECT_LT((geometry.toLeft - Vector3(0, 1, 0)).norm(), 1e-9);
   EXPECT_EQ(geometry.slipRatio, 1) << "on one axle nothing slips";
@@ -138,9 +138,9 @@ TEST(SdfDrive, itsGeometryFollowsFromTheWheels) {
 }
 
 TEST(SdfDrive, wheelsStandWhereTheirCylindersAreWhereverTheirLinksHaveTheirOrigins) {
-  const DriveGeometry usual = driveGeometry(*read(kCart).model);
+  const DriveGeometry usual = driveGeometry(*read(kSdfCart).model);
   // The same cart, its wheels' links with their origins in the cart's middle and turned.
-  std::string text = replaced(kCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0 0 0.1 -1.570796 0 0</pose>");
+  std::string text = replaced(kSdfCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0 0 0.1 -1.570796 0 0</pose>");
   text = replaced(text, "<inertial><mass>1</mass>", "<inertial><pose>0 0 0.2 0 0 0</pose><mass>1</mass>");
   text = replaced(text, "<pose>0 0 0 1.570796 0 0</pose>", "<pose>0 0 0.2 0 0 0</pose>");
   text = replaced(text, "<axis><xyz>0 -1 0</xyz>", "<axis><xyz>0 0 -1</xyz>");
@@ -154,16 +154,17 @@ TEST(SdfDrive, wheelsStandWhereTheirCylindersAreWhereverTheirLinksHaveTheirOrigi
 }
 
 TEST(SdfDrive, aDriveObeysAPioneersControllerUnlessItSaysThatItHasNone) {
-  EXPECT_EQ(read(kCart).model->drive->controller, "arcos");
+  EXPECT_EQ(read(kSdfCart).model->drive->controller, "arcos");
   const char* const drive = "<robotcontrol:drive name=\"motors\"";
   EXPECT_EQ(
-      read(replaced(kCart, drive, std::string(drive) + " controller=\"none\"")).model->drive->controller, "");
+      read(replaced(kSdfCart, drive, std::string(drive) + " controller=\"none\"")).model->drive->controller,
+      "");
   EXPECT_THAT(errorsWith(drive, std::string(drive) + " controller=\"pigeon\""),
               HasSubstr("m.sdf:2: a drive has the controller 'arcos' or 'none', not 'pigeon'"));
 }
 
 TEST(SdfDrive, wheelsAndTheirCarrierAreLumpedIntoOneBody) {
-  const auto model = read(kCart).model;
+  const auto model = read(kSdfCart).model;
   const LinkDescription body = withWheelsLumped(*model, 0);
   EXPECT_NEAR(body.mass, 6, 1e-12);
   // 4 kg at the link's origin, 2 kg 10 cm below.

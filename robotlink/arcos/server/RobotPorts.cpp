@@ -41,8 +41,8 @@ tl::unexpected<Error> cannotListen(const tcp::endpoint& endpoint, const boost::s
 /// One robot's port with its client, if there is one.
 class Port {
  public:
-  Port(asio::io_context& context, std::chrono::milliseconds silence)
-      : acceptor_(context), client_(context), silence_(silence) {}
+  Port(asio::io_context& context, const RobotPorts::Options& options)
+      : acceptor_(context), client_(context), silence_(options.silence), clock_(options.clock) {}
 
   Result<void> listen(const tcp::endpoint& endpoint) {
     boost::system::error_code error;
@@ -87,15 +87,15 @@ class Port {
     if (!writing_) write();
   }
 
-  void giveUpPartialPacket(Clock::time_point now) {
-    if (!drained_ || !parser_.isPartial() || now - heardAt_ <= kPartialFor) return;
+  void giveUpPartialPacket() {
+    if (!drained_ || !parser_.isPartial() || clock_() - heardAt_ <= kPartialFor) return;
     parser_.dropPartial();
     handOut();
   }
 
   void send(std::span<const Packet> packets) {
     if (!client_.is_open()) return;
-    const auto now = Clock::now();
+    const auto now = clock_();
     for (const Packet& packet : packets) sending_.push(packet, now);
     sending_.dropOld(now);
     if (!writing_) write();
@@ -121,7 +121,7 @@ class Port {
     acceptor_.accept(socket, from, error);
     if (error) return;
     if (client_.is_open()) read();
-    if (client_.is_open() && !hungUp() && Clock::now() - heardAt_ < silence_) {
+    if (client_.is_open() && !hungUp() && clock_() - heardAt_ < silence_) {
       ++statistics_.refused;
       socket.close(error);
       return;
@@ -132,7 +132,7 @@ class Port {
     socket.set_option(asio::socket_base::send_buffer_size(kSystemBuffer), error);
     socket.non_blocking(true, error);
     client_ = std::move(socket);
-    heardAt_ = Clock::now();
+    heardAt_ = clock_();
     statistics_.receivedBytes = 0;
     ++statistics_.clients;
     statistics_.client = describe(from);
@@ -170,7 +170,7 @@ class Port {
     if (error == asio::error::would_block || error == asio::error::interrupted) return;
     ended_ = error.failed();
     if (!ended_) {
-      heardAt_ = Clock::now();
+      heardAt_ = clock_();
       statistics_.receivedBytes += count;
       bytesLeft_ -= count;
       parser_.push({bytes.data(), count});
@@ -195,7 +195,7 @@ class Port {
   }
 
   void write() {
-    sending_.dropOld(Clock::now());
+    sending_.dropOld(clock_());
     boost::system::error_code error;
     while (!sending_.bytes().empty() && !error) {
       sending_.written(
@@ -228,6 +228,7 @@ class Port {
   tcp::acceptor acceptor_;
   tcp::socket client_;
   const std::chrono::milliseconds silence_;
+  const std::function<Clock::time_point()> clock_;
   // Incremented with each client, so that pending operations of one do not affect the next.
   std::uint64_t connection_ = 0;
   RobotPorts::Listener* listener_ = nullptr;
@@ -275,7 +276,7 @@ Result<std::unique_ptr<RobotPorts>> RobotPorts::open(const Options& options) {
   made.loopbackOnly = address.is_loopback();
   for (std::size_t robot = 0; robot < options.robots; ++robot) {
     const auto number = static_cast<std::uint16_t>(options.firstPort == 0 ? 0 : options.firstPort + robot);
-    made.ports.push_back(std::make_unique<Port>(made.context, options.silence));
+    made.ports.push_back(std::make_unique<Port>(made.context, options));
     if (auto listening = made.ports.back()->listen({address, number}); !listening) {
       return tl::unexpected(listening.error());
     }
@@ -303,9 +304,8 @@ void RobotPorts::serve(Listener& listener, Clock::time_point until) {
   asio::io_context& context = implementation_->context;
   context.restart();
   context.poll();
-  const auto now = Clock::now();
-  for (const auto& port : ports) port->giveUpPartialPacket(now);
-  if (until > now) context.run_until(until);
+  for (const auto& port : ports) port->giveUpPartialPacket();
+  if (until > Clock::now()) context.run_until(until);
 }
 
 void RobotPorts::send(std::size_t robot, std::span<const Packet> packets) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -38,6 +39,8 @@ class RobotPorts {
     /// A client that has been silent for this long is replaced by the next one; live clients send a pulse
     /// every second.
     std::chrono::milliseconds silence{10'000};
+    /// Says how long clients have been silent, and packets have waited. Tests have a clock of their own.
+    std::function<std::chrono::steady_clock::time_point()> clock = std::chrono::steady_clock::now;
   };
   /// Called by serve(). Robots are numbered from 0.
   class Listener {

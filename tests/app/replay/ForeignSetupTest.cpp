@@ -7,7 +7,7 @@
 #include "logplayer/base/LogWriter.h"
 #include "tests/app/replay/ReplayFixture.h"
 
-using namespace app::testing;
+using namespace app::test;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 

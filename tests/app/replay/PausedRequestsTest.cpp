@@ -16,8 +16,8 @@
 #include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
-using app::testing::keyRequest;
-using app::testing::selectRequest;
+using app::test::keyRequest;
+using app::test::selectRequest;
 using robotcontrol::Request;
 
 namespace {
@@ -28,7 +28,7 @@ class PausedRequestsTest : public ::testing::TestWithParam<PausedHost> {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TestFolder;
-    app::testing::recordSimulation(logFile(), "compact", 100);
+    app::test::recordSimulation(logFile(), "compact", 100);
   }
   static void TearDownTestSuite() {
     delete folder_;

@@ -20,7 +20,7 @@
 #include "robotlink/session/QueueMessages.h"
 #include "tests/TestFolder.h"
 
-namespace app::testing {
+namespace app::test {
 
 using robotlink::Instant;
 using robotlink::StreamMessage;
@@ -166,4 +166,4 @@ inline std::vector<std::string> recomputedPackages(const robotcontrol::ReplaySta
   return names;
 }
 
-}  // namespace app::testing
+}  // namespace app::test

@@ -15,7 +15,7 @@
 #include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
-using namespace app::testing;
+using namespace app::test;
 using namespace std::chrono_literals;
 using robotcontrol::ControlReplay;
 using ::testing::Contains;

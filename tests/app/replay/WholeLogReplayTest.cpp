@@ -13,7 +13,7 @@
 #include "tests/game/Log.h"
 
 using namespace app;
-using namespace app::testing;
+using namespace app::test;
 using namespace std::chrono_literals;
 using robotcontrol::ControlReplay;
 using ::testing::HasSubstr;

@@ -15,6 +15,9 @@ struct RobotctlOutcome {
   std::string out, errors;
 };
 
+/// The shipped scene with a soccer robot.
+inline const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
+
 inline std::string textOf(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

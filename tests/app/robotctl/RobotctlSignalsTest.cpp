@@ -28,8 +28,6 @@ class Program : public StartedProgram {
       : StartedProgram(ROBOTCTL, folder, arguments, ignored) {}
 };
 
-const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
-
 class Signals : public testing::TestWithParam<int> {
  protected:
   static void SetUpTestSuite() {

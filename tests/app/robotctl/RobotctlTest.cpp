@@ -11,15 +11,17 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/robotctl/RobotctlRun.h"
+
 namespace {
 
-struct Outcome {
+struct PrintedOutcome {
   int status = -1;
   std::string text;  ///< stdout and stderr
 };
 
-Outcome run(const std::string& command) {
-  Outcome outcome;
+PrintedOutcome run(const std::string& command) {
+  PrintedOutcome outcome;
   FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> buffer{};
@@ -30,11 +32,10 @@ Outcome run(const std::string& command) {
   return outcome;
 }
 
-Outcome robotctl(const std::string& arguments, const std::string& environment = {}) {
+PrintedOutcome robotctl(const std::string& arguments, const std::string& environment = {}) {
   return run(environment + ROBOTCTL + " " + arguments);
 }
 
-const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
 const std::string kLayout = ROBOTCONTROL_SOURCE_DIR "/resources/layouts/compact.yaml";
 
 }  // namespace
@@ -49,7 +50,7 @@ TEST(Robotctl, helpIsGivenAndWrongUsageIsTwo) {
 }
 
 TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
-  const Outcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5 --json");
+  const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   const auto figures = nlohmann::json::parse(outcome.text);
   EXPECT_EQ(figures.at("steps"), 250);
@@ -64,7 +65,7 @@ TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
 }
 
 TEST(Robotctl, simPrintsItsFiguresForPeopleRoundedAndWithUnits) {
-  const Outcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5");
+  const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_THAT(outcome.text, testing::HasSubstr("scene       field2002.sdf, seed 5\n"));
   EXPECT_THAT(outcome.text, testing::HasSubstr("robots      1, in the layout compact\n"));
@@ -78,11 +79,11 @@ TEST(Robotctl, simPrintsItsFiguresForPeopleRoundedAndWithUnits) {
 }
 
 TEST(Robotctl, robotsAreAddedToAGame) {
-  const Outcome outcome = robotctl("sim " + kScene + " --seconds 0.2 --json --robots 3");
+  const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 0.2 --json --robots 3");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 4);
   EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 --robots 2 --teams green").status, 2);
-  const Outcome house =
+  const PrintedOutcome house =
       robotctl("sim " ROBOTCONTROL_SOURCE_DIR
                "/resources/scenes/house.map --seconds 0.1 --json --robot ers210 --robots 2");
   EXPECT_EQ(house.status, 0) << house.text;
@@ -93,14 +94,14 @@ TEST(Robotctl, aMapInCapitalsHasARobotAsAnyMap) {
   std::filesystem::create_directories(folder);
   std::filesystem::copy_file(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map", folder / "HOUSE.MAP",
                              std::filesystem::copy_options::overwrite_existing);
-  const Outcome outcome = robotctl("sim " + (folder / "HOUSE.MAP").string() + " --seconds 0.1 --json");
+  const PrintedOutcome outcome = robotctl("sim " + (folder / "HOUSE.MAP").string() + " --seconds 0.1 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 1);
   std::filesystem::remove_all(folder);
 }
 
 TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
-  const Outcome wrong = robotctl("sim " + kScene, "ROBOTCONTROL_RESOURCES=/no/such/folder ");
+  const PrintedOutcome wrong = robotctl("sim " + kScene, "ROBOTCONTROL_RESOURCES=/no/such/folder ");
   EXPECT_EQ(wrong.status, 1);
   EXPECT_THAT(wrong.text, testing::HasSubstr("ROBOTCONTROL_RESOURCES names the folder '/no/such/folder'"));
   // The program alone, as after a bad installation.
@@ -108,7 +109,7 @@ TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
   std::filesystem::create_directories(folder);
   std::filesystem::copy_file(ROBOTCTL, folder / "robotctl",
                              std::filesystem::copy_options::overwrite_existing);
-  const Outcome none = run((folder / "robotctl").string() + " sim " + kScene);
+  const PrintedOutcome none = run((folder / "robotctl").string() + " sim " + kScene);
   EXPECT_EQ(none.status, 1);
   EXPECT_THAT(none.text, testing::HasSubstr("no folder 'resources' in or above '" +
                                             std::filesystem::canonical(folder).string() + "'"));
@@ -118,7 +119,7 @@ TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
 
 TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
   const std::string command = "sim " + kScene + " --seconds 1 --digest --seed ";
-  const Outcome first = robotctl(command + "1");
+  const PrintedOutcome first = robotctl(command + "1");
   ASSERT_EQ(first.status, 0);
   EXPECT_EQ(first.text, robotctl(command + "1").text);
   EXPECT_NE(first.text, robotctl(command + "2").text);
@@ -126,7 +127,7 @@ TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
 
 TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {
   const auto realSeconds = [](const std::string& options) {
-    const Outcome outcome = robotctl("sim " + kScene + " --json " + options);
+    const PrintedOutcome outcome = robotctl("sim " + kScene + " --json " + options);
     EXPECT_EQ(outcome.status, 0) << outcome.text;
     return nlohmann::json::parse(outcome.text).at("real_seconds").get<double>();
   };
@@ -137,12 +138,12 @@ TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {
 }
 
 TEST(Robotctl, aSceneThatIsNotThereAndABadLayoutFailWithTheirPlace) {
-  const Outcome scene = robotctl("sim /no/such.sdf --seconds 1");
+  const PrintedOutcome scene = robotctl("sim /no/such.sdf --seconds 1");
   EXPECT_EQ(scene.status, 1);
   EXPECT_NE(scene.text.find("/no/such.sdf"), std::string::npos);
   const auto file = std::filesystem::path(testing::TempDir()) / "bad.yaml";
   std::ofstream(file) << "version: 1\nname: bad\nprocesses:\n  - name: a\n    color: green\n";
-  const Outcome layout = robotctl("layout check " + file.string());
+  const PrintedOutcome layout = robotctl("layout check " + file.string());
   EXPECT_EQ(layout.status, 1);
   EXPECT_NE(layout.text.find(file.string() + ":5:"), std::string::npos) << layout.text;
 }
@@ -156,7 +157,7 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
   const std::string command =
       "run --json --platform log:" + path("run-in.mcap") +
       " --package percepts/regions=recomputed --package red1/models/ball=recomputed --record ";
-  const Outcome first = robotctl(command + path("run-a.mcap"));
+  const PrintedOutcome first = robotctl(command + path("run-a.mcap"));
   ASSERT_EQ(first.status, 0) << first.text;
   const auto summary = nlohmann::json::parse(first.text);
   ASSERT_EQ(summary.at("differences").size(), 2U);
@@ -174,7 +175,7 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
   EXPECT_TRUE(bytes("run-a.mcap") == bytes("run-b.mcap"));
   EXPECT_EQ(robotctl(command + path("run-a.mcap")).status, 1) << "it must not exist";
 
-  const Outcome other =
+  const PrintedOutcome other =
       robotctl("run --platform log:" + path("run-in.mcap") +
                " --package percepts/regions=recomputed --solution segmentation=whole-image");
   EXPECT_EQ(other.status, 0);
@@ -186,7 +187,7 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
 
 TEST(Robotctl, aSolutionOrTaskThatDoesNotExistIsRefused) {
   const auto refused = [](const std::string& arguments, const std::string& why) {
-    const Outcome outcome = robotctl(arguments);
+    const PrintedOutcome outcome = robotctl(arguments);
     EXPECT_EQ(outcome.status, 1) << arguments;
     EXPECT_NE(outcome.text.find(why), std::string::npos) << outcome.text;
   };
@@ -215,18 +216,18 @@ TEST(Robotctl, runWarnsOfASolutionThatChangesNothing) {
   std::filesystem::remove(file);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --record " + file.string()).status, 0);
   const std::string command = "run --platform log:" + file.string() + " --solution segmentation=whole-image ";
-  const Outcome warned = robotctl(command);
+  const PrintedOutcome warned = robotctl(command);
   EXPECT_EQ(warned.status, 0);
   EXPECT_NE(warned.text.find("warning: red1: task segmentation does not run"), std::string::npos)
       << warned.text;
   EXPECT_NE(warned.text.find("--package all=recomputed"), std::string::npos) << warned.text;
-  const Outcome used = robotctl(command + "--package all=recomputed");
+  const PrintedOutcome used = robotctl(command + "--package all=recomputed");
   EXPECT_EQ(used.status, 0) << used.text;
   EXPECT_EQ(used.text.find("warning"), std::string::npos) << used.text;
   EXPECT_NE(used.text.find("recomputed: red1/percepts/regions"), std::string::npos) << used.text;
   EXPECT_NE(used.text.find("recomputed: red1/models/ball"), std::string::npos) << used.text;
   EXPECT_EQ(used.text.find("e+0"), std::string::npos) << used.text;
-  const Outcome mixed = robotctl(command + "--package all=recomputed --package models/ball=logged");
+  const PrintedOutcome mixed = robotctl(command + "--package all=recomputed --package models/ball=logged");
   EXPECT_EQ(mixed.text.find("recomputed: red1/models/ball"), std::string::npos) << mixed.text;
 }
 
@@ -236,7 +237,7 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   EXPECT_EQ(robotctl("run --platform log:").status, 2);
   EXPECT_EQ(robotctl("run --platform log:x.mcap --package percepts/ball=maybe").status, 2);
   EXPECT_EQ(robotctl("run --platform log:x.mcap --offset 1 --offset 2").status, 2);
-  const Outcome missing = robotctl("run --platform log:/no/such.mcap");
+  const PrintedOutcome missing = robotctl("run --platform log:/no/such.mcap");
   EXPECT_EQ(missing.status, 1);
   EXPECT_NE(missing.text.find("/no/such.mcap"), std::string::npos) << missing.text;
   // One that was not closed: what is there is played, and the loss told.
@@ -244,10 +245,10 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   std::filesystem::remove(cut);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + cut.string()).status, 0);
   std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 100);
-  const Outcome lossy = robotctl("run --platform log:" + cut.string());
+  const PrintedOutcome lossy = robotctl("run --platform log:" + cut.string());
   EXPECT_EQ(lossy.status, 3) << lossy.text;
   EXPECT_NE(lossy.text.find("not closed"), std::string::npos) << lossy.text;
-  const Outcome refused =
+  const PrintedOutcome refused =
       robotctl("run --platform log:" + cut.string() + " --package camera/image=recomputed");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.text.find("camera/image cannot be recomputed: no task of layout compact yields it"),
@@ -259,13 +260,13 @@ TEST(Robotctl, simRecordsIntoANewFileAndNeverOverAnOldOne) {
   const auto file = std::filesystem::path(testing::TempDir()) / "robotctl-record.mcap";
   std::filesystem::remove(file);
   const std::string command = "sim " + kScene + " --seconds 0.5 --record " + file.string();
-  const Outcome recorded =
+  const PrintedOutcome recorded =
       robotctl(command + " --streams '*/camera/*,-*/pose' --images jpeg --compression zstd");
   EXPECT_EQ(recorded.status, 0) << recorded.text;
   EXPECT_NE(recorded.text.find("messages"), std::string::npos);
   const auto size = std::filesystem::file_size(file);
   EXPECT_GT(size, 10'000U);
-  const Outcome again = robotctl(command);
+  const PrintedOutcome again = robotctl(command);
   EXPECT_EQ(again.status, 1);
   EXPECT_NE(again.text.find(file.string()), std::string::npos) << again.text;
   EXPECT_EQ(std::filesystem::file_size(file), size);
@@ -278,7 +279,7 @@ TEST(Robotctl, simRecordsIntoANewFileAndNeverOverAnOldOne) {
 }
 
 TEST(Robotctl, simKeepsTheSpeedAndTellsHowFarItIs) {
-  const Outcome outcome = robotctl("sim " + kScene + " --seconds 0.6 --speed 2 --progress --json");
+  const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 0.6 --speed 2 --progress --json");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("0.504 s\n"), std::string::npos) << outcome.text;
   const auto figures = nlohmann::json::parse(outcome.text.substr(outcome.text.find('{')));
@@ -287,7 +288,7 @@ TEST(Robotctl, simKeepsTheSpeedAndTellsHowFarItIs) {
 
 TEST(Robotctl, layoutsAreCheckedAndDrawn) {
   EXPECT_EQ(robotctl("layout check " + kLayout).status, 0);
-  const Outcome graph = robotctl("layout graph " + kLayout);
+  const PrintedOutcome graph = robotctl("layout graph " + kLayout);
   EXPECT_EQ(graph.status, 0);
   EXPECT_NE(graph.text.find("digraph"), std::string::npos);
   EXPECT_NE(graph.text.find("camera/image"), std::string::npos);

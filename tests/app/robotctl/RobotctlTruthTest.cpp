@@ -15,8 +15,6 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
-
 class RobotctlTruth : public testing::Test {
  protected:
   RobotctlOutcome robotctl(const std::string& arguments) const {

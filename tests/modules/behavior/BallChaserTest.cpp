@@ -14,7 +14,7 @@ using robotlink::Vector2;
 using State = BallChaser::State;
 using Motion = Intention::Motion;
 
-constexpr double kFrame = 0.04;
+constexpr double kChaserFrame = 0.04;
 
 /// A robot without inertia that does what the chaser wants, and a ball that moves when it is kicked.
 class BallChaserTest : public testing::Test {
@@ -38,14 +38,15 @@ class BallChaserTest : public testing::Test {
     const Intention wanted = chaser_.decide(situation());
     if (chaser_.changed()) visited_.push_back(chaser_.state());
     if (wanted.motion == Motion::kWalk)
-      robot_ = robot_ * Pose2{wanted.forward * kFrame, wanted.left * kFrame, wanted.turn * kFrame};
+      robot_ = robot_ *
+               Pose2{wanted.forward * kChaserFrame, wanted.left * kChaserFrame, wanted.turn * kChaserFrame};
     if (wanted.motion == Motion::kKick && time_ >= kickEnds_) {
       kickEnds_ = time_ + 1;
       ball_ = robot_ * ((robot_.inverse() * ball_) + Vector2(0.6, 0));
       ++kicks_;
     }
     way_ = std::max(way_, robot_.translation().norm());
-    time_ += kFrame;
+    time_ += kChaserFrame;
     return wanted;
   }
   void run(double seconds) {

@@ -24,7 +24,7 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr const char* kRobot = "p3at1";
+constexpr const char* kOfficeRobot = "p3at1";
 const std::filesystem::path kOffice = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos/office.map";
 
 class SimulatedOffice {
@@ -52,7 +52,7 @@ class SimulatedOffice {
     if (!run) throw std::runtime_error(robotlink::describe(run.error()));
     run_ = *std::move(run);
     robotcontrol::Request show;
-    show.set_robot(kRobot);
+    show.set_robot(kOfficeRobot);
     show.mutable_set_key()->set_name("package/models/pose");
     show.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
     EXPECT_TRUE(run_->request(show));
@@ -61,15 +61,15 @@ class SimulatedOffice {
     const robotlink::Instant end = run_->world().clock().now() + robotlink::fromSeconds(seconds);
     while (run_->world().clock().now() < end) run_->step();
   }
-  Pose2 truth() const { return robotlink::groundPose(*run_->world().simulation().modelPose(kRobot)); }
+  Pose2 truth() const { return robotlink::groundPose(*run_->world().simulation().modelPose(kOfficeRobot)); }
   double error() const {
     return (robotlink::pose2(believed_.robot_in_field()).translation() - truth().translation()).norm();
   }
   const robotcontrol::RobotPose& believed() const { return believed_; }
-  void place(const Pose2& pose) { EXPECT_TRUE(run_->world().simulation().placeModel(kRobot, pose)); }
+  void place(const Pose2& pose) { EXPECT_TRUE(run_->world().simulation().placeModel(kOfficeRobot, pose)); }
   void send(const Pose2& goal) {
     robotcontrol::Request request;
-    request.set_robot(kRobot);
+    request.set_robot(kOfficeRobot);
     robotlink::assign(*request.mutable_set_goal()->mutable_pose_in_field(), goal);
     EXPECT_TRUE(run_->request(request));
   }

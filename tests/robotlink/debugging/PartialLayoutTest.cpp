@@ -10,7 +10,7 @@
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
-using robotlink::testing::kToyLayout;
+using robotlink::test::kToyLayout;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
-using namespace robotlink::testing;
+using namespace robotlink::test;
 using robotcontrol::KeyMode;
 using robotcontrol::Request;
 

@@ -7,7 +7,7 @@
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
-using namespace robotlink::testing;
+using namespace robotlink::test;
 using namespace std::chrono_literals;
 using robotcontrol::KeyMode;
 

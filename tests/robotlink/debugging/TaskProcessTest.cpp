@@ -11,7 +11,7 @@
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
-using namespace robotlink::testing;
+using namespace robotlink::test;
 using robotcontrol::KeyMode;
 using robotcontrol::Request;
 using ::testing::HasSubstr;

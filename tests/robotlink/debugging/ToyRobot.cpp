@@ -6,7 +6,7 @@
 
 #include "robotlink/packages/Conversions.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 
 using namespace std::chrono_literals;
 
@@ -332,4 +332,4 @@ std::string ToyRobot::active(const std::string& task) const {
   return {};
 }
 
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

@@ -19,7 +19,7 @@
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/Platform.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 
 /// A platform whose sensors count: every image and every joint state contains the number of its step. It
 /// stores all joint requests. The tasks that are registered with it are ball-percept [region, broken,
@@ -94,4 +94,4 @@ class ToyRobot {
 /// Number of existing toy solution objects, for tests of switching.
 int livingSolutions();
 
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

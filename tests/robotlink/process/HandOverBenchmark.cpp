@@ -14,7 +14,7 @@
 
 #include "tests/robotlink/process/TestProcess.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 namespace {
 
 constexpr int kRounds = 2000;
@@ -122,4 +122,4 @@ void handOverBetweenProcesses(benchmark::State& state) {
 BENCHMARK(handOverBetweenProcesses)->Iterations(15)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

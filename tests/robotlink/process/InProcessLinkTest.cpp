@@ -3,7 +3,7 @@
 
 #include "tests/robotlink/process/TransportConformance.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 namespace {
 
 struct InProcess {
@@ -76,4 +76,4 @@ TEST(InProcessLinkTest, aTransmissionThatWasStoppedEndsForBothWithoutLockingUp) 
 }
 
 }  // namespace
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

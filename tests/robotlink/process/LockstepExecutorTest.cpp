@@ -7,7 +7,7 @@
 #include "robotlink/base/Random.h"
 #include "tests/robotlink/process/TestProcess.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -201,4 +201,4 @@ TEST_F(LockstepExecutorTest, aClockThatIsSetBackStartsPeriodsAnew) {
 }
 
 }  // namespace
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

@@ -7,7 +7,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/process/Process.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 
 /// A process whose frame is a function of the test.
 class TestProcess final : public Process {
@@ -40,4 +40,4 @@ inline double numberIn(const Receiver<Ball>& receiver) {
   return receiver.get() != nullptr ? receiver.get()->radius_in_image() : -1;
 }
 
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

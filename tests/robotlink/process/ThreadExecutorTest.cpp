@@ -13,7 +13,7 @@
 #include "tests/Eventually.h"
 #include "tests/robotlink/process/TestProcess.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -141,4 +141,4 @@ TEST(ThreadExecutorTest, itStopsWhileAllWait) {
 }
 
 }  // namespace
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

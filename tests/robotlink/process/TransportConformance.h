@@ -7,7 +7,7 @@
 
 #include "tests/robotlink/process/TestProcess.h"
 
-namespace robotlink::testing {
+namespace robotlink::test {
 
 /// The conformance suite of transports: the semantics of senders and receivers (DESIGN.md, "Processes"). A
 /// transport runs the suite by means of a class like this:
@@ -344,4 +344,4 @@ REGISTER_TYPED_TEST_SUITE_P(
     periodsDoNotDrift, aPeriodAndABlockingEndAreBothRequired, aWaitingProcessIsWokenByAPackage,
     aProcessThatWaitsCanBeStopped);
 
-}  // namespace robotlink::testing
+}  // namespace robotlink::test

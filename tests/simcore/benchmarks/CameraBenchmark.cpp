@@ -24,7 +24,7 @@
 namespace {
 
 using namespace simcore;
-using namespace simcore::testing;
+using namespace simcore::test;
 using robotlink::Image;
 using robotlink::PixelFormat;
 

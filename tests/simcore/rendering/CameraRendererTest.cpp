@@ -11,7 +11,7 @@
 #include "tests/simcore/ReferenceCamera.h"
 
 using namespace simcore;
-using namespace simcore::testing;
+using namespace simcore::test;
 using robotlink::Image;
 using robotlink::PixelFormat;
 

@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails where a program of tests has one that no test of ctest runs.
+
+Programs that hold the tests of several folders are run once for each, with a filter that CMake makes from the sources
+(robotcontrol_filter()).
+Usage: forgotten.py BUILD_DIR CTEST
+"""
+import collections
+import json
+import os
+import subprocess
+import sys
+
+
+def tests_of(program, arguments):
+    """The full names of the tests that a GoogleTest program has or a filter leaves."""
+    listed = subprocess.run([program, "--gtest_list_tests", *arguments], capture_output=True, text=True, check=True).stdout
+    names, suite = set(), ""
+    for line in listed.splitlines():
+        name = line.split("#")[0].strip()
+        if line.startswith("  "):
+            names.add(suite + name)
+        elif name.endswith("."):
+            suite = name
+    return names
+
+
+def main():
+    build, ctest = sys.argv[1:]
+    known = json.loads(subprocess.run([ctest, "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True,
+                                      check=True).stdout)
+    filters = collections.defaultdict(list)
+    for test in known["tests"]:
+        for argument in test.get("command", []):
+            if argument.startswith("--gtest_filter="):
+                filters[test["command"][0]].append(argument)
+    forgotten, count = [], 0
+    for program, arguments in sorted(filters.items()):
+        if not os.path.exists(program):
+            continue
+        every = tests_of(program, [])
+        count += len(every)
+        run = set().union(*(tests_of(program, [argument]) for argument in arguments))
+        forgotten += [f"{os.path.basename(program)}: {name}" for name in sorted(every - run)]
+    print("\n".join(forgotten) or f"all {count} tests of {len(filters)} programs are run")
+    return 1 if forgotten else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
