@@ -48,7 +48,7 @@ ROOMS = {
     "logplayer/mcap": [".", "read", "write"],
     "logplayer": ["images", "json", "base", "bhuman", "record", "file", "bookmarks", "export", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
-    "widgets": [".", "drawings", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
+    "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
         "log", "color", "drive", "messages", "plots", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["program", "pioneer", "replay", "simulated", "."],

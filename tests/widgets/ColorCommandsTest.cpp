@@ -44,7 +44,7 @@ class ColorCommandsTest : public QObject {
     does("color.send");
     QVERIFY(world_->requests.back().has_set_color_table());
     does("color.auto-send on");
-    QVERIFY(bench_->sender().autoSend());
+    QVERIFY(widgets::colorSender(*bench_).autoSend());
     does("color.auto-send off");
     does("color.method gaussians");
     does("color.option gaussian-distance 20");

@@ -6,7 +6,6 @@
 
 #include "colortool/image/ClassPresets.h"
 #include "foxglove/Image.pb.h"
-#include "widgets/color/ColorSender.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace widgets {
@@ -46,7 +45,6 @@ ColorBench::ColorBench(const ViewContext& context, QObject* parent)
   colortool::Samples samples;
   samples.classes = colortool::classPresets().front().classes();
   document_ = colortool::SampleDocument(std::move(samples));
-  sender_ = new ColorSender(*this);
   learner_ = std::make_unique<ColorLearner>(
       [this] { QMetaObject::invokeMethod(this, &ColorBench::takeNews, Qt::QueuedConnection); });
   ask();

@@ -17,8 +17,6 @@
 
 namespace widgets {
 
-class ColorSender;
-
 /// An image that the user put aside in the strip.
 struct CollectedFrame {
   /// Never null.
@@ -42,7 +40,8 @@ struct ReferenceTable {
 /// image, and the selection. Training and scoring happen in a ColorLearner's threads; their results arrive as
 /// signals. GUI thread.
 ///
-/// Files are handled by ColorFiles, sending the table to a robot by ColorSender.
+/// Files are handled by ColorFiles, sending the table to a robot by ColorSender; both are created where they
+/// are needed first.
 class ColorBench final : public QObject {
   Q_OBJECT
  public:
@@ -133,7 +132,6 @@ class ColorBench final : public QObject {
   void setPointed(const std::optional<robotlink::YCbCr>& color);
 
   robotlink::Session& session() const { return session_; }
-  ColorSender& sender() { return *sender_; }
 
  Q_SIGNALS:
   /// Classes, settings or strokes changed, also by undo and redo.
@@ -198,8 +196,6 @@ class ColorBench final : public QObject {
   colortool::CellSet selection_;
   bool selected_ = false;
   std::optional<robotlink::YCbCr> pointed_;
-  /// A child of this object.
-  ColorSender* sender_ = nullptr;
   /// Destroyed first, since its threads use the other members.
   std::unique_ptr<ColorLearner> learner_;
 };

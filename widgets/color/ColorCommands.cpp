@@ -227,12 +227,12 @@ void addTableCommands(Commands& commands) {
                [](ColorBench& bench, auto&, auto&) -> Result<void> {
                  if (bench.session().selectedRobot().empty())
                    return failure("color.no-robot", "there is no robot; open a scene or a log first");
-                 bench.sender().send();
+                 colorSender(bench).send();
                  return {};
                });
   commands.add("color.auto-send", "Chooses whether each new table is sent to the robot at once",
                {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
-                 bench.sender().setAutoSend(std::get<bool>(values[0]));
+                 colorSender(bench).setAutoSend(std::get<bool>(values[0]));
                  return {};
                });
 }

@@ -86,8 +86,8 @@ bool scoreImages(const ColorScorer::Task& task, const std::stop_token& stop, Col
       add(evaluation, labeled, task, *task.table);
       if (task.reference) add(reference, labeled, task, *task.reference);
     }
-    quality.labeled = std::move(evaluation);
-    if (task.reference) quality.referenceLabeled = std::move(reference);
+    quality.labeled.emplace(std::move(evaluation));
+    if (task.reference) quality.referenceLabeled.emplace(std::move(reference));
   }
   SuspicionCount count(task);
   for (const ColorFramePtr& frame : task.others) {

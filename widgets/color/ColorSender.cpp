@@ -130,4 +130,9 @@ void ColorSender::report(State state, const QString& text) {
   Q_EMIT changed();
 }
 
+ColorSender& colorSender(ColorBench& bench) {
+  auto* sender = bench.findChild<ColorSender*>(QString(), Qt::FindDirectChildrenOnly);
+  return sender != nullptr ? *sender : *new ColorSender(bench);
+}
+
 }  // namespace widgets

@@ -78,4 +78,7 @@ class ColorSender final : public QObject {
   QTimer patience_;
 };
 
+/// The sender of a bench, created on the first call.
+ColorSender& colorSender(ColorBench& bench);
+
 }  // namespace widgets

@@ -8,6 +8,7 @@
 
 #include "widgets/Sentence.h"
 #include "widgets/field/GroundDrawing.h"
+#include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
 
@@ -59,11 +60,7 @@ void RadarCanvas::paintContents(QPainter& painter) const {
 }
 
 QImage RadarCanvas::rendered() const {
-  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  QPainter painter(&image);
-  paintContents(painter);
-  return image;
+  return paintedPicture(*this, [this](QPainter& painter) { paintContents(painter); });
 }
 
 void RadarCanvas::paintEvent(QPaintEvent*) {
@@ -78,7 +75,7 @@ void RadarCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void RadarCanvas::wheelEvent(QWheelEvent* event) {
-  setRange(look_.range * std::pow(1.2, -event->angleDelta().y() / 120.0));
+  zoomBy(std::pow(1.2, event->angleDelta().y() / 120.0));
   event->accept();
 }
 

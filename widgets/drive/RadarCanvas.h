@@ -22,6 +22,7 @@ class RadarCanvas final : public QWidget {
   /// The look for the current size of the widget.
   RadarLook look() const;
   /// Meters from the middle to the nearer edges; clamped to the limits of RadarLook.
+  void zoomBy(double factor) { setRange(look_.range / factor); }
   void setRange(double meters);
   /// Whether up is the map's y axis instead of the robot's x axis.
   void setNorthUp(bool northUp);

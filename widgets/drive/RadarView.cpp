@@ -4,9 +4,6 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSplitter>
-#include <QVBoxLayout>
-#include <cmath>
 
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Modeling.pb.h"
@@ -16,10 +13,8 @@
 #include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/ViewPicture.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/drawings/DrawingsModel.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/drive/RadarCanvas.h"
 
 namespace widgets {
@@ -30,14 +25,10 @@ const ViewRegistration kRadarViewRegistration{
      QT_TRANSLATE_NOOP("View", "What sonars, laser and bumpers of a robot on wheels measure around it."),
      "radar", true, create<RadarView>}};
 
-const double kRadarZoomStep = std::sqrt(2.0);
-
 }  // namespace
 
-RadarView::RadarView(ViewContext& context, QWidget* parent) : View(context, parent) {
-  setObjectName(QStringLiteral("radarView"));
-  drawings_ = new DrawingsModel({QStringLiteral("robot")}, this);
-  createActions();
+RadarView::RadarView(ViewContext& context, QWidget* parent)
+    : PictureView(context, "radar", "radar.png", parent) {
   createViews();
   connectSignals();
   tick();
@@ -45,53 +36,20 @@ RadarView::RadarView(ViewContext& context, QWidget* parent) : View(context, pare
 
 RadarView::~RadarView() = default;
 
-void RadarView::createActions() {
+void RadarView::createViews() {
   northUp_ = makeAction(this, "north",
                         {"radarNorthUp", tr("Align with map"),
                          tr("Up is the map's y-axis; otherwise the robot's heading"), Qt::Key_N});
   northUp_->setCheckable(true);
-  zoomIn_ =
-      makeAction(this, "zoom-in", {"radarZoomIn", tr("Zoom in"), tr("Shows less, larger"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out",
-                        {"radarZoomOut", tr("Zoom out"), tr("Shows more, smaller"), Qt::Key_Minus});
-  showDrawings_ = makeAction(this, "layers",
-                             {"radarDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
-  showDrawings_->setCheckable(true);
-  copy_ = makeAction(this, "copy",
-                     {"radarCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
-  save_ = makeAction(this, "save",
-                     {"radarSave", tr("Save picture..."), tr("Saves this picture as PNG"),
-                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
-}
-
-void RadarView::createViews() {
   canvas_ = new RadarCanvas(this);
-  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  canvas_->addActions({copy_, save_});
-  auto* panel = new DrawingsPanel(*drawings_, this);
-  panel->hide();
-  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
-  auto* splitter = new QSplitter(this);
-  splitter->addWidget(canvas_);
-  splitter->addWidget(panel);
-  splitter->setStretchFactor(0, 1);
-  splitter->setCollapsible(0, false);
-  splitter->setSizes({420, 180});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createToolRow());
-  layout->addWidget(splitter, 1);
-  layout->addWidget(createFooter());
-}
-
-QWidget* RadarView::createToolRow() {
+  addToContextMenu(canvas_);
+  const Side side = makeDrawings({QStringLiteral("robot")});
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("radarRobot", row->parentWidget(), RobotChoice::Offer::kOne);
   row->addWidget(robots_);
   row->addStretch(1);
-  addButtons(row, {northUp_, zoomOut_, zoomIn_, showDrawings_});
-  return row->parentWidget();
+  addButtons(row, {northUp_, zoomOut(), zoomIn(), side.toggle});
+  assemble({row->parentWidget()}, canvas_, side, {createFooter()});
 }
 
 QWidget* RadarView::createFooter() {
@@ -107,25 +65,18 @@ QWidget* RadarView::createFooter() {
 
 void RadarView::connectSignals() {
   connect(northUp_, &QAction::toggled, canvas_, &RadarCanvas::setNorthUp);
-  connect(zoomIn_, &QAction::triggered, this,
-          [this] { canvas_->setRange(canvas_->look().range / kRadarZoomStep); });
-  connect(zoomOut_, &QAction::triggered, this,
-          [this] { canvas_->setRange(canvas_->look().range * kRadarZoomStep); });
   connect(canvas_, &RadarCanvas::lookChanged, this, &RadarView::updateStatus);
   connect(canvas_, &RadarCanvas::cursorMoved, this, [this](double distance, double angle, bool inside) {
     const int degrees = qRound(robotlink::degrees(angle));
     cursor_->setText(inside ? tr("%1 m at %2°").arg(distance, 0, 'f', 2).arg(degrees) : QString());
   });
   connect(robots_, &RobotChoice::choiceChanged, this, &RadarView::tick);
-  connect(drawings_, &DrawingsModel::shownChanged, this, &RadarView::tick);
-  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
-  connect(save_, &QAction::triggered, this,
-          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("radar.png")); });
+  connect(drawings(), &DrawingsModel::shownChanged, this, &RadarView::tick);
 }
 
 void RadarView::tick() {
   robots_->refresh(session());
-  drawings_->refresh(session(), session().selectedRobot());
+  drawings()->refresh(session(), session().selectedRobot());
   const std::string robot = robots_->robot(session());
   subscription_.want(session(), robot,
                      {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name,
@@ -137,7 +88,7 @@ void RadarView::tick() {
       session().timeline().shown(), memory);
   readings.heading = mapHeading(robot, readings.heading);
   const bool reported = readings.time.has_value();
-  canvas_->show(std::move(readings), drawings(robot), hint(robot, reported));
+  canvas_->show(std::move(readings), drawingsOf(robot), hint(robot, reported));
   updateStatus();
 }
 
@@ -147,10 +98,10 @@ double RadarView::mapHeading(const std::string& robot, double odometry) const {
   return pose != nullptr ? pose->robot_in_field().heading() : odometry;
 }
 
-std::vector<WorldDrawing> RadarView::drawings(const std::string& robot) const {
+std::vector<WorldDrawing> RadarView::drawingsOf(const std::string& robot) const {
   std::vector<WorldDrawing> drawings;
   for (const CurrentDrawing& current :
-       currentDrawings(session(), robot, drawings_->shown(), session().timeline().shown())) {
+       currentDrawings(session(), robot, this->drawings()->shown(), session().timeline().shown())) {
     const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(current.message.get());
     if (update == nullptr) continue;
     for (const auto& entity : update->entities()) {
@@ -176,10 +127,7 @@ QString RadarView::hint(const std::string& robot, bool reported) const {
 
 void RadarView::updateStatus() {
   const RadarReadings& readings = canvas_->readings();
-  time_->setText(
-      readings.time
-          ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(*readings.time)), 0, 'f', 3)
-          : QString());
+  time_->setText(readings.time ? timeText(*readings.time) : QString());
   const QString silence = silenceText(robots_->robot(session()), readings.silence);
   state_->setText(silence);
   state_->setVisible(!silence.isEmpty());
@@ -192,17 +140,13 @@ void RadarView::updateStatus() {
   range_->setText(tr("%1 m around").arg(canvas_->look().range, 0, 'f', canvas_->look().range < 10 ? 1 : 0));
 }
 
-QJsonObject RadarView::saveState() const {
+QJsonObject RadarView::saveContent() const {
   return {{QStringLiteral("robot"), robots_->choice()},
           {QStringLiteral("range"), canvas_->look().range},
-          {QStringLiteral("northUp"), northUp_->isChecked()},
-          {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("drawings"), drawings_->saveState()}};
+          {QStringLiteral("northUp"), northUp_->isChecked()}};
 }
 
-void RadarView::restoreState(const QJsonObject& state) {
-  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+void RadarView::restoreContent(const QJsonObject& state) {
   northUp_->setChecked(state[QStringLiteral("northUp")].toBool());
   canvas_->setRange(state[QStringLiteral("range")].toDouble(RadarLook{}.range));
   robots_->setChoice(state[QStringLiteral("robot")].toString());

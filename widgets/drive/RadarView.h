@@ -2,14 +2,13 @@
 #pragma once
 
 #include "widgets/PackageSubscription.h"
-#include "widgets/View.h"
+#include "widgets/picture/PictureView.h"
 
 class QAction;
 class QLabel;
 
 namespace widgets {
 
-class DrawingsModel;
 class RadarCanvas;
 class RobotChoice;
 struct WorldDrawing;
@@ -18,7 +17,7 @@ struct WorldDrawing;
 /// to itself. Follows the session's timeline.
 ///
 /// Registered as "radar". GUI thread.
-class RadarView final : public View {
+class RadarView final : public PictureView {
   Q_OBJECT
  public:
   explicit RadarView(ViewContext& context, QWidget* parent = nullptr);
@@ -26,19 +25,18 @@ class RadarView final : public View {
 
   /// Shows the readings and drawings at the shown instant.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
+
+ protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
 
  private:
-  void createActions();
   void createViews();
-  /// Choice of the robot and buttons.
-  QWidget* createToolRow();
   /// Time, nearest echoes, position of the cursor, and range.
   QWidget* createFooter();
   void connectSignals();
   /// The drawings in the robot's frame.
-  std::vector<WorldDrawing> drawings(const std::string& robot) const;
+  std::vector<WorldDrawing> drawingsOf(const std::string& robot) const;
   /// Heading of the robot on the map (rad): by its pose estimate if there is one, else the odometry's.
   double mapHeading(const std::string& robot, double odometry) const;
   /// Why nothing is shown and what to do; empty if there are readings (`told`).
@@ -48,12 +46,10 @@ class RadarView final : public View {
 
   /// Requests that the packages shown here are published.
   PackageSubscription subscription_;
-  DrawingsModel* drawings_ = nullptr;
   RadarCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *nearest_ = nullptr, *cursor_ = nullptr, *range_ = nullptr;
-  QAction *northUp_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr, *showDrawings_ = nullptr;
-  QAction *copy_ = nullptr, *save_ = nullptr;
+  QAction* northUp_ = nullptr;
 };
 
 }  // namespace widgets

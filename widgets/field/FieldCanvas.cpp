@@ -15,6 +15,7 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/field/MapPainter.h"
+#include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
 namespace {
@@ -128,11 +129,7 @@ QRectF FieldCanvas::extent() const {
 }
 
 QImage FieldCanvas::rendered() const {
-  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  QPainter painter(&image);
-  paintContents(painter, devicePixelRatioF());
-  return image;
+  return paintedPicture(*this, [this](QPainter& painter) { paintContents(painter, devicePixelRatioF()); });
 }
 
 void FieldCanvas::paintGround(QPainter& painter, const QTransform& toWidget, double ratio) const {

@@ -5,8 +5,6 @@
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
-#include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -19,10 +17,7 @@
 #include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/SplitterState.h"
-#include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
 #include "widgets/field/PlaceNotice.h"
@@ -43,9 +38,8 @@ constexpr char kBall[] = "ball";
 
 }  // namespace
 
-FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, parent) {
-  setObjectName(QStringLiteral("fieldView"));
-  drawings_ = new DrawingsModel({QStringLiteral("field"), QStringLiteral("robot")}, this);
+FieldView::FieldView(ViewContext& context, QWidget* parent)
+    : PictureView(context, "field", "field.png", parent) {
   createActions();
   canvas_ = new FieldCanvas(context.field, this);
   goals_ = new GoalTool(*this, *canvas_, session());
@@ -59,13 +53,7 @@ FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, pare
 FieldView::~FieldView() = default;
 
 void FieldView::createActions() {
-  fit_ = makeAction(
-      this, "fit",
-      {"fieldFit", tr("Fit"), tr("Shows all of the field or map, as large as it fits"), Qt::Key_F});
-  zoomIn_ =
-      makeAction(this, "zoom-in", {"fieldZoomIn", tr("Zoom in"), tr("Enlarges the field"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out",
-                        {"fieldZoomOut", tr("Zoom out"), tr("Makes the field smaller"), Qt::Key_Minus});
+  fit_ = makeFit(tr("Shows all of the field or map, as large as it fits"));
   turn_ =
       makeAction(this, "rotate", {"fieldTurn", tr("Turn"), tr("Turns the field by 90 degrees"), Qt::Key_R});
   move_ = makeAction(this, "grab",
@@ -77,47 +65,24 @@ void FieldView::createActions() {
       this, "trail",
       {"fieldTrails", tr("Trails"),
        tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
-  showDrawings_ = makeAction(this, "layers",
-                             {"fieldDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
-  for (QAction* action : {move_, showTrails_, showDrawings_}) action->setCheckable(true);
+  for (QAction* action : {move_, showTrails_}) action->setCheckable(true);
   move_->setChecked(true);
-  copy_ = makeAction(this, "copy",
-                     {"fieldCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
-  save_ = makeAction(this, "save",
-                     {"fieldSave", tr("Save picture..."), tr("Saves this picture as PNG"),
-                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void FieldView::createViews() {
-  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  canvas_->addActions({copy_, save_});
-  auto* panel = new DrawingsPanel(*drawings_, this);
-  panel->hide();
-  splitter_ = new QSplitter(this);
-  splitter_->setObjectName(QStringLiteral("fieldSplitter"));
-  splitter_->addWidget(canvas_);
-  splitter_->addWidget(panel);
-  splitter_->setStretchFactor(0, 1);
-  splitter_->setCollapsible(0, false);
-  splitter_->setSizes({420, 180});
-  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createToolRow());
-  layout->addWidget(splitter_, 1);
-  layout->addWidget(createFooter());
+  addToContextMenu(canvas_);
+  const Side side = makeDrawings({QStringLiteral("field"), QStringLiteral("robot")});
+  assemble({createToolRow(side.toggle)}, canvas_, side, {createFooter()});
 }
 
-QWidget* FieldView::createToolRow() {
+QWidget* FieldView::createToolRow(QAction* showDrawings) {
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("fieldRobot", row->parentWidget());
   robots_->setToolTip(tr("Whose drawings and estimated poses are shown"));
   row->addWidget(robots_);
   row->addStretch(1);
-  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_,
-                   showDrawings_});
+  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut(), zoomIn(),
+                   showDrawings});
   return row->parentWidget();
 }
 
@@ -137,12 +102,10 @@ void FieldView::connectSignals() {
     fitted.quarterTurns = canvas_->viewport().quarterTurns;
     canvas_->setViewport(fitted);
   });
-  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
   connect(turn_, &QAction::triggered, this, &FieldView::turn);
   connect(move_, &QAction::toggled, this, &FieldView::tick);
   connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
-  connect(drawings_, &DrawingsModel::shownChanged, this, &FieldView::tick);
+  connect(drawings(), &DrawingsModel::shownChanged, this, &FieldView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, &FieldView::tick);
   connect(canvas_, &FieldCanvas::robotClicked, this, [this](const QString& robot) {
     session().selectRobot(robot.toStdString());
@@ -152,9 +115,6 @@ void FieldView::connectSignals() {
   connect(canvas_, &FieldCanvas::cursorMoved, this, [this](double x, double y, bool inside) {
     cursor_->setText(inside ? tr("x %1 m  y %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3) : QString());
   });
-  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
-  connect(save_, &QAction::triggered, this,
-          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("field.png")); });
 }
 
 void FieldView::connectDrag() {
@@ -179,7 +139,7 @@ void FieldView::connectDrag() {
 void FieldView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
-  drawings_->refresh(session(), session().selectedRobot());
+  drawings()->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
   updateGround();
   const std::vector<RobotBelief> shownRobots = beliefs();
@@ -187,8 +147,8 @@ void FieldView::tick() {
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(scene_.models(), move_->isChecked());
-  auto drawings =
-      worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown);
+  auto drawings = worldDrawings(session(), scene_, shownRobots, robots_->robots(session()),
+                                this->drawings()->shown(), shown);
   showAge(shownRobots, std::ranges::any_of(drawings, &WorldDrawing::old));
   canvas_->setContents(figures(shownRobots), std::move(drawings));
   drag_.tick(session());
@@ -311,7 +271,7 @@ void FieldView::showAge(const std::vector<RobotBelief>& beliefs, bool faded) {
 
 void FieldView::updateStatus() {
   const auto& timeline = session().timeline();
-  const QString time = tr("%1 s").arg(robotlink::seconds(timeline.sinceOrigin(timeline.shown())), 0, 'f', 3);
+  const QString time = timeText(timeline.shown());
   time_->setText(timeline.live() ? time : tr("%1  history").arg(time));
   const QTransform transform = canvas_->transform();
   zoom_->setText(tr("%1 px/m").arg(qRound(std::hypot(transform.m11(), transform.m12()))));
@@ -323,17 +283,10 @@ void FieldView::turn() {
   canvas_->setViewport(viewport);
 }
 
-bool FieldView::savePicture(const QString& file) {
-  return widgets::savePicture(this, canvas_->rendered(), file);
-}
-
-QJsonObject FieldView::saveState() const {
+QJsonObject FieldView::saveContent() const {
   const FieldViewport& viewport = canvas_->viewport();
   return {{QStringLiteral("robot"), robots_->choice()},
           {QStringLiteral("send"), goals_->send()->isChecked()},
-          {QStringLiteral("drawings"), drawings_->saveState()},
-          {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("move"), move_->isChecked()},
           {QStringLiteral("trails"), showTrails_->isChecked()},
           {QStringLiteral("fit"), viewport.fit},
@@ -342,10 +295,7 @@ QJsonObject FieldView::saveState() const {
           {QStringLiteral("quarterTurns"), viewport.quarterTurns}};
 }
 
-void FieldView::restoreState(const QJsonObject& state) {
-  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
-  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+void FieldView::restoreContent(const QJsonObject& state) {
   move_->setChecked(state[QStringLiteral("move")].toBool(true));
   showTrails_->setChecked(state[QStringLiteral("trails")].toBool());
   goals_->send()->setChecked(state[QStringLiteral("send")].toBool());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/PackageSubscription.h"
-#include "widgets/View.h"
+#include "widgets/picture/PictureView.h"
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
 #include "widgets/world/SceneState.h"
@@ -10,11 +10,9 @@
 
 class QAction;
 class QLabel;
-class QSplitter;
 
 namespace widgets {
 
-class DrawingsModel;
 class FieldCanvas;
 class GoalTool;
 class RobotChoice;
@@ -25,7 +23,7 @@ struct FieldFigures;
 /// mouse, robots on wheels sent to goals. Follows the session's timeline.
 ///
 /// Registered as "field". GUI thread.
-class FieldView final : public View {
+class FieldView final : public PictureView {
   Q_OBJECT
  public:
   explicit FieldView(ViewContext& context, QWidget* parent = nullptr);
@@ -33,18 +31,17 @@ class FieldView final : public View {
 
   /// Shows the state of the world at the shown instant.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
-  /// Writes what is shown as PNG. False, with a message box, if that fails.
-  bool savePicture(const QString& file);
+ protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
 
  private:
-  /// Zoom, rotation, trails, drawings, placing, copy and save.
+  /// Fit, rotation, trails and placing.
   void createActions();
   void createViews();
-  /// Choice of the robots, and buttons.
-  QWidget* createToolRow();
+  /// Choice of the robots, and buttons; `showDrawings` is the last.
+  QWidget* createToolRow(QAction* showDrawings);
   /// Time, position of the cursor, and zoom.
   QWidget* createFooter();
   void connectSignals();
@@ -77,7 +74,6 @@ class FieldView final : public View {
   Trails trails_;
   /// The model that is being dragged.
   ModelDrag drag_;
-  DrawingsModel* drawings_ = nullptr;
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
   /// The last title that was emitted.
@@ -87,11 +83,8 @@ class FieldView final : public View {
   /// Requests that the packages shown here are published.
   PackageSubscription subscription_;
   RobotChoice* robots_ = nullptr;
-  QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;
-  QAction *fit_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr, *turn_ = nullptr;
-  QAction *move_ = nullptr, *showTrails_ = nullptr, *showDrawings_ = nullptr;
-  QAction *copy_ = nullptr, *save_ = nullptr;
+  QAction *fit_ = nullptr, *turn_ = nullptr, *move_ = nullptr, *showTrails_ = nullptr;
 };
 
 }  // namespace widgets

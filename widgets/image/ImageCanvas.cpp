@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "widgets/Theme.h"
+#include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
 
 ImageCanvas::ImageCanvas(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("imageCanvas"));
   setAccessibleName(tr("Image"));
-  setToolTip(tr("Wheel: zoom; drag: move; arrows: move; F: fit; 1: pixel by pixel"));
+  setToolTip(tr("Wheel: zoom; drag: move; arrows: move; F: fit; A: pixel by pixel"));
   setToolTipDuration(4000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -58,12 +59,8 @@ double ImageCanvas::zoom() const {
 }
 
 QImage ImageCanvas::rendered() const {
-  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  image.fill(Qt::black);
-  QPainter painter(&image);
-  paintPicture(painter, size(), picture_, viewport_);
-  return image;
+  return paintedPicture(*this,
+                        [this](QPainter& painter) { paintPicture(painter, size(), picture_, viewport_); });
 }
 
 void ImageCanvas::paintBackground(QPainter& painter) const {

@@ -2,12 +2,9 @@
 #include "widgets/image/ImageView.h"
 
 #include <QAction>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
-#include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +12,12 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/SplitterState.h"
-#include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamSelector.h"
+#include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
 namespace {
@@ -36,9 +31,8 @@ constexpr char kDefaultChoice[] = "*/camera/image";
 
 }  // namespace
 
-ImageView::ImageView(ViewContext& context, QWidget* parent) : View(context, parent) {
-  setObjectName(QStringLiteral("imageView"));
-  drawings_ = new DrawingsModel({QStringLiteral("image")}, this);
+ImageView::ImageView(ViewContext& context, QWidget* parent)
+    : PictureView(context, "image", "picture.png", parent) {
   createActions();
   createViews();
   connectSignals();
@@ -48,29 +42,13 @@ ImageView::ImageView(ViewContext& context, QWidget* parent) : View(context, pare
 ImageView::~ImageView() = default;
 
 void ImageView::createActions() {
-  fit_ = makeAction(this, "fit",
-                    {"imageFit", tr("Fit"), tr("Shows the whole image, as large as it fits"), Qt::Key_F});
+  fit_ = makeFit(tr("Shows the whole image, as large as it fits"));
   oneToOne_ = makeAction(this, "one-to-one",
                          {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_A});
-  zoomIn_ =
-      makeAction(this, "zoom-in", {"imageZoomIn", tr("Zoom in"), tr("Enlarges the image"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out",
-                        {"imageZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
-  freeze_ = makeAction(
-      this, "lock",
-      {"imageFreeze", tr("Freeze"), tr("Freezes this image while the robot continues"), Qt::Key_H});
-  showDrawings_ = makeAction(this, "layers",
-                             {"imageDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
-  freeze_->setCheckable(true);
-  showDrawings_->setCheckable(true);
-  copy_ = makeAction(this, "copy",
-                     {"imageCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
+  freeze_ = makeFreeze();
   copyImage_ = makeAction(
       this, "copy",
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
-  save_ = makeAction(this, "save",
-                     {"imageSave", tr("Save picture..."), tr("Saves this picture as PNG"),
-                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   saveImage_ = makeAction(this, "save",
                           {"imageSaveImage", tr("Save image only..."),
                            tr("Saves the image in its own size, without drawings, as PNG")});
@@ -78,52 +56,27 @@ void ImageView::createActions() {
 
 void ImageView::createViews() {
   canvas_ = new ImageCanvas(this);
-  auto* panel = new DrawingsPanel(*drawings_, this);
-  panel->hide();
-  splitter_ = new QSplitter(this);
-  splitter_->setObjectName(QStringLiteral("imageSplitter"));
-  splitter_->addWidget(canvas_);
-  splitter_->addWidget(panel);
-  splitter_->setStretchFactor(0, 1);
-  splitter_->setCollapsible(0, false);
-  splitter_->setSizes({400, 180});
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createToolRow());
-  layout->addWidget(splitter_, 1);
-  layout->addWidget(createFooter());
-  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
-}
-
-QWidget* ImageView::createToolRow() {
+  const Side side = makeDrawings({QStringLiteral("image")});
   QHBoxLayout* row = makeToolRow(this);
   streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
-  addButtons(row, {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_});
-  return row->parentWidget();
+  addButtons(row, {fit_, oneToOne_, zoomOut(), zoomIn(), freeze_, side.toggle});
+  assemble({row->parentWidget()}, canvas_, side, {createFooter()});
 }
 
 QWidget* ImageView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "imageTime", tr("Time of the image"));
   state_ = addLabel(footer, "imageState", tr("Whether the image is live, frozen or old"));
-  pixel_ = addLabel(footer, "imagePixel", tr("Pixel under the cursor"));
+  pixel_ = addFiguresLabel(footer, "imagePixel", tr("Pixel under the cursor"));
   zoom_ = addLabel(footer, "imageZoom", tr("Zoom"));
-  footer->setStretchFactor(pixel_, 1);
-  pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  pixel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  pixel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   return footer->parentWidget();
 }
 
 void ImageView::connectSignals() {
   connect(fit_, &QAction::triggered, this, [this] { canvas_->setViewport({}); });
   connect(oneToOne_, &QAction::triggered, this, [this] { canvas_->zoomBy(1 / canvas_->zoom()); });
-  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
   connect(freeze_, &QAction::toggled, this, [this](bool frozen) {
     frozenAt_ = frozen ? std::optional(session().timeline().shown()) : std::nullopt;
     tick();
@@ -132,23 +85,19 @@ void ImageView::connectSignals() {
     freeze_->setChecked(false);
     tick();
   });
-  connect(drawings_, &DrawingsModel::shownChanged, this, &ImageView::showMessage);
+  connect(drawings(), &DrawingsModel::shownChanged, this, &ImageView::showMessage);
   connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageView::updateStatus);
   connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageView::updatePixel);
-  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
   connect(copyImage_, &QAction::triggered, this, [this] { copyPicture(canvas_->picture().pixels); });
-  connect(save_, &QAction::triggered, this,
-          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("picture.png")); });
   connect(saveImage_, &QAction::triggered, this,
           [this] { savePictureAs(this, canvas_->picture().pixels, QStringLiteral("image.png")); });
-  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  canvas_->addActions({copy_, copyImage_, save_, saveImage_});
+  addToContextMenu(canvas_, {copyImage_, saveImage_});
 }
 
 void ImageView::tick() {
   const bool listed = streams_->refresh(session());
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
-  drawings_->refresh(session(), robot());
+  drawings()->refresh(session(), robot());
   const auto* message = session().store().latest(streams_->path(session()), instant());
   // A frozen image stays, even if the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {
@@ -169,7 +118,7 @@ robotlink::Instant ImageView::instant() const {
 
 void ImageView::showMessage() {
   auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message_);
-  auto drawings = image ? currentDrawings(session(), robot(), drawings_->shown(), instant())
+  auto drawings = image ? currentDrawings(session(), robot(), this->drawings()->shown(), instant())
                         : std::vector<CurrentDrawing>();
   for (CurrentDrawing& drawing : drawings) drawing.old = drawing.old || drawing.time < imageTime_;
   const bool same = image == image_ && drawings == shownDrawings_;
@@ -192,9 +141,7 @@ void ImageView::showMessage() {
 
 void ImageView::updateStatus() {
   canvas_->setFrozen(frozenAt_.has_value());
-  time_->setText(
-      image_ ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(imageTime_)), 0, 'f', 3)
-             : tr("no image yet"));
+  time_->setText(image_ ? timeText(imageTime_) : tr("no image yet"));
   const bool faded = image_ && std::ranges::any_of(shownDrawings_, &CurrentDrawing::old);
   QStringList state{image_ ? staleText() : QString(),
                     faded ? tr("faded: drawn in earlier images") : QString()};
@@ -224,25 +171,15 @@ std::vector<std::string> ImageView::classes() const {
                 : std::vector<std::string>();
 }
 
-bool ImageView::savePicture(const QString& file, bool withDrawings) {
-  return widgets::savePicture(this, withDrawings ? canvas_->rendered() : canvas_->picture().pixels, file);
-}
-
-QJsonObject ImageView::saveState() const {
+QJsonObject ImageView::saveContent() const {
   const ImageViewport& viewport = canvas_->viewport();
   return {{QStringLiteral("stream"), streams_->choice()},
-          {QStringLiteral("drawings"), drawings_->saveState()},
-          {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("fit"), viewport.fit},
           {QStringLiteral("zoom"), viewport.zoom},
           {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}}};
 }
 
-void ImageView::restoreState(const QJsonObject& state) {
-  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
-  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+void ImageView::restoreContent(const QJsonObject& state) {
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),
                         std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,

@@ -7,8 +7,8 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/process/Link.h"
-#include "widgets/View.h"
 #include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/picture/PictureView.h"
 
 class QAction;
 class QLabel;
@@ -20,7 +20,6 @@ class RawImage;
 
 namespace widgets {
 
-class DrawingsModel;
 class ImageCanvas;
 class StreamSelector;
 
@@ -29,7 +28,7 @@ class StreamSelector;
 ///
 /// The stream is chosen by its path; "*/camera/image" stands for that of the session's selected robot.
 /// Registered as "image". GUI thread.
-class ImageView final : public View {
+class ImageView final : public PictureView {
   Q_OBJECT
  public:
   explicit ImageView(ViewContext& context, QWidget* parent = nullptr);
@@ -37,19 +36,15 @@ class ImageView final : public View {
 
   /// Shows the newest image not later than the shown instant, and its drawings.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
-  /// Writes what is shown, or without drawings the pixels of the image in their own size, as PNG. False, with
-  /// a message box, if that fails.
-  bool savePicture(const QString& file, bool withDrawings);
+ protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
 
  private:
-  /// Zoom, freeze, drawings, copy and save.
+  /// Fit, freeze, and copying and saving without drawings.
   void createActions();
   void createViews();
-  /// Choice of the stream, and buttons.
-  QWidget* createToolRow();
   /// Time, pixel, state and zoom.
   QWidget* createFooter();
   void connectSignals();
@@ -69,14 +64,11 @@ class ImageView final : public View {
   /// Names of the classes that the image consists of; empty: it consists of colors.
   std::vector<std::string> classes() const;
 
-  DrawingsModel* drawings_ = nullptr;
   ImageCanvas* canvas_ = nullptr;
   StreamSelector* streams_ = nullptr;
-  QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *pixel_ = nullptr, *state_ = nullptr, *zoom_ = nullptr;
-  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
-  QAction *freeze_ = nullptr, *showDrawings_ = nullptr;
-  QAction *copy_ = nullptr, *copyImage_ = nullptr, *save_ = nullptr, *saveImage_ = nullptr;
+  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *freeze_ = nullptr;
+  QAction *copyImage_ = nullptr, *saveImage_ = nullptr;
 
   /// The message that is shown, and the same as an image.
   robotlink::PackagePtr message_;

@@ -6,10 +6,7 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QMenu>
-#include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -21,10 +18,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/SplitterState.h"
-#include "widgets/ViewPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/scene/SceneCanvas.h"
 #include "widgets/world/ShownMap.h"
@@ -42,9 +36,8 @@ constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wh
 
 }  // namespace
 
-SceneView::SceneView(ViewContext& context, QWidget* parent) : View(context, parent) {
-  setObjectName(QStringLiteral("sceneView"));
-  drawings_ = new DrawingsModel({QStringLiteral("field"), QStringLiteral("robot")}, this);
+SceneView::SceneView(ViewContext& context, QWidget* parent)
+    : PictureView(context, "scene", "scene.png", parent) {
   createActions();
   createCameraActions();
   createViews();
@@ -72,15 +65,8 @@ void SceneView::createActions() {
                       tr("Dragging a robot or the ball places it; otherwise only with Control. The wheel "
                          "turns what is dragged"),
                       Qt::Key_M});
-  showDrawings_ = makeAction(this, "layers",
-                             {"sceneDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
-  for (QAction* action : {wireFrame_, grid_, labels_, move_, showDrawings_}) action->setCheckable(true);
+  for (QAction* action : {wireFrame_, grid_, labels_, move_}) action->setCheckable(true);
   for (QAction* action : {grid_, labels_, move_}) action->setChecked(true);
-  copy_ = makeAction(this, "copy",
-                     {"sceneCopy", tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
-  save_ = makeAction(this, "save",
-                     {"sceneSave", tr("Save picture..."), tr("Saves this picture as PNG"),
-                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void SceneView::createCameraActions() {
@@ -98,43 +84,24 @@ void SceneView::createCameraActions() {
   for (QAction* action : {behind_, follow_}) action->setCheckable(true);
   follow_->setChecked(true);
   ride_.setMode(CameraRide::Mode::kBeside);
-  zoomIn_ = makeAction(this, "zoom-in", {"sceneZoomIn", tr("Zoom in"), tr("Moves closer"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out", {"sceneZoomOut", tr("Zoom out"), tr("Moves away"), Qt::Key_Minus});
 }
 
 void SceneView::createViews() {
   canvas_ = new SceneCanvas(SceneRenderer::create, this);
   canvas_->setContextMenuPolicy(Qt::PreventContextMenu);
-  auto* panel = new DrawingsPanel(*drawings_, this);
-  panel->hide();
-  splitter_ = new QSplitter(this);
-  splitter_->setObjectName(QStringLiteral("sceneSplitter"));
-  splitter_->addWidget(canvas_);
-  splitter_->addWidget(panel);
-  splitter_->setStretchFactor(0, 1);
-  splitter_->setCollapsible(0, false);
-  splitter_->setSizes({600, 180});
-  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createToolRow());
-  layout->addWidget(splitter_, 1);
+  const Side side = makeDrawings({QStringLiteral("field"), QStringLiteral("robot")});
+  assemble({createToolRow(side.toggle)}, canvas_, side, {});
 }
 
-QWidget* SceneView::createToolRow() {
+QWidget* SceneView::createToolRow(QAction* showDrawings) {
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("sceneRobot", row->parentWidget());
   robots_->setToolTip(tr("Whose drawings are shown, and which robot the camera follows"));
   row->addWidget(robots_);
   row->addSpacing(6);
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
-  state_ = addLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
-  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  row->setStretchFactor(state_, 1);
-  addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut_, zoomIn_, showDrawings_});
+  state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
+  addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
@@ -143,7 +110,7 @@ void SceneView::connectSignals() {
   connect(grid_, &QAction::toggled, canvas_, &SceneCanvas::setGrid);
   connect(labels_, &QAction::toggled, canvas_, &SceneCanvas::setLabels);
   connect(move_, &QAction::toggled, this, &SceneView::tick);
-  connect(drawings_, &DrawingsModel::shownChanged, this, &SceneView::tick);
+  connect(drawings(), &DrawingsModel::shownChanged, this, &SceneView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, [this] {
     ride_.forget();
     tick();
@@ -153,9 +120,6 @@ void SceneView::connectSignals() {
     if (std::ranges::find(robots, model.toStdString()) != robots.end())
       session().selectRobot(model.toStdString());
   });
-  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
-  connect(save_, &QAction::triggered, this,
-          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("scene.png")); });
   connect(canvas_, &QWidget::customContextMenuRequested, this, &SceneView::showContextMenu);
 }
 
@@ -177,8 +141,6 @@ void SceneView::connectCamera() {
     if (on) behind_->setChecked(false);
     ride();
   });
-  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
 }
 
 void SceneView::connectDrag() {
@@ -198,7 +160,7 @@ void SceneView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
   followMap();
-  drawings_->refresh(session(), session().selectedRobot());
+  drawings()->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
   beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
   drag_.tick(session());
@@ -217,7 +179,7 @@ SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   SceneContents contents;
   contents.bodies = assembly_.bodies(scene_);
   const auto drawings = worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
-                                      drawings_->shown(), session().timeline().shown());
+                                      this->drawings()->shown(), session().timeline().shown());
   contents.drawings = assembly_.drawings(drawings);
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
@@ -316,19 +278,12 @@ void SceneView::showContextMenu(const QPoint& at) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addActions({reset_, fromAbove_, behind_, follow_});
   menu->addSeparator();
-  menu->addActions({copy_, save_});
+  menu->addActions({copyAction(), saveAction()});
   menu->popup(canvas_->mapToGlobal(at));
 }
 
-bool SceneView::savePicture(const QString& file) {
-  return widgets::savePicture(this, canvas_->rendered(), file);
-}
-
-QJsonObject SceneView::saveState() const {
+QJsonObject SceneView::saveContent() const {
   return {{QStringLiteral("robot"), robots_->choice()},
-          {QStringLiteral("drawings"), drawings_->saveState()},
-          {QStringLiteral("panel"), showDrawings_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)},
           {QStringLiteral("overview"), canvas_->overview()},
           {QStringLiteral("camera"), stateOf(canvas_->camera())},
           {QStringLiteral("follow"), follow_->isChecked()},
@@ -339,10 +294,7 @@ QJsonObject SceneView::saveState() const {
           {QStringLiteral("move"), move_->isChecked()}};
 }
 
-void SceneView::restoreState(const QJsonObject& state) {
-  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
-  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+void SceneView::restoreContent(const QJsonObject& state) {
   wireFrame_->setChecked(state[QStringLiteral("wireFrame")].toBool());
   grid_->setChecked(state[QStringLiteral("grid")].toBool(true));
   labels_->setChecked(state[QStringLiteral("labels")].toBool(true));

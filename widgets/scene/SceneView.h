@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/View.h"
+#include "widgets/picture/PictureView.h"
 #include "widgets/scene/CameraRide.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneCamera.h"
@@ -14,7 +14,6 @@
 
 class QAction;
 class QLabel;
-class QSplitter;
 
 namespace robotcontrol {
 class GroundMap;
@@ -22,7 +21,6 @@ class GroundMap;
 
 namespace widgets {
 
-class DrawingsModel;
 class RobotChoice;
 class SceneCanvas;
 struct SceneCamera;
@@ -31,7 +29,7 @@ struct SceneCamera;
 /// robot; robots and ball of a simulation can be placed with the mouse. Follows the session's timeline.
 ///
 /// Registered as "scene". GUI thread.
-class SceneView final : public View {
+class SceneView final : public PictureView {
   Q_OBJECT
  public:
   explicit SceneView(ViewContext& context, QWidget* parent = nullptr);
@@ -39,18 +37,18 @@ class SceneView final : public View {
 
   /// Shows the world at the shown instant and moves the camera along with a robot.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
-  /// Writes what is shown as PNG. False, with a message box, if that fails.
-  bool savePicture(const QString& file);
+ protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
 
  private:
   void createActions();
-  /// Actions for the camera: reset, from above, behind, follow, zoom.
+  /// Actions for the camera: reset, from above, behind, follow.
   void createCameraActions();
   void createViews();
-  QWidget* createToolRow();
+  /// `showDrawings` is its last button.
+  QWidget* createToolRow(QAction* showDrawings);
   void connectSignals();
   void connectCamera();
   /// Connects dragging of models with ModelDrag.
@@ -86,16 +84,11 @@ class SceneView final : public View {
   /// The robots in the last tick.
   std::vector<RobotBelief> beliefs_;
   CameraRide ride_;
-  DrawingsModel* drawings_ = nullptr;
   SceneCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
   QLabel* state_ = nullptr;
-  QSplitter* splitter_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
-  QAction *zoomIn_ = nullptr, *zoomOut_ = nullptr;
-  QAction *wireFrame_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr,
-          *showDrawings_ = nullptr;
-  QAction *copy_ = nullptr, *save_ = nullptr;
+  QAction *wireFrame_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr;
 };
 
 }  // namespace widgets

@@ -8,6 +8,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/image/ImagePainter.h"
+#include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
 namespace {
@@ -163,12 +164,7 @@ void ColorCanvas::paintEvent(QPaintEvent*) {
 }
 
 QImage ColorCanvas::rendered() const {
-  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  image.fill(Qt::black);
-  QPainter painter(&image);
-  paintLayers(painter, size());
-  return image;
+  return paintedPicture(*this, [this](QPainter& painter) { paintLayers(painter, size()); });
 }
 
 void ColorCanvas::reportCursor() {

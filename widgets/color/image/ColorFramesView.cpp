@@ -33,6 +33,7 @@ const ViewRegistration kColorFramesViewRegistration{
 
 constexpr QSize kThumbnail(72, 54);
 constexpr int kProgressSteps = 1000;
+constexpr int kMaxChoices = 256;  // there are no more classes
 
 void setTextColor(QWidget& widget, Meaning meaning, const QPalette& palette) {
   QPalette colors = palette;
@@ -242,7 +243,7 @@ QJsonObject ColorFramesView::saveState() const {
 void ColorFramesView::restoreState(const QJsonObject& state) {
   QStringList choices;
   for (const QJsonValue& choice : state[QStringLiteral("classes")].toArray()) choices << choice.toString();
-  finder_.setChoices(choices);
+  finder_.setChoices(choices.mid(0, kMaxChoices));
   restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 

@@ -115,6 +115,8 @@ void ColorImageView::openMenu(bool segmented, const QPoint& pixel, const QPoint&
   if (segmented && colors != nullptr && colors->classes && colors->frame == frame)
     addClassChoices(*menu->addMenu(tr("The whole spot is")),
                     colortool::spotArea(colors->classes->view(), pixel.x(), pixel.y()), "spot", false);
+  menu->addSeparator();
+  menu->addActions({copyAction(), saveAction()});
   menu->popup(global);
 }
 

@@ -4,18 +4,14 @@
 #include <QAction>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSplitter>
-#include <QVBoxLayout>
 #include <cmath>
 
 #include "colortool/table/ColorTable.h"
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
@@ -43,7 +39,7 @@ constexpr int kLowView = 480;
 }  // namespace
 
 ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
-    : View(context, parent), bench_(colorBench(context)) {
+    : PictureView(context, "color", "picture.png", parent), bench_(colorBench(context)) {
   setObjectName(QStringLiteral("colorImageView"));
   createActions();
   createViews();
@@ -63,17 +59,10 @@ ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
 ColorImageView::~ColorImageView() = default;
 
 void ColorImageView::createActions() {
-  fit_ = makeAction(this, "fit",
-                    {"colorFit", tr("Fit"), tr("Shows the whole image, as large as it fits"), Qt::Key_F});
+  fit_ = makeFit(tr("Shows the whole image, as large as it fits"));
   oneToOne_ =
       makeAction(this, "one-to-one", {"colorOneToOne", tr("1:1"), tr("Shows the image pixel by pixel")});
-  zoomIn_ =
-      makeAction(this, "zoom-in", {"colorZoomIn", tr("Zoom in"), tr("Enlarges the image"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out",
-                        {"colorZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
-  freeze_ = makeAction(
-      this, "lock",
-      {"colorFreeze", tr("Freeze"), tr("Freezes this image while the robot continues"), Qt::Key_H});
+  freeze_ = makeFreeze();
   collect_ = makeAction(
       this, "add",
       {"colorCollect", tr("Collect"), tr("Collects this image in the strip, to come back to it"), Qt::Key_C});
@@ -92,8 +81,7 @@ void ColorImageView::createActions() {
       makeAction(this, "auto-send",
                  {"colorAutoSend", tr("Send always"), tr("Sends each new table to the robot at once")});
   createPictureActions();
-  for (QAction* action : {freeze_, twoPictures_, showStrokes_, showStrip_, autoSend_})
-    action->setCheckable(true);
+  for (QAction* action : {twoPictures_, showStrokes_, showStrip_, autoSend_}) action->setCheckable(true);
   for (QAction* action : {twoPictures_, showStrokes_, showStrip_}) action->setChecked(true);
 }
 
@@ -132,25 +120,11 @@ void ColorImageView::resizeEvent(QResizeEvent* event) {
 void ColorImageView::createViews() {
   left_ = new ColorCanvas(QStringLiteral("colorLeft"), this);
   right_ = new ColorCanvas(QStringLiteral("colorRight"), this);
-  splitter_ = new QSplitter(this);
-  splitter_->setObjectName(QStringLiteral("colorSplitter"));
-  splitter_->setChildrenCollapsible(false);
-  splitter_->addWidget(left_);
-  splitter_->addWidget(right_);
-  splitter_->setSizes({400, 400});
   strip_ = new ColorStrip(bench_, this);
   toolRow_ = new ColorToolRow(bench_, this);
   effect_ = new ColorEffectRow(bench_, this);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createStreamRow());
-  layout->addWidget(toolRow_);
-  layout->addWidget(effect_);
-  layout->addWidget(splitter_, 1);
-  layout->addWidget(strip_);
-  layout->addWidget(createFooter());
+  assemble({createStreamRow(), toolRow_, effect_}, left_, {right_}, {strip_, createFooter()});
 }
 
 QWidget* ColorImageView::createStreamRow() {
@@ -159,8 +133,8 @@ QWidget* ColorImageView::createStreamRow() {
   describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
   addButtons(row, {openPictures_, openFolder_});
-  addButtons(row,
-             {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, showStrip_, twoPictures_});
+  addButtons(
+      row, {freeze_, collect_, fit_, oneToOne_, zoomOut(), zoomIn(), showStrokes_, showStrip_, twoPictures_});
   rightLayer_ = new QComboBox(row->parentWidget());
   describe(*rightLayer_, {"colorRightLayer", tr("Right picture"), tr("What the right picture shows")});
   rightLayer_->addItems({tr("Classes"), tr("Classes by the reference"), tr("Difference"), tr("Ambiguity")});
@@ -173,13 +147,9 @@ QWidget* ColorImageView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "colorTime", tr("Time of the image"));
   state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
-  pixel_ = addLabel(footer, "colorPixel",
-                    tr("Pixel under the cursor: position, color, class, how sure it is, cell"));
+  pixel_ = addFiguresLabel(footer, "colorPixel",
+                           tr("Pixel under the cursor: position, color, class, how sure it is, cell"));
   zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
-  footer->setStretchFactor(pixel_, 1);
-  pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  pixel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  pixel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   return footer->parentWidget();
 }
 
@@ -191,8 +161,6 @@ void ColorImageView::connectSignals() {
     updateStatus();
   });
   connect(oneToOne_, &QAction::triggered, this, [this] { left_->zoomBy(1 / left_->zoom()); });
-  connect(zoomIn_, &QAction::triggered, this, [this] { left_->zoomBy(std::sqrt(2.0)); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { left_->zoomBy(std::sqrt(0.5)); });
   connect(freeze_, &QAction::toggled, this, [this](bool frozen) {
     pinned_ = frozen ? (pinned_ ? pinned_ : bench_.frame()) : nullptr;
     if (!frozen) strip_->showCurrent(nullptr);
@@ -217,7 +185,7 @@ void ColorImageView::connectSignals() {
   });
   connect(toolRow_, &ColorToolRow::toolChanged, this, &ColorImageView::applyTool);
   connect(toolRow_, &ColorToolRow::opacityChanged, this, &ColorImageView::applyLayers);
-  ColorSender& sender = bench_.sender();
+  ColorSender& sender = colorSender(bench_);
   connect(send_, &QAction::triggered, &sender, &ColorSender::send);
   connect(autoSend_, &QAction::toggled, &sender, &ColorSender::setAutoSend);
   connect(&sender, &ColorSender::changed, this, &ColorImageView::showSending);
@@ -259,7 +227,7 @@ void ColorImageView::tick() {
   if (streams_->refresh(session()))
     Q_EMIT titleChanged(tr("Color image: %1").arg(QString::fromStdString(streams_->path(session()))));
   if (!gesture_) bench_.setFrame(shownFrame());
-  bench_.sender().tick();
+  colorSender(bench_).tick();
   left_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
   updateStatus();
 }
@@ -366,7 +334,7 @@ void ColorImageView::applyLayers() {
 }
 
 void ColorImageView::showSending() {
-  const ColorSender& sender = bench_.sender();
+  const ColorSender& sender = colorSender(bench_);
   const bool good = sender.state() == ColorSender::State::kConfirmed;
   const bool bad = sender.state() == ColorSender::State::kFailed;
   QLabel* note = toolRow_->note();
@@ -381,9 +349,8 @@ void ColorImageView::showSending() {
 
 void ColorImageView::updateStatus() {
   const ColorFramePtr& frame = bench_.frame();
-  const auto since = [&] { return robotlink::seconds(session().timeline().sinceOrigin(frame->time())); };
   time_->setText(!frame                  ? tr("no image yet")
-                 : frame->file().empty() ? tr("%1 s").arg(since(), 0, 'f', 3)
+                 : frame->file().empty() ? timeText(frame->time())
                                          : frame->label());
   state_->setText(!frame                        ? QString()
                   : pinned_                     ? tr("frozen")
@@ -421,18 +388,16 @@ void ColorImageView::updatePixel() {
   pixel_->setText(text);
 }
 
-QJsonObject ColorImageView::saveState() const {
+QJsonObject ColorImageView::saveContent() const {
   return {{QStringLiteral("stream"), streams_->choice()},
           {QStringLiteral("tools"), toolRow_->saveState()},
           {QStringLiteral("two"), twoPictures_->isChecked()},
           {QStringLiteral("strokes"), showStrokes_->isChecked()},
           {QStringLiteral("strip"), showStrip_->isChecked()},
-          {QStringLiteral("right"), rightLayer_->currentIndex()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)}};
+          {QStringLiteral("right"), rightLayer_->currentIndex()}};
 }
 
-void ColorImageView::restoreState(const QJsonObject& state) {
-  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
+void ColorImageView::restoreContent(const QJsonObject& state) {
   toolRow_->restoreState(state[QStringLiteral("tools")].toObject());
   twoPictures_->setChecked(state[QStringLiteral("two")].toBool(true));
   showStrokes_->setChecked(state[QStringLiteral("strokes")].toBool(true));

@@ -5,15 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/View.h"
 #include "widgets/color/ColorFrame.h"
 #include "widgets/color/image/ColorCanvas.h"
+#include "widgets/picture/PictureView.h"
 
 class QAction;
 class QComboBox;
 class QLabel;
 class QMenu;
-class QSplitter;
 
 namespace widgets {
 
@@ -29,7 +28,7 @@ class StreamSelector;
 /// timeline, but not while a stroke is being drawn.
 ///
 /// Registered as "color-image". GUI thread.
-class ColorImageView final : public View {
+class ColorImageView final : public PictureView {
   Q_OBJECT
  public:
   explicit ColorImageView(ViewContext& context, QWidget* parent = nullptr);
@@ -37,10 +36,10 @@ class ColorImageView final : public View {
 
   /// Gives the bench the image of the timeline, unless a gesture is in progress, and updates the footer.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -108,11 +107,10 @@ class ColorImageView final : public View {
   ColorToolRow* toolRow_ = nullptr;
   ColorEffectRow* effect_ = nullptr;
   StreamSelector* streams_ = nullptr;
-  QSplitter* splitter_ = nullptr;
   QComboBox* rightLayer_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr;
-  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
-  QAction *freeze_ = nullptr, *collect_ = nullptr, *twoPictures_ = nullptr, *showStrokes_ = nullptr;
+  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *freeze_ = nullptr, *collect_ = nullptr,
+          *twoPictures_ = nullptr, *showStrokes_ = nullptr;
   QAction *showStrip_ = nullptr, *openPictures_ = nullptr, *openFolder_ = nullptr;
   QAction *cancel_ = nullptr, *send_ = nullptr, *autoSend_ = nullptr;
 

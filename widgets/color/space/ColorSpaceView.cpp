@@ -8,8 +8,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScrollArea>
-#include <QSplitter>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/Controls.h"
@@ -29,6 +27,8 @@ const ViewRegistration kColorSpaceViewRegistration{
      "color-space", true, create<ColorSpaceView>}};
 
 constexpr int kTicksBetweenImages = 3;  // images are followed at 10 Hz
+constexpr int kPanelWidth = 150;        // pixels
+constexpr int kMaxHidden = 256;         // there are no more classes
 
 QString rangeOf(int cell) {
   const int first = cell * static_cast<int>(colortool::ColorTable::kCellSize);
@@ -47,8 +47,7 @@ std::size_t pixelsIn(const ColorCloud& cloud, const colortool::CellSet& cells) {
 }  // namespace
 
 ColorSpaceView::ColorSpaceView(ViewContext& context, QWidget* parent)
-    : View(context, parent), bench_(colorBench(context)) {
-  setObjectName(QStringLiteral("colorSpaceView"));
+    : PictureView(context, "colorSpace", "color-space.png", parent), bench_(colorBench(context)) {
   createActions();
   createViews();
   connectSignals();
@@ -95,22 +94,8 @@ void ColorSpaceView::createViews() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(panel_);
-  scroll->setMinimumWidth(std::max(150, panel_->minimumSizeHint().width() + 18));
-  auto* splitter = new QSplitter(this);
-  splitter->setObjectName(QStringLiteral("colorSpaceSplitter"));
-  splitter->addWidget(canvas_);
-  splitter->addWidget(scroll);
-  splitter->setStretchFactor(0, 1);
-  splitter->setCollapsible(0, false);
-  splitter->setSizes({420, 150});
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(createToolRow());
-  layout->addWidget(splitter, 1);
-  layout->addWidget(createFooter());
-  connect(showPanel_, &QAction::toggled, scroll, &QWidget::setVisible);
+  scroll->setMinimumWidth(std::max(kPanelWidth, panel_->minimumSizeHint().width() + 18));
+  assemble({createToolRow()}, canvas_, {scroll, showPanel_, kPanelWidth}, {createFooter()});
 }
 
 QWidget* ColorSpaceView::createToolRow() {
@@ -286,7 +271,7 @@ void ColorSpaceView::select(const colortool::CellSet& cells, SelectionChange cha
   selection.empty() ? bench_.clearSelection() : bench_.select(selection);
 }
 
-QJsonObject ColorSpaceView::saveState() const {
+QJsonObject ColorSpaceView::saveContent() const {
   const ColorSpaceLook shown = look();
   QJsonArray hidden;
   for (const std::string& name : shown.hidden) hidden.append(QString::fromStdString(name));
@@ -300,11 +285,10 @@ QJsonObject ColorSpaceView::saveState() const {
           {QStringLiteral("cut"), static_cast<int>(shown.cut.along)},
           {QStringLiteral("cutAt"), shown.cut.at},
           {QStringLiteral("cutOther"), shown.cut.other},
-          {QStringLiteral("panel"), showPanel_->isChecked()},
           {QStringLiteral("camera"), stateOf(canvas_->camera())}};
 }
 
-void ColorSpaceView::restoreState(const QJsonObject& state) {
+void ColorSpaceView::restoreContent(const QJsonObject& state) {
   ColorSpaceLook wanted;
   space_->setCurrentIndex(std::max(0, space_->findText(state[QStringLiteral("space")].toString())));
   wanted.space = look().space;
@@ -312,8 +296,9 @@ void ColorSpaceView::restoreState(const QJsonObject& state) {
   if (surfaces >= 0 && surfaces <= static_cast<int>(SurfacesOf::kDifference))
     wanted.surfaces = static_cast<SurfacesOf>(surfaces);
   wanted.opacity = std::clamp(state[QStringLiteral("opacity")].toDouble(wanted.opacity), 0.0, 1.0);
-  for (const QJsonValue& name : state[QStringLiteral("hidden")].toArray())
-    wanted.hidden.push_back(name.toString().toStdString());
+  const QJsonArray hidden = state[QStringLiteral("hidden")].toArray();
+  for (int i = 0; i < std::min(hidden.size(), kMaxHidden); ++i)
+    wanted.hidden.push_back(hidden.at(i).toString().toStdString());
   const int along = state[QStringLiteral("cut")].toInt();
   if (along >= 0 && along <= static_cast<int>(ColorSpaceCut::Along::kThird))
     wanted.cut.along = static_cast<ColorSpaceCut::Along>(along);
@@ -323,7 +308,6 @@ void ColorSpaceView::restoreState(const QJsonObject& state) {
   pixels_->setChecked(state[QStringLiteral("pixels")].toBool(true));
   samplesShown_->setChecked(state[QStringLiteral("samples")].toBool(true));
   tableShown_->setChecked(state[QStringLiteral("table")].toBool(true));
-  showPanel_->setChecked(state[QStringLiteral("panel")].toBool(true));
   canvas_->setCamera(colorSpaceCameraOf(state[QStringLiteral("camera")].toObject()));
   updateLook();
 }

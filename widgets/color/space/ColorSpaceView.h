@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/View.h"
 #include "widgets/color/space/ColorSpaceScene.h"
+#include "widgets/picture/PictureView.h"
 
 class QAction;
 class QComboBox;
@@ -20,7 +20,7 @@ enum class SelectionChange : std::uint8_t;
 /// table's classes, in YCbCr, RGB, HSI or TSL. The selection is shared with the image views.
 ///
 /// Registered as "color-space". GUI thread.
-class ColorSpaceView final : public View {
+class ColorSpaceView final : public PictureView {
   Q_OBJECT
  public:
   explicit ColorSpaceView(ViewContext& context, QWidget* parent = nullptr);
@@ -28,8 +28,10 @@ class ColorSpaceView final : public View {
 
   /// Updates the canvas if something changed.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
+
+ protected:
+  QJsonObject saveContent() const override;
+  void restoreContent(const QJsonObject& state) override;
 
  private:
   /// How soon a change must be shown: what the user did at once, images of a camera ten times a second.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/ViewPicture.h"
+#include "widgets/picture/ViewPicture.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QMessageBox>
+#include <QPainter>
 #include <QSaveFile>
 
 namespace widgets {
@@ -17,6 +18,15 @@ QString pictureText(const char* text) {
 }
 
 }  // namespace
+
+QImage paintedPicture(const QWidget& widget, const std::function<void(QPainter&)>& paint) {
+  QImage picture(widget.size() * widget.devicePixelRatioF(), QImage::Format_RGB32);
+  picture.setDevicePixelRatio(widget.devicePixelRatioF());
+  picture.fill(Qt::black);
+  QPainter painter(&picture);
+  paint(painter);
+  return picture;
+}
 
 bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
   QSaveFile out(file);

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all views that show a picture have from their shell: copying, saving, zooming, and a state that window
+// layouts of earlier versions still restore.
+#include "widgets/picture/PictureView.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDataStream>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QMessageBox>
+#include <QSplitter>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "robotlink/session/CommandTable.h"
+#include "robotlink/session/Session.h"
+#include "tests/widgets/DialogAnswer.h"
+
+namespace widgets::test {
+namespace {
+
+/// The kind of a view, the beginning of its object names, and what an earlier version saved of it.
+struct Kind {
+  const char* id;
+  const char* name;
+  const char* state;
+};
+
+constexpr Kind kKinds[] = {
+    {"image", "image",
+     R"({"stream": "red2/camera/image", "drawings": {"order": ["image/b", "image/a"], "hidden": ["image/a"]},
+         "panel": true, "fit": false, "zoom": 3.5, "center": [20, 30]})"},
+    {"field", "field",
+     R"({"robot": "*", "send": true, "drawings": {"order": ["field/b", "robot/a"], "hidden": ["field/b"]},
+         "panel": true, "move": false, "trails": true, "fit": false, "scale": 250, "center": [1.5, -0.5],
+         "quarterTurns": 3})"},
+    {"scene", "scene",
+     R"({"robot": "red2", "drawings": {"order": ["field/b"], "hidden": []}, "panel": true, "overview": false,
+         "follow": false, "behind": true, "wireFrame": true, "grid": false, "labels": false, "move": false})"},
+    {"radar", "radar",
+     R"({"robot": "burger", "range": 3, "northUp": true, "panel": true,
+         "drawings": {"order": ["robot/path"], "hidden": ["robot/path"]}})"},
+    {"color-image", "color",
+     R"({"stream": "red2/camera/image", "two": false, "strokes": false, "strip": false, "right": 2})"},
+    {"color-space", "colorSpace",
+     R"({"space": "HSI", "pixels": false, "samples": false, "table": true, "surfaces": 1, "opacity": 0.25,
+         "cut": 1, "cutAt": 0.75, "cutOther": true, "panel": false})"}};
+
+/// What Qt's splitter of two parts saves.
+QString splitterOf(qint32 first, qint32 second) {
+  QByteArray bytes;
+  QDataStream stream(&bytes, QIODevice::WriteOnly);
+  stream << qint32{0xff} << qint32{1} << quint32{2} << first << second << true << qint32{4} << true
+         << qint32{Qt::Horizontal} << true;
+  return QString::fromLatin1(bytes.toBase64());
+}
+
+struct Shown {
+  robotlink::Session session;
+  robotlink::CommandTable commands;
+  ViewContext context{session, commands, nullptr, {}};
+  std::unique_ptr<View> view;
+
+  explicit Shown(const Kind& kind) : view(ViewRegistry::find(kind.id)->create(context, nullptr)) {
+    view->resize(700, 400);
+    view->show();
+  }
+  PictureView& picture() { return dynamic_cast<PictureView&>(*view); }
+  QAction& action(const Kind& kind, const char* what) {
+    const QString name = QLatin1String(kind.name) + QLatin1String(what) + QStringLiteral("Action");
+    auto* action = view->findChild<QAction*>(name);
+    if (action == nullptr) qFatal("there is no %s", qPrintable(name));
+    return *action;
+  }
+};
+
+}  // namespace
+
+class PictureViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStateOfAnEarlierVersionIsRestored() {
+    for (const Kind& kind : kKinds) {
+      const QJsonObject before = QJsonDocument::fromJson(kind.state).object();
+      QVERIFY2(!before.isEmpty(), kind.id);
+      Shown shown(kind);
+      shown.view->restoreState(before);
+      const QJsonObject after = shown.view->saveState();
+      for (const QString& key : before.keys()) {
+        QVERIFY2(after.contains(key), qPrintable(key));
+        QVERIFY2(after[key] == before[key], qPrintable(QLatin1String(kind.id) + QLatin1Char(' ') + key));
+      }
+    }
+  }
+
+  void howTheViewWasDividedIsRestored() {
+    for (const Kind& kind : kKinds) {
+      Shown shown(kind);
+      const QString name = QLatin1String(kind.name) + QStringLiteral("Splitter");
+      const auto* splitter = shown.view->findChild<QSplitter*>(name);
+      QVERIFY2(splitter != nullptr, kind.id);
+      QJsonObject state = shown.view->saveState();
+      state[QStringLiteral("panel")] = true;
+      state[QStringLiteral("splitter")] = splitterOf(400, 300);
+      shown.view->restoreState(state);
+      const auto restored = [&] {
+        const QList<int> sizes = splitter->sizes();
+        return std::abs(sizes[0] * 3 - sizes[1] * 4) < 30;
+      };
+      QTRY_VERIFY2(restored(), kind.id);
+    }
+  }
+
+  void everyPictureIsCopiedAndSaved() {
+    const QTemporaryDir folder;
+    for (const Kind& kind : kKinds) {
+      Shown shown(kind);
+      if (QLatin1String(kind.id) == QLatin1String("scene")) continue;  // its pictures need OpenGL
+      QApplication::clipboard()->clear();
+      shown.action(kind, "Copy").trigger();
+      const QImage copied = QApplication::clipboard()->image();
+      QVERIFY2(copied.width() > 100 && copied.height() > 100, kind.id);
+      const QString file = folder.filePath(QLatin1String(kind.id));
+      QVERIFY2(shown.picture().savePicture(file), kind.id);
+      QCOMPARE(QImage(file).size(), copied.size());
+      DialogAnswer answer = DialogAnswer::file(file + QStringLiteral(".png"));
+      shown.action(kind, "Save").trigger();
+      QVERIFY2(answer.asked(), kind.id);
+      QCOMPARE(QImage(file + QStringLiteral(".png")).size(), copied.size());
+    }
+  }
+
+  void aPictureThatCannotBeSavedNamesItsFile() {
+    const QString file = QStringLiteral("/no/such/folder/picture.png");
+    for (const Kind& kind : kKinds) {
+      Shown shown(kind);
+      QString said;
+      DialogAnswer answer([&](QDialog& dialog) {
+        said = dynamic_cast<QMessageBox&>(dialog).text();
+        DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+      });
+      QVERIFY2(!shown.picture().savePicture(file), kind.id);
+      QVERIFY2(answer.asked() && said.contains(file), qPrintable(said));
+    }
+  }
+
+  void theKeysOfZoomingAreTheSameInAllPictures() {
+    for (const Kind& kind : kKinds) {
+      Shown shown(kind);
+      QCOMPARE(shown.action(kind, "ZoomIn").shortcut(), QKeySequence(Qt::Key_Plus));
+      QCOMPARE(shown.action(kind, "ZoomOut").shortcut(), QKeySequence(Qt::Key_Minus));
+      shown.action(kind, "ZoomIn").trigger();
+      shown.action(kind, "ZoomOut").trigger();
+    }
+  }
+};
+
+}  // namespace widgets::test
+
+using PictureViewTest = widgets::test::PictureViewTest;
+QTEST_MAIN(PictureViewTest)
+#include "PictureViewTest.moc"

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/picture/PictureView.h"
+
+#include <QAction>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/SplitterState.h"
+#include "widgets/drawings/DrawingsModel.h"
+#include "widgets/drawings/DrawingsPanel.h"
+#include "widgets/picture/ViewPicture.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kPictureWidth = 420, kDrawingsWidth = 180;  // pixels, before the user divides the view
+const double kZoomStep = std::sqrt(2.0);
+
+}  // namespace
+
+PictureView::PictureView(ViewContext& context, const char* name, const char* file, QWidget* parent)
+    : View(context, parent), name_(name), file_(QString::fromLatin1(file)) {
+  setObjectName(QString::fromLatin1(named("View")));
+  zoomIn_ =
+      makeAction(this, "zoom-in",
+                 {named("ZoomIn").constData(), tr("Zoom in"), tr("Enlarges what is shown"), Qt::Key_Plus});
+  zoomOut_ = makeAction(
+      this, "zoom-out",
+      {named("ZoomOut").constData(), tr("Zoom out"), tr("Makes what is shown smaller"), Qt::Key_Minus});
+  copy_ = makeAction(
+      this, "copy",
+      {named("Copy").constData(), tr("Copy picture"), tr("Copies this picture"), QKeySequence::Copy});
+  save_ = makeAction(this, "save",
+                     {named("Save").constData(), tr("Save picture..."), tr("Saves this picture as PNG"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kZoomStep); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { zoomBy_(1 / kZoomStep); });
+  connect(copy_, &QAction::triggered, this, [this] { copyPicture(rendered_()); });
+  connect(save_, &QAction::triggered, this, [this] { savePictureAs(this, rendered_(), file_); });
+}
+
+QAction* PictureView::makeFit(const QString& toolTip) {
+  return makeAction(this, "fit", {named("Fit").constData(), tr("Fit"), toolTip, Qt::Key_F});
+}
+
+QAction* PictureView::makeFreeze() {
+  QAction* freeze = makeAction(this, "lock",
+                               {named("Freeze").constData(), tr("Freeze"),
+                                tr("Freezes this image while the robot continues"), Qt::Key_H});
+  freeze->setCheckable(true);
+  return freeze;
+}
+
+PictureView::Side PictureView::makeDrawings(const QStringList& kinds) {
+  drawings_ = new DrawingsModel(kinds, this);
+  QAction* toggle = makeAction(
+      this, "layers",
+      {named("Drawings").constData(), tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  toggle->setCheckable(true);
+  return {new DrawingsPanel(*drawings_, this), toggle, kDrawingsWidth};
+}
+
+void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, const Side& side,
+                        std::initializer_list<QWidget*> below) {
+  splitter_ = new QSplitter(this);
+  splitter_->setObjectName(QString::fromLatin1(named("Splitter")));
+  splitter_->addWidget(canvas);
+  splitter_->addWidget(side.widget);
+  splitter_->setCollapsible(0, false);
+  splitter_->setStretchFactor(0, 1);
+  if (side.width == 0) {
+    splitter_->setCollapsible(1, false);
+    splitter_->setStretchFactor(1, 1);
+  }
+  splitter_->setSizes({kPictureWidth, side.width == 0 ? kPictureWidth : side.width});
+  showSide_ = side.toggle;
+  if (showSide_ != nullptr) {
+    sideShown_ = showSide_->isChecked();
+    if (!sideShown_) side.widget->hide();
+    connect(showSide_, &QAction::toggled, side.widget, &QWidget::setVisible);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (QWidget* row : above) layout->addWidget(row);
+  layout->addWidget(splitter_, 1);
+  for (QWidget* row : below) layout->addWidget(row);
+}
+
+void PictureView::addToContextMenu(QWidget* canvas, std::initializer_list<QAction*> others) {
+  canvas->setContextMenuPolicy(Qt::ActionsContextMenu);
+  canvas->addActions({copy_, save_});
+  for (QAction* action : others) canvas->addAction(action);
+}
+
+QString PictureView::timeText(robotlink::Instant time) const {
+  return tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(time)), 0, 'f', 3);
+}
+
+QLabel* PictureView::addWideLabel(QHBoxLayout* row, const char* name, const QString& text) {
+  QLabel* label = addLabel(row, name, text);
+  label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->setStretchFactor(label, 1);
+  return label;
+}
+
+QLabel* PictureView::addFiguresLabel(QHBoxLayout* row, const char* name, const QString& text) {
+  QLabel* label = addWideLabel(row, name, text);
+  label->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  return label;
+}
+
+bool PictureView::savePicture(const QString& file) {
+  return widgets::savePicture(this, rendered_(), file);
+}
+
+QJsonObject PictureView::saveState() const {
+  QJsonObject state = saveContent();
+  state[QStringLiteral("splitter")] = splitterState(*splitter_);
+  if (showSide_ != nullptr) state[QStringLiteral("panel")] = showSide_->isChecked();
+  if (drawings_ != nullptr) state[QStringLiteral("drawings")] = drawings_->saveState();
+  return state;
+}
+
+void PictureView::restoreState(const QJsonObject& state) {
+  if (drawings_ != nullptr) drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
+  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
+  if (showSide_ != nullptr) showSide_->setChecked(state[QStringLiteral("panel")].toBool(sideShown_));
+  restoreContent(state);
+}
+
+}  // namespace widgets

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QStringList>
+#include <functional>
+#include <initializer_list>
+
+#include "robotlink/base/Clock.h"
+#include "widgets/View.h"
+
+class QAction;
+class QHBoxLayout;
+class QLabel;
+class QSplitter;
+
+namespace widgets {
+
+class DrawingsModel;
+
+/// The shell of all views that show a picture: copying and saving it, zooming, the list of drawings or
+/// another panel beside it, the splitter between both, and the part of the saved state that these need. A
+/// derived view adds what it shows: its canvas, its own actions, tool rows and footer, and the state of
+/// these.
+///
+/// Object names begin with the view's name: "field" gives fieldView, fieldSplitter, and the actions
+/// fieldCopy, fieldSave, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldFit, fieldFreeze. GUI thread.
+class PictureView : public View {
+  Q_OBJECT
+ public:
+  /// What the shell keeps is in "splitter", and, if there is a panel that can be hidden, in "panel" and
+  /// "drawings"; everything else is the derived view's.
+  QJsonObject saveState() const final;
+  void restoreState(const QJsonObject& state) final;
+
+  /// Writes the picture as PNG. False, with a message box that names the file, if that fails.
+  bool savePicture(const QString& file);
+
+ protected:
+  /// What is beside the picture.
+  struct Side {
+    QWidget* widget = nullptr;
+    /// Shows and hides the widget, which begins as the action is checked; null: the derived view does that.
+    QAction* toggle = nullptr;
+    /// Initial width of the widget in pixels; 0: half of the view.
+    int width = 0;
+  };
+
+  /// `name`: see above. `file`: name that is proposed for a saved picture.
+  PictureView(ViewContext& context, const char* name, const char* file, QWidget* parent);
+
+  /// The derived view's part of the state, without the keys of the shell.
+  virtual QJsonObject saveContent() const = 0;
+  /// Applies a state, after the shell has done so.
+  virtual void restoreContent(const QJsonObject& state) = 0;
+
+  /// Creates an action that shows the whole picture (F), and one that freezes it (H, checkable).
+  QAction* makeFit(const QString& toolTip);
+  QAction* makeFreeze();
+  /// Creates the list of drawings of these kinds (see DrawingsModel) with the action that shows it (D).
+  /// To be called at most once.
+  Side makeDrawings(const QStringList& kinds);
+  /// The model of that list; null without one.
+  DrawingsModel* drawings() const { return drawings_; }
+
+  /// Puts the rows, the canvas with what is beside it, and the rows below together. To be called once. The
+  /// canvas is what is saved, copied and zoomed: it has rendered() and zoomBy().
+  template <typename Canvas>
+  void assemble(std::initializer_list<QWidget*> above, Canvas* canvas, const Side& side,
+                std::initializer_list<QWidget*> below) {
+    rendered_ = [canvas] { return canvas->rendered(); };
+    zoomBy_ = [canvas](double factor) { canvas->zoomBy(factor); };
+    place(above, canvas, side, below);
+  }
+  /// Offers copying and saving in the context menu of the canvas.
+  void addToContextMenu(QWidget* canvas, std::initializer_list<QAction*> others = {});
+  /// "12.345 s" since the origin of the session's timeline.
+  QString timeText(robotlink::Instant time) const;
+  /// Appends a label that takes the room that is left in a row, aligned to the right, and is cut there.
+  static QLabel* addWideLabel(QHBoxLayout* row, const char* name, const QString& text);
+  /// The same in a font in which numbers do not waver.
+  static QLabel* addFiguresLabel(QHBoxLayout* row, const char* name, const QString& text);
+
+  QAction* copyAction() const { return copy_; }
+  QAction* saveAction() const { return save_; }
+  QAction* zoomIn() const { return zoomIn_; }
+  QAction* zoomOut() const { return zoomOut_; }
+
+ private:
+  void place(std::initializer_list<QWidget*> above, QWidget* canvas, const Side& side,
+             std::initializer_list<QWidget*> below);
+  /// Begins with the view's name.
+  QByteArray named(const char* what) const { return name_ + what; }
+
+  QByteArray name_;
+  QString file_;
+  std::function<QImage()> rendered_;
+  std::function<void(double)> zoomBy_;
+  QAction *copy_ = nullptr, *save_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
+  DrawingsModel* drawings_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  /// Shows what is beside the picture; null: nobody can hide it, or the derived view does it.
+  QAction* showSide_ = nullptr;
+  /// Whether that is shown where a state does not say.
+  bool sideShown_ = false;
+};
+
+}  // namespace widgets
