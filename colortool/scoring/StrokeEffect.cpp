@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "colortool/table/CellSet.h"
+#include "colortool/training/StrokeCells.h"
+
 namespace colortool {
 namespace {
 
@@ -12,6 +15,53 @@ constexpr double kMinUncontested = 0.1;
 
 std::size_t indexOf(std::size_t from, std::size_t to) {
   return from * 256 + to;
+}
+
+/// The pixels of a stroke whose corrected color `wanted` accepts.
+template <typename Wanted>
+PixelArea pixelsWhere(const Samples& samples, const Stroke& stroke, Wanted wanted) {
+  const SampleImage* image = samples.image(stroke.image);
+  const ColorCorrection correction =
+      image == nullptr ? ColorCorrection{} : samples.correctionOf(image->camera);
+  PixelArea found;
+  std::size_t at = 0;
+  for (const PixelRun& run : stroke.area) {
+    for (int x = run.begin; x < run.end && at < stroke.colors.size(); ++x, ++at) {
+      const robotlink::YCbCr color =
+          correction.none() ? stroke.colors[at]
+                            : correction.apply(stroke.colors[at], x, run.y, image->width, image->height);
+      if (!wanted(color)) continue;
+      if (!found.empty() && found.back().y == run.y && found.back().end == x)
+        ++found.back().end;
+      else
+        found.push_back({run.y, x, x + 1});
+    }
+  }
+  return found;
+}
+
+bool leavesEnough(const Stroke& stroke, const PixelArea& contested) {
+  const auto all = static_cast<double>(stroke.colors.size());
+  return all - static_cast<double>(pixelCount(contested)) >= kMinUncontested * all;
+}
+
+/// The cells that strokes of other classes touched, and those beside them.
+CellSet cellsOfOthers(const Samples& samples, const Stroke& stroke) {
+  constexpr int kLast = ColorTable::kCells - 1;
+  CellSet cells;
+  for (const StrokePtr& other : samples.strokes) {
+    if (other->colorClass == stroke.colorClass || other->mustNotBe) continue;
+    for (const StrokeCell& touched : strokeCells(samples, *other)) {
+      const int y = static_cast<int>(touched.cell >> 12U), cb = static_cast<int>(touched.cell >> 6U & 63U),
+                cr = static_cast<int>(touched.cell & 63U);
+      for (int i = 0; i < 27; ++i) {
+        const int atY = std::clamp(y + i / 9 - 1, 0, kLast), atCb = std::clamp(cb + i / 3 % 3 - 1, 0, kLast),
+                  atCr = std::clamp(cr + i % 3 - 1, 0, kLast);
+        cells.set(static_cast<std::size_t>((atY << 12) | (atCb << 6) | atCr));
+      }
+    }
+  }
+  return cells;
 }
 
 }  // namespace
@@ -52,28 +102,19 @@ std::vector<ClassLoss> StrokeEffect::losses(double leastShare) const {
 }
 
 PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const ColorTable& before) {
-  const SampleImage* image = samples.image(stroke.image);
-  const ColorCorrection correction =
-      image == nullptr ? ColorCorrection{} : samples.correctionOf(image->camera);
-  PixelArea contested;
-  std::size_t at = 0, count = 0;
-  for (const PixelRun& run : stroke.area) {
-    for (int x = run.begin; x < run.end && at < stroke.colors.size(); ++x, ++at) {
-      const robotlink::YCbCr color =
-          correction.none() ? stroke.colors[at]
-                            : correction.apply(stroke.colors[at], x, run.y, image->width, image->height);
-      const std::uint8_t found = before.classOf(color);
-      if (found == ColorClasses::kNone || found == stroke.colorClass) continue;
-      ++count;
-      if (!contested.empty() && contested.back().y == run.y && contested.back().end == x)
-        ++contested.back().end;
-      else
-        contested.push_back({run.y, x, x + 1});
-    }
-  }
-  const double uncontested = static_cast<double>(at - count);
-  return uncontested < kMinUncontested * static_cast<double>(at) || stroke.mustNotBe ? PixelArea{}
-                                                                                     : contested;
+  if (stroke.mustNotBe) return {};
+  const auto ofOthers = [&](const robotlink::YCbCr& color) {
+    const std::uint8_t found = before.classOf(color);
+    return found != ColorClasses::kNone && found != stroke.colorClass;
+  };
+  PixelArea contested = pixelsWhere(samples, stroke, ofOthers);
+  if (leavesEnough(stroke, contested)) return contested;
+  // A table that knows few classes takes everything for one of them; what was touched by strokes tells more.
+  const CellSet known = cellsOfOthers(samples, stroke);
+  contested = pixelsWhere(samples, stroke, [&](const robotlink::YCbCr& color) {
+    return ofOthers(color) && known.contains(ColorTable::cellOf(color));
+  });
+  return leavesEnough(stroke, contested) ? contested : PixelArea{};
 }
 
 }  // namespace colortool

@@ -43,8 +43,10 @@ class StrokeEffect {
 };
 
 /// Returns the pixels of a stroke that `before`, a table trained without the stroke, assigns to another
-/// class: what a brush covered beside a thin line. Empty if the stroke excludes a class, or if less than a
-/// tenth of it is uncontested, since then it is meant to correct the table.
+/// class: what a brush covered beside a thin line. If that is nearly all of it, because the table knows few
+/// classes, only colors count that strokes of other classes touched, or nearly did. Empty if the stroke
+/// excludes a class, or if still less than a tenth of it is uncontested, since then it is meant to correct
+/// the table.
 PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const ColorTable& before);
 
 }  // namespace colortool

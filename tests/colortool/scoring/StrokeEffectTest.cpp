@@ -68,6 +68,26 @@ TEST(ContestedPixels, areThoseBesideTheLineThatAnotherClassHas) {
   EXPECT_EQ(samples.strokes.back()->colors.size(), 36U);
 }
 
+TEST(ContestedPixels, areThoseThatStrokesKnowWhereTheTableTakesEverythingForOneClass) {
+  const ColorImage image = quarters();
+  Samples samples;
+  samples.classes = quarterSamples().classes;
+  addStroke(samples, placeOf("a"), image, disc(image, 12, 10), {1, false, 1});
+  const ColorTable before = [] {
+    ColorTable all;
+    for (int y = 0; y < ColorTable::kCells; ++y) {
+      for (int cb = 0; cb < ColorTable::kCells; ++cb) {
+        for (int cr = 0; cr < ColorTable::kCells; ++cr) all.setCell(y, cb, cr, 1);
+      }
+    }
+    return all;
+  }();
+  addStroke(samples, placeOf("a"), image, rectangleArea(40, 30, {4, 12}, {9, 20}), {3, false, 1});
+  EXPECT_EQ(contestedPixels(samples, *samples.strokes.back(), before),
+            rectangleArea(40, 30, {4, 12}, {9, 14}))
+      << "the orange, although the table takes the white for orange, too";
+}
+
 TEST(ContestedPixels, thereAreNoneWhereAStrokeIsToCorrectTheTable) {
   Samples samples = quarterSamples();
   const ColorTable before = tableOf(samples);
