@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QPalette>
 #include <QPointer>
+#include <QSet>
 #include <algorithm>
 
 #include "robotcontrol/Debugging.pb.h"
@@ -153,12 +154,16 @@ QJsonObject DrawingsModel::saveState() const {
 }
 
 void DrawingsModel::restoreState(const QJsonObject& state) {
-  const QJsonArray hidden = state[QStringLiteral("hidden")].toArray();
+  QSet<QString> hidden, known;
+  for (const auto& id : state[QStringLiteral("hidden")].toArray()) hidden.insert(id.toString());
   beginResetModel();
   rows_.clear();
-  for (const auto& id : state[QStringLiteral("order")].toArray()) {
-    if (!id.isString() || find(id.toString()) != nullptr) continue;
-    rows_.push_back({id.toString(), !hidden.contains(id), false});
+  for (const auto& value : state[QStringLiteral("order")].toArray()) {
+    const QString id = value.toString();
+    if (id.isEmpty() || known.contains(id)) continue;
+    if (rowCount() >= kMaxRestored) break;
+    known.insert(id);
+    rows_.push_back({id, !hidden.contains(id), false});
   }
   endResetModel();
   keys_ = nullptr;

@@ -12,6 +12,7 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QTreeView>
+#include <algorithm>
 #include <cstdlib>
 
 #include "robotlink/base/AtomicFile.h"
@@ -308,7 +309,11 @@ QJsonObject PlotsView::saveState() const {
 void PlotsView::restoreState(const QJsonObject& state) {
   curves_.clear();
   const QJsonArray sources = state.value(QStringLiteral("curves")).toArray();
-  for (const auto& source : sources) addCurve(source.toString());
+  for (int i = 0; i < std::min(sources.size(), kMaxRestored); ++i) addCurve(sources.at(i).toString());
+  if (sources.size() > kMaxRestored)
+    state_->setText(tr("The saved layout has %1 curves; only the first %2 are shown.")
+                        .arg(sources.size())
+                        .arg(kMaxRestored));
   const int window = window_->findData(state.value(QStringLiteral("window")).toInt(10));
   window_->setCurrentIndex(window < 0 ? 3 : window);
   showTree_->setChecked(state.value(QStringLiteral("tree")).toBool(true));

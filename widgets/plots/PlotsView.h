@@ -37,7 +37,9 @@ class PlotsView final : public View {
   /// Appends new points and redraws if something changed.
   void tick() override;
   QJsonObject saveState() const override;
+  /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
+  static constexpr int kMaxRestored = 100;
 
  private:
   void createActions();

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QSplitter>
 #include <algorithm>
+#include <iterator>
 
 #include "app/core/program/PlatformFeed.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -18,6 +19,7 @@ namespace {
 
 using Place = ViewDocks::Place;
 constexpr int kVersion = 1;
+constexpr int kMaxPerspectives = 200;  // people keep five or ten
 
 /// Sets the sizes in the splitter that contains a dock, from the left or the top.
 void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
@@ -86,10 +88,10 @@ void buildColor(ViewDocks& docks) {
   for (const char* id : {"color-compare", "color-frames", "messages"})
     docks.add(QLatin1String(id), Place::kTab, samples);
   ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
-  docks.add(QStringLiteral("color-quality"), Place::kRight,
-            samples);  // the quality of the table is always visible
+  // The quality of the table is always visible.
+  docks.add(QStringLiteral("color-quality"), Place::kRight, samples);
   if (samples != nullptr) samples->setAsCurrentTab();
-  setSizes(samples, {560, 620});
+  setSizes(samples, {640, 540});
   setSizes(space, {500, 460});
   setSizes(timeLine, {620, 230, 110});
   setColumns(image, {1180, 420});
@@ -177,6 +179,15 @@ void Perspectives::load() {
     return;
   }
   kept_ = root.value(QStringLiteral("perspectives")).toObject();
+  if (const int all = kept_.size(); all > kMaxPerspectives) {
+    while (kept_.size() > kMaxPerspectives) kept_.erase(std::prev(kept_.end()));
+    problems_.push_back({"window.file",
+                         "the saved window layout has " + std::to_string(all) +
+                             " perspectives; only the first " + std::to_string(kMaxPerspectives) +
+                             " were loaded",
+                         {},
+                         {file_.string(), 0, 0}});
+  }
   window_ = root.value(QStringLiteral("window")).toObject();
   const QString current = root.value(QStringLiteral("current")).toString();
   if (names().contains(current)) current_ = current;

@@ -185,8 +185,8 @@ bool ViewDocks::restore(const QJsonObject& state) {
   const QJsonArray views = state.value(QStringLiteral("views")).toArray();
   if (views.isEmpty() || !isDockLayout(xml)) return false;
   closeAll();
-  for (const auto& value : views) {
-    const QJsonObject view = value.toObject();
+  for (int i = 0; i < std::min(views.size(), kMaxRestored); ++i) {
+    const QJsonObject view = views.at(i).toObject();
     const QString id = view.value(QStringLiteral("id")).toString();
     const QString name = view.value(QStringLiteral("dock")).toString();
     if (find(name) != nullptr || !name.startsWith(id + QLatin1Char('#'))) continue;
@@ -197,6 +197,10 @@ bool ViewDocks::restore(const QJsonObject& state) {
   }
   const bool restored = space_.restoreState(xml, kLayoutVersion);
   space_.releaseEmptyFloats();
+  if (views.size() > kMaxRestored)
+    Q_EMIT leftOut(tr("The saved window layout has %1 views; only the first %2 were opened.")
+                       .arg(views.size())
+                       .arg(kMaxRestored));
   return restored;
 }
 

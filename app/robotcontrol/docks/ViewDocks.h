@@ -57,10 +57,11 @@ class ViewDocks : public QObject {
   /// Updates all visible views.
   void tick();
 
-  /// The docks with the states of their views as JSON; restore() ignores unknown kinds of views and returns
-  /// false if the state cannot be used.
+  /// The docks with the states of their views as JSON; restore() ignores unknown kinds of views, opens
+  /// kMaxRestored views at most, and returns false if the state cannot be used.
   QJsonObject save() const;
   bool restore(const QJsonObject& state);
+  static constexpr int kMaxRestored = 100;
 
   /// The arrangement of the docks in the docking library's XML.
   QString layout() const;
@@ -75,6 +76,8 @@ class ViewDocks : public QObject {
   /// The places of the docks are about to be read or changed: a receiver that hides some docks temporarily
   /// must show them now.
   void placesWanted() const;
+  /// Not all views of a state were restored: a sentence for the user.
+  void leftOut(const QString& sentence);
 
  private:
   /// A dock with its view and the kind of the view.

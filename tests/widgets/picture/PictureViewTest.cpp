@@ -14,21 +14,21 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "robotlink/session/CommandTable.h"
-#include "robotlink/session/Session.h"
+#include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "widgets/drawings/DrawingsModel.h"
 
 namespace widgets::test {
 namespace {
 
 /// The kind of a view, the beginning of its object names, and what an earlier version saved of it.
-struct Kind {
+struct PictureKind {
   const char* id;
   const char* name;
   const char* state;
 };
 
-constexpr Kind kKinds[] = {
+constexpr PictureKind kPictureKinds[] = {
     {"image", "image",
      R"({"stream": "red2/camera/image", "drawings": {"order": ["image/b", "image/a"], "hidden": ["image/a"]},
          "panel": true, "fit": false, "zoom": 3.5, "center": [20, 30]})"},
@@ -49,7 +49,7 @@ constexpr Kind kKinds[] = {
          "cut": 1, "cutAt": 0.75, "cutOther": true, "panel": false})"}};
 
 /// What Qt's splitter of two parts saves.
-QString splitterOf(qint32 first, qint32 second) {
+QString dividedAt(qint32 first, qint32 second) {
   QByteArray bytes;
   QDataStream stream(&bytes, QIODevice::WriteOnly);
   stream << qint32{0xff} << qint32{1} << quint32{2} << first << second << true << qint32{4} << true
@@ -57,22 +57,19 @@ QString splitterOf(qint32 first, qint32 second) {
   return QString::fromLatin1(bytes.toBase64());
 }
 
-struct Shown {
-  robotlink::Session session;
-  robotlink::CommandTable commands;
-  ViewContext context{session, commands, nullptr, {}};
+struct ShownPicture {
+  Bench bench;
   std::unique_ptr<View> view;
 
-  explicit Shown(const Kind& kind) : view(ViewRegistry::find(kind.id)->create(context, nullptr)) {
+  explicit ShownPicture(const PictureKind& kind)
+      : view(ViewRegistry::find(kind.id)->create(bench.context, nullptr)) {
     view->resize(700, 400);
     view->show();
   }
   PictureView& picture() { return dynamic_cast<PictureView&>(*view); }
-  QAction& action(const Kind& kind, const char* what) {
+  QAction& action(const PictureKind& kind, const char* what) {
     const QString name = QLatin1String(kind.name) + QLatin1String(what) + QStringLiteral("Action");
-    auto* action = view->findChild<QAction*>(name);
-    if (action == nullptr) qFatal("there is no %s", qPrintable(name));
-    return *action;
+    return child<QAction>(*view, qPrintable(name));
   }
 };
 
@@ -82,10 +79,10 @@ class PictureViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void aStateOfAnEarlierVersionIsRestored() {
-    for (const Kind& kind : kKinds) {
+    for (const PictureKind& kind : kPictureKinds) {
       const QJsonObject before = QJsonDocument::fromJson(kind.state).object();
       QVERIFY2(!before.isEmpty(), kind.id);
-      Shown shown(kind);
+      ShownPicture shown(kind);
       shown.view->restoreState(before);
       const QJsonObject after = shown.view->saveState();
       for (const QString& key : before.keys()) {
@@ -95,15 +92,26 @@ class PictureViewTest : public QObject {
     }
   }
 
+  void ofAVeryLongStateOnlyTheFirstDrawingsAreTaken() {
+    QJsonArray order;
+    for (int i = 0; i < 200'000; ++i) order.append(QStringLiteral("image/%1").arg(i));
+    ShownPicture shown(kPictureKinds[0]);
+    shown.view->restoreState({{QStringLiteral("drawings"), QJsonObject{{QStringLiteral("order"), order},
+                                                                       {QStringLiteral("hidden"), order}}}});
+    const QJsonObject after = shown.view->saveState()[QStringLiteral("drawings")].toObject();
+    for (const char* list : {"order", "hidden"})
+      QCOMPARE(after[QLatin1String(list)].toArray().size(), DrawingsModel::kMaxRestored);
+  }
+
   void howTheViewWasDividedIsRestored() {
-    for (const Kind& kind : kKinds) {
-      Shown shown(kind);
+    for (const PictureKind& kind : kPictureKinds) {
+      ShownPicture shown(kind);
       const QString name = QLatin1String(kind.name) + QStringLiteral("Splitter");
       const auto* splitter = shown.view->findChild<QSplitter*>(name);
       QVERIFY2(splitter != nullptr, kind.id);
       QJsonObject state = shown.view->saveState();
       state[QStringLiteral("panel")] = true;
-      state[QStringLiteral("splitter")] = splitterOf(400, 300);
+      state[QStringLiteral("splitter")] = dividedAt(400, 300);
       shown.view->restoreState(state);
       const auto restored = [&] {
         const QList<int> sizes = splitter->sizes();
@@ -115,8 +123,8 @@ class PictureViewTest : public QObject {
 
   void everyPictureIsCopiedAndSaved() {
     const QTemporaryDir folder;
-    for (const Kind& kind : kKinds) {
-      Shown shown(kind);
+    for (const PictureKind& kind : kPictureKinds) {
+      ShownPicture shown(kind);
       if (QLatin1String(kind.id) == QLatin1String("scene")) continue;  // its pictures need OpenGL
       QApplication::clipboard()->clear();
       shown.action(kind, "Copy").trigger();
@@ -134,8 +142,8 @@ class PictureViewTest : public QObject {
 
   void aPictureThatCannotBeSavedNamesItsFile() {
     const QString file = QStringLiteral("/no/such/folder/picture.png");
-    for (const Kind& kind : kKinds) {
-      Shown shown(kind);
+    for (const PictureKind& kind : kPictureKinds) {
+      ShownPicture shown(kind);
       QString said;
       DialogAnswer answer([&](QDialog& dialog) {
         said = dynamic_cast<QMessageBox&>(dialog).text();
@@ -147,8 +155,8 @@ class PictureViewTest : public QObject {
   }
 
   void theKeysOfZoomingAreTheSameInAllPictures() {
-    for (const Kind& kind : kKinds) {
-      Shown shown(kind);
+    for (const PictureKind& kind : kPictureKinds) {
+      ShownPicture shown(kind);
       QCOMPARE(shown.action(kind, "ZoomIn").shortcut(), QKeySequence(Qt::Key_Plus));
       QCOMPARE(shown.action(kind, "ZoomOut").shortcut(), QKeySequence(Qt::Key_Minus));
       shown.action(kind, "ZoomIn").trigger();
@@ -157,8 +165,8 @@ class PictureViewTest : public QObject {
   }
 };
 
+const GuiTest<PictureViewTest> kPictureViewTest;
+
 }  // namespace widgets::test
 
-using PictureViewTest = widgets::test::PictureViewTest;
-QTEST_MAIN(PictureViewTest)
 #include "PictureViewTest.moc"

@@ -329,6 +329,17 @@ class PlotsViewTest : public QObject {
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
   }
 
+  void ofAVeryLongStateOnlyTheFirstCurvesAreTaken() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    QJsonArray curves;
+    for (int i = 0; i < 5000; ++i) curves.append(QStringLiteral("red1/plots/ball-model/p%1 value").arg(i));
+    view->restoreState({{QStringLiteral("curves"), curves}});
+    QCOMPARE(view->saveState()[QStringLiteral("curves")].toArray().size(), widgets::PlotsView::kMaxRestored);
+    const QString said = child<QLabel>(*view, "plotsState").text();
+    QVERIFY2(said.contains(QStringLiteral("5000")) && said.contains(QStringLiteral("100")), qPrintable(said));
+  }
+
   void curvesComeBackEvenBeforeTheirData() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
