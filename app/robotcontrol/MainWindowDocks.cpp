@@ -27,7 +27,9 @@ constexpr int kAskAgainMs = 50;
 void MainWindow::createDocks() {
   ads::CDockManager::setConfigFlags(ads::CDockManager::DefaultOpaqueConfig);
   ads::CDockManager::setConfigFlag(ads::CDockManager::XmlCompressionEnabled, false);
-  ads::CDockManager::setConfigFlag(ads::CDockManager::AllTabsHaveCloseButton, true);
+  // The titles need the room; other tabs are closed by the middle button of the mouse, or by their menu.
+  ads::CDockManager::setConfigFlag(ads::CDockManager::ActiveTabHasCloseButton, true);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::TabCloseButtonIsToolButton, true);
   ads::CDockManager::setConfigFlag(ads::CDockManager::MiddleMouseButtonClosesTab, true);
   auto* center = new QWidget(this);
   auto* layout = new QVBoxLayout(center);
@@ -40,6 +42,9 @@ void MainWindow::createDocks() {
   connect(dockSpace_, &ads::CDockManager::floatingWidgetCreated, this,
           [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
   docks_ = new ViewDocks(*dockSpace_, context_, this);
+  connect(docks_, &ViewDocks::leftOut, this, [this](const QString& sentence) {
+    showErrors({{"window.views", sentence.toStdString(), {}, {}}});
+  });
   layouts_ = new LayoutHistory(*docks_, this);
   noViews_ = new widgets::EmptyHint(dockSpace_);
   noViews_->setObjectName(QStringLiteral("noViews"));
@@ -53,6 +58,7 @@ void MainWindow::tickDocks() {
     return;
   if (maximizedView_->active()) return;  // all other views are hidden temporarily
   sinceLooked_.restart();
+  dockSpace_->fitTabs();
   layouts_->look();
   undoLayout_->setEnabled(layouts_->canUndo());
   redoLayout_->setEnabled(layouts_->canRedo());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/docks/DockSpace.h"
 
+#include <qtadvanceddocking/DockAreaTabBar.h>
 #include <qtadvanceddocking/DockAreaTitleBar.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockOverlay.h>
@@ -8,11 +9,14 @@
 #include <qtadvanceddocking/DockWidgetTab.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
+#include <QAbstractButton>
 #include <QApplication>
 #include <QEvent>
+#include <QLabel>
 #include <QPointer>
 #include <QScopedValueRollback>
 #include <QTimer>
+#include <algorithm>
 #include <vector>
 
 #include "widgets/Icon.h"
@@ -58,6 +62,62 @@ QString titleOf(const ads::CFloatingDockContainer& floating) {
   return names.join(QStringLiteral(", "));
 }
 
+/// The labels of a tab; null where it has none.
+struct TabLabels {
+  QLabel *icon = nullptr, *title = nullptr;
+
+  explicit TabLabels(const ads::CDockWidgetTab& tab) {
+    for (auto* label : tab.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+      (label->objectName() == QLatin1String("dockWidgetTabLabel") ? title : icon) = label;
+  }
+};
+
+/// The room that the tabs of an area share, pixels.
+int roomForTabs(const ads::CDockAreaTitleBar& bar) {
+  int room = bar.contentsRect().width();
+  for (const auto* button : bar.findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (!button->isHidden()) room -= button->sizeHint().width();
+  }
+  return room;
+}
+
+/// The width at which the longest of these titles have to be cut so that all fit the room.
+int commonWidth(std::vector<int> titles, int room) {
+  std::ranges::sort(titles);
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    const int share = std::max(0, room) / static_cast<int>(titles.size() - i);
+    if (titles[i] > share) return share;
+    room -= titles[i];
+  }
+  return room;
+}
+
+void fitTabsOf(const ads::CDockAreaTitleBar& bar) {
+  const int room = roomForTabs(bar);
+  std::vector<TabLabels> tabs;
+  std::vector<int> others;  // widths of the titles of all but the tab in front
+  int withIcons = 0, forTitles = room;
+  for (int i = 0; i < bar.tabBar()->count(); ++i) {
+    const ads::CDockWidgetTab& tab = *bar.tabBar()->tab(i);
+    const TabLabels labels(tab);
+    if (tab.isHidden() || labels.icon == nullptr || labels.title == nullptr) continue;
+    tabs.push_back(labels);
+    const int icon = labels.icon->sizeHint().width(), title = labels.title->sizeHint().width();
+    const int plain = tab.sizeHint().width() - (labels.icon->isHidden() ? 0 : icon);
+    withIcons += plain + icon;
+    forTitles -= tab.isActiveTab() ? plain : plain - title;
+    if (!tab.isActiveTab()) others.push_back(title);
+  }
+  // The title in front is whole, if it does not take all; of the others the longest are cut first.
+  const int cut = commonWidth(others, std::max(forTitles, room / 3));
+  for (const TabLabels& tab : tabs) {
+    const auto* owner = static_cast<const ads::CDockWidgetTab*>(tab.title->parentWidget());
+    const int title = tab.title->sizeHint().width();
+    tab.title->setMinimumWidth(std::min(title, owner->isActiveTab() ? room / 2 : cut));
+    tab.icon->setVisible(withIcons <= room);
+  }
+}
+
 }  // namespace
 
 DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
@@ -66,8 +126,11 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
   qApp->installNativeEventFilter(this);
-  connect(this, &ads::CDockManager::dockAreaCreated, this,
-          [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
+  connect(this, &ads::CDockManager::dockAreaCreated, this, [this](ads::CDockAreaWidget* area) {
+    ads::CDockAreaTitleBar* bar = area->titleBar();
+    bar->installEventFilter(this);
+    connect(bar->tabBar(), &ads::CDockAreaTabBar::currentChanged, bar, [bar] { fitTabsOf(*bar); });
+  });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,
           [this](ads::CFloatingDockContainer* floating) {
             floating->installEventFilter(this);
@@ -98,6 +161,12 @@ void DockSpace::releaseEmptyFloats() {
   const auto floats = floatingWidgets();
   for (ads::CFloatingDockContainer* floating : floats) {
     if (floating->dockWidgets().isEmpty()) release(floating);
+  }
+}
+
+void DockSpace::fitTabs() {
+  for (const ads::CDockContainerWidget* container : dockContainers()) {
+    for (const ads::CDockAreaWidget* area : container->openedDockAreas()) fitTabsOf(*area->titleBar());
   }
 }
 
@@ -159,6 +228,9 @@ bool DockSpace::nativeEventFilter(const QByteArray& type, void* event, long* /*r
 }
 
 bool DockSpace::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) {
+    if (const auto* bar = qobject_cast<const ads::CDockAreaTitleBar*>(watched)) fitTabsOf(*bar);
+  }
   // While the library processes a dropped dock, it also runs other events, such as shortcuts and timers.
   if (!mayDrop(watched, event->type())) return QObject::eventFilter(watched, event);
   const QScopedValueRollback<bool> dropping(dropping_, true);

@@ -25,6 +25,9 @@ class DockSpace : public ads::CDockManager, private QAbstractNativeEventFilter {
   void releaseEmptyFloats();
   /// Sets the title of each floating window to the names of the views in front.
   void nameFloats();
+  /// Makes titles of tabs readable: where they would be cut, tabs have no icons, and that of the view in
+  /// front is cut last.
+  void fitTabs();
   /// Hides the floating windows and shows them again; to be called when the main window is shown, since
   /// window managers associate them with it only then.
   void reopenFloats();

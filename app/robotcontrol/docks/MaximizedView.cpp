@@ -27,12 +27,25 @@ MaximizedView::MaximizedView(ads::CDockManager& manager, QObject* parent)
   // A dock that is added, removed or moved needs the places of the others.
   connect(&manager, &ads::CDockManager::dockAreaCreated, this, &MaximizedView::restore);
   connect(&manager, &ads::CDockManager::dockWidgetAboutToBeRemoved, this, &MaximizedView::restore);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (dockOf(now) != nullptr) used_ = now;
+  });
+  qApp->installEventFilter(this);
+}
+
+bool MaximizedView::eventFilter(QObject* watched, QEvent* event) {
+  auto* widget = event->type() == QEvent::MouseButtonPress ? qobject_cast<QWidget*>(watched) : nullptr;
+  if (dockOf(widget) != nullptr) used_ = widget;
+  return false;
 }
 
 ads::CDockWidget* MaximizedView::wanted() const {
-  for (QWidget* widget : {QApplication::focusWidget(), QApplication::widgetAt(QCursor::pos())}) {
+  for (QWidget* widget :
+       {used_.data(), QApplication::focusWidget(), QApplication::widgetAt(QCursor::pos())}) {
     ads::CDockWidget* dock = dockOf(widget);
-    if (dock != nullptr && dock->dockManager() == &manager_ && dock->dockAreaWidget() != nullptr) return dock;
+    if (dock != nullptr && dock->isVisible() && dock->dockManager() == &manager_ &&
+        dock->dockAreaWidget() != nullptr)
+      return dock;
   }
   const auto areas = manager_.openedDockAreas();
   return areas.isEmpty() ? nullptr : areas.first()->currentDockWidget();

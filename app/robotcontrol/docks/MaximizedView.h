@@ -24,11 +24,14 @@ class MaximizedView final : public QObject {
  public:
   MaximizedView(ads::CDockManager& manager, QObject* parent);
 
-  /// Maximizes the view with the focus, or else the one under the mouse, or else the first one; if a view is
-  /// maximized, calls restore(). The window of a floating view is maximized on the screen instead.
+  /// Maximizes the view that was clicked or got the focus last, or else the one under the mouse, or else the
+  /// first one; if a view is maximized, calls restore(). The window of a floating view is maximized on the
+  /// screen instead.
   void toggle();
   /// Shows all docks with their sizes as before; without effect if no view is maximized.
   void restore();
+  /// Notes which view is clicked: not all of its parts take the focus. Handles no event.
+  bool eventFilter(QObject* watched, QEvent* event) override;
   /// Whether a view is maximized within the main window.
   bool active() const { return !hidden_.empty(); }
 
@@ -39,6 +42,8 @@ class MaximizedView final : public QObject {
   void maximize(QWidget& area);
 
   ads::CDockManager& manager_;
+  /// The part of a view that was clicked or got the focus last.
+  QPointer<QWidget> used_;
   /// The hidden widgets; empty if no view is maximized.
   std::vector<QPointer<QWidget>> hidden_;
   /// The sizes of the splitters around the view, as they were before.

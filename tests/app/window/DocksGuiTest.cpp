@@ -3,8 +3,11 @@
 // closes.
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/DockWidgetTab.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
+#include <QAbstractButton>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -177,6 +180,82 @@ class DocksGuiTest : public WindowTest {
     QCOMPARE(visibleFloats(desk), 2);
     QVERIFY(dock(desk, "scene").isFloating());
     QVERIFY(!desk.window.docks().docks(QStringLiteral("image")).front()->isFloating());
+  }
+
+  void titlesOfTabsAreReadableOnASmallScreen() {
+    Desk desk(home_);
+    desk.window.resize(1264, 672);
+    desk.choose("perspective.Colour");
+    settle(desk);
+    auto& samples = dock(desk, "color-samples");
+    space(desk).fitTabs();
+    QCoreApplication::processEvents();
+    widgets::test::keepPicture(desk.window, "docks-small");
+    QVERIFY(!samples.tabWidget()->isTitleElided());
+    for (const char* id : {"color-samples", "color-compare", "color-frames", "messages"}) {
+      const ads::CDockWidgetTab& tab = *dock(desk, id).tabWidget();
+      const auto& title = *tab.findChild<QLabel*>(QStringLiteral("dockWidgetTabLabel"));
+      QVERIFY2(title.QLabel::text().size() >= 5, qPrintable(title.QLabel::text()));
+      const auto* close = tab.findChild<QAbstractButton*>(QStringLiteral("tabCloseButton"));
+      QCOMPARE(close->isVisible(), tab.isActiveTab());
+    }
+    // Where there is room, tabs have icons.
+    const auto icons = [&] {
+      int shown = 0;
+      for (const auto* label : samples.tabWidget()->findChildren<QLabel*>()) shown += label->isVisible();
+      return shown - 1;  // without the title
+    };
+    QCOMPARE(icons(), 0);
+    desk.window.resize(2400, 1200);
+    QCoreApplication::processEvents();
+    space(desk).fitTabs();
+    QCOMPARE(icons(), 1);
+  }
+
+  void theViewThatWasClickedIsMaximizedThoughItTakesNoFocus() {
+    Desk desk(home_);
+    settle(desk);
+    dock(desk, "debug-keys").widget()->setFocus();
+    auto& messages = dock(desk, "messages");
+    auto* label = messages.widget()->findChild<QLabel*>();
+    QVERIFY(label != nullptr && label->focusPolicy() == Qt::NoFocus);
+    QTest::mouseClick(label, Qt::LeftButton);
+    desk.choose("maximizeView");
+    QVERIFY(messages.isVisible());
+    QVERIFY(!dock(desk, "debug-keys").isVisible());
+  }
+
+  void aFileWithVeryManyViewsOpensTheFirstOnesAndSaysSo() {
+    {
+      Desk desk(home_);
+      settle(desk);
+      desk.window.close();
+    }
+    const QString name = QString::fromStdString((home_ / "window.json").string());
+    QFile file(name);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QJsonObject root = QJsonDocument::fromJson(file.readAll()).object();
+    file.close();
+    QJsonObject all = root[QStringLiteral("perspectives")].toObject();
+    QJsonObject play = all[QStringLiteral("Play")].toObject();
+    QJsonArray views = play[QStringLiteral("views")].toArray();
+    for (int i = 2; i < 2000; ++i)
+      views.append(QJsonObject{{QStringLiteral("id"), QStringLiteral("messages")},
+                               {QStringLiteral("dock"), QStringLiteral("messages#%1").arg(i)}});
+    play[QStringLiteral("views")] = views;
+    all[QStringLiteral("Play")] = play;
+    for (const char* word : {"views", "perspectives"}) {
+      root[QStringLiteral("perspectives")] = all;
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(QJsonDocument(root).toJson());
+      file.close();
+      app::Workbench workbench(home_);
+      const app::MainWindow window(workbench, home_);
+      QVERIFY(window.findChildren<ads::CDockWidget*>().size() <= app::ViewDocks::kMaxRestored);
+      const auto* said = window.findChild<QLabel*>(QStringLiteral("errorText"));
+      QVERIFY2(said->text().contains(QLatin1String(word)), qPrintable(said->text()));
+      for (int i = 0; i < 500; ++i) all[QStringLiteral("of mine %1").arg(i)] = QJsonObject();
+    }
   }
 
   void theThemeChangesWhileDocksFloat() {
