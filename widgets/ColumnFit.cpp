@@ -93,6 +93,10 @@ ColumnFit::ColumnFit(QTableView& table, std::vector<ColumnKind> kinds)
   table.setWordWrap(false);
 }
 
+ColumnFit::ColumnFit(QTableView& table, ColumnKind all) : ColumnFit(table, std::vector<ColumnKind>()) {
+  all_ = all;
+}
+
 ColumnFit::ColumnFit(QTreeView& tree, std::vector<ColumnKind> kinds)
     : ColumnFit(tree, *tree.header(), std::move(kinds)) {
   connect(&tree, &QTreeView::expanded, this, &ColumnFit::schedule);
@@ -142,6 +146,13 @@ bool ColumnFit::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
+void ColumnFit::countColumns() {
+  const auto count = static_cast<std::size_t>(header_.count());
+  if (!all_ || count == needs_.size()) return;
+  needs_.assign(count, {*all_});
+  expected_.assign(count, {});
+}
+
 void ColumnFit::schedule() {
   if (later_.isActive()) return;
   const qint64 elapsed = sinceFit_.isValid() ? sinceFit_.elapsed() : kFitInterval;
@@ -156,7 +167,7 @@ void ColumnFit::pin(int column, int width) {
 }
 
 void ColumnFit::expect(int column, const QString& text) {
-  expected_[static_cast<std::size_t>(column)] = text;
+  expected_.at(static_cast<std::size_t>(column)) = text;
 }
 
 void ColumnFit::measure() {
@@ -174,6 +185,7 @@ void ColumnFit::measure() {
 
 void ColumnFit::fit() {
   later_.stop();
+  countColumns();
   if (fitting_ || !view_.isVisible() || header_.count() != static_cast<int>(needs_.size())) return;
   fitting_ = true;
   measure();

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class QAbstractItemView;
@@ -37,7 +38,7 @@ struct ColumnNeed {
 
 /// Returns the widths of columns that share `room` pixels. Together they fill it. They exceed it, so that the
 /// table must be scrolled, only if names and the contents of numbers need more. A single name gets at most
-/// three quarters of the room. A pure function.
+/// three quarters of the room. Numbers alone do not fill it: they are as wide as they need. A pure function.
 std::vector<int> fittedWidths(const std::vector<ColumnNeed>& columns, int room);
 
 /// Keeps the columns of a table or tree fitted while its size and contents change. Columns that the user has
@@ -49,6 +50,9 @@ class ColumnFit final : public QObject {
   /// The view must already have its model; `kinds` has one entry for each column.
   ColumnFit(QTableView& table, std::vector<ColumnKind> kinds);
   ColumnFit(QTreeView& tree, std::vector<ColumnKind> kinds);
+  /// For a table whose number of columns changes; all of them are of one kind. Whenever it changes, the
+  /// widths that the user chose are forgotten.
+  ColumnFit(QTableView& table, ColumnKind all);
 
   /// The ColumnFit of a header; null if it has none.
   static ColumnFit* of(const QHeaderView& header);
@@ -69,6 +73,8 @@ class ColumnFit final : public QObject {
   ColumnFit(QAbstractItemView& view, QHeaderView& header, std::vector<ColumnKind> kinds);
   /// Connects the changes of the model.
   void followModel();
+  /// Sets the number of needs_ to that of the columns, if it may change.
+  void countColumns();
   /// Fits the columns soon, but not too often.
   void schedule();
   /// Updates the needs. Contents do not become narrower while there are rows, so that changing numbers do not
@@ -78,6 +84,8 @@ class ColumnFit final : public QObject {
   QAbstractItemView& view_;
   QHeaderView& header_;
   std::vector<ColumnNeed> needs_;
+  /// The kind of all columns; unset: their number and kinds are fixed.
+  std::optional<ColumnKind> all_;
   /// The text of expect() for each column.
   std::vector<QString> expected_;
   /// For schedule().

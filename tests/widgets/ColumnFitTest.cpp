@@ -92,6 +92,30 @@ class ColumnFitTest : public QObject {
     QCOMPARE(fittedWidths({{kName, 60, 2000, 360}, number}, 400)[0], 360);     // as a person set it
   }
 
+  void columnsThatComeAndGoAreFittedToo() {
+    QStandardItemModel model(2, 3);
+    QTableView view;
+    view.setModel(&model);
+    const auto fill = [&](const QString& text) {
+      for (int column = 0; column < model.columnCount(); ++column)
+        model.setItem(0, column, new QStandardItem(text));
+    };
+    fill(QStringLiteral("12.3"));
+    auto* fit = new ColumnFit(view, kNumber);
+    view.resize(700, 200);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    const int before = view.columnWidth(2);
+    QVERIFY(before < 100);
+    model.setColumnCount(5);
+    fill(QStringLiteral("123 456 789.123"));
+    fit->fit();
+    for (int column = 0; column < 5; ++column) {
+      QVERIFY(view.columnWidth(column) > before);
+      QCOMPARE(view.columnWidth(column), view.columnWidth(0));
+    }
+  }
+
   void aTableShowsItsNamesWholeAtAnyWidth() {
     for (const int width : {260, 420, 900}) {
       Table table(width);

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "app/robotcontrol/actions/WindowKeys.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/View.h"
 
@@ -89,6 +90,7 @@ ShortcutsDialog::ShortcutsDialog(const WindowKeys& keys, QWidget* window) : QDia
 }
 
 void ShortcutsDialog::fill(const std::vector<Shortcut>& shortcuts) {
+  QString longestKey;
   std::vector<QString> views{QString()};
   for (const Shortcut& shortcut : shortcuts) {
     if (std::ranges::find(views, shortcut.view) == views.end()) views.push_back(shortcut.view);
@@ -101,11 +103,13 @@ void ShortcutsDialog::fill(const std::vector<Shortcut>& shortcuts) {
       if (shortcut.view != view) continue;
       auto* row =
           new QTreeWidgetItem(group, {shortcut.text, shortcut.key.toString(QKeySequence::NativeText)});
+      if (row->text(1).size() > longestKey.size()) longestKey = row->text(1);
       row->setToolTip(0, shortcut.text);
     }
   }
   list_->expandAll();
-  list_->setColumnWidth(0, kWanted.width() * 2 / 3);
+  auto* fit = new widgets::ColumnFit(*list_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName});
+  fit->expect(1, longestKey);
 }
 
 void ShortcutsDialog::filter(const QString& text) {

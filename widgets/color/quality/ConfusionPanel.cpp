@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <cmath>
 
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Theme.h"
@@ -68,8 +69,7 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   table_->setShowGrid(true);
   table_->setCornerButtonEnabled(false);
   table_->setIconSize({14, 14});
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setHighlightSections(false);
+  new ColumnFit(*table_, ColumnKind::kNumber);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->verticalHeader()->setHighlightSections(false);
