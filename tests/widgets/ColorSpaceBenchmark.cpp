@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a picture of the color space costs, 600 x 500 pixels: a noisy image of more colors than a real one
-// has, a table of five classes, and samples.
+// has, a table of five classes, and samples. The same pixels and surfaces are also drawn by the renderer of
+// the scene, with OpenGL.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,6 +12,9 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/color/space/ColorSpaceRenderer.h"
+#include "widgets/color/space/ColorSurface.h"
+#include "widgets/scene/MeshBuilder.h"
+#include "widgets/scene/SceneRenderer.h"
 
 namespace {
 
@@ -165,5 +169,88 @@ void anotherSpace(benchmark::State& state) {
   }
 }
 BENCHMARK(anotherSpace)->Unit(benchmark::kMillisecond);
+
+/// The color space as a shape of the scene, in its cheapest form: a square for each color of the image, and
+/// the translucent faces of the table's surfaces. What the scene's renderer lacks is left out in its favor:
+/// squares neither hide each other nor are hidden in the right order by surfaces, nothing is marked as
+/// selected, and nothing says which cell a pixel shows.
+std::shared_ptr<const widgets::SceneShape> sceneOf(const Desk& desk, const ColorTable& table) {
+  const auto place = [](const Eigen::Vector3f& at) { return std::array<float, 3>{at.x(), at.y(), at.z()}; };
+  auto shape = std::make_shared<widgets::SceneShape>();
+  const widgets::ColorLattice lattice(colortool::ColorSpace::kYCbCr);
+  widgets::CloudMaker clouds;
+  const auto cloud = clouds.cloudOf(desk.contents.pixels());
+  for (const widgets::CloudPoint& point : cloud->points) {
+    const auto at = place(colortool::placeIn(lattice.space(), colortool::valueOf(point.color)));
+    const robotlink::Rgb color = robotlink::toRgb(point.color);
+    const float size = std::round(1.6F + 0.55F * std::log2(static_cast<float>(point.pixels)));
+    shape->lines.segments.push_back({at, at, {color.r, color.g, color.b, 255}, std::min(size, 14.F)});
+  }
+  for (const auto& face : widgets::surfacesOf(table.cells(), lattice.real(), lattice)) {
+    const robotlink::Rgb color = desk.contents.samples.classes.shownColor(face.colorClass);
+    const auto first = static_cast<std::uint32_t>(shape->translucent.vertices.size());
+    for (const std::uint32_t corner : face.corners)
+      shape->translucent.vertices.push_back(
+          {place(lattice.corner(corner)), place(face.normal), {color.r, color.g, color.b, 115}});
+    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) shape->translucent.indices.push_back(first + i);
+  }
+  return shape;
+}
+
+/// Draws the shape of a color space with OpenGL, offscreen, as the scene is drawn.
+class SceneDesk {
+ public:
+  explicit SceneDesk(benchmark::State& state) : renderer_(widgets::SceneRenderer::create()) {
+    if (!renderer_) {
+      state.SkipWithError(renderer_.error().describe().c_str());
+      return;
+    }
+    state.SetLabel(renderer_->device());
+    frame_.pixels = {600, 500};
+    frame_.grid = false;
+    frame_.camera.distance = 2.6;  // the cube fills the picture
+  }
+  explicit operator bool() const { return renderer_.has_value(); }
+  void show(std::shared_ptr<const widgets::SceneShape> shape) {
+    frame_.contents.drawings = {{std::move(shape), robotlink::Pose3::Identity(), {}}};
+  }
+  void smooth() { frame_.smooth = true; }
+  void turn() {
+    frame_.camera.orbit({3, 1});
+    benchmark::DoNotOptimize(renderer_->render(frame_));
+  }
+
+ private:
+  robotlink::Result<widgets::SceneRenderer> renderer_;
+  widgets::SceneFrame frame_;
+};
+
+void turningWithOpenGl(benchmark::State& state) {
+  const Desk desk;
+  SceneDesk scene(state);
+  if (!scene) return;
+  scene.show(sceneOf(desk, *desk.contents.table));
+  if (state.range(0) != 0) scene.smooth();
+  scene.turn();
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    scene.turn();
+  }
+}
+BENCHMARK(turningWithOpenGl)->ArgName("smooth")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void anotherTableWithOpenGl(benchmark::State& state) {
+  const Desk desk;
+  SceneDesk scene(state);
+  if (!scene) return;
+  const std::array tables = {tableOfColors(28), tableOfColors(34)};
+  std::size_t i = 0;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    scene.show(sceneOf(desk, *tables[i++ % tables.size()]));
+    scene.turn();
+  }
+}
+BENCHMARK(anotherTableWithOpenGl)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -11,6 +11,12 @@ namespace widgets {
 
 /// Draws pictures of color spaces in software. The picture depends on the request only. Intermediate results
 /// of the last request are kept, so that turning the space costs the drawing alone. Not thread-safe.
+///
+/// The scene is drawn with OpenGL instead. On computers without a graphics card, where both run on the
+/// processor, this renderer takes a ninth of the time for the same points and surfaces
+/// (widgets_colorspace_benchmark on two cores, 600 x 500 pixels, 94,000 colors: 20 ms against 194 ms; with
+/// smooth edges 38 ms against 398 ms; with a new table 25 ms against 230 ms), and it knows the cell that each
+/// pixel shows.
 class ColorSpaceRenderer {
  public:
   /// Draws a picture; a smooth one takes four times as long.
