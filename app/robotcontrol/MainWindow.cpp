@@ -131,6 +131,7 @@ void MainWindow::connectSignals() {
   connect(actions_, &CommandActions::refused, this, [this](const QString& reason) {
     showErrors({{"command.refused", reason.toStdString(), {}, {}}});
   });
+  connect(actions_, &CommandActions::settled, this, [this] { forgetErrors("command.refused"); });
   workbench_.onLoaded([this](const LoadedPlatform&) { onLoaded(); });
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
@@ -177,8 +178,13 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
   QString text = QString::fromStdString(robotlink::describe(shown));
   if (shown.size() < errors.size())
     text += widgets::counted(errors.size() - shown.size(), tr("\n… and 1 more"), tr("\n… and %1 more"));
+  errorId_ = errors.front().id;
   errorText_->setText(text);
   errorBar_->show();
+}
+
+void MainWindow::forgetErrors(const std::string& id) {
+  if (errorId_ == id) errorBar_->hide();
 }
 
 void MainWindow::tick() {

@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
   void tick();
   /// Shows errors above the views until they are dismissed or something else is loaded.
   void showErrors(const robotlink::Errors& errors);
+  /// Hides errors that are no longer true, if they have this id.
+  void forgetErrors(const std::string& id);
   /// The docks, for tests and pictures.
   ViewDocks& docks() { return *docks_; }
   /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples.
@@ -199,6 +201,8 @@ class MainWindow : public QMainWindow {
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;
+  /// The id of the first error that is shown.
+  std::string errorId_;
   QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;
   /// Fires at about 30 Hz.

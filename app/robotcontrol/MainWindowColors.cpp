@@ -26,7 +26,9 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
   connect(&files.bench(), &widgets::ColorBench::failed, this, [this](const QString& reason) {
     showErrors({{"color.failed", reason.toStdString(), {}, {}}});
   });
+  connect(&files.bench(), &widgets::ColorBench::settled, this, [this] { forgetErrors("color.failed"); });
   connect(&files, &widgets::ColorFiles::reported, this, [this](const QString& text) {
+    forgetErrors("color.failed");
     statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
   });
   files.startRecovery(userFolder / "colors");
@@ -40,7 +42,8 @@ void MainWindow::createMaximizing() {
   auto* action = new QAction(tr("&Maximize or restore view"), this);
   action->setObjectName(QStringLiteral("maximizeView"));
   action->setShortcut(Qt::Key_F11);
-  action->setToolTip(tr("Maximizes the view with the focus or under the mouse; again: restores the layout"));
+  action->setToolTip(
+      tr("Maximizes the view that was used last or is under the mouse; again: restores the layout"));
   connect(action, &QAction::triggered, maximizedView_, &MaximizedView::toggle);
   addAction(action);
   if (menu != nullptr) menu->insertAction(perspectiveMenu_->menuAction(), action);

@@ -111,8 +111,8 @@ class ColorImageViewTest : public QObject {
     QTest::mouseClick(s.right, Qt::RightButton, {}, s.at(8, 10, s.right));
     auto* menu = s.view.findChild<QMenu*>(QStringLiteral("colorPixelMenu"));
     QVERIFY(menu != nullptr);
-    QCOMPARE(menu->actions().size(), 3);
-    QMenu* spot = menu->actions().last()->menu();
+    QCOMPARE(menu->actions().size(), 6);
+    QMenu* spot = menu->actions().at(2)->menu();
     for (QAction* action : spot->actions()) {
       if (action->text() == QStringLiteral("yellow")) action->trigger();
     }
@@ -356,6 +356,10 @@ class ColorImageViewTest : public QObject {
     QCOMPARE(strip->count(), 3);
     QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
     QCOMPARE(s.bench.collected()[2].frame->width(), 320);
+    QVERIFY2(strip->currentRow() == 0, "the one that is shown");
+    s.bench.setFrame(s.bench.collected()[2].frame);
+    QCOMPARE(strip->currentRow(), 2);
+    s.bench.setFrame(s.bench.collected()[0].frame);
     s.settle();
     s.choose("orange");
     s.click(20, 20);

@@ -3,7 +3,9 @@
 
 #include <QAbstractItemModelTester>
 #include <QApplication>
+#include <QHeaderView>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -69,6 +71,21 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
   }
 
+  void theColumnsOfAMatrixFitTheirRoom() {
+    goodStrokes();
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
+    const auto& table = child<QTableView>(*view_, "strokesMatrix");
+    const auto width = [&] { return table.horizontalHeader()->length(); };
+    QTRY_VERIFY(width() <= table.viewport()->width());
+    const int whole = width();
+    // The titles are cut before the shares are.
+    view_->resize(view_->width() - (table.viewport()->width() - whole) - 60, 300);
+    QTRY_VERIFY(width() < whole && width() <= table.viewport()->width());
+    for (int column = 0; column < table.model()->columnCount(); ++column)
+      QVERIFY(table.columnWidth(column) >=
+              static_cast<const QAbstractItemView&>(table).sizeHintForColumn(column));
+  }
+
   void figuresFollowStrokesAndUndo() {
     goodStrokes();
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
@@ -132,8 +149,11 @@ class ColorQualityViewTest : public QObject {
     QTemporaryDir folder;
     std::ofstream(folder.filePath(QStringLiteral("a.png")).toStdString()) << "no picture";
     const auto name = DialogAnswer::file(folder.path());
+    QSignalSpy failed(bench_, &ColorBench::failed);
     click(*view_, "qualityOpen");
     QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("No labeled images"))));
+    QCOMPARE(failed.count(), 1);
+    QVERIFY2(failed[0][0].toString().contains(folder.path()), "the window has room for the whole reason");
     QVERIFY2(hint("labeledMatrix").contains(QStringLiteral("the only image here has no labels")),
              "the whole reason, where there is room for it");
     QVERIFY(bench_->labeled().empty());

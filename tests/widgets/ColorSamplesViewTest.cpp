@@ -84,6 +84,25 @@ class ColorSamplesViewTest : public QObject {
              qPrintable(QString::number(off)));
   }
 
+  void theStrokeUnderTheMouseStaysThereWhileItIsChanged() {
+    for (int i = 0; i < 3; ++i) stroke(3, 6 + i, 22);
+    for (int i = 0; i < 3; ++i) stroke(1, 8, 7 + i);
+    QEvent enters(QEvent::Enter), leaves(QEvent::Leave);
+    QCoreApplication::sendEvent(tree_->viewport(), &enters);
+    colortool::Samples next = bench_->samples();
+    colortool::restate(next, {next.strokes[4]->id},
+                       {3, false, 1});  // an orange one, the second row, is white
+    bench_->change(QStringLiteral("Class white"), next);
+    QCOMPARE(text(1, StrokeModel::kClass), QStringLiteral("white"));
+    QCOMPARE(text(0, StrokeModel::kClass), QStringLiteral("orange"));
+    QCOMPARE(text(2, StrokeModel::kClass), QStringLiteral("orange"));
+    stroke(1, 8, 12);
+    QCOMPARE(text(6, StrokeModel::kClass), QStringLiteral("orange"));  // the new one is last
+    QCoreApplication::sendEvent(tree_->viewport(), &leaves);
+    QCOMPARE(text(1, StrokeModel::kClass), QStringLiteral("orange"));
+    QCOMPARE(text(6, StrokeModel::kClass), QStringLiteral("white"));
+  }
+
   void whatDisagreesIsFoundBySortingByIt() {
     for (const double x : {8.0, 10.0, 12.0}) stroke(1, x, 7);
     for (const double x : {28.0, 30.0, 32.0}) stroke(2, x, 7);

@@ -159,6 +159,8 @@ class ColorBench final : public QObject {
   void pointedChanged();
   /// Something could not be done: what, and why.
   void failed(const QString& reason);
+  /// What failed last was done now, or given up.
+  void settled();
 
  private:
   /// After each change of the document.

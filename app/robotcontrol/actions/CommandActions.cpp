@@ -26,7 +26,13 @@ void CommandActions::run(const QString& command,
                          const std::vector<robotlink::CommandTable::Value>& arguments) {
   if (guard_ && !guard_(command)) return;
   const auto done = commands_.run(command.toStdString(), arguments);
-  if (!done) Q_EMIT refused(QString::fromStdString(done.error().text));
+  if (!done) {
+    failed_ = command;
+    Q_EMIT refused(QString::fromStdString(done.error().describe()));
+  } else if (command == failed_) {
+    failed_.clear();
+    Q_EMIT settled();
+  }
 }
 
 }  // namespace app

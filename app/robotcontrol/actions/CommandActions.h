@@ -30,11 +30,15 @@ class CommandActions : public QObject {
  Q_SIGNALS:
   /// A command failed; `reason` is a sentence for the user.
   void refused(const QString& reason);
+  /// The command that failed last has succeeded now.
+  void settled();
 
  private:
   robotlink::CommandTable& commands_;
   /// May be empty.
   std::function<bool(const QString& command)> guard_;
+  /// The command that failed last; empty: none.
+  QString failed_;
 };
 
 }  // namespace app

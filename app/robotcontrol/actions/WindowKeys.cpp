@@ -3,6 +3,7 @@
 
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -10,6 +11,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QSlider>
 #include <QTabBar>
 #include <QTextEdit>
@@ -47,6 +49,14 @@ T* ancestor(QWidget* widget) {
 
 int areaOf(const QWidget& widget) {
   return widget.width() * widget.height();
+}
+
+/// The larger of `best` (which may be null) and the largest content of a view.
+QWidget* largestContent(widgets::View& view, QWidget* best) {
+  for (QWidget* widget : view.findChildren<QWidget*>()) {
+    if (isContent(*widget) && (best == nullptr || areaOf(*widget) > areaOf(*best))) best = widget;
+  }
+  return best;
 }
 
 }  // namespace
@@ -98,12 +108,27 @@ bool WindowKeys::pressButton(QWidget& focus, const QKeyEvent& event) const {
   return true;
 }
 
+void WindowKeys::leaveField(QWidget& focus, const QKeyEvent& event) {
+  const bool ends = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+  if (!ends || qobject_cast<QAbstractSpinBox*>(&focus) == nullptr || !ofWindow(focus) ||
+      ancestor<QAbstractItemView>(&focus) != nullptr)
+    return;
+  const auto leave = [this, field = QPointer<QWidget>(&focus)] {
+    if (!field || !field->hasFocus()) return;
+    auto* view = ancestor<widgets::View>(field);
+    QWidget* content = view == nullptr ? nullptr : largestContent(*view, nullptr);
+    content == nullptr ? focusContent() : content->setFocus(Qt::OtherFocusReason);
+  };
+  QMetaObject::invokeMethod(this, leave, Qt::QueuedConnection);
+}
+
 bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &window_ && event->type() == QEvent::WindowActivate) focusContent();
   if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride) return false;
   auto* focus = qobject_cast<QWidget*>(watched);
   const auto& key = *static_cast<QKeyEvent*>(event);
   const Binding* binding = focus != nullptr ? find(*focus, key) : nullptr;
+  if (focus != nullptr && event->type() == QEvent::KeyPress) leaveField(*focus, key);
   if (binding == nullptr)
     return event->type() == QEvent::KeyPress && focus != nullptr && pressButton(*focus, key);
   event->accept();
@@ -116,12 +141,8 @@ void WindowKeys::focusContent() {
   QWidget* focus = window_.focusWidget();
   if (focus != nullptr && focus->isVisible() && ancestor<widgets::View>(focus) != nullptr) return;
   QWidget* best = nullptr;
-  const auto isLarger = [&](QWidget* widget) { return best == nullptr || areaOf(*widget) > areaOf(*best); };
   for (widgets::View* view : window_.findChildren<widgets::View*>()) {
-    if (!view->isVisible() || view->window() != &window_) continue;
-    for (QWidget* widget : view->findChildren<QWidget*>()) {
-      if (isContent(*widget) && isLarger(widget)) best = widget;
-    }
+    if (view->isVisible() && view->window() == &window_) best = largestContent(*view, best);
   }
   if (best != nullptr)
     best->setFocus(Qt::OtherFocusReason);

@@ -41,7 +41,8 @@ class WindowKeys final : public QObject {
   /// If several bindings have the same key, the first one that applies is used.
   void add(Binding binding);
   const std::vector<Binding>& bindings() const { return bindings_; }
-  /// Moves the focus to the largest view, unless a view has it.
+  /// Moves the focus to the largest view, unless a view has it. Return in a field for a number does the same,
+  /// within the field's view if it is in one: the keys that follow are meant for the content.
   void focusContent();
 
   /// Handles key presses of the whole application, and the activation of the window.
@@ -50,6 +51,8 @@ class WindowKeys final : public QObject {
  private:
   /// The binding that applies; null if there is none.
   const Binding* find(const QWidget& focus, const QKeyEvent& event) const;
+  /// Moves the focus from a field for a number to the content when Return has been handled there.
+  void leaveField(QWidget& focus, const QKeyEvent& event);
   /// Lets Return press a focused button.
   bool pressButton(QWidget& focus, const QKeyEvent& event) const;
   /// Whether a widget is in the window or in a dock that floats beside it.

@@ -3,6 +3,8 @@
 #include <qtadvanceddocking/DockWidget.h>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -25,6 +27,8 @@
 #include "tests/app/window/ReplayDesk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
 
 namespace app::test {
@@ -175,6 +179,24 @@ class KeysGuiTest : public WindowTest {
     QCOMPARE(desk.colors().currentClass(), before);
   }
 
+  void digitsChooseClassesAgainAfterANumberWasEntered() {
+    KeysDesk desk(home_);
+    desk.openLog();
+    auto* image = desk.open("color-image");
+    auto& radius = child<QDoubleSpinBox>(*image, "colorRadius");
+    radius.setFocus();
+    radius.selectAll();
+    QTest::keyClicks(&radius, QStringLiteral("8"));
+    QTest::keyClick(&radius, Qt::Key_Return);
+    QTRY_VERIFY(!radius.hasFocus());
+    QCOMPARE(radius.value(), 8.0);
+    QWidget* focus = desk.window.focusWidget();
+    QVERIFY(focus != nullptr && image->isAncestorOf(focus));
+    QTest::keyClick(focus, Qt::Key_3);
+    QCOMPARE(desk.colors().currentClass(), 3);
+    QCOMPARE(radius.value(), 8.0);
+  }
+
   void aDialogKeepsItsKeys() {
     KeysDesk desk(home_);
     desk.openLog();
@@ -232,6 +254,10 @@ class KeysGuiTest : public WindowTest {
     auto& list = child<QTreeWidget>(dialog, "shortcutsList");
     QVERIFY(list.topLevelItemCount() > 3);
     QCOMPARE(list.topLevelItem(0)->text(0), QStringLiteral("Everywhere"));
+    QVERIFY(widgets::ColumnFit::of(*list.header()) != nullptr);
+    dialog.resize(360, dialog.height());
+    QCoreApplication::processEvents();
+    QVERIFY2(list.columnWidth(0) + list.columnWidth(1) <= list.viewport()->width(), "no key is out of sight");
     QTest::keyClicks(&child<QLineEdit>(dialog, "shortcutsSearch"), QStringLiteral("frame back"));
     int shown = 0;
     for (int i = 0; i < list.topLevelItem(0)->childCount(); ++i)

@@ -11,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "robotlink/session/CommandTable.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -211,6 +213,26 @@ class MenusGuiTest : public WindowTest {
     QCOMPARE(docks(desk, "image"), std::size_t{2});
     desk.choose("resetPerspective");
     QCOMPARE(docks(desk, "image"), std::size_t{1});
+  }
+
+  void aRefusalNamesTheFileAndGoesWhenItIsNoLongerTrue() {
+    Desk desk(home_);
+    bool fails = true;
+    desk.workbench.commands().add(
+        {"test.load", "", {}, [&fails](const auto&) -> robotlink::Result<void> {
+           if (!fails) return {};
+           return robotlink::failure("test", "it is damaged", {"/tables/a.c64", 0, 0});
+         }});
+    auto& actions = *desk.window.findChild<app::CommandActions*>();
+    actions.run(QStringLiteral("test.load"));
+    auto& bar = desk.find<QWidget>("errorBar");
+    QVERIFY(bar.isVisible());
+    QVERIFY(bar.findChild<QLabel*>()->text().contains(QStringLiteral("/tables/a.c64")));
+    fails = false;
+    actions.run(QStringLiteral("view.show"), {std::string("messages")});
+    QVERIFY2(bar.isVisible(), "another command does not change that");
+    actions.run(QStringLiteral("test.load"));
+    QVERIFY(!bar.isVisible());
   }
 
   void aViewGetsAllTheRoomAndGivesItBack() {

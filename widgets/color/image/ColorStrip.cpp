@@ -2,7 +2,10 @@
 #include "widgets/color/image/ColorStrip.h"
 
 #include <QKeyEvent>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
@@ -14,6 +17,20 @@ namespace {
 constexpr int kHeight = 96;
 constexpr QSize kIcon(96, 64), kLowIcon(48, 28);
 constexpr int kLowHeight = 44;
+
+/// Draws a frame around the current image, which can be seen where there is no name to highlight.
+class FramedDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, index);
+    if (!(option.state & QStyle::State_Selected)) return;
+    painter->save();
+    painter->setPen(QPen(option.palette.color(QPalette::Highlight), 2));
+    painter->drawRect(option.rect.adjusted(1, 1, -1, -1));
+    painter->restore();
+  }
+};
 
 }  // namespace
 
@@ -34,6 +51,8 @@ ColorStrip::ColorStrip(ColorBench& bench, QWidget* parent) : QListWidget(parent)
     if (index < bench_.collected().size()) Q_EMIT chosen(bench_.collected()[index].frame);
   });
   connect(this, &QListWidget::itemActivated, this, &QListWidget::itemClicked);
+  connect(&bench_, &ColorBench::frameChanged, this, [this] { markShown(); });
+  setItemDelegate(new FramedDelegate(this));
   refresh();
 }
 
@@ -47,8 +66,9 @@ void ColorStrip::refresh() {
                                        low_ ? QString() : labelOf(*collected.frame), this);
       item->setToolTip(QString::fromStdString(collected.frame->place().name));
     }
-    setCurrentRow(std::min(current, count() - 1));
   }
+  setCurrentRow(std::min(current, count() - 1));
+  markShown();
   setVisible(wanted_ && count() > 0);
 }
 
@@ -68,6 +88,12 @@ void ColorStrip::setLow(bool low) {
   setIconSize(low ? kLowIcon : kIcon);
   setFixedHeight(low ? kLowHeight : kHeight + fontMetrics().height());
   refresh();
+}
+
+void ColorStrip::markShown() {
+  const auto shows = [this](const CollectedFrame& each) { return each.frame == bench_.frame(); };
+  // Keys in the strip go from image to image, also to those that are not shown.
+  if (!hasFocus() || std::ranges::any_of(bench_.collected(), shows)) showCurrent(bench_.frame());
 }
 
 void ColorStrip::showCurrent(const ColorFramePtr& frame) {

@@ -32,6 +32,8 @@ class ColorStrip final : public QListWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  /// Marks the image that the bench works on, if it is in the strip.
+  void markShown();
   /// Lists the bench's collected images.
   void refresh();
   QString labelOf(const ColorFrame& frame) const;

@@ -154,7 +154,10 @@ void ColorCompareView::report(const QString& problem) {
   colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
   problem_->setPalette(colors);
   problem_->setText(problem);
+  problem_->setToolTip(problem);
   problem_->setVisible(!problem.isEmpty());
+  // The label may have no room for all of it.
+  problem.isEmpty() ? Q_EMIT bench_.settled() : Q_EMIT bench_.failed(problem);
 }
 
 // The reference.

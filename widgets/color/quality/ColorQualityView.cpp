@@ -135,11 +135,14 @@ void ColorQualityView::takeRead() {
   reading_.reset();
   if (!*read) {
     problem_ = QString::fromStdString(read->error().describe());
-    say(tr("No labeled images: see the reason below"), true);
-    return showQuality();
+    say(tr("No labeled images"), true);
+    state_->setToolTip(problem_);
+    showQuality();
+    return Q_EMIT bench_.failed(problem_);  // here there may be no room for it
   }
   const auto count = static_cast<int>((*read)->frames.size());
   const auto problems = static_cast<int>((*read)->problems.size());
+  Q_EMIT bench_.settled();
   bench_.setLabeled(std::move((*read)->frames));
   QString text = tr("Labeled images: %1").arg(count);
   if (problems > 0) text += tr("; %1 could not be read").arg(problems);

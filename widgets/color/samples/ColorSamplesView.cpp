@@ -2,6 +2,7 @@
 #include "widgets/color/samples/ColorSamplesView.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -9,7 +10,6 @@
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScrollBar>
-#include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTreeView>
 #include <QUndoView>
@@ -25,6 +25,7 @@
 #include "widgets/color/ColorClassModel.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/samples/ShareDelegate.h"
+#include "widgets/color/samples/StrokeOrder.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace widgets {
@@ -52,7 +53,7 @@ std::optional<robotlink::Instant> timeOf(const colortool::SampleImage& image) {
 ColorSamplesView::ColorSamplesView(ViewContext& context, QWidget* parent)
     : View(context, parent),
       bench_(colorBench(context)),
-      sorted_(new QSortFilterProxyModel(this)),
+      sorted_(new StrokeOrder(model_, this)),
       history_(addColorActions(*this, "colorSamples", bench_)) {
   setObjectName(QStringLiteral("colorSamplesView"));
   createActions();
@@ -71,13 +72,12 @@ void ColorSamplesView::createActions() {
 }
 
 void ColorSamplesView::createTree() {
-  sorted_->setSourceModel(&model_);
-  sorted_->setSortRole(StrokeModel::kSortRole);
   tree_ = new QTreeView(this);
   styleTree(*tree_);
   describe(*tree_, {"samplesTree", tr("Strokes"), tr("A double click shows the image of a stroke")});
   tree_->setToolTip({});
   tree_->setModel(sorted_);
+  tree_->viewport()->installEventFilter(this);
   tree_->setRootIsDecorated(false);
   tree_->setIconSize({30, 26});
   tree_->setSortingEnabled(true);
@@ -120,6 +120,13 @@ void ColorSamplesView::createViews() {
   layout->setSpacing(3);
   layout->addWidget(row->parentWidget());
   layout->addWidget(splitter_, 1);
+}
+
+bool ColorSamplesView::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Enter) sorted_->freeze();
+  // The menu of a stroke covers it only while it is open.
+  if (event->type() == QEvent::Leave && QApplication::activePopupWidget() == nullptr) sorted_->thaw();
+  return View::eventFilter(watched, event);
 }
 
 void ColorSamplesView::connectSignals() {

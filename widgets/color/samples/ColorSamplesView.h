@@ -11,7 +11,6 @@
 class QAction;
 class QLabel;
 class QMenu;
-class QSortFilterProxyModel;
 class QSplitter;
 class QTreeView;
 class QUndoView;
@@ -20,6 +19,7 @@ namespace widgets {
 
 class ColorBench;
 class EmptyHint;
+class StrokeOrder;
 
 /// The strokes of the samples as a list: what each says, its image, and whether the other strokes agree with
 /// it; beside it the history of all changes, where a click goes back and forth. A double click on a stroke
@@ -34,6 +34,11 @@ class ColorSamplesView final : public View {
   void tick() override {}
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
+
+ protected:
+  /// While the mouse is over the strokes their order is frozen, so that the one that is changed stays under
+  /// it.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void createActions();
@@ -72,7 +77,7 @@ class ColorSamplesView final : public View {
 
   ColorBench& bench_;
   StrokeModel model_;
-  QSortFilterProxyModel* sorted_;
+  StrokeOrder* sorted_;
   ColorActions history_;
   QAction* remove_ = nullptr;
   QAction* lighting_ = nullptr;
