@@ -311,7 +311,7 @@ void PlotsView::restoreState(const QJsonObject& state) {
   const QJsonArray sources = state.value(QStringLiteral("curves")).toArray();
   for (int i = 0; i < std::min(sources.size(), kMaxRestored); ++i) addCurve(sources.at(i).toString());
   if (sources.size() > kMaxRestored)
-    state_->setText(tr("The saved layout has %1 curves; only the first %2 are shown.")
+    state_->setText(tr("The saved layout has too many curves (%1); only the first %2 are shown.")
                         .arg(sources.size())
                         .arg(kMaxRestored));
   const int window = window_->findData(state.value(QStringLiteral("window")).toInt(10));

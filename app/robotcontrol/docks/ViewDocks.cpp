@@ -198,7 +198,7 @@ bool ViewDocks::restore(const QJsonObject& state) {
   const bool restored = space_.restoreState(xml, kLayoutVersion);
   space_.releaseEmptyFloats();
   if (views.size() > kMaxRestored)
-    Q_EMIT leftOut(tr("The saved window layout has %1 views; only the first %2 were opened.")
+    Q_EMIT leftOut(tr("The saved window layout has too many views (%1); only the first %2 were opened.")
                        .arg(views.size())
                        .arg(kMaxRestored));
   return restored;
