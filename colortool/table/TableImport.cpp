@@ -53,8 +53,8 @@ Result<TableFormat> recognize(std::string_view bytes, const std::string& file) {
     names += (names.empty() ? "" : ", ") + std::string(format.name);
   return robotlink::failure(
       "color-table.format",
-      fmt::format("no format is known of which a table has these {} bytes; known are {} ({})", bytes.size(),
-                  names, c64.error().text),
+      fmt::format("this is not a color table of a known format ({}): none has these {} bytes; {}", names,
+                  bytes.size(), c64.error().text),
       {file, 0, 0});
 }
 

@@ -17,6 +17,7 @@
 
 #include "colortool/table/ColorTable.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "tests/widgets/LogBench.h"
 #include "tests/widgets/ShownColorImage.h"
 #include "widgets/color/ColorFiles.h"
 
@@ -335,6 +336,15 @@ class ColorImageViewTest : public QObject {
     auto* right = &child<ColorCanvas>(again, "colorRight");
     QCOMPARE(s.pixel(*left, 30, 7), s.pixel(*s.left, 30, 7));
     QCOMPARE(s.pixel(*right, 16, 12), s.shownColor("orange"));
+  }
+
+  void anImageOfALogIsNotCalledLive() {
+    LogBench bench;
+    bench.openLog(kFile);
+    bench.push(bench.session.selectedRobot() + "/camera/image", *CameraBench::image(), 2);
+    auto view = bench.openView<ColorImageView>();
+    QVERIFY(child<QLabel>(*view, "colorTime").text().endsWith(QStringLiteral(" s")));
+    QCOMPARE(child<QLabel>(*view, "colorState").text(), QString());
   }
 
   void picturesAreOpenedAndPaintedIn() {

@@ -122,7 +122,7 @@ TEST_F(RobotctlColorTables, whatIsNoTableIsNotConverted) {
     EXPECT_THAT(outcome.errors, HasSubstr(says));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "t.c64"));
   };
-  fails("strokes.csv t.c64", "strokes.csv: no format is known of which a table has these");
+  fails("strokes.csv t.c64", "strokes.csv: this is not a color table of a known format");
   fails("strokes.csv t.c64 --format upenn", "a table of the UPennalizers has 262144 bytes");
   fails("nothing.lut t.c64", "nothing.lut");
   std::ofstream(folder_ / "damaged.bz2") << "BZh9 and nothing more";

@@ -175,14 +175,14 @@ TEST(TableImport, whatIsNoCompressedTableIsRefused) {
   EXPECT_THAT(importRefusal(damaged), HasSubstr("its contents do not fit together"));
   EXPECT_THAT(importRefusal(compressed(std::string((4U << 20U) + 1, 'a'))),
               HasSubstr("becomes larger than 4194304 bytes"));
-  EXPECT_THAT(importRefusal(compressed(std::string(4U << 20U, 'a'))), HasSubstr("no format is known"));
+  EXPECT_THAT(importRefusal(compressed(std::string(4U << 20U, 'a'))),
+              HasSubstr("not a color table of a known format"));
   EXPECT_FALSE(colortool::decompressBzip2("", 10, "f"));
 }
 
 TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
-  EXPECT_THAT(importRefusal(""),
-              StartsWith("f: no format is known of which a table has these 0 bytes; known are c64, "));
-  EXPECT_THAT(importRefusal(std::string(k64 - 1, '\0')), HasSubstr("a table has these 262143 bytes"));
+  EXPECT_THAT(importRefusal(""), StartsWith("f: this is not a color table of a known format (c64, "));
+  EXPECT_THAT(importRefusal(std::string(k64 - 1, '\0')), HasSubstr("none has these 262143 bytes"));
   EXPECT_THAT(importRefusal("", TableFormat::kUPenn), HasSubstr("UPennalizers has 262144 bytes, this has 0"));
   EXPECT_THAT(importRefusal("", TableFormat::kNUbots), HasSubstr("NUbots has 2097152 bytes, this has 0"));
   EXPECT_THAT(importRefusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is expected"));

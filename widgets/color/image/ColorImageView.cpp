@@ -352,10 +352,11 @@ void ColorImageView::updateStatus() {
   time_->setText(!frame                  ? tr("no image yet")
                  : frame->file().empty() ? timeText(frame->time())
                                          : frame->label());
-  state_->setText(!frame                        ? QString()
-                  : pinned_                     ? tr("frozen")
-                  : session().timeline().live() ? tr("live")
-                                                : tr("history"));
+  state_->setText(!frame                                     ? QString()
+                  : pinned_                                  ? tr("frozen")
+                  : !session().timeline().live()             ? tr("history")
+                  : openLogs(context()).current() == nullptr ? tr("live")
+                                                             : QString());
   zoom_->setText(frame ? tr("%1 %").arg(qRound(left_->zoom() * 100)) : QString());
 }
 
