@@ -20,7 +20,7 @@ namespace widgets {
 namespace {
 
 constexpr int kPictureWidth = 420, kDrawingsWidth = 180;  // pixels, before the user divides the view
-const double kZoomStep = std::sqrt(2.0);
+const double kPictureZoomStep = std::sqrt(2.0);
 
 }  // namespace
 
@@ -39,8 +39,8 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
   save_ = makeAction(this, "save",
                      {named("Save").constData(), tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
-  connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kZoomStep); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { zoomBy_(1 / kZoomStep); });
+  connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kPictureZoomStep); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { zoomBy_(1 / kPictureZoomStep); });
   connect(copy_, &QAction::triggered, this, [this] { copyPicture(rendered_()); });
   connect(save_, &QAction::triggered, this, [this] { savePictureAs(this, rendered_(), file_); });
 }
