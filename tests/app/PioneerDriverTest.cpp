@@ -116,7 +116,7 @@ class PioneerDriverTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(PioneerDriverTest, itConnectsAndTellsWhatTheRobotSenses) {
+TEST_F(PioneerDriverTest, itConnectsAndPublishesWhatTheRobotSenses) {
   play(3);
   ASSERT_NE(state_.get(), nullptr);
   EXPECT_FALSE(state_.get()->motors_on());  // a real robot waits for a person

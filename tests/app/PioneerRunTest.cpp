@@ -120,7 +120,7 @@ class PioneerRunTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(PioneerRunTest, aRobotAtTheEndOfALineTellsWhatASimulatedOneDoes) {
+TEST_F(PioneerRunTest, aRobotAtTheEndOfALinePublishesWhatASimulatedOneDoes) {
   connect();
   ASSERT_TRUE(
       playUntil([&] { return state() && ears_.newest<robotcontrol::SonarReadings>("p3at1/range/sonar"); }));

@@ -179,7 +179,7 @@ TEST_F(RecordingTest, aRecordingThatBeginsInTheGameHasAllThatHolds) {
   EXPECT_THAT(brokenFrames(log), ElementsAre());
 }
 
-TEST_F(RecordingTest, whenItEndsTheProgramTellsNoMoreThanBefore) {
+TEST_F(RecordingTest, whenItEndsTheProgramPublishesNoMoreThanBefore) {
   make(false);
   steps(125);
   reported = 0;

@@ -80,7 +80,7 @@ robotcontrol::Request keyRequest(const std::string& key) {
 
 }  // namespace
 
-TEST(SimulatedRun, itsLoadingTellsHowFarItIsAndCanBeGivenUp) {
+TEST(SimulatedRun, itsLoadingReportsHowFarItIsAndCanBeGivenUp) {
   RunOptions wanted = options();
   double reached = -1;
   wanted.progress = [&](double share) {
@@ -109,7 +109,7 @@ TEST(SimulatedRun, aRunThatIsResetPlaysLikeAFreshOne) {
   EXPECT_EQ(run->world().digest(), digestAfter(options(7), 1));
 }
 
-TEST(SimulatedRun, whatIsAskedForIsToldAndGoesOnAfterAReset) {
+TEST(SimulatedRun, whatIsAskedForIsPublishedAlsoAfterAReset) {
   Ears ears;
   const auto run = makeRun(options(), ears.listeners());
   play(*run, 0.5);

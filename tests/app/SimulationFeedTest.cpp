@@ -133,7 +133,7 @@ TEST_F(SimulationFeedTest, robotsAndPortsAreCountedInWholeNumbers) {
   EXPECT_TRUE(waitFor([this] { return !workbench.loading(); }));
 }
 
-TEST_F(SimulationFeedTest, aPausedRobotTellsItsTablesAndAnswersWhatItIsAsked) {
+TEST_F(SimulationFeedTest, aPausedRobotPublishesItsTablesAndAnswersRequests) {
   const auto* solutions =
       workbench.session().store().latest("red1/tables/solutions", workbench.session().timeline().newest());
   const auto* keys =

@@ -18,7 +18,7 @@ TEST(TextLimit, someTextsAreShownAtOnceAndAllOfASlowSender) {
   EXPECT_EQ(limit.suppressed(), 1U);
 }
 
-TEST(TextLimit, aFloodIsCountedAndItsNumberIsToldOnceASecond) {
+TEST(TextLimit, aFloodIsCountedAndItsNumberIsReportedOnceASecond) {
   TextLimit limit;
   int shown = 0, tellings = 0;
   std::uint64_t reported = 0;

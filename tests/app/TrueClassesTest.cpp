@@ -85,7 +85,7 @@ TEST(TrueClasses, pairsOfTwoClassesAreIgnored) {
   EXPECT_EQ(image.data, (std::vector<std::uint8_t>{1, 1, 255, 255, 5, 5, 0, 0, 255, 255, 255, 255}));
 }
 
-TEST(TrueClasses, areToldWithTheImagesTheyBelongToWhileAskedFor) {
+TEST(TrueClasses, areSentWithTheirImagesWhileAskedFor) {
   Watched watched;
   watched.ask("camera/image");
   watched.play(0.4);

@@ -106,7 +106,7 @@ TEST_F(WheelRobot, itDrivesThroughAHouseWithoutTouchingAnything) {
   EXPECT_LT((byWheels.translation() - truly.translation()).norm(), 0.1 * way + 0.05);
 }
 
-TEST_F(WheelRobot, itKeepsToItsSpeedsAndTellsThemTenTimesASecond) {
+TEST_F(WheelRobot, itKeepsToItsSpeedsAndReportsThemTenTimesASecond) {
   play(10);
   EXPECT_NEAR(static_cast<double>(states().size()), 100, 3);
   for (const auto& state : states()) {

@@ -37,7 +37,7 @@ void compare(PackageDifferences& differences, Instant at, double logged, double 
 
 }  // namespace
 
-TEST(PackageDifferences, tellsHowManyTheFirstAndTheLargest) {
+TEST(PackageDifferences, reportsHowManyTheFirstAndTheLargest) {
   PackageDifferences differences;
   compare(differences, Instant(1s), 1, 1);
   compare(differences, Instant(2s), 1, 1.5);

@@ -169,7 +169,7 @@ TEST_F(ReplayRunTest, oneRecomputedPackageAmongLoggedOnesIsTheSameToTheBit) {
   EXPECT_EQ(replay.digestOn(kRegions), replay.digestOn("red1/logged/percepts/regions"));
 }
 
-TEST_F(ReplayRunTest, whatIsToldAnewTakesThePathAndWhatWasLoggedStandsBesideIt) {
+TEST_F(ReplayRunTest, whatIsRecomputedTakesThePathAndWhatWasLoggedStandsBesideIt) {
   ReplayOptions options = recomputingRegions();
   Replay replay(options);
   ASSERT_TRUE(replay.run);
@@ -259,7 +259,7 @@ TEST_F(ReplayRunTest, anotherSolutionGivesOtherBytesAndTheFirstOneItsOwnAgain) {
   EXPECT_EQ(other.status().differences(0).different(), 0U);
 }
 
-TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndOfNumbersALittleMore) {
+TEST_F(ReplayRunTest, aJumpPublishesTheNewestOfEveryStreamAndOfNumbersALittleMore) {
   ReplayOptions options = replayOf({{file()}});
   options.preroll = 100ms;
   Replay replay(options);

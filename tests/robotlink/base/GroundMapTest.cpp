@@ -54,7 +54,7 @@ TEST(GroundMap, linesPointsAndPlacesAreReadInMetersAndRadians) {
   EXPECT_TRUE(map.notes.empty());
 }
 
-TEST(GroundMap, kindsOfPlacesAreToldApart) {
+TEST(GroundMap, kindsOfPlacesAreDistinguished) {
   const GroundMap map = parsed(
       "2D-Map-Ex4\n"
       "Cairn: Goal 1 2 90 \"\" ICON \"a\"\n"
@@ -102,7 +102,7 @@ TEST(GroundMap, aMapThatWasCutOffSaysSoFirst) {
       << map.notes[0];
 }
 
-TEST(GroundMap, whatIsMoreThanPromisedIsUsedAndTold) {
+TEST(GroundMap, whatIsMoreThanPromisedIsUsedAndReported) {
   const GroundMap map = parsed("2D-Map\nNumLines: 1\nLINES\n0 0 1000 0\n0 0 0 1000\n");
   EXPECT_EQ(map.lines.size(), 2U);
   ASSERT_EQ(map.notes.size(), 1U);

@@ -137,7 +137,7 @@ TEST(Worker, theDestructorEndsTheJobInProgressAndDropsTheOtherOne) {
   EXPECT_THAT(ended, ElementsAre(1));
 }
 
-TEST(Worker, theDestructorFinishesAllJobsIfToldSo) {
+TEST(Worker, theDestructorFinishesAllJobsIfAskedTo) {
   std::vector<int> done;
   {
     Worker<int> worker(

@@ -224,7 +224,7 @@ TEST_F(DebugContextTest, aFrameThatIsTooLargeAloneIsDroppedAndTheNextOneIsNot) {
   EXPECT_EQ(debug.dropped(), 2U);
 }
 
-TEST_F(DebugContextTest, whatIsToldOutsideAFrameBelongsToTheNext) {
+TEST_F(DebugContextTest, whatIsPublishedOutsideAFrameBelongsToTheNext) {
   debug_.text(Level::kError, "solutions", "refused");
   EXPECT_FALSE(debug_.hasQueue());
   frame();

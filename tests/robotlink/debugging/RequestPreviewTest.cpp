@@ -147,7 +147,7 @@ TEST(RequestPreview, eachRequestSeesWhatThoseBeforeItChange) {
   EXPECT_EQ(preview.takeQueue(robot.clock.now()), nullptr) << "it was taken";
 }
 
-TEST(RequestPreview, changesNothingOfWhatTheProgramDoesAndTells) {
+TEST(RequestPreview, changesNothingOfWhatTheProgramDoesAndPublishes) {
   ToyRobot looked, other;
   for (ToyRobot* robot : {&looked, &other}) {
     robot->run(20);

@@ -30,7 +30,7 @@ const robotcontrol::KeyTable::Key* keyIn(const ToyRobot& robot) {
 
 }  // namespace
 
-TEST(RequestedPackages, areNeitherMadeNorToldWhileTheirKeyIsOff) {
+TEST(RequestedPackages, areNeitherMadeNorPublishedWhileTheirKeyIsOff) {
   ToyRobot robot;
   robot.run(50);
   EXPECT_EQ(robot.platform.classesMade(), 0);
@@ -39,7 +39,7 @@ TEST(RequestedPackages, areNeitherMadeNorToldWhileTheirKeyIsOff) {
   EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::OFF);
 }
 
-TEST(RequestedPackages, areToldWithTheirOwnTimesWhileTheirKeyIsOn) {
+TEST(RequestedPackages, arePublishedWithTheirOwnTimesWhileTheirKeyIsOn) {
   ToyRobot robot;
   ASSERT_TRUE(robot.setKey(kKey, KeyMode::ALWAYS).accepted());
   robot.run(50);

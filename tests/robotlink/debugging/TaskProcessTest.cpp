@@ -55,7 +55,7 @@ TEST(TaskProcessTest, aSolutionIsSwitchedAtAFramesStartAndStartsAfresh) {
   EXPECT_EQ(4, livingSolutions());
 }
 
-TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
+TEST(TaskProcessTest, theTableShowsWhatIsActiveAndWhatIsUnavailable) {
   ToyRobot robot;
   robot.run(20);
   EXPECT_EQ("go", robot.active("behavior"));
@@ -127,7 +127,7 @@ TEST(TaskProcessTest, aDrawingIsSentOnlyWhileItsKeyIsOn) {
   EXPECT_EQ(3U, robot.on("drawings/image/ball-percept/dot").size());
 }
 
-TEST(TaskProcessTest, keysOfInactiveSolutionsAreKnownAndARunOutKeyIsTold) {
+TEST(TaskProcessTest, keysOfInactiveSolutionsAreKnownAndAnExpiredKeyIsPublished) {
   ToyRobot robot;
   robot.setKey("ball-percept/dot", KeyMode::N_TIMES, 2);
   robot.run(100);
@@ -204,7 +204,7 @@ TEST(TaskProcessTest, parametersComeFromTheirFileAndCanBeSet) {
   EXPECT_GT(lastBall(robot).radius_in_image(), 5000) << "kept when the solution is switched";
 }
 
-TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
+TEST(TaskProcessTest, parametersArePublishedWithTheirDescription) {
   ToyRobot robot;
   Request request;
   request.mutable_get_parameters()->set_task("ball-percept");

@@ -86,7 +86,7 @@ TEST_F(LayoutIndexTest, aTaskCannotWaitForItself) {
   EXPECT_THAT(index.obstacle(*index.placeOf("echo"), solution("echo", "loop")), HasSubstr("echoed"));
 }
 
-TEST_F(LayoutIndexTest, aTaskThatRunsBeforeItsSourceInTheSameProcessIsToldSo) {
+TEST_F(LayoutIndexTest, aTaskThatRunsBeforeItsSourceInTheSameProcessIsReportedSo) {
   layout.processes.front().tasks = {{"model", "filter", {}}, {"see", "plain", {}}};
   const LayoutIndex index = this->index();
   const auto obstacle = index.obstacle(*index.placeOf("model"), "percept");

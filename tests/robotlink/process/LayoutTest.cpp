@@ -105,12 +105,12 @@ TEST(LayoutCheckTest, aGoodLayoutHasNoErrors) {
   EXPECT_THAT(complaints(kGood), IsEmpty());
 }
 
-TEST(LayoutCheckTest, anUnknownTaskIsToldWithTheNearestName) {
+TEST(LayoutCheckTest, anUnknownTaskIsReportedWithTheNearestName) {
   EXPECT_THAT(complaints({"name: think, blocking: [image], tasks: [see: plain, modell: filter]"}),
               ElementsAre("l.yaml:4:58: there is no task 'modell'; did you mean 'model'?"));
 }
 
-TEST(LayoutCheckTest, anUnknownSolutionIsToldWithTheChoice) {
+TEST(LayoutCheckTest, anUnknownSolutionIsReportedWithTheChoice) {
   EXPECT_THAT(complaints({"name: think, blocking: [image], tasks: [see: sharp]"}),
               ElementsAre("l.yaml:4:46: task see has no solution 'sharp'; there are plain, guess"));
 }
@@ -125,13 +125,13 @@ TEST(LayoutCheckTest, aProcessNameTwiceIsRefused) {
               ElementsAre("l.yaml:5:5: there is a process think already, in line 4; rename one of them"));
 }
 
-TEST(LayoutCheckTest, anInputThatNobodyYieldsIsToldWithTheTaskThatWould) {
+TEST(LayoutCheckTest, anInputThatNobodyYieldsIsReportedWithTheTaskThatWould) {
   EXPECT_THAT(complaints({"name: think, blocking: [image], tasks: [see: plain, behave: go]"}),
               ElementsAre("l.yaml:4:58: task behave (go) needs model, which nobody yields here; add a task "
                           "that does: model"));
 }
 
-TEST(LayoutCheckTest, anUnavailableDefaultSolutionIsToldWithTheOthers) {
+TEST(LayoutCheckTest, anUnavailableDefaultSolutionIsReportedWithTheOthers) {
   EXPECT_THAT(
       complaints({"name: think, blocking: [image], tasks: [see: plain, model: oracle]"}),
       ElementsAre(

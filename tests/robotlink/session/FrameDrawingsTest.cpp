@@ -123,7 +123,7 @@ TEST_F(FrameDrawingsTest, theLastOfNTimesStaysButWhatIsSwitchedOffGoes) {
   EXPECT_THAT(shown(3), IsEmpty());
 }
 
-TEST_F(FrameDrawingsTest, messagesThatDoNotKnowTheirFrameAreToldByTime) {
+TEST_F(FrameDrawingsTest, messagesThatDoNotKnowTheirFrameAreMatchedByTime) {
   const auto plain = [](const std::string& path, double time, const PackagePtr& value) {
     return StreamMessage{path, instantAt(time), value};
   };
@@ -138,7 +138,7 @@ TEST_F(FrameDrawingsTest, messagesThatDoNotKnowTheirFrameAreToldByTime) {
   EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, instantAt(2)).size(), 0U);
 }
 
-TEST_F(FrameDrawingsTest, kindsAndRobotsAreToldApart) {
+TEST_F(FrameDrawingsTest, kindsAndRobotsAreDistinguished) {
   frame("cognition", 1, {"ball-percept/circle", "lines"});
   EXPECT_THAT(drawingNames(session_.store(), "red1", DrawingKind::kImage),
               ElementsAre("ball-percept/circle", "lines"));

@@ -13,7 +13,7 @@ using namespace robotlink;
 using namespace robotlink::test;
 using testing::ElementsAre;
 
-TEST(Session, aRestartForgetsWhatWasToldBeforeAndGoesLive) {
+TEST(Session, aRestartForgetsWhatWasPublishedBeforeAndGoesLive) {
   Session session;
   session.push(plot("a", 5));
   session.tick();
@@ -32,7 +32,7 @@ TEST(Session, aRestartForgetsWhatWasToldBeforeAndGoesLive) {
   EXPECT_EQ(session.store().find("b")->messages.size(), 2U) << "it is forgotten once";
 }
 
-TEST(Session, aRestartWithoutAnythingToldEmptiesTheHistory) {
+TEST(Session, aRestartThatPublishesNothingEmptiesTheHistory) {
   Session session;
   session.push(plot("a", 5));
   session.tick();
@@ -42,7 +42,7 @@ TEST(Session, aRestartWithoutAnythingToldEmptiesTheHistory) {
   EXPECT_EQ(session.timeline().newest(), Instant{});
 }
 
-TEST(Session, whatARestartTellsAppearsAsAWhole) {
+TEST(Session, whatARestartPublishesAppearsAsAWhole) {
   Session session;
   session.push(plot("old", 5));
   session.tick();
@@ -59,7 +59,7 @@ TEST(Session, whatARestartTellsAppearsAsAWhole) {
   EXPECT_NE(session.store().find("b"), nullptr);
 }
 
-TEST(Session, anAnswerComesWithWhatARestartTells) {
+TEST(Session, anAnswerComesWithWhatARestartPublishes) {
   Session session;
   session.setRequestSink([](const robotcontrol::Request&) {});
   int answers = 0;

@@ -152,7 +152,7 @@ TEST(Session, tablesAreNeverDropped) {
   EXPECT_TRUE(image.expired()) << "what was dropped with them is not kept in memory";
 }
 
-TEST(Session, theSceneAndWhatElseHoldsUntilItIsToldAnewIsNeverDropped) {
+TEST(Session, theSceneAndOtherLatchedMessagesAreNeverDropped) {
   Session session({}, {.messages = 4});
   session.push({"scene", at(1), std::make_shared<foxglove::SceneUpdate>()});
   session.push({"map", at(1), std::make_shared<robotcontrol::GroundMap>()});
@@ -228,7 +228,7 @@ TEST(Session, withoutASinkARequestIsRefusedWithAReason) {
   EXPECT_THAT(reason, testing::HasSubstr("nothing that is connected"));
 }
 
-TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
+TEST(Session, aRefusalThatNobodyWaitsForIsReportedToTheHandler) {
   Session session;
   session.setRequestSink([&](const robotcontrol::Request& request) {
     robotcontrol::RequestResult result;
