@@ -118,15 +118,38 @@ void DistanceMap::transform() {
 
 double DistanceMap::range(const Pose2& sensor, double openingAngle, double maximum) const {
   // Advances along the axis by the distance that is known to be free; a wall is hit where the free disc is no
-  // wider than the cone.
-  const double half = std::sin(0.5 * openingAngle), c = std::cos(sensor.heading),
-               s = std::sin(sensor.heading);
-  const double shortest = 0.5 * frame_.cell;
+  // wider than the cone. Distances are between centers of cells, so a step leaves the last cell before a wall
+  // to the cone's width, or else is made from cell to cell: a longer one could pass between the cells of a
+  // slanting wall. Lengths are in cells.
+  constexpr double kBeside = 1e-6;   // so that a ray does not pass exactly through corners of cells
+  constexpr double kBeyond = 1e-9;   // so that rounding does not leave a ray where it is
+  constexpr double kParallel = 1e9;  // to a side that is never reached
+  const double half = std::sin(0.5 * openingAngle), cells = 1 / frame_.cell;
+  const Vector2 direction(std::cos(sensor.heading), std::sin(sensor.heading));
+  const Vector2 start =
+      cells * (sensor.translation() - frame_.low) + kBeside * Vector2(-direction.y(), direction.x());
+  const auto inverse = [](double d) { return d == 0 ? kParallel : 1 / d; };
+  const Vector2 perCell(inverse(direction.x()), inverse(direction.y()));
+  const Vector2 ahead(direction.x() >= 0 ? 1 : 0, direction.y() >= 0 ? 1 : 0);
   double way = 0;
-  while (way < maximum) {
-    const double free = at({sensor.x + c * way, sensor.y + s * way}) - way * half;
-    if (free <= shortest) return way;
-    way += std::max(shortest, free);
+  while (way < cells * maximum) {
+    const Vector2 place = start + way * direction;
+    const double x = std::floor(place.x()), y = std::floor(place.y());
+    // Written so that a NaN is outside, too.
+    if (!(x >= 0 && y >= 0 && x < frame_.width && y < frame_.height)) return maximum;
+    const double distance = cells * at(static_cast<int>(x), static_cast<int>(y)), radius = way * half;
+    if (distance <= 0) {
+      const double center = direction.dot(Vector2(x + 0.5, y + 0.5) - start);
+      return std::clamp(frame_.cell * center, 0.0, maximum);
+    }
+    if (distance - radius <= 0.5) return frame_.cell * way;
+    const double free = distance - std::max(radius, 1.0);
+    if (free >= 1) {
+      way += free;
+    } else {
+      way += std::min((x + ahead.x() - place.x()) * perCell.x(), (y + ahead.y() - place.y()) * perCell.y()) +
+             kBeyond;
+    }
   }
   return maximum;
 }

@@ -49,6 +49,29 @@ TEST(DistanceMap, itAgreesWithRaysThatKnowNoGrid) {
   }
 }
 
+TEST(DistanceMap, aRayDoesNotPassBetweenTheCellsOfASlantingWall) {
+  // The wall is one cell thick, and its cells touch at their corners only where it slants by 45 degrees.
+  for (const double slant : {20.0, 45.0, 70.0, 110.0, 135.0}) {
+    GroundMap map = roomMap(8, 8);
+    const double c = std::cos(radians(slant)), s = std::sin(radians(slant));
+    addWall(map, 4 - 3 * c, 4 - 3 * s, 4 + 3 * c, 4 + 3 * s);
+    const DistanceMap distances(map, {});
+    const FlatWorld world(map);
+    int passed = 0;
+    for (int i = 0; i < 2000; ++i) {
+      // From many places on one side toward the middle half of the wall.
+      const Vector2 aim = Vector2(4, 4) + Vector2(c, s) * (1.5 * std::sin(0.37 * i));
+      const double heading = radians(slant) + radians(90 + 55 * std::sin(0.11 * i));
+      const double away = 0.3 + 0.0011 * i / 2;
+      const Pose2 sensor{aim.x() - away * std::cos(heading), aim.y() - away * std::sin(heading), heading};
+      const double expected = world.ray(sensor, 12);
+      if (expected < away - 0.2) continue;  // another wall is before it
+      if (std::abs(distances.range(sensor, 0, 12) - expected) > 0.15) ++passed;
+    }
+    EXPECT_EQ(passed, 0) << "at a slant of " << slant << " degrees";
+  }
+}
+
 TEST(DistanceMap, aConeMeetsWhatIsBesideItsAxis) {
   GroundMap map = roomMap(8, 5);
   addWall(map, 4, 2.8, 4, 4);
