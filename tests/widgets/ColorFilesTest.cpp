@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
+#include <set>
 
 #include "colortool/samples/SampleFile.h"
 #include "colortool/table/NamedColorTable.h"
@@ -18,6 +19,7 @@
 #include "tests/widgets/CameraBench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/ColorFileActions.h"
+#include "widgets/color/ColorRecovery.h"
 #include "widgets/color/samples/ColorClassesView.h"
 
 namespace widgets::test {
@@ -277,6 +279,31 @@ class ColorFilesTest : public QObject {
     QCOMPARE(colortool::loadSamples(recoveryFile())->samples.strokes.size(), std::size_t{1});
     QCOMPARE(colortool::loadSamples(path("colors/recovery-2.samples"))->samples.strokes.size(),
              std::size_t{2});
+  }
+
+  void aDozenProgramsKeepTheirsApartAndAllOfItComesBack() {
+    constexpr std::size_t kPrograms = 12;
+    {
+      std::vector<std::unique_ptr<widgets::ColorRecovery>> programs;
+      std::set<std::filesystem::path> files;
+      for (std::size_t i = 0; i < kPrograms; ++i) {
+        programs.push_back(
+            std::make_unique<widgets::ColorRecovery>(path("colors"), [](const robotlink::Error&) {}));
+        files.insert(programs.back()->file());
+        QVERIFY(!programs.back()->left());
+        programs.back()->keep(colortool::quarterSamples());
+        programs.back()->finish();
+      }
+      QCOMPARE(files.size(), kPrograms);
+    }  // all of them crashed
+    std::vector<std::unique_ptr<widgets::ColorRecovery>> next;
+    for (std::size_t i = 0; i < kPrograms; ++i) {
+      next.push_back(
+          std::make_unique<widgets::ColorRecovery>(path("colors"), [](const robotlink::Error&) {}));
+      const auto left = next.back()->left();
+      QVERIFY2(left && *left, std::to_string(i).c_str());
+      QCOMPARE((*left)->samples, colortool::quarterSamples());
+    }
   }
 
   void aDamagedRecoveryFileIsSetAside() {

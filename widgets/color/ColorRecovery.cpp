@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/color/ColorRecovery.h"
 
+#include <QCoreApplication>
 #include <QLockFile>
+#include <charconv>
+#include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace widgets {
 namespace {
 
-constexpr int kMaxPrograms = 9;
-
+/// The recovery file of a number, counted from 1.
 std::filesystem::path fileAt(const std::filesystem::path& folder, int number) {
   return folder / (number == 1 ? "recovery.samples" : "recovery-" + std::to_string(number) + ".samples");
+}
+
+/// The numbers of the recovery files in a folder, in order.
+std::set<int> numbersIn(const std::filesystem::path& folder) {
+  std::set<int> numbers;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    constexpr std::string_view kBegin = "recovery-";
+    int number = 1;
+    if (name.starts_with(kBegin))
+      std::from_chars(name.data() + kBegin.size(), name.data() + name.size(), number);
+    // Other names, such as those of damaged files, are not those of their number.
+    if (entry.path() == fileAt(folder, number)) numbers.insert(number);
+  }
+  return numbers;
 }
 
 /// Renames a file to the first free "NAME-damaged-N.samples" beside it.
@@ -41,23 +60,26 @@ ColorRecovery::~ColorRecovery() = default;
 
 /// Chooses the first unlocked file that was left behind, else the first unlocked name.
 void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
-  for (int number = 1; number <= kMaxPrograms; ++number) {
-    const std::filesystem::path place = fileAt(folder, number);
-    std::error_code error;
-    const bool left = std::filesystem::exists(place, error);
-    if (lock_ && !left) continue;
-    auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.string() + ".lock"));
-    lock->setStaleLockTime(
-        // Locks of dead programs do not count, however new; those of living ones do, however old.
-        0);
-    if (!lock->tryLock(0)) continue;
-    lock_ = std::move(lock);
-    file_ = place;
-    if (left) return;
+  for (const int number : numbersIn(folder)) {
+    if (lock(fileAt(folder, number)) == Locking::kDone) return;
   }
-  // All are held, or the folder cannot be written: a place that no other program uses, so that nothing is
-  // lost.
-  if (!lock_) file_ = fileAt(folder, kMaxPrograms + 1);
+  // The names of programs that run are locked; of these there are few.
+  int number = 1;
+  while (lock(fileAt(folder, number)) == Locking::kTaken) ++number;
+  // If no lock can be made, the folder cannot be written, or has no locks; no other program uses this name.
+  if (!lock_)
+    file_ = folder / ("recovery-" + std::to_string(QCoreApplication::applicationPid()) + ".unlocked.samples");
+}
+
+ColorRecovery::Locking ColorRecovery::lock(const std::filesystem::path& place) {
+  auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.string() + ".lock"));
+  // Locks of dead programs do not count, however new; those of living ones do, however old.
+  lock->setStaleLockTime(0);
+  if (!lock->tryLock(0))
+    return lock->error() == QLockFile::LockFailedError ? Locking::kTaken : Locking::kImpossible;
+  lock_ = std::move(lock);
+  file_ = place;
+  return Locking::kDone;
 }
 
 std::optional<robotlink::Result<colortool::ReadSamples>> ColorRecovery::left() {

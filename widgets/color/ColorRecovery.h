@@ -43,8 +43,12 @@ class ColorRecovery {
  private:
   /// The samples to write; unset: delete the file.
   using Job = std::optional<colortool::Samples>;
+  /// Whether a file could be locked: done, taken by another program, or impossible in its folder.
+  enum class Locking { kDone, kTaken, kImpossible };
   /// Sets file_ and lock_.
   void choosePlace(const std::filesystem::path& folder);
+  /// Tries to lock a file; if that is done, it is file_.
+  Locking lock(const std::filesystem::path& place);
   /// Executes a job, in the thread.
   void work(const Job& job) const;
 
