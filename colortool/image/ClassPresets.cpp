@@ -55,6 +55,14 @@ const ClassPreset* findClassPreset(std::string_view name) {
   return found == kPresets.end() ? nullptr : found;
 }
 
+const ClassPreset& presetFor(std::span<const std::string> colors) {
+  return *std::ranges::max_element(kPresets, {}, [&](const ClassPreset& preset) {
+    return std::ranges::count_if(preset.colors, [&](const ClassPreset::Color& color) {
+      return std::ranges::find(colors, color.name) != colors.end();
+    });
+  });
+}
+
 robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names) {
   if (names.size() == 1) {
     if (const ClassPreset* preset = findClassPreset(names[0])) return preset->classes();

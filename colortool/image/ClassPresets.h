@@ -39,6 +39,10 @@ std::span<const ClassPreset> classPresets();
 /// Returns null if there is no preset of that name.
 const ClassPreset* findClassPreset(std::string_view name);
 
+/// The preset that fits things of these colors, such as a field: the one with most of its classes among them;
+/// of several, or if none has any, the first one.
+const ClassPreset& presetFor(std::span<const std::string> colors);
+
 /// Interprets the class list of a command line: the name of a preset alone, or the names of classes in the
 /// order of their numbers. A class that also occurs in a preset gets the color of that preset, any other a
 /// spare color. Fails on invalid names and on duplicates.

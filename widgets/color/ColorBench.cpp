@@ -6,6 +6,7 @@
 
 #include "colortool/image/ClassPresets.h"
 #include "foxglove/Image.pb.h"
+#include "robotlink/config/FieldDescription.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace widgets {
@@ -38,16 +39,32 @@ class DocumentStep final : public QUndoCommand {
   bool done_ = false;
 };
 
+/// The classes of the preset that fits a field; null: none.
+colortool::ColorClasses classesFor(const robotlink::FieldDescription* field) {
+  std::vector<std::string> colors;
+  if (field != nullptr) {
+    for (const auto& color : field->palette) colors.push_back(color.name);
+  }
+  return colortool::presetFor(colors).classes();
+}
+
 }  // namespace
 
 ColorBench::ColorBench(const ViewContext& context, QObject* parent)
     : QObject(parent), session_(context.session), labeled_(std::make_shared<std::vector<LabeledFrame>>()) {
   colortool::Samples samples;
-  samples.classes = colortool::classPresets().front().classes();
+  samples.classes = usual_ = classesFor(context.field.get());
   document_ = colortool::SampleDocument(std::move(samples));
   learner_ = std::make_unique<ColorLearner>(
       [this] { QMetaObject::invokeMethod(this, &ColorBench::takeNews, Qt::QueuedConnection); });
   ask();
+}
+
+void ColorBench::setField(const robotlink::FieldDescription* field) {
+  const colortool::ColorClasses before = std::exchange(usual_, classesFor(field));
+  const colortool::Samples& now = samples();
+  if (usual_ == before || undo_.count() > 0 || !now.strokes.empty() || !(now.classes == before)) return;
+  setDocument({}, false);
 }
 
 ColorBench::~ColorBench() {
@@ -66,7 +83,7 @@ void ColorBench::change(const QString& text, colortool::Samples next, const std:
 }
 
 void ColorBench::setDocument(colortool::Samples samples, bool changed) {
-  if (samples.classes.size() < 2) samples.classes = colortool::classPresets().front().classes();
+  if (samples.classes.size() < 2) samples.classes = usual_;
   document_ = colortool::SampleDocument(std::move(samples));
   undo_.clear();
   if (changed) undo_.resetClean();

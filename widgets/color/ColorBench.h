@@ -45,11 +45,15 @@ struct ReferenceTable {
 class ColorBench final : public QObject {
   Q_OBJECT
  public:
-  /// Starts with the classes of the first preset and without strokes. The context's session must outlive the
-  /// bench.
+  /// Starts with the classes that fit the context's field, and without strokes. The context's session must
+  /// outlive the bench.
   explicit ColorBench(const ViewContext& context, QObject* parent = nullptr);
   /// Waits for the learner's threads.
   ~ColorBench() override;
+
+  /// Sets the field, whose colors decide which preset of classes a new document has; null: none. A document
+  /// that nobody has touched gets these classes at once.
+  void setField(const robotlink::FieldDescription* field);
 
   /// The document: the current samples and their history.
   const colortool::Samples& samples() const { return document_.samples(); }
@@ -176,6 +180,8 @@ class ColorBench final : public QObject {
 
   robotlink::Session& session_;
   colortool::SampleDocument document_;
+  /// The classes of a new document.
+  colortool::ColorClasses usual_;
   /// The file of the samples.
   std::string file_;
   QUndoStack undo_;

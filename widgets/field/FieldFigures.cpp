@@ -16,7 +16,7 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-// Approximate outline of an ERS-210 from above.
+// Approximate size of a robot with legs from above, whose description has none.
 constexpr double kLength = 0.27, kWidth = 0.15;  // m
 
 constexpr double kSmallest =

@@ -128,15 +128,16 @@ struct Drag {
   QPoint from, to;
 };
 
-/// Three in the first image of a log for each: ball, field, goal, lines, and what is none of them.
+/// Three in the first image of a log for each: ball, field, goal, lines, and what is none of them. The keys
+/// are those of the classes of 2009, which fit the field of the log.
 std::vector<Drag> dragsFor(const std::string& source) {
   if (source == "real") {
     return {{Qt::Key_1, {166, 142}, {172, 146}}, {Qt::Key_1, {165, 150}, {173, 152}},
             {Qt::Key_1, {170, 138}, {172, 139}}, {Qt::Key_5, {60, 100}, {120, 102}},
             {Qt::Key_5, {150, 205}, {210, 207}}, {Qt::Key_5, {280, 100}, {310, 110}},
-            {Qt::Key_8, {201, 20}, {201, 60}},   {Qt::Key_8, {230, 4}, {300, 5}},
-            {Qt::Key_8, {201, 10}, {201, 30}},   {Qt::Key_6, {100, 151}, {140, 155}},
-            {Qt::Key_6, {40, 145}, {60, 147}},   {Qt::Key_6, {200, 162}, {240, 166}},
+            {Qt::Key_3, {201, 20}, {201, 60}},   {Qt::Key_3, {230, 4}, {300, 5}},
+            {Qt::Key_3, {201, 10}, {201, 30}},   {Qt::Key_4, {100, 151}, {140, 155}},
+            {Qt::Key_4, {40, 145}, {60, 147}},   {Qt::Key_4, {200, 162}, {240, 166}},
             {Qt::Key_0, {120, 20}, {160, 30}},   {Qt::Key_0, {30, 20}, {40, 60}},
             {Qt::Key_0, {220, 40}, {225, 55}}};
   }
@@ -144,8 +145,8 @@ std::vector<Drag> dragsFor(const std::string& source) {
   using game::View;
   for (const auto& [key, label] : {std::pair{Qt::Key_1, View::kOrange},
                                    {Qt::Key_5, View::kGreen},
-                                   {Qt::Key_8, View::kBlue},
-                                   {Qt::Key_6, View::kWhite},
+                                   {Qt::Key_3, View::kBlue},
+                                   {Qt::Key_4, View::kWhite},
                                    {Qt::Key_0, std::uint8_t{0}}}) {
     for (const auto& place : game::placesInside(View::at(0).labels, label, 3, 3))
       drags.push_back({key, {place.x - 1, place.y}, {place.x + 1, place.y}});

@@ -26,6 +26,16 @@ TEST(ClassPresets, areFoundByTheirNames) {
   EXPECT_EQ(colortool::findClassPreset("2001"), nullptr);
 }
 
+TEST(ClassPresets, areChosenByTheColorsOfAField) {
+  const std::vector<std::string> field2002{"green",   "white", "orange", "yellow",
+                                           "skyblue", "pink",  "red",    "blue"};
+  const std::vector<std::string> field2009{"green", "white", "orange", "yellow",
+                                           "blue",  "black", "red",    "robotBlue"};
+  EXPECT_EQ(colortool::presetFor(field2002).name, "2002");
+  EXPECT_EQ(colortool::presetFor(field2009).name, "bhuman2009");
+  EXPECT_EQ(colortool::presetFor({}).name, "2002");
+}
+
 TEST(ClassPresets, haveNoNameAndNoColorTwice) {
   std::set<std::string_view> presets;
   for (const ClassPreset& preset : colortool::classPresets()) {
