@@ -40,7 +40,8 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
   level.charging = charging;
   if (!(volts > 0)) return level;
   level.share = stateOfCharge;
-  if (!level.share && battery) level.share = (volts - battery->empty) / (battery->full - battery->empty);
+  if (!level.share && battery && battery->full > battery->empty)
+    level.share = (volts - battery->empty) / (battery->full - battery->empty);
   if (level.share) level.share = std::clamp(*level.share, 0.0, 1.0);
   const bool empty = (battery && volts < battery->empty) || (stateOfCharge && *stateOfCharge < kEmptyShare);
   const bool low = (battery && volts < battery->low) || (stateOfCharge && *stateOfCharge < kLowShare);

@@ -7,8 +7,7 @@
 namespace app {
 namespace {
 
-constexpr double kCapacity = 3 * 7.2 * 3600;  // A s
-constexpr double kFullVoltage = 12.9, kEmptyVoltage = 11.0;
+constexpr double kCapacity = 3 * 7.2 * 3600;              // A s
 constexpr double kInternalResistance = 0.03;              // ohm, of all three
 constexpr double kIdleCurrent = 2, kMotorsCurrent = 0.5;  // A
 constexpr double kDrivingCurrent = 8;                     // A at 1 m/s
@@ -22,7 +21,7 @@ void PioneerBattery::discharge(bool motorsOn, double speed, robotlink::Duration 
 }
 
 double PioneerBattery::voltage() const {
-  return kEmptyVoltage + (kFullVoltage - kEmptyVoltage) * charge_ - kInternalResistance * current_;
+  return empty_ + (full_ - empty_) * charge_ - kInternalResistance * current_;
 }
 
 }  // namespace app

@@ -125,6 +125,7 @@ void PioneerDriver::damageCame(const arcos::Damage& damage, Instant now) {
 
 void PioneerDriver::configurationCame(const arcos::Configuration& configuration) {
   packages_.setBumpers(configuration.frontBumpers, configuration.rearBumpers);
+  packages_.setBattery(configuration.lowBatteryDecivolts / 10.0, configuration.shutdownDecivolts / 10.0);
 }
 
 void PioneerDriver::stateCame(const arcos::StandardInformation& information, Instant now) {

@@ -36,6 +36,11 @@ void PioneerPackages::setBumpers(int front, int rear) {
   rearBumpers_ = rear;
 }
 
+void PioneerPackages::setBattery(double low, double empty) {
+  batteryLow_ = low;
+  batteryEmpty_ = empty;
+}
+
 void PioneerPackages::resetOdometry() {
   odometry_ = {};
 }
@@ -68,6 +73,8 @@ std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const Rob
   for (int i = 0; i < frontBumpers_; ++i) state->add_front_bumpers((said.frontBumpers >> i & 1) != 0);
   for (int i = 0; i < rearBumpers_; ++i) state->add_rear_bumpers((said.rearBumpers >> i & 1) != 0);
   state->set_battery(said.battery);
+  if (batteryLow_ > 0) state->set_battery_low(batteryLow_);
+  if (batteryEmpty_ > 0) state->set_battery_empty(batteryEmpty_);
   if (said.stateOfCharge) state->set_state_of_charge(*said.stateOfCharge);
   state->set_charging(chargingOf(said));
   if (said.temperature) state->set_temperature(*said.temperature);

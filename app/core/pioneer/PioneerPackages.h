@@ -26,6 +26,8 @@ class PioneerPackages {
 
   /// Sets the numbers of bumper segments that the robot reports in its configuration.
   void setBumpers(int front, int rear);
+  /// Sets what the robot says about its battery in its configuration, V; 0: it says nothing.
+  void setBattery(double low, double empty);
   /// To be called when a connection ends. The odometry of the next connection continues that of this one.
   void restart();
   /// Sets the odometry to 0. The robot's own odometry does not change.
@@ -50,6 +52,7 @@ class PioneerPackages {
   const std::string robot_;
   const robotlink::RobotDescription& description_;
   int frontBumpers_ = 0, rearBumpers_ = 0;
+  double batteryLow_ = 0, batteryEmpty_ = 0;
   /// The last pose by the robot's own odometry; unset at the beginning of a connection.
   std::optional<robotlink::Pose2> last_;
   /// The pose over all connections.

@@ -95,7 +95,8 @@ SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string 
       robot_(std::move(robot)),
       options_(std::move(options)),
       ports_(std::move(ports)),
-      session_(options_.settings) {
+      session_(options_.settings),
+      battery_(options_.settings.shutdownVoltage, options_.settings.fullVoltage) {
   if (ports_.laser) {
     scan_.resize(static_cast<std::size_t>(simulation_.rangeSensors()[*ports_.laser].readings));
   }
@@ -122,7 +123,7 @@ void SimulatedPioneer::reset(std::uint64_t seed) {
   now_ = {};
   options_.seed = seed;
   drawTires();
-  battery_ = {};
+  battery_ = PioneerBattery(options_.settings.shutdownVoltage, options_.settings.fullVoltage);
   session_.robotReset();
   start_ = truePose();
   // The simulation's reset has switched the drive on.

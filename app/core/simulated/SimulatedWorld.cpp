@@ -3,7 +3,9 @@
 
 #include <cstring>
 
+#include "app/core/program/RobotFiles.h"
 #include "robotlink/base/Random.h"
+#include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 
 namespace app {
@@ -41,6 +43,36 @@ void blacken(robotlink::Image& image) {
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
 }
 
+/// The description of a robot in a scene; null if it has none or a broken one, which its program reports.
+std::shared_ptr<const robotlink::RobotDescription> descriptionOf(const simcore::Scene& scene,
+                                                                 const std::string& robot) {
+  for (const auto& each : scene.robots()) {
+    if (each.name != robot) continue;
+    auto read = readRobot(each.description);
+    return read ? std::move(*read) : nullptr;
+  }
+  return nullptr;
+}
+
+/// Sets what a microcontroller has from the description of its robot: limits of motion, sonars, battery.
+void describe(const robotlink::RobotDescription& robot, robotlink::arcos::ServerSettings& settings) {
+  if (const auto& drive = robot.drive) {
+    settings.motion.speed = drive->maximumSpeed;
+    settings.motion.rotation = drive->maximumRotation;
+    settings.motion.acceleration = settings.motion.deceleration = drive->acceleration;
+    settings.motion.rotationAcceleration = settings.motion.rotationDeceleration = drive->rotationAcceleration;
+  }
+  if (const auto& sonars = robot.sonars) {
+    settings.sonars = static_cast<int>(sonars->sensors.size());
+    settings.sonarMaximum = sonars->maximum;
+  }
+  if (const auto& battery = robot.battery) {
+    settings.fullVoltage = battery->full;
+    settings.lowVoltage = battery->low;
+    settings.shutdownVoltage = battery->empty;
+  }
+}
+
 }  // namespace
 
 robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
@@ -67,7 +99,10 @@ robotlink::Result<void> SimulatedWorld::makePioneers() {
   if (!options_.noise) options.tireError = 0;
   for (const auto& drive : simulation_->drives()) {
     if (drive.controller != SimulatedPioneer::kController) continue;
-    auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, options);
+    SimulatedPioneer::Options own = options;
+    if (const auto description = descriptionOf(simulation_->scene(), drive.info.robot))
+      describe(*description, own.settings);
+    auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, std::move(own));
     if (!pioneer) return tl::unexpected(pioneer.error());
     pioneers_.push_back(std::move(*pioneer));
   }

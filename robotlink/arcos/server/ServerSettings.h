@@ -41,6 +41,10 @@ struct ServerSettings {
   Duration watchdog = std::chrono::milliseconds(2000);
   bool watchdogStops = true;
 
+  /// Voltages of the battery, V: when it is full; below which it counts as low; at which the robot switches
+  /// itself off.
+  double fullVoltage = 13.0, lowVoltage = 11.5, shutdownVoltage = 11.0;
+
   /// In arrays of eight.
   int sonars = 16;
   double sonarMaximum = RobotType{}.sonarMaximum;  ///< m; also the reading if there is no echo

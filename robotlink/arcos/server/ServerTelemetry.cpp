@@ -8,7 +8,6 @@
 namespace robotlink::arcos {
 namespace {
 
-constexpr double kShutdownVoltage = 11.0, kLowVoltage = 11.5;
 /// The unit of angles on the wire: 1/4096 of a turn, in rad.
 constexpr double kAngleUnit = 2 * kPi / 4096;
 /// ARIA: rate (deg/s) = (512 - reading) * 5 V / 1023 * 300 deg/s / 2.5 V * 1.626, the factor of a p3at-sh.
@@ -102,7 +101,7 @@ Configuration configurationOf(const ServerSettings& settings, const MotionParame
   c.sipCycleMs = rounded<std::uint8_t>(seconds(settings.cycle) * 1000);
   c.frontSonar = settings.sonars > 0;
   c.rearSonar = settings.sonars > SonarFiring::kDiscsOfArray;
-  c.lowBatteryDecivolts = rounded<std::uint16_t>(kLowVoltage * 10);
+  c.lowBatteryDecivolts = rounded<std::uint16_t>(settings.lowVoltage * 10);
   // Ticks of a half turn, divided by 4; the manufacturer's relation of track and ticks.
   c.revCount = rounded<std::uint16_t>(kPi * now.track * settings.encoderTicks / 8);
   c.watchdogMs = rounded<std::uint16_t>(seconds(settings.watchdog) * 1000);
@@ -124,7 +123,7 @@ Configuration configurationOf(const ServerSettings& settings, const MotionParame
   c.autoBaud = 2;
   c.hasGyro = static_cast<std::uint8_t>(settings.gyroscope);
   c.ticksMm = rounded<std::uint16_t>(settings.encoderTicks / 1000);
-  c.shutdownDecivolts = rounded<std::uint16_t>(kShutdownVoltage * 10);
+  c.shutdownDecivolts = rounded<std::uint16_t>(settings.shutdownVoltage * 10);
   c.version = settings.firmware;
   return c;
 }
@@ -155,7 +154,7 @@ StandardInformation informationOf(const ServerSettings& settings, const RobotSen
   const double turning = (sensing.rightSpeed - sensing.leftSpeed) / settings.motion.track;
   sip.rotationRateDeciDegS = rounded<std::int16_t>(degrees(turning) * 10);
   sip.faultFlags =
-      report.battery < kShutdownVoltage ? StandardInformation::kLowBatteryShutdown : std::uint16_t{0};
+      report.battery < settings.shutdownVoltage ? StandardInformation::kLowBatteryShutdown : std::uint16_t{0};
   sip.lateralSpeedMmS = std::int16_t{0};
   sip.temperatureDegC = rounded<std::int8_t>(sensing.temperature);
   sip.stateOfChargePercent = rounded<std::uint8_t>(std::clamp(sensing.charge, 0.01, 1.0) * 100);
