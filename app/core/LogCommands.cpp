@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/Workbench.h"
+#include "app/core/OpenPlatform.h"
 #include "app/core/program/CommandValues.h"
+#include "app/core/program/ShippedFiles.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -20,18 +22,15 @@ using robotlink::failure;
 using robotlink::Result;
 using Type = CommandTable::Type;
 
-/// The range of speeds, times real time.
-constexpr double kSlowest = 0.05, kFastest = 50;
-
-/// The open logs, as the commands need them. A handle; copies refer to the same workbench.
+/// The open logs, as the commands need them. A handle; copies refer to the same platform.
 class Logs {
  public:
-  explicit Logs(Workbench& workbench) : workbench_(&workbench) {}
+  explicit Logs(OpenPlatform& open) : open_(&open) {}
 
-  Workbench& workbench() const { return *workbench_; }
+  OpenPlatform& open() const { return *open_; }
   /// The last published status. Fails if no log is open.
   Result<const ReplayStatus*> status() const {
-    auto& session = workbench_->session();
+    auto& session = open_->session();
     const auto* status =
         session.store().latestAs<ReplayStatus>(robotlink::streams::kReplay, session.timeline().newest());
     if (status == nullptr) return failure("log.none", "no log is open; open one first: log.open FILE");
@@ -41,7 +40,7 @@ class Logs {
   Result<void> control(const ControlReplay& control) const {
     robotcontrol::Request request;
     *request.mutable_control_replay() = control;
-    workbench_->ask(std::move(request));
+    open_->ask(std::move(request));
     return {};
   }
   /// The same for an action without arguments.
@@ -52,7 +51,7 @@ class Logs {
   }
 
  private:
-  Workbench* workbench_;
+  OpenPlatform* open_;
 };
 
 /// Returns the number of steps from a command's argument.
@@ -83,32 +82,25 @@ std::string logNamed(const std::string& name, const ReplayStatus& status) {
 }
 
 void addOpening(CommandTable& commands, const Logs& logs) {
-  commands.add({"log.open",
-                "Opens a log file, paused at its first image; closes what was open",
-                {{"file", Type::kText, "an MCAP file, or a log in an older format"}},
-                [logs](const Values& values) -> Result<void> {
-                  logs.workbench().openLogs({{text(values, 0)}});
-                  return {};
-                }});
   commands.add({"log.add",
                 "Adds a log file to the timeline",
                 {{"file", Type::kText, "a log file"},
                  {"offset", Type::kNumber,
                   "seconds to add to its times; 0: it starts with the first log unless their times overlap"}},
                 [logs](const Values& values) -> Result<void> {
-                  logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
+                  logs.open().addLog(text(values, 0), robotlink::fromSeconds(number(values, 1)));
                   return {};
                 }});
   commands.add({"log.cancel",
                 "Cancels opening a log, map or scene; what ran before continues",
                 {},
                 [logs](const Values&) -> Result<void> {
-                  logs.workbench().cancelOpening();
+                  logs.open().cancelOpening();
                   return {};
                 }});
   commands.add({"log.close", "Closes the open logs", {}, [logs](const Values&) -> Result<void> {
                   if (auto status = logs.status(); !status) return tl::unexpected(status.error());
-                  logs.workbench().close();
+                  logs.open().close();
                   return {};
                 }});
   commands.add(
@@ -136,12 +128,11 @@ void addPlaying(CommandTable& commands, const Logs& logs) {
                 "Sets how many times real time the log is played",
                 {{"speed", Type::kNumber, "times real time, 0.05 to 50"}},
                 [logs](const Values& values) -> Result<void> {
-                  const double speed = number(values, 0);
-                  if (!(speed >= kSlowest && speed <= kFastest)) {
-                    return failure("log.speed", "the speed must be between 0.05 and 50 times real time");
-                  }
+                  const std::string wrong =
+                      robotlink::wrongSpeed(number(values, 0), robotlink::kReplaySpeeds);
+                  if (!wrong.empty()) return failure("log.speed", wrong);
                   ControlReplay control;
-                  control.set_speed(speed);
+                  control.set_speed(number(values, 0));
                   return logs.control(control);
                 }});
   const auto option = [&](const char* name, const char* help, const char* argument,
@@ -252,7 +243,7 @@ Result<void> choosePackage(const Logs& logs, const std::string& name, const std:
   if (!status) return tl::unexpected(status.error());
   ControlReplay control;
   auto& choice = *control.add_packages();
-  choice.set_package(packageNamed(name, **status, logs.workbench().session().selectedRobot()));
+  choice.set_package(packageNamed(name, **status, logs.open().session().selectedRobot()));
   if (source == "logged") {
     choice.set_source(ControlReplay::AS_LOGGED);
   } else if (source == "recomputed") {
@@ -280,16 +271,15 @@ void addProgram(CommandTable& commands, const Logs& logs) {
                 {{"layout", Type::kText, "a layout file"}},
                 [logs](const Values& values) -> Result<void> {
                   if (const auto status = logs.status(); !status) return tl::unexpected(status.error());
-                  logs.workbench().setLayout(Workbench::layoutNamed(text(values, 0)));
+                  logs.open().setLayout(layoutNamed(text(values, 0)));
                   return {};
                 }});
 }
 
 }  // namespace
 
-void addLogCommands(Workbench& workbench) {
-  const Logs logs(workbench);
-  CommandTable& commands = workbench.commands();
+void addLogCommands(CommandTable& commands, OpenPlatform& open) {
+  const Logs logs(open);
   addOpening(commands, logs);
   addPlaying(commands, logs);
   addStepping(commands, logs);

@@ -50,26 +50,36 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   });
 }
 
-void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
-  postOther([this, opening = std::move(opening), handler = std::move(handler)] {
-    const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
-    if (sameKind && !feed_->makeWay()) start(nullptr);
-    PlatformContext context{session_, recorder_};
-    if (ended_.adapter == opening.adapter && ended_.sources == opening.sources)
-      context.overrides = ended_.overrides;
-    auto feed = opening.make(context);
-    if (!feed) {
-      robotlink::Errors errors = feed.error();
-      if (sameKind && feed_) {
-        for (robotlink::Error& error : feed_->restoreAfterMakeWay()) errors.push_back(std::move(error));
-      }
-      handler(tl::unexpected(std::move(errors)));
-      return;
-    }
-    if (sameKind && feed_) (*feed)->inheritPlayback(feed_->going());
-    start(std::move(*feed));
-    handler(describe());
-  });
+std::map<std::string, ProgramOverrides> PlatformThread::overridesFor(const PlatformOpening& opening) const {
+  if (feed_) {
+    const LoadedPlatform now = feed_->describe();
+    if (now.adapter == opening.adapter && now.sources == opening.sources && !feed_->overrides().empty())
+      return feed_->overrides();
+  }
+  const bool known = ended_.adapter == opening.adapter && ended_.sources == opening.sources;
+  return known ? ended_.overrides : std::map<std::string, ProgramOverrides>{};
+}
+
+void PlatformThread::open(PlatformOpening opening, logplayer::LogFile::Progress progress,
+                          LoadHandler handler) {
+  postOther(
+      [this, opening = std::move(opening), progress = std::move(progress), handler = std::move(handler)] {
+        const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
+        if (sameKind) feed_->makeWay();
+        auto feed =
+            opening.make({session_, recorder_, memories_[opening.adapter], overridesFor(opening), progress});
+        if (!feed) {
+          robotlink::Errors errors = feed.error();
+          if (sameKind) {
+            for (robotlink::Error& error : feed_->restoreAfterMakeWay()) errors.push_back(std::move(error));
+          }
+          handler(tl::unexpected(std::move(errors)));
+          return;
+        }
+        if (sameKind) (*feed)->inheritPlayback(feed_->going());
+        start(std::move(*feed));
+        handler(describe());
+      });
 }
 
 void PlatformThread::connectNow() {

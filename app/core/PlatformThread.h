@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <any>
 #include <functional>
 #include <map>
 #include <memory>
@@ -29,7 +30,7 @@ namespace app {
 class PlatformThread {
  public:
   /// Called in the platform's thread with a description of what runs now, or with the reasons why nothing was
-  /// loaded. What ran before then continues, unless it had to end first (PlatformFeed::makeWay()).
+  /// loaded, in which case what ran before continues.
   using LoadHandler = std::function<void(const tl::expected<LoadedPlatform, robotlink::Errors>&)>;
 
   /// Starts the thread; at first no platform runs.
@@ -37,7 +38,8 @@ class PlatformThread {
 
   /// Opens a platform. It gets the overrides of the last one that had any, if that had the same adapter and
   /// sources.
-  void open(PlatformOpening opening, LoadHandler handler);
+  /// `progress` is called while its file is read; may be empty.
+  void open(PlatformOpening opening, logplayer::LogFile::Progress progress, LoadHandler handler);
   /// Retries a lost connection to a robot at once.
   void connectNow();
   /// Adds a log to those that are open; what the user chose for these stays. `offset` is added to its times.
@@ -64,6 +66,9 @@ class PlatformThread {
   };
   /// Replaces the platform (null: by none) and restarts the session with it.
   void start(std::unique_ptr<PlatformFeed> feed);
+  /// The overrides with which a platform is opened: those of the one that runs, or of the last one that had
+  /// any, if that has the same adapter and sources.
+  std::map<std::string, ProgramOverrides> overridesFor(const PlatformOpening& opening) const;
   /// Describes what runs now.
   LoadedPlatform describe() const;
   /// Fulfills a request and pushes the result for each of the ids, unless the program will answer.
@@ -77,6 +82,8 @@ class PlatformThread {
   std::unique_ptr<PlatformFeed> feed_;
   /// Only in the platform's thread.
   Ended ended_;
+  /// PlatformContext::memory by the adapter's name. Only in the platform's thread.
+  std::map<std::string, std::any> memories_;
 
   /// Protects newest_ and stopSwitch_.
   std::mutex mutex_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RecordingCommands.h"
 
+#include "app/core/OpenPlatform.h"
 #include "app/core/Recording.h"
-#include "app/core/Workbench.h"
 #include "app/core/program/CommandValues.h"
 #include "logplayer/base/RecordedStreams.h"
 
@@ -16,50 +16,47 @@ using robotlink::Result;
 using Type = CommandTable::Type;
 
 /// Starts, stops or saves a recording; an empty path means a new file in the folder for recordings.
-Result<void> act(Workbench& workbench, ControlRecording::Action action, const std::string& path = {}) {
+Result<void> act(OpenPlatform& open, ControlRecording::Action action, const std::string& path = {}) {
   ControlRecording control;
   control.set_action(action);
   control.set_path(path);
-  return workbench.recording().control(control);
+  return open.recording().control(control);
 }
 
-void addActions(CommandTable& commands, Workbench& workbench) {
+void addActions(CommandTable& commands, OpenPlatform& open) {
   commands.add({"recording.start",
                 "Starts recording into a new file in the folder for recordings",
                 {},
-                [&workbench](const Values&) { return act(workbench, ControlRecording::START); }});
-  commands.add({"recording.start-file",
-                "Starts recording into a file",
-                {{"file", Type::kText, "a log file that does not exist yet"}},
-                [&workbench](const Values& values) {
-                  return act(workbench, ControlRecording::START, text(values, 0));
-                }});
-  commands.add({"recording.stop", "Ends the recording", {}, [&workbench](const Values&) {
-                  return act(workbench, ControlRecording::STOP);
+                [&open](const Values&) { return act(open, ControlRecording::START); }});
+  commands.add(
+      {"recording.start-file",
+       "Starts recording into a file",
+       {{"file", Type::kText, "a log file that does not exist yet"}},
+       [&open](const Values& values) { return act(open, ControlRecording::START, text(values, 0)); }});
+  commands.add({"recording.stop", "Ends the recording", {}, [&open](const Values&) {
+                  return act(open, ControlRecording::STOP);
                 }});
   commands.add({"recording.toggle",
                 "Starts recording into a new file, or ends the recording",
                 {},
-                [&workbench](const Values&) {
-                  const bool running = workbench.recording().status().recording();
-                  return act(workbench, running ? ControlRecording::STOP : ControlRecording::START);
+                [&open](const Values&) {
+                  const bool running = open.recording().status().recording();
+                  return act(open, running ? ControlRecording::STOP : ControlRecording::START);
                 }});
   commands.add({"recording.save-last",
                 "Saves the last seconds, which are kept in memory, to a new file",
                 {},
-                [&workbench](const Values&) { return act(workbench, ControlRecording::SAVE_LAST); }});
-  commands.add({"recording.save-last-file",
-                "Saves the last seconds, which are kept in memory, to a file",
-                {{"file", Type::kText, "a log file that does not exist yet"}},
-                [&workbench](const Values& values) {
-                  return act(workbench, ControlRecording::SAVE_LAST, text(values, 0));
-                }});
+                [&open](const Values&) { return act(open, ControlRecording::SAVE_LAST); }});
+  commands.add(
+      {"recording.save-last-file",
+       "Saves the last seconds, which are kept in memory, to a file",
+       {{"file", Type::kText, "a log file that does not exist yet"}},
+       [&open](const Values& values) { return act(open, ControlRecording::SAVE_LAST, text(values, 0)); }});
   commands.add({"recording.bookmark",
                 "Marks the shown instant in the recording; without one, saves the last seconds with the mark",
                 {{"text", Type::kText, "what happens there"}},
-                [&workbench](const Values& values) {
-                  return workbench.recording().bookmark(text(values, 0),
-                                                        workbench.session().timeline().shown());
+                [&open](const Values& values) {
+                  return open.recording().bookmark(text(values, 0), open.session().timeline().shown());
                 }});
 }
 
@@ -140,9 +137,9 @@ void addChoices(CommandTable& commands, Recording& recording) {
 
 }  // namespace
 
-void addRecordingCommands(Workbench& workbench) {
-  addActions(workbench.commands(), workbench);
-  addChoices(workbench.commands(), workbench.recording());
+void addRecordingCommands(CommandTable& commands, OpenPlatform& open) {
+  addActions(commands, open);
+  addChoices(commands, open.recording());
 }
 
 }  // namespace app

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+namespace robotlink {
+class CommandTable;
+}
+
 namespace app {
 
-class Workbench;
+class OpenPlatform;
 
-/// Adds the commands for robots and their programs: robot.connect, robot.stop, robot.key, robot.goal and so
-/// on. The workbench must outlive its command table. Most requests are answered later; refusals are then
-/// passed to the workbench's handler of errors.
-void addRobotCommands(Workbench& workbench);
+/// Adds the commands for robots and their programs: robot.stop, robot.key, robot.goal and so on. What is open
+/// must outlive the command table. Most requests are answered later; refusals are then passed to the handler
+/// of errors.
+void addRobotCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 
 }  // namespace app

@@ -18,7 +18,7 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
-#include "app/robotcontrol/actions/SimulationSetupDialog.h"
+#include "app/robotcontrol/actions/PlatformMenus.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
@@ -29,12 +29,11 @@
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
-#include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Counted.h"
 #include "widgets/Icon.h"
+#include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
-#include "widgets/drive/ConnectDialog.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace app {
@@ -54,11 +53,6 @@ QSize firstSize(const QScreen* screen) {
   return kFirstSize.boundedTo(screen->availableSize() - kFrame);
 }
 
-std::shared_ptr<const robotlink::FieldDescription> defaultField() {
-  auto field = robotlink::FieldDescription::load(robotlink::resource("fields/2002.yaml"));
-  return field ? std::make_shared<const robotlink::FieldDescription>(std::move(*field)) : nullptr;
-}
-
 QString toText(const QByteArray& bytes) {
   return QString::fromLatin1(bytes.toBase64());
 }
@@ -70,7 +64,7 @@ QByteArray fromText(const QJsonValue& value) {
 
 MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFolder)
     : workbench_(workbench),
-      context_{workbench.session(), workbench.commands(), defaultField(), {}},
+      context_{workbench.session(), workbench.commands(), nullptr, {}},
       perspectives_(userFolder / "window.json") {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));
@@ -96,6 +90,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::createActions() {
   actions_ = new CommandActions(workbench_.commands(), this);
+  platforms_ = new PlatformMenus(*actions_, workbench_.session(), workbench_.commands(), this);
   toolBar_ = new SimulationToolBar(workbench_, *actions_, this);
   addToolBar(toolBar_);
   recordingBar_ = new RecordingToolBar(workbench_, *actions_, this);
@@ -135,7 +130,7 @@ void MainWindow::connectSignals() {
   workbench_.onLoaded([this](const LoadedPlatform&) { onLoaded(); });
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
-    if (connectDialog_ != nullptr) connectDialog_->fail(QString::fromStdString(robotlink::describe(errors)));
+    platforms_->fail(QString::fromStdString(robotlink::describe(errors)));
     toolBar_->showLoaded();
   });
   workbench_.session().setRefusalHandler([this](const std::string& what, const std::string& reason) {
@@ -151,7 +146,8 @@ void MainWindow::connectSignals() {
 
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
-  context_.field = loaded->time ? loaded->field : defaultField();
+  context_.field = loaded->field;
+  widgets::colorBench(context_).setField(context_.field.get());
   context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();
@@ -195,7 +191,7 @@ void MainWindow::tick() {
   widgets::colorFiles(context_).tick();
   status_->refresh();
   tickDocks();
-  if (connectDialog_ != nullptr) connectDialog_->tick();
+  platforms_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;
   sinceKept_.restart();
   keepWindow();
@@ -206,10 +202,8 @@ void MainWindow::restoreWindow() {
   resize(firstSize(screen()));
   create();  // so that floating docks can have it as their parent
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
-  lastSetup_ = SimulationSetupDialog::fromJson(window.value(QStringLiteral("simulation_setup")).toArray());
+  platforms_->memory().load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
-  recentRobots_ = window.value(QStringLiteral("recent_robots")).toVariant().toStringList();
-  robotMap_ = window.value(QStringLiteral("robot_map")).toString();
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
@@ -222,14 +216,13 @@ void MainWindow::restoreWindow() {
 
 void MainWindow::keepWindow() {
   perspectives_.keep(perspectives_.current(), *docks_);
-  perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
-                           {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
-                           {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
-                           {QStringLiteral("recent_robots"), QJsonArray::fromStringList(recentRobots_)},
-                           {QStringLiteral("robot_map"), robotMap_},
-                           {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
-                           {QStringLiteral("simulation_setup"), SimulationSetupDialog::toJson(lastSetup_)},
-                           {QStringLiteral("appearance"), nameOf(appearance_)}});
+  QJsonObject window{{QStringLiteral("geometry"), toText(saveGeometry())},
+                     {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
+                     {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
+                     {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
+                     {QStringLiteral("appearance"), nameOf(appearance_)}};
+  platforms_->memory().save(window);
+  perspectives_.setWindow(window);
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }
 

@@ -11,15 +11,13 @@
 #include "app/robotcontrol/Appearance.h"
 #include "app/robotcontrol/docks/Perspectives.h"
 #include "robotlink/base/Error.h"
-#include "robotlink/session/CommandTable.h"
 #include "widgets/View.h"
 
 class QLabel;
 class QMenu;
 namespace widgets {
-class ConnectDialog;
 class EmptyHint;
-}  // namespace widgets
+}
 
 namespace app {
 
@@ -31,6 +29,7 @@ class MaximizedView;
 class LogToolBar;
 class LogContentsBar;
 class OpeningBar;
+class PlatformMenus;
 class RecordedBar;
 class RecordingToolBar;
 class SimulationToolBar;
@@ -134,8 +133,6 @@ class MainWindow : public QMainWindow {
   void createFileMenu();
   void createViewMenu();
   void createRobotMenus();
-  /// Shows the dialog that connects a real robot.
-  void connectRobot();
   void createLogMenu();
   void createWindowMenu();
   void createAppearanceMenu(QMenu& menu);
@@ -149,8 +146,6 @@ class MainWindow : public QMainWindow {
   void restoreWindow();
   void keepWindow();
   /// The functions of menu entries.
-  void openScene();
-  void setUpSimulation();
   void openLayout();
   void loadColorTable();
   void savePicture();
@@ -170,8 +165,6 @@ class MainWindow : public QMainWindow {
   /// The default perspective for what was loaded last; empty: nothing was loaded.
   QString beginning_;
   Appearance appearance_ = Appearance::kSystem;
-  /// The last arguments from SimulationSetupDialog.
-  std::vector<robotlink::CommandTable::Value> lastSetup_;
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
@@ -190,14 +183,10 @@ class MainWindow : public QMainWindow {
   LogToolBar* logToolBar_ = nullptr;
   MaximizedView* maximizedView_ = nullptr;
   LogOpening* opening_ = nullptr;
+  PlatformMenus* platforms_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
   RecordedBar* recordedBar_ = nullptr;
   LogContentsBar* contentsBar_ = nullptr;
-  /// Null until it is first used.
-  widgets::ConnectDialog* connectDialog_ = nullptr;
-  /// Addresses for connectDialog_, the latest one first, and the map of the last robot.
-  QStringList recentRobots_;
-  QString robotMap_;
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;

@@ -3,7 +3,6 @@
 #include <QMenu>
 #include <QStatusBar>
 
-#include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/MaximizedView.h"

@@ -9,9 +9,11 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoStack>
+#include <algorithm>
 #include <array>
 
 #include "app/core/Workbench.h"
+#include "app/core/program/PlatformAdapter.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/UndoOrder.h"
@@ -37,10 +39,11 @@ constexpr std::array kReplayKeys = {
 
 /// Whether a command replaces what is open.
 bool replaces(const QString& command) {
-  static const QStringList commands = {QStringLiteral("simulation.open"), QStringLiteral("simulation.setup"),
-                                       QStringLiteral("log.open"), QStringLiteral("log.close"),
-                                       QStringLiteral("robot.connect")};
-  return commands.contains(command);
+  const std::string name = command.toStdString();
+  const auto& adapters = platformAdapters();
+  return name == "log.close" || std::any_of(adapters.begin(), adapters.end(), [&](const auto& adapter) {
+           return (adapter.command != nullptr && name == adapter.command) || name == formOf(adapter).command;
+         });
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
+#include "app/robotcontrol/actions/PlatformMenus.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
-#include "app/robotcontrol/actions/SimulationSetupDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "app/robotcontrol/bars/LightMenu.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
@@ -44,11 +44,8 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   menu->setObjectName(QStringLiteral("fileMenu"));
-  menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open)
-      ->setObjectName(QStringLiteral("file.openScene"));
-  menu->addAction(widgets::icon("simulation"), tr("S&imulate robots…"), this, &MainWindow::setUpSimulation,
-                  QKeySequence(QStringLiteral("Ctrl+Shift+O")))
-      ->setObjectName(QStringLiteral("file.simulate"));
+  platforms_->addFiles(*menu);
+  platforms_->addForms(*menu, "file");
   menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
       ->setObjectName(QStringLiteral("file.openLayout"));
   menu->addSeparator();
@@ -86,10 +83,7 @@ void MainWindow::createViewMenu() {
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
   robot->setObjectName(QStringLiteral("robotMenu"));
-  QAction* connectTo = robot->addAction(widgets::icon("connect"), tr("&Connect…"), this,
-                                        &MainWindow::connectRobot, QKeySequence(QStringLiteral("Ctrl+K")));
-  connectTo->setObjectName(QStringLiteral("robot.connect"));
-  connectTo->setToolTip(tr("Connects a robot over TCP or a serial line, and runs its program here"));
+  platforms_->addForms(*robot, "robot");
   robot->addAction(toolBar_->stopAction());
   robot->addSeparator();
   QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
@@ -159,19 +153,6 @@ void MainWindow::createHelpMenu() {
       ->setObjectName(QStringLiteral("help.shortcuts"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
       ->setObjectName(QStringLiteral("help.about"));
-}
-
-void MainWindow::openScene() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open scene"), {}, tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
-  if (!file.isEmpty()) actions_->run(QStringLiteral("simulation.open"), {file.toStdString()});
-}
-
-void MainWindow::setUpSimulation() {
-  SimulationSetupDialog dialog(lastSetup_, this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  lastSetup_ = dialog.arguments();
-  actions_->run(QStringLiteral("simulation.setup"), lastSetup_);
 }
 
 void MainWindow::openLayout() {

@@ -11,10 +11,11 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
+#include "app/core/program/PlatformAdapter.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "robotlink/base/Resources.h"
-#include "simcore/SceneFileKind.h"
 
 namespace {
 
@@ -22,14 +23,8 @@ enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
 
 struct Arguments {
   std::vector<std::string> files;
-  std::string layout;
-  std::string map;
-  std::string robot;  ///< model of the robots to add; empty: see simcore::RobotsToAdd
-  std::string teams = "both";
-  int robots = -1;  ///< number of robots to add; negative: one to a map, else none
-  bool kinematic = false;
-  int port = 0;  ///< TCP port of the first robot; 0: none
-  std::uint64_t seed = 1;
+  /// Those of the platforms' forms, by the names of their fields.
+  app::FormValues platform;
   bool paused = false;
   std::string perspective;
   std::string screenshot;
@@ -46,34 +41,40 @@ std::string helpOnFiles() {
   return help + "; the field of 2002 if none is given";
 }
 
-/// "burger, ers210, p3at": of those that can be put into a world.
-std::string modelNames() {
-  std::string names;
-  for (const auto& robot : app::Workbench::simulatedRobots())
-    names += (names.empty() ? "" : ", ") + robot.name;
-  return names;
+/// Adds the option of a field, which only counts where it is given.
+void addOption(CLI::App& app, const app::PlatformField& field, app::FormValues& values) {
+  using Kind = app::PlatformField::Kind;
+  // Several kinds of platforms may have the same option.
+  if (app.get_option_no_throw(field.option) != nullptr) return;
+  if (field.kind == Kind::kFlag) {
+    app.add_flag_callback(
+        field.option, [&values, name = field.name] { values[name] = true; }, field.help);
+  } else if (field.kind == Kind::kNumber) {
+    app.add_option_function<double>(
+           field.option, [&values, name = field.name](double value) { values[name] = value; }, field.help)
+        ->check(CLI::Range(field.min, field.max));
+  } else {
+    CLI::Option* option = app.add_option_function<std::string>(
+        field.option, [&values, name = field.name](const std::string& value) { values[name] = value; },
+        field.help);
+    if (!field.items || field.editable) return;
+    std::vector<std::string> allowed;
+    for (const auto& item : field.items()) allowed.push_back(item.value);
+    option->check(CLI::IsMember(allowed));
+  }
 }
 
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.files, helpOnFiles());
-  app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
-  app.add_option("--robots", arguments.robots, "Simulated robots to add to the world (a map: 1)")
-      ->check(CLI::Range(0, 100));
-  app.add_option("--robot", arguments.robot,
-                 "Their model: " + modelNames() + " (those of the world, if it has any; else " +
-                     simcore::RobotsToAdd{}.model + ")");
-  app.add_option("--teams", arguments.teams, "Their teams, if they play: both, red or blue")
-      ->check(CLI::IsMember({"both", "red", "blue"}))
-      ->capture_default_str();
-  app.add_flag("--kinematic", arguments.kinematic,
-               "Simulated robots on wheels are moved by their odometry, without forces");
-  app.add_option(
-         "--arcos", arguments.port,
-         "The first simulated robot that speaks ARCOS listens at this TCP port, the next at the next one")
-      ->check(CLI::Range(1, 65435));
-  app.add_option("--map", arguments.map, "Map of where a real robot drives");
-  app.add_option("--seed", arguments.seed, "Seed of the simulation's noise")->capture_default_str();
+  app.add_option_function<std::string>(
+      "--layout", [&arguments](const std::string& layout) { arguments.platform["layout"] = layout; },
+      "A process layout: a file, or the name of a shipped one");
+  for (const app::PlatformAdapter& adapter : app::platformAdapters()) {
+    for (const app::PlatformField& field : formOf(adapter).fields) {
+      if (!field.option.empty()) addOption(app, field, arguments.platform);
+    }
+  }
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
   app.add_option("--perspective", arguments.perspective,
                  "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; "
@@ -96,77 +97,35 @@ bool hasDisplay() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
-/// Whether the first of the files and addresses is of a platform whose time goes so.
-bool opens(const Arguments& arguments, app::PlatformTime time) {
-  if (arguments.files.empty()) return false;
-  const app::PlatformAdapter* adapter = app::adapterFor(arguments.files.front());
-  return adapter != nullptr && adapter->time == time;
+/// The files or the address to open; the default scene if none is given.
+std::vector<std::string> sourcesOf(const Arguments& arguments) {
+  if (!arguments.files.empty()) return arguments.files;
+  return {app::defaultSimulation().scene.string()};
 }
 
-bool connectsRobot(const Arguments& arguments) {
-  return opens(arguments, app::PlatformTime::kReal);
-}
-
-bool opensLogs(const Arguments& arguments) {
-  return opens(arguments, app::PlatformTime::kLogged);
+/// Whether what is opened is a simulation, which is started.
+bool simulates(const Arguments& arguments) {
+  const app::PlatformAdapter* adapter = app::adapterFor(sourcesOf(arguments).front());
+  return adapter != nullptr && adapter->time == app::PlatformTime::kSimulated;
 }
 
 /// Empty: the one that was shown last. Who opens a map, a real robot or a log wants to see what belongs to
 /// it.
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
-  if (opensLogs(arguments)) return "Log";
-  return simcore::isMapFile(arguments.files.front()) || connectsRobot(arguments) ? "Drive" : "";
-}
-
-app::RunOptions simulationOf(const Arguments& arguments) {
-  app::RunOptions options = app::Workbench::defaultOptions();
-  if (!arguments.files.empty()) options.scene = arguments.files.front();
-  if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
-  options.world.seed = arguments.seed;
-  options.world.kinematic = arguments.kinematic;
-  // Whoever names a model wants a robot of it.
-  if (arguments.robots >= 0 || !arguments.robot.empty()) {
-    options.robots = simcore::RobotsToAdd{.model = arguments.robot,
-                                          .count = arguments.robots >= 0 ? arguments.robots : 1,
-                                          .seed = arguments.seed,
-                                          .teams = app::teamsNamed(arguments.teams)};
-  }
-  if (arguments.port > 0) {
-    options.ports.emplace();
-    options.ports->firstPort = static_cast<std::uint16_t>(arguments.port);
-  }
-  return options;
+  const std::string& source = arguments.files.front();
+  const app::PlatformAdapter* adapter = app::adapterFor(source);
+  return adapter != nullptr && adapter->perspective != nullptr ? adapter->perspective(source) : "";
 }
 
 /// Loads what the command line asks for. Returns false if that is invalid.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
-  if (connectsRobot(arguments)) {
-    app::PioneerOptions options{.url = arguments.files.front()};
-    if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
-    options.map = arguments.map;
-    workbench.connectRobot(std::move(options));
-    return arguments.files.size() == 1;
+  auto opening = app::openingOf({sourcesOf(arguments), arguments.platform});
+  if (!opening) {
+    std::cerr << "robotcontrol: " << opening.error().describe() << "\n";
+    return false;
   }
-  if (!opensLogs(arguments)) {
-    if (arguments.files.size() > 1) {
-      std::cerr << "robotcontrol: one world can be simulated at a time; several files must all be logs\n";
-      return false;
-    }
-    workbench.load(simulationOf(arguments));
-    return true;
-  }
-  std::vector<app::ReplayLog> logs;
-  for (const std::string& file : arguments.files) {
-    if (const auto* adapter = app::adapterFor(file); adapter->time == app::PlatformTime::kSimulated) {
-      std::cerr << "robotcontrol: " << file << " is a world; it cannot be opened together with logs\n";
-      return false;
-    }
-    logs.push_back({file});
-  }
-  workbench.openLogs(std::move(logs), arguments.layout.empty()
-                                          ? std::filesystem::path()
-                                          : app::Workbench::layoutNamed(arguments.layout));
+  workbench.open(std::move(*opening));
   return true;
 }
 
@@ -178,7 +137,7 @@ class Script : public QObject {
       : QObject(parent),
         workbench_(workbench),
         lines_(arguments.commands),
-        start_(!arguments.paused && !opensLogs(arguments) && !connectsRobot(arguments)) {
+        start_(!arguments.paused && simulates(arguments)) {
     startTimer(20);
   }
 

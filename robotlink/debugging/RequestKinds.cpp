@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 #include "robotlink/base/Spelling.h"
@@ -60,8 +61,15 @@ std::string wrongPlace(const Request& request) {
                                                          : "the place's pose has values that are not numbers";
 }
 
-std::string wrongSpeed(const Request& request) {
-  return std::isnan(request.control_simulation().speed()) ? "the speed is not a number" : "";
+/// A negative speed leaves the speed as it is.
+std::string wrongSimulationSpeed(const Request& request) {
+  const double speed = request.control_simulation().speed();
+  return speed < 0 ? "" : wrongSpeed(speed, kSimulationSpeeds);
+}
+
+std::string wrongReplaySpeed(const Request& request) {
+  const auto& control = request.control_replay();
+  return control.has_speed() ? wrongSpeed(control.speed(), kReplaySpeeds) : "";
 }
 
 // ---- What a request sets
@@ -180,14 +188,17 @@ constexpr std::array<RequestKind, 16> kKinds{{
     {.what = Request::kControlSimulation,
      .doer = Doer::kSimulation,
      .words = "control simulation",
-     .wrong = wrongSpeed},
+     .wrong = wrongSimulationSpeed},
     {.what = Request::kPlaceModel, .doer = Doer::kSimulation, .words = "place model", .wrong = wrongPlace},
     {.what = Request::kSetLighting,
      .doer = Doer::kSimulation,
      .words = "set lighting",
      .subject = theOnlyOne},
     {.what = Request::kControlRecording, .doer = Doer::kRecording, .words = "control recording"},
-    {.what = Request::kControlReplay, .doer = Doer::kReplay, .words = "control replay"},
+    {.what = Request::kControlReplay,
+     .doer = Doer::kReplay,
+     .words = "control replay",
+     .wrong = wrongReplaySpeed},
 }};
 
 }  // namespace
@@ -221,6 +232,14 @@ std::string wrongWith(const robotcontrol::ColorTable& table) {
   if (!std::ranges::all_of(table.cells(), known))
     return "cells of the color table have classes without a name";
   return isFinite(table.correction()) ? "" : "the color table's correction has values that are not numbers";
+}
+
+std::string wrongSpeed(double speed, const SpeedRange& range) {
+  // Written so that a NaN is out of range, too.
+  if (speed >= range.min && speed <= range.max) return "";
+  std::ostringstream text;
+  text << "the speed must be between " << range.min << " and " << range.max << " times real time";
+  return text.str();
 }
 
 bool setTheSame(const Request& a, const Request& b) {

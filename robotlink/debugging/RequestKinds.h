@@ -89,6 +89,16 @@ constexpr const Row* rowOf(const Row (&rows)[kSize], robotcontrol::Request::What
   return nullptr;
 }
 
+/// A range of speeds, times real time.
+struct SpeedRange {
+  double min, max;
+};
+/// The speeds at which logs are played, and those at which simulations run; 0 is as fast as possible.
+inline constexpr SpeedRange kReplaySpeeds{0.05, 50}, kSimulationSpeeds{0, 100};
+/// Says that a speed is not in its range: "the speed must be between 0.05 and 50 times real time". Empty if
+/// it is.
+std::string wrongSpeed(double speed, const SpeedRange& range);
+
 /// Ids with this bit are those of requests that repeat what a person chose, for a program that takes the
 /// place of another one. Sessions count from 1.
 inline constexpr std::uint64_t kRepeatedIds = std::uint64_t{1} << 63U;

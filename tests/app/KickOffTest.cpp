@@ -3,8 +3,9 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/Workbench.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
+#include "app/core/simulated/SimulatedRun.h"
 
 using namespace app;
 using robotlink::Pose2;
@@ -18,7 +19,7 @@ struct Game {
   std::vector<std::string> texts;
   std::unique_ptr<SimulatedRun> run;
 
-  explicit Game(RunOptions options = Workbench::defaultOptions()) {
+  explicit Game(RunOptions options = defaultSimulation()) {
     SimulatedRun::Listeners listeners;
     listeners.game = [this](robotlink::Instant, const std::string& text) { texts.push_back(text); };
     auto made = SimulatedRun::create(std::move(options), std::move(listeners));
@@ -106,7 +107,7 @@ TEST(KickOff, aBallThatAPersonBringsBackStaysWhereItIs) {
 }
 
 TEST(KickOff, aRobotInTheMiddleGoesToItsPlaceBeforeTheBallComes) {
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.solutions["behavior"] = "stand";
   Game game(options);
   game.place("ball", {2.25, 0, 0});
@@ -128,16 +129,16 @@ TEST(KickOff, isTheSameEachTime) {
 }
 
 TEST(KickOff, isOnlyWhereThereIsAFieldAndAGame) {
-  RunOptions pioneer = Workbench::defaultOptions();
-  pioneer.scene = Workbench::sceneNamed("pioneer");
+  RunOptions pioneer = defaultSimulation();
+  pioneer.scene = sceneNamed("pioneer");
   EXPECT_EQ(Game(pioneer).run->game(), nullptr);
-  RunOptions trial = Workbench::defaultOptions();
+  RunOptions trial = defaultSimulation();
   trial.kickOffs = false;
   EXPECT_EQ(Game(trial).run->game(), nullptr);
 }
 
 TEST(AddedRobots, eightOfTwoTeamsStandAtTheirPlacesAndPlay) {
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.robots = simcore::RobotsToAdd{.model = "", .count = 7, .teams = teamsNamed("both")};
   Game game(options);
   EXPECT_THAT(game.run->robots(), testing::UnorderedElementsAre("red1", "red2", "red3", "red4", "blue1",
@@ -159,7 +160,7 @@ TEST(AddedRobots, eightOfTwoTeamsStandAtTheirPlacesAndPlay) {
 }
 
 TEST(AddedRobots, allOfThemMayPlayInOneTeam) {
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.robots = simcore::RobotsToAdd{.model = "ers210", .count = 2, .teams = teamsNamed("blue")};
   Game game(options);
   EXPECT_THAT(game.run->robots(), ElementsAre("red1", "blue1", "blue2"));

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/core/Workbench.h"
+#include "app/core/pioneer/PioneerFeed.h"
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
@@ -43,6 +47,88 @@ TEST(PlatformAdapter, filesAndAddressesAreOpenedByWhoeverIsRegisteredForThem) {
   EXPECT_EQ(opensIt("no-such-file"), "log") << "which is told to be none when it is opened";
 }
 
+TEST(PlatformAdapter, formsAreWhole) {
+  const TestFolder home;
+  Workbench workbench(home.path());
+  for (const PlatformAdapter& adapter : platformAdapters()) {
+    const PlatformForm form = formOf(adapter);
+    if (adapter.command != nullptr) {
+      EXPECT_NE(workbench.commands().find(adapter.command), nullptr) << adapter.command;
+    }
+    if (form.name.empty()) continue;
+    EXPECT_NE(workbench.commands().find(form.command), nullptr) << form.command;
+    std::set<std::string> names, places;
+    int sources = 0;
+    for (const PlatformField& field : form.fields) {
+      EXPECT_TRUE(names.insert(field.name).second) << field.name;
+      EXPECT_TRUE(field.remembered.empty() || places.insert(field.remembered).second) << field.remembered;
+      EXPECT_EQ(problemOf(field, field.initial), "") << field.name;
+      EXPECT_FALSE(field.isArgument && field.help.empty()) << field.name;
+      sources += field.isSource ? 1 : 0;
+    }
+    EXPECT_EQ(sources, 1) << adapter.name;
+  }
+}
+
+TEST(PlatformAdapter, whatIsWrongWithAChoiceIsSaidBeforeAnythingIsOpened) {
+  const TestFolder home;
+  Workbench workbench(home.path());
+  const auto problem = [&](const std::string& line) {
+    const auto done = workbench.commands().runLine(line);
+    return done ? std::string() : done.error().text;
+  };
+  EXPECT_EQ(problem("simulation.setup house p3at 101 off 0 off both"),
+            "the number of robots must be a whole number between 0 and 100");
+  EXPECT_EQ(problem("simulation.setup house dog 1 off 0 off both"),
+            "the kind of robots must be burger, ers210 or p3at, not 'dog'");
+  EXPECT_EQ(problem("simulation.setup house p3at 1 off 80 off both"),
+            "the first port must be a whole number between 1024 and 65435, or 0 for none");
+  EXPECT_EQ(problem("simulation.setup house p3at 1 off 0 off green"),
+            "the teams must be both, red or blue, not 'green'");
+  EXPECT_FALSE(workbench.loading());
+  EXPECT_EQ(openingOf({.sources = {"game.mcap", "house.map"}}).error().text,
+            "house.map cannot be opened together with game.mcap, which is of another kind");
+  EXPECT_EQ(openingOf({.sources = {"a.sdf", "b.sdf"}}).error().text,
+            "b.sdf cannot be opened together with a.sdf; only logs can be opened together");
+}
+
+TEST(PlatformAdapter, aRobotGoesOnIfAnotherOneCannotBeOpened) {
+  const ServedWorld world;
+  const TestFolder home;
+  Workbench workbench(home.path());
+  std::string errors;
+  workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
+  workbench.open(PioneerFeed::opening({.url = world.url()}));
+  ASSERT_TRUE(test::tickUntil(workbench, [&] { return !drivingOf(workbench).empty(); })) << errors;
+  workbench.open(PioneerFeed::opening({.url = "tcp://localhost:1", .layout = "no-such-layout.yaml"}));
+  ASSERT_TRUE(test::tickUntil(workbench, [&] { return !errors.empty(); }));
+  EXPECT_EQ(workbench.loaded()->title, world.url());
+  const auto publishedUntil = [&] { return workbench.session().timeline().newest(); };
+  const robotlink::Instant before = publishedUntil();
+  EXPECT_TRUE(test::tickUntil(workbench, [&] { return publishedUntil() > before; }))
+      << "the first robot still publishes";
+}
+
+TEST(PlatformAdapter, theFirstWordOfARobotIsThatItsPlatformWasSetUp) {
+  const ServedWorld world;
+  const TestFolder home;
+  Workbench workbench(home.path());
+  workbench.open(PioneerFeed::opening({.url = world.url()}));
+  const auto texts = [&] {
+    std::string all;
+    const auto* stream = workbench.session().store().find("p3at1/log");
+    if (stream == nullptr) return all;
+    for (const auto& message : stream->messages) {
+      const auto* log = dynamic_cast<const foxglove::Log*>(message.value.get());
+      if (log != nullptr) all += log->name() + ": " + log->message() + "\n";
+    }
+    return all;
+  };
+  EXPECT_TRUE(test::tickUntil(workbench, [&] {
+    return texts().find("platform: The platform was set up in ") == 0;
+  })) << texts();
+}
+
 TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   const ServedWorld world;
   const TestFolder home;
@@ -50,7 +136,7 @@ TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   std::string errors;
   workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   const auto connect = [&] {
-    workbench.connectRobot({.url = world.url()});
+    workbench.open(PioneerFeed::opening({.url = world.url()}));
     return test::tickUntil(workbench, [&] {
       return !workbench.loading() && workbench.loaded() != nullptr && !drivingOf(workbench).empty();
     });

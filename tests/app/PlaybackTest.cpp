@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "robotlink/debugging/RequestKinds.h"
+
 #include <vector>
 
 using namespace app;
@@ -82,7 +84,7 @@ TEST(Playback, itIsPlayedInRealTimeAndPausesAtTheEnd) {
 }
 
 TEST(Playback, itIsPlayedSlowlyAndFast) {
-  for (const double speed : {Playback::kSlowest, Playback::kFastest}) {
+  for (const double speed : {robotlink::kReplaySpeeds.min, robotlink::kReplaySpeeds.max}) {
     Player player({0, 1});
     player.playback.setSpeed(speed, player.real, player.place());
     player.play();

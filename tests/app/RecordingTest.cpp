@@ -6,7 +6,6 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/Workbench.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotcontrol/Perception.pb.h"
@@ -31,7 +30,7 @@ class RecordingTest : public ::testing::Test {
  protected:
   /// The file is "a.mcap", unless it is started later.
   void make(bool recordFromTheStart, ExecutorKind executor = ExecutorKind::kLockstep) {
-    RunOptions options = Workbench::defaultOptions();
+    RunOptions options = defaultSimulation();
     options.executor = executor;
     recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
     if (recordFromTheStart) start("a.mcap");

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/core/Workbench.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/KeyPresets.h"
@@ -82,7 +83,7 @@ TEST_F(RobotCommandsTest, keysThatAreBeingSwitchedOnAreNotLostToTheNextStart) {
     return std::ranges::any_of(kept->keys(),
                                [](const auto& key) { return key.name() == "package/camera/image"; });
   };
-  workbench_.load(Workbench::defaultOptions());
+  workbench_.open(SimulationFeed::opening(defaultSimulation()));
   // Keys are kept in each tick, as if the user quit or opened another scene then.
   bool wasKept = false, wasLost = false;
   EXPECT_TRUE(test::tickUntil(workbench_, [&] {

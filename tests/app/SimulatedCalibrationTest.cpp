@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "app/core/Workbench.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulatedWorld.h"
 #include "colortool/correction/CorrectionEstimate.h"
 #include "colortool/image/ClassPresets.h"
@@ -55,7 +55,7 @@ constexpr Pose2 kOtherViews[] = {{-1.2, 0.3, -0.1}, {-0.3, 0.1, -0.2}, {1.0, 0.6
 
 /// The field with a robot of each team more.
 std::string sceneText() {
-  std::string text = robotlink::readFile(Workbench::defaultOptions().scene).value();
+  std::string text = robotlink::readFile(defaultSimulation().scene).value();
   const auto robot = [](const char* name, const char* team, const char* pose) {
     return std::string("<include><uri>model://ers210</uri><name>") + name + "</name><pose>" + pose +
            "</pose><robotcontrol:team>" + team + "</robotcontrol:team></include>\n";

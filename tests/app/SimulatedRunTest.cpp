@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/Workbench.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -25,7 +25,7 @@ using ::testing::IsEmpty;
 namespace {
 
 RunOptions options(std::uint64_t seed = 1) {
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.world.seed = seed;
   return options;
 }
@@ -261,7 +261,7 @@ TEST(SimulatedRun, whatAPersonChoseSurvivesResetsAndOtherLayouts) {
     EXPECT_TRUE(reported.ownTable) << after;
     EXPECT_EQ(run->lostChoices(), std::vector<std::string>()) << after;
   };
-  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("parallel")).empty());
+  ASSERT_TRUE(run->setLayout(layoutNamed("parallel")).empty());
   expectAll("layout");
   ASSERT_TRUE(run->reset(1).empty());
   expectAll("reset");
@@ -287,7 +287,7 @@ TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
   };
   ASSERT_TRUE(run->reset(1).empty());
   expectKept("reset");
-  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("parallel")).empty());
+  ASSERT_TRUE(run->setLayout(layoutNamed("parallel")).empty());
   expectKept("layout");
   robotcontrol::Request back;
   back.set_robot("red1");
@@ -333,13 +333,13 @@ TEST(SimulatedRun, whatALayoutCannotFulfillIsSaidAndComesBackWithOneThatCan) {
   const auto run = makeRun(options(), reported.listeners());
   ASSERT_TRUE(run->request(solutionRequest("self-localisation", "odometry")).has_value());
   play(*run, 0.2);
-  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("perception")).empty());
+  ASSERT_TRUE(run->setLayout(layoutNamed("perception")).empty());
   ASSERT_EQ(run->lostChoices().size(), 1U);
   EXPECT_EQ(run->lostChoices()[0],
             "red1 could not keep solution odometry of task self-localisation: "
             "no process of this layout has 'self-localisation'");
   play(*run, 0.2);
-  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("balanced")).empty());
+  ASSERT_TRUE(run->setLayout(layoutNamed("balanced")).empty());
   EXPECT_TRUE(run->lostChoices().empty());
   play(*run, 0.5);
   EXPECT_EQ(reported.solutions["self-localisation"], "odometry");
@@ -390,7 +390,7 @@ TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
   const TestFolder folder;
   const auto file = folder / "soon-broken-layout.yaml";
   RunOptions chosen = options();
-  std::filesystem::copy_file(Workbench::layoutNamed("compact"), file);
+  std::filesystem::copy_file(layoutNamed("compact"), file);
   chosen.layout = file;
   const auto run = makeRun(chosen);
   play(*run, 0.8);
@@ -401,8 +401,8 @@ TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
 }
 
 TEST(SimulatedRun, allShippedScenesAndMapsPlayWithoutTrouble) {
-  EXPECT_GE(Workbench::scenes().size(), 3U);
-  for (const auto& scene : Workbench::scenes()) {
+  EXPECT_GE(shippedScenes().size(), 3U);
+  for (const auto& scene : shippedScenes()) {
     Ears ears;
     RunOptions chosen = options();
     chosen.scene = scene;
@@ -417,7 +417,7 @@ TEST(SimulatedRun, allShippedScenesAndMapsPlayWithoutTrouble) {
 TEST(SimulatedRun, allShippedLayoutsPlayWithoutTrouble) {
   const auto robot = robotlink::readRobotDescription(robotlink::resource("robots/ers210.yaml"));
   ASSERT_TRUE(robot) << robotlink::describe(robot.error());
-  const auto layouts = Workbench::layoutsFor(*robot);
+  const auto layouts = layoutsFor(*robot);
   EXPECT_GE(layouts.size(), 4U);
   for (const auto& layout : layouts) {
     Ears ears;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "app/core/Workbench.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/TickUntil.h"
@@ -20,7 +21,7 @@ class SimulationFeedTest : public testing::Test {
   SimulationFeedTest()
       : workbench(std::filesystem::path(testing::TempDir()) / ("workbench-" + std::to_string(::getpid()))) {
     workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
-    workbench.load(Workbench::defaultOptions());
+    workbench.open(SimulationFeed::opening(defaultSimulation()));
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; }));
   }
 
@@ -126,9 +127,10 @@ TEST_F(SimulationFeedTest, robotsAndPortsAreCountedInWholeNumbers) {
                                                    port + " false both");
     return done ? std::string() : done.error().text;
   };
-  EXPECT_EQ(reason("1.5", "0"), "the number of robots must be a whole one, 0 to 100");
-  EXPECT_EQ(reason("101", "0"), "the number of robots must be a whole one, 0 to 100");
-  EXPECT_EQ(reason("1", "8101.5"), "the ports must be whole numbers, 1 to 65535; 0 opens none");
+  EXPECT_EQ(reason("1.5", "0"), "the number of robots must be a whole number between 0 and 100");
+  EXPECT_EQ(reason("101", "0"), "the number of robots must be a whole number between 0 and 100");
+  EXPECT_EQ(reason("1", "8101.5"),
+            "the first port must be a whole number between 1024 and 65435, or 0 for none");
   EXPECT_EQ(reason("0", "0"), "");
   EXPECT_TRUE(waitFor([this] { return !workbench.loading(); }));
 }

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/core/Workbench.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "colortool/image/ClassPresets.h"
 #include "robotcontrol/Requests.pb.h"
@@ -31,7 +30,7 @@ struct Watched {
   std::map<std::string, std::vector<foxglove::RawImage>> images;  // by path
   std::unique_ptr<SimulatedRun> run;
 
-  explicit Watched(RunOptions options = Workbench::defaultOptions()) {
+  explicit Watched(RunOptions options = defaultSimulation()) {
     SimulatedRun::Listeners listeners;
     listeners.queue = [this](const std::string&, const auto& queue) {
       for (const auto& message : queue->messages) {
@@ -125,7 +124,7 @@ TEST(TrueClasses, changeNothingInTheWorld) {
 
 TEST(TrueClasses, areAllTheSameInAnotherLight) {
   // Colors are not what the program sees: without it the robot would go elsewhere.
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.world.blackout = true;
   Watched usual(options);
   options.world.lighting = {0.4, 0.5};

@@ -15,20 +15,6 @@ namespace {
 constexpr std::chrono::milliseconds kStep{10};
 constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
 
-/// Whether a source is an address: "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
-/// Names of existing files are none.
-bool isAddress(const std::string& source) {
-  if (source.starts_with("tcp://") || source.starts_with("serial://")) return true;
-  std::error_code ignored;
-  const bool isFile =
-      !source.starts_with("/dev/") && (source.starts_with('/') || std::filesystem::exists(source, ignored));
-  return !isFile && robotlink::arcos::parseUrl(source).has_value();
-}
-
-const PlatformRegistration kPioneerRegistration{
-    {PioneerFeed::kAdapter, "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
-     PlatformTime::kReal, false, isAddress, 2}};
-
 }  // namespace
 
 PlatformOpening PioneerFeed::opening(PioneerOptions options) {
@@ -57,8 +43,8 @@ PioneerRun::Listeners PioneerFeed::listeners() {
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
             gate_.publishTrouble(robot, process, text);
           },
-          [this](const std::string& robot, const std::string& text) {
-            if (run_) gate_.publishText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
+          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+            gate_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
           }};
 }
 

@@ -34,9 +34,6 @@ class PioneerFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
-  /// Returns false: a robot has only one client, so this connection must end before the other platform
-  /// connects.
-  bool makeWay() override { return false; }
   std::map<std::string, ProgramOverrides> overrides() const override;
   void connectNow() override { run_->connectNow(); }
 

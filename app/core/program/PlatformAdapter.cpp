@@ -4,6 +4,10 @@
 #include <algorithm>
 
 namespace app {
+
+using robotlink::failure;
+using robotlink::Result;
+
 namespace {
 
 std::vector<PlatformAdapter>& adapters() {
@@ -28,6 +32,45 @@ const PlatformAdapter* adapterFor(const std::string& source) {
   const auto found =
       std::ranges::find_if(adapters(), [&](const PlatformAdapter& adapter) { return adapter.opens(source); });
   return found == adapters().end() ? nullptr : &*found;
+}
+
+PlatformForm formOf(const PlatformAdapter& adapter) {
+  return adapter.form != nullptr ? adapter.form() : PlatformForm{};
+}
+
+PlatformChoices choicesOf(const PlatformForm& form, const std::vector<FormValue>& arguments) {
+  PlatformChoices choices;
+  const auto fields = form.arguments();
+  for (std::size_t i = 0; i < std::min(fields.size(), arguments.size()); ++i) {
+    if (const auto* source = std::get_if<std::string>(&arguments[i]); fields[i]->isSource && source) {
+      choices.sources.push_back(*source);
+    } else {
+      choices.values[fields[i]->name] = arguments[i];
+    }
+  }
+  return choices;
+}
+
+Result<PlatformOpening> openingOf(const PlatformAdapter& adapter, const PlatformChoices& choices) {
+  if (const std::string problem = problemOf(formOf(adapter), choices.values); !problem.empty())
+    return failure("platform.choices", problem);
+  if (choices.sources.size() > 1 && !adapter.severalSources) {
+    return failure("platform.sources", choices.sources[1] + " cannot be opened together with " +
+                                           choices.sources[0] + "; only logs can be opened together");
+  }
+  return adapter.open(choices);
+}
+
+Result<PlatformOpening> openingOf(const PlatformChoices& choices) {
+  if (choices.sources.empty()) return failure("platform.sources", "there is nothing to open");
+  const PlatformAdapter* adapter = adapterFor(choices.sources.front());
+  if (adapter == nullptr) return failure("platform.sources", "nothing can open " + choices.sources.front());
+  for (const std::string& source : choices.sources) {
+    if (adapterFor(source) == adapter) continue;
+    return failure("platform.sources", source + " cannot be opened together with " + choices.sources.front() +
+                                           ", which is of another kind");
+  }
+  return openingOf(*adapter, choices);
 }
 
 }  // namespace app

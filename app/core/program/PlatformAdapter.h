@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <any>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/core/program/PlatformForm.h"
 #include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Error.h"
 
@@ -31,41 +34,21 @@ enum class PlatformTime : std::uint8_t {
   kReal
 };
 
-/// A kind of platform that the workbench can open, such as "simulation". It registers itself with one static
-/// PlatformRegistration; nothing else has to know that the kind exists. A plain value.
-struct PlatformAdapter {
-  /// A unique name: "simulation".
-  const char* name;
-  /// What it opens, for users: "a world (.sdf, .world) or a map (.map)".
-  const char* sources;
-  /// The kind of time of its platforms.
-  PlatformTime time;
-  /// Whether one platform can have several sources, which share a time line.
-  bool severalSources = false;
-  /// Whether it opens this file or address. Several adapters may; then the one with the lowest `order` does.
-  bool (*opens)(const std::string& source);
-  /// The rank in which adapters are asked, lowest first.
-  int order = 0;
-};
-
-/// Returns all adapters, sorted by their order. They are registered before main() and do not change later.
-const std::vector<PlatformAdapter>& platformAdapters();
-/// Returns the first adapter that opens a file or address; null if none does.
-const PlatformAdapter* adapterFor(const std::string& source);
-
-/// Registers an adapter when it is constructed, which must be before main(): define one as a static constant.
-struct PlatformRegistration {
-  explicit PlatformRegistration(PlatformAdapter adapter);
-};
-
-/// What a platform needs from the workbench when it is made. Session and recorder must outlive the platform.
+/// What a platform needs from the workbench when it is made. Session, recorder and memory must outlive the
+/// platform.
 struct PlatformContext {
   /// The session to which the platform publishes.
   robotlink::Session& session;
   /// The recorder that gets what a log may contain.
   logplayer::Recorder& recorder;
+  /// What the adapter keeps from one of its platforms to the next; empty at first. Only in the platform's
+  /// thread.
+  std::any& memory;
   /// The user's overrides, by robot, from the last time the same sources were open; otherwise empty.
   std::map<std::string, ProgramOverrides> overrides = {};
+  /// To be called with the share of PlatformOpening::file that was read; returns false if that is to be
+  /// canceled. May be empty.
+  std::function<bool(double share)> progress = {};
 };
 
 /// A platform that is to be opened, as a value that can be passed to the platform's thread.
@@ -79,6 +62,66 @@ struct PlatformOpening {
   /// Makes the platform, or returns all reasons why that is impossible. Called once, in the platform's
   /// thread.
   std::function<Made(const PlatformContext& context)> make;
+  /// The file that is read meanwhile, if that may take a while.
+  std::filesystem::path file = {};
+};
+
+/// What the user wants to be opened. A plain value.
+struct PlatformChoices {
+  /// Files, or one address.
+  std::vector<std::string> sources;
+  /// Values of the form's fields, except for those that are sources; those that the user left open are
+  /// missing. "layout" is a process layout, by its path or the name of a shipped one, for all adapters.
+  FormValues values = {};
+};
+
+/// A kind of platform that the workbench can open, such as "simulation". It registers itself with one static
+/// PlatformRegistration; nothing else has to know that the kind exists: menus, dialogs, commands, and options
+/// of the command line are made from what it declares. A plain value.
+struct PlatformAdapter {
+  /// A unique name: "simulation".
+  const char* name;
+  /// What it opens, for users: "a world (.sdf, .world) or a map (.map)".
+  const char* sources;
+  /// The kind of time of its platforms.
+  PlatformTime time;
+  /// Whether one platform can have several sources, which share a time line.
+  bool severalSources = false;
+  /// Whether it opens this file or address. Several adapters may; then the one with the lowest `order` does.
+  bool (*opens)(const std::string& source);
+  /// The rank in which adapters are asked, lowest first.
+  int order = 0;
+  /// Prepares the opening of a platform. Fails if the choices are wrong in themselves; problemOf() has found
+  /// nothing wrong with single values.
+  robotlink::Result<PlatformOpening> (*open)(const PlatformChoices& choices);
+  /// The command that opens a source, "simulation.open", and its help; null: only the form's command does.
+  const char* command = nullptr;
+  const char* commandHelp = nullptr;
+  /// The entry of the menu File that opens a file, and the kinds of files that its dialog lists; null: none.
+  const char* fileEntry = nullptr;
+  const char* fileFilter = nullptr;
+  /// The perspective that fits a source; null or "": the one that the user saw last.
+  const char* (*perspective)(const std::string& source) = nullptr;
+  /// What the user is asked for before a platform is opened; null: nothing.
+  PlatformForm (*form)() = nullptr;
+};
+
+/// Returns all adapters, sorted by their order. They are registered before main() and do not change later.
+const std::vector<PlatformAdapter>& platformAdapters();
+/// Returns the first adapter that opens a file or address; null if none does.
+const PlatformAdapter* adapterFor(const std::string& source);
+/// The form of an adapter; without fields and name if it has none.
+PlatformForm formOf(const PlatformAdapter& adapter);
+/// Sorts the arguments of the form's command into sources and values.
+PlatformChoices choicesOf(const PlatformForm& form, const std::vector<FormValue>& arguments);
+/// Checks the values against the adapter's form, then prepares the opening.
+robotlink::Result<PlatformOpening> openingOf(const PlatformAdapter& adapter, const PlatformChoices& choices);
+/// The same for the adapter that opens the first source; all sources must be its own.
+robotlink::Result<PlatformOpening> openingOf(const PlatformChoices& choices);
+
+/// Registers an adapter when it is constructed, which must be before main(): define one as a static constant.
+struct PlatformRegistration {
+  explicit PlatformRegistration(PlatformAdapter adapter);
 };
 
 }  // namespace app

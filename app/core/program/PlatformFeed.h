@@ -93,9 +93,10 @@ class PlatformFeed {
   virtual void publishStatus() = 0;
 
   // The following four are for the replacement of this platform by another one of the same adapter.
-  /// Releases what the other platform may need, such as ports, before it is known whether that one can be
-  /// run. Returns false if this platform cannot continue afterwards and has to be ended first.
-  virtual bool makeWay() { return true; }
+  /// Releases what the other platform needs to be made, such as ports, before it is known whether that one
+  /// can be run. What the other one needs only from its begin() on, such as the only connection to a robot,
+  /// it finds released then.
+  virtual void makeWay() {}
   /// Undoes makeWay(), since the other platform cannot be run.
   virtual robotlink::Errors restoreAfterMakeWay() { return {}; }
   /// The state of playback, for the platform that replaces this one.

@@ -43,7 +43,7 @@ RobotHost::RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, 
 
 RobotHost::~RobotHost() {
   stop();
-  if (platform_) platform_->shutDown();
+  shutDown();
 }
 
 // ---- The program
@@ -83,9 +83,8 @@ void RobotHost::adopt(Candidate candidate) {
   overridden_ = candidate.overridden;
   processes_ = std::move(candidate.processes);
   if (!candidate.platform) return;
-  if (platform_) platform_->shutDown();
+  shutDown();
   platform_ = std::move(candidate.platform);
-  platformIsSetUp_ = false;
 }
 
 std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
@@ -105,8 +104,16 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
 void RobotHost::setUp() {
   if (std::exchange(platformIsSetUp_, true)) return;
   const std::string took = timeTaken([this] { platform_->initialize(); });
-  if (listeners_.platform) listeners_.platform(robot_.name, "The platform was set up in " + took + ".");
+  reportPlatform("The platform was set up in " + took + ".");
   reportPlatform();
+}
+
+void RobotHost::shutDown() {
+  if (!platform_) return;
+  const std::string took = timeTaken([this] { platform_->shutDown(); });
+  reportPlatform();
+  // A platform that was not set up, since its program could not be run, is no news.
+  if (std::exchange(platformIsSetUp_, false)) reportPlatform("The platform was shut down in " + took + ".");
 }
 
 void RobotHost::record(ExecutorKind executor) {
@@ -167,9 +174,11 @@ std::shared_ptr<const robotlink::SharedDebugQueue> RobotHost::answersToCome() {
 // ---- Reports
 
 void RobotHost::reportPlatform() {
-  for (const std::string& text : platform_->takeReports()) {
-    if (listeners_.platform) listeners_.platform(robot_.name, text);
-  }
+  for (const std::string& text : platform_->takeReports()) reportPlatform(text);
+}
+
+void RobotHost::reportPlatform(const std::string& text) const {
+  if (listeners_.platform) listeners_.platform(robot_.name, platform_->clock().now(), text);
 }
 
 bool RobotHost::owns(const robotlink::Process& process) const {

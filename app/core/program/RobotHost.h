@@ -39,8 +39,10 @@ class RobotHost {
     /// Called if a process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
-    /// Called with sentences about the platform being set up, in the owner's thread.
-    std::function<void(const std::string& robot, const std::string& text)> platform = {};
+    /// Called with sentences about the platform being set up and shut down, in the owner's thread; `time` is
+    /// the platform's.
+    std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> platform =
+        {};
     /// Called with each request that became an override of the user; it must not call this object.
     ProgramRequests::OverrideListener overridden = {};
   };
@@ -80,7 +82,7 @@ class RobotHost {
 
   /// `tap` may be null: nothing is recorded. `overrides` are what the user chose for this robot before.
   RobotHost(HostedRobot robot, Listeners listeners, RecordingTap* tap, ProgramOverrides overrides = {});
-  /// Ends the program and shuts the platform down.
+  /// Ends the program and shuts the platform down, and reports that.
   ~RobotHost();
   RobotHost(const RobotHost&) = delete;
   RobotHost& operator=(const RobotHost&) = delete;
@@ -131,6 +133,10 @@ class RobotHost {
   void record(ExecutorKind executor);
   /// Initializes the platform once, and reports how long that took.
   void setUp();
+  /// Shuts the platform down, if there is one, and reports how long that took if it was set up.
+  void shutDown();
+  /// Passes a sentence about the platform to the listener.
+  void reportPlatform(const std::string& text) const;
   // The handlers of requests that the platform fulfills.
   robotlink::Result<void> engageStop(const robotcontrol::Request& request);
   robotlink::Result<void> controlDrive(const robotcontrol::Request& request);

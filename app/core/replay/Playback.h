@@ -13,8 +13,6 @@ namespace app {
 class Playback {
  public:
   using RealTime = Pace::RealTime;
-  /// The range of speeds, times real time.
-  static constexpr double kSlowest = 0.05, kFastest = 50;
   /// A longer time without any message is a gap.
   static constexpr robotlink::Duration kGap = std::chrono::seconds(1);
   /// The least real time from one loop to the next, however short the range is.

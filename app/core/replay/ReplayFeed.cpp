@@ -20,11 +20,6 @@ using robotlink::Result;
 
 constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
-/// The last adapter: every source that no other one opens is a log, or is reported not to be one.
-const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one timeline",
-                                                PlatformTime::kLogged, true,
-                                                [](const std::string&) { return true; }, 3}};
-
 /// The stream of images of the robot by which the logs are stepped.
 std::string imagesOf(const ReplayRun& run) {
   const std::string& process = run.stepProcess();
@@ -36,9 +31,13 @@ std::string imagesOf(const ReplayRun& run) {
 PlatformOpening ReplayFeed::opening(ReplayOptions options) {
   std::vector<std::string> sources;
   for (const ReplayLog& log : options.logs) sources.push_back(log.file.string());
-  return {kAdapter, std::move(sources), [options](const PlatformContext& context) -> PlatformOpening::Made {
-            return create(options, context.session, context.recorder);
-          }};
+  const auto make = [options](const PlatformContext& context) -> PlatformOpening::Made {
+    ReplayOptions opened = options;
+    opened.progress = context.progress;
+    return create(std::move(opened), context.session, context.recorder);
+  };
+  return {kAdapter, std::move(sources), make,
+          options.logs.empty() ? std::filesystem::path() : options.logs.front().file};
 }
 
 PlatformOpening::Made ReplayFeed::withLog(const std::filesystem::path& file, robotlink::Duration offset,

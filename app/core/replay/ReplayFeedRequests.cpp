@@ -70,10 +70,6 @@ Result<void> ReplayFeed::control(const robotcontrol::Request& request) {
 }
 
 Result<void> ReplayFeed::set(const ControlReplay& control) {
-  if (control.has_speed() &&
-      !(control.speed() >= Playback::kSlowest && control.speed() <= Playback::kFastest)) {
-    return failure("replay.speed", "the speed must be between 0.05 and 50 times real time");
-  }
   if (control.has_step_process() && !run_->setStepProcess(control.step_process())) {
     return failure("replay.process", "the log has no frames of a process " + control.step_process(), {},
                    {control.step_process()});

@@ -16,6 +16,7 @@
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -35,9 +36,10 @@ constexpr int kTransformsEvery = 4;
 
 }  // namespace
 
-std::vector<std::string> teamsNamed(const std::string& name) {
-  if (name == "red" || name == "blue") return {name};
-  return {"red", "blue"};
+RunOptions defaultSimulation() {
+  RunOptions options;
+  options.scene = robotlink::resource("scenes/field2002.sdf");
+  return options;
 }
 
 SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder)
@@ -223,6 +225,7 @@ void SimulatedRun::step() {
   if (ports_) ports_->serve({});
   executor_->step();
   if (ports_) ports_->deliver();
+  for (const auto& robot : robots_) robot->reportPlatform();
   if (kickOff_) watchGame();
   if (tap_) recordStep();
 }

@@ -57,8 +57,8 @@ struct RunOptions {
   bool classImages = false;
 };
 
-/// Returns the teams that robots are added to: "red", "blue", or both for any other name.
-std::vector<std::string> teamsNamed(const std::string& name);
+/// The simulation that is opened by default: the shipped soccer field.
+RunOptions defaultSimulation();
 
 /// A simulated world with the programs of all its robots, stepped by the caller. It is made as a whole or
 /// refused with all reasons.
@@ -83,8 +83,9 @@ class SimulatedRun {
     std::function<void(const std::string& text)> ports = {};
     /// Called with a sentence about a goal or a kick-off.
     std::function<void(robotlink::Instant time, const std::string& text)> game = {};
-    /// Called with sentences about a robot's platform being set up.
-    std::function<void(const std::string& robot, const std::string& text)> platform = {};
+    /// Called with sentences about a robot's platform being set up and shut down.
+    std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> platform =
+        {};
   };
 
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.

@@ -12,7 +12,6 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "simcore/Scene.h"
-#include "simcore/SceneFileKind.h"
 
 namespace app {
 namespace {
@@ -20,23 +19,31 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
-/// Whether a source is a file that can be simulated, by its name.
-bool isScene(const std::string& source) {
-  return simcore::isSceneFile(source);
+/// The options of the last simulation, as the adapter's memory keeps them.
+std::shared_ptr<RunOptions> lastSimulation(std::any& memory) {
+  if (!memory.has_value()) memory = std::make_shared<RunOptions>(defaultSimulation());
+  return std::any_cast<std::shared_ptr<RunOptions>>(memory);
 }
-
-const PlatformRegistration kSimulationRegistration{
-    {SimulationFeed::kAdapter, "a world (.sdf, .world) or the map of a building (.map) to simulate",
-     PlatformTime::kSimulated, false, isScene, 1}};
 
 }  // namespace
 
-PlatformOpening SimulationFeed::opening(RunOptions options, Choices choices) {
-  return {kAdapter,
-          {options.scene.string()},
-          [options, choices](const PlatformContext& context) -> PlatformOpening::Made {
-            return create(options, context.session, context.recorder, choices);
-          }};
+PlatformOpening SimulationFeed::opening(const RunOptions& options) {
+  return opening(options.scene, [options](RunOptions& last) { last = options; });
+}
+
+PlatformOpening SimulationFeed::opening(const std::filesystem::path& scene,
+                                        std::function<void(RunOptions& options)> adapt) {
+  const auto make = [scene,
+                     adapt = std::move(adapt)](const PlatformContext& context) -> PlatformOpening::Made {
+    const std::shared_ptr<RunOptions> last = lastSimulation(context.memory);
+    RunOptions options = *last;
+    adapt(options);
+    options.scene = scene;
+    options.progress = context.progress;
+    return create(std::move(options), context.session, context.recorder,
+                  [last](const RunOptions& running) { *last = running; });
+  };
+  return {kAdapter, {scene.string()}, make, scene};
 }
 
 tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(
@@ -57,8 +64,7 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
           {},
           [this](const std::string& text) { publishPorts(text, foxglove::Log::INFO); },
           [this](robotlink::Instant, const std::string& text) { publishGame(text); },
-          [this](const std::string& robot, const std::string& text) {
-            const robotlink::Instant time = run_ ? now() : robotlink::Instant{};
+          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
             gate_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
           }};
 }
@@ -72,9 +78,8 @@ void SimulationFeed::publishGame(const std::string& text) {
     gate_.publishText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
-bool SimulationFeed::makeWay() {
+void SimulationFeed::makeWay() {
   run_->closePorts();
-  return true;
 }
 
 robotlink::Errors SimulationFeed::restoreAfterMakeWay() {

@@ -22,7 +22,11 @@ class SimulationFeed final : public PlatformFeed {
   /// Called in the platform's thread with the options of the run, at the start and whenever they change.
   using Choices = std::function<void(const RunOptions& options)>;
   /// Returns the opening of a scene for PlatformThread.
-  static PlatformOpening opening(RunOptions options, Choices choices = {});
+  static PlatformOpening opening(const RunOptions& options);
+  /// The same for the options that `adapt` makes of those of the last simulation, so that another scene is
+  /// opened with its layouts and settings. Called once, in the platform's thread.
+  static PlatformOpening opening(const std::filesystem::path& scene,
+                                 std::function<void(RunOptions& options)> adapt);
   /// Makes the run, paused. Fails with all reasons if that is impossible.
   static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
       RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices = {});
@@ -31,7 +35,7 @@ class SimulationFeed final : public PlatformFeed {
   static bool fulfills(const robotcontrol::Request& request);
 
   /// Closes the ports, since another simulation may need them before it is known that it can be run.
-  bool makeWay() override;
+  void makeWay() override;
   /// Opens the ports again. Fails if another program has opened one meanwhile.
   robotlink::Errors restoreAfterMakeWay() override;
   Going going() const override { return {running_, pace_.speed()}; }

@@ -24,7 +24,7 @@ QAction* CommandActions::make(const QString& text, const char* icon, const QStri
 
 void CommandActions::run(const QString& command,
                          const std::vector<robotlink::CommandTable::Value>& arguments) {
-  if (guard_ && !guard_(command)) return;
+  if (!mayRun(command)) return;
   const auto done = commands_.run(command.toStdString(), arguments);
   if (!done) {
     failed_ = command;

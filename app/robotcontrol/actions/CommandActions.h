@@ -23,6 +23,8 @@ class CommandActions : public QObject {
                 const QList<QKeySequence>& shortcuts = {});
   /// Runs a command, unless the guard prevents it.
   void run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
+  /// Asks the guard whether the user may run a command.
+  bool mayRun(const QString& command) const { return !guard_ || guard_(command); }
   /// Sets a function that is called with the name of each command that the user runs; if it returns false,
   /// the command is not run. Scripts bypass it.
   void setGuard(std::function<bool(const QString& command)> guard) { guard_ = std::move(guard); }

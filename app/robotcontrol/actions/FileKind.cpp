@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/core/program/PlatformAdapter.h"
 #include "robotlink/base/FileSuffix.h"
-#include "simcore/SceneFileKind.h"
 
 namespace app {
 namespace {
@@ -26,7 +26,8 @@ FileKind kindOfFile(const std::filesystem::path& file) {
   const std::string suffix = robotlink::fileSuffix(file);
   if (isIn(kPictureSuffixes, suffix) || std::filesystem::is_directory(file, ignored))
     return FileKind::kPictures;
-  if (simcore::isSceneFile(file)) return FileKind::kScene;
+  const PlatformAdapter* adapter = adapterFor(file.string());
+  if (adapter != nullptr && adapter->time == PlatformTime::kSimulated) return FileKind::kScene;
   if (isIn(kColorTables, suffix)) return FileKind::kColorTable;
   return suffix == ".yaml" ? FileKind::kLayout : FileKind::kLog;
 }

@@ -8,6 +8,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "app/core/program/PlatformAdapter.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/FileKind.h"
 #include "widgets/Icon.h"
@@ -84,7 +85,7 @@ void LogOpening::drop(const QMimeData& data, bool add) {
     const std::vector<robotlink::CommandTable::Value> arguments = {path};
     switch (kindOfFile(path)) {
       case FileKind::kScene:
-        actions_.run(QStringLiteral("simulation.open"), arguments);
+        actions_.run(QLatin1String(adapterFor(path)->command), arguments);
         break;
       case FileKind::kLayout:
         actions_.run(QStringLiteral("layout.open"), arguments);

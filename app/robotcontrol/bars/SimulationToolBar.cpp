@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/core/Workbench.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "robotcontrol/Requests.pb.h"
@@ -98,7 +99,7 @@ void SimulationToolBar::createBoxes() {
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));
   layout_->setMinimumContentsLength(10);  // "of the log"
-  addFiles(scene_, Workbench::scenes());
+  addFiles(scene_, shippedScenes());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
   // Its longest entry is a sentence, which only the opened list has to have room for.
   speed_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -147,7 +148,7 @@ void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
   std::set<std::filesystem::path> files;
   for (const auto& [name, description] : loaded.robots) {
     if (!kinds.insert(description->name).second) continue;
-    for (const auto& file : Workbench::layoutsFor(*description)) files.insert(file);
+    for (const auto& file : layoutsFor(*description)) files.insert(file);
   }
   addFiles(layout_, {files.begin(), files.end()});
 }

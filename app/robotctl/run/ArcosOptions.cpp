@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotctl/run/ArcosOptions.h"
+#include "app/core/program/ShippedFiles.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

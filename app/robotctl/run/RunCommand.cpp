@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/core/Workbench.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/RobotName.h"
@@ -334,7 +334,7 @@ int replay(const RunArguments& arguments) {
   if (const std::string wrong = takeChoices(arguments, options); !wrong.empty()) return usage(wrong);
   if (!arguments.layout.empty()) {
     options.layout = arguments.layout;
-    for (const auto& shipped : Workbench::layouts()) {
+    for (const auto& shipped : shippedLayouts()) {
       if (shipped.stem() == arguments.layout) options.layout = shipped;
     }
   }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/core/Workbench.h"
 #include "app/core/pioneer/PioneerRun.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/run/TextMessages.h"
@@ -28,6 +28,9 @@ PioneerRun::Listeners robotListeners(const RunRobotArguments& arguments) {
   };
   if (arguments.texts) {
     listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
+    listeners.platform = [](const std::string& robot, robotlink::Instant, const std::string& text) {
+      std::cerr << robot << ": " << text << "\n";
+    };
   }
   return listeners;
 }
@@ -81,7 +84,7 @@ bool isRobotAddress(const std::string& platform) {
 
 int runRobot(const RunRobotArguments& arguments) {
   PioneerOptions options{.url = arguments.url, .robot = arguments.robot};
-  if (!arguments.layout.empty()) options.layout = Workbench::layoutNamed(arguments.layout);
+  if (!arguments.layout.empty()) options.layout = layoutNamed(arguments.layout);
   options.map = arguments.map;
   options.solutions = arguments.solutions;
   options.motorsOn = arguments.motorsOn;

@@ -13,9 +13,10 @@
 #include <optional>
 #include <thread>
 
-#include "app/core/Workbench.h"
 #include "app/core/program/Pace.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogSubcommands.h"
@@ -35,7 +36,7 @@ constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
 using nlohmann::json;
 
 struct SimArguments {
-  RunOptions run = Workbench::defaultOptions();
+  RunOptions run = defaultSimulation();
   std::string layout;
   std::vector<std::string> solutions;
   std::string executor = "lockstep";
@@ -67,7 +68,7 @@ bool takeSolutions(SimArguments& arguments) {
 }
 
 std::filesystem::path layoutFile(const std::string& name) {
-  for (const auto& shipped : Workbench::layouts()) {
+  for (const auto& shipped : shippedLayouts()) {
     if (shipped.stem() == name) return shipped;
   }
   return name;

@@ -9,6 +9,9 @@
 #include <optional>
 
 #include "app/core/Workbench.h"
+#include "app/core/replay/ReplayFeed.h"
+#include "app/core/simulated/SimulatedRun.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
@@ -40,9 +43,9 @@ class PausedRequestsTest : public ::testing::TestWithParam<PausedHost> {
     workbench_ = std::make_unique<Workbench>(folder_->path() / "workbench");
     workbench_->onErrors([this](const robotlink::Errors& errors) { errors_ += robotlink::describe(errors); });
     if (GetParam() == PausedHost::kSimulation) {
-      workbench_->load(Workbench::defaultOptions());
+      workbench_->open(SimulationFeed::opening(defaultSimulation()));
     } else {
-      workbench_->openLogs({{logFile()}});
+      workbench_->open(ReplayFeed::opening({.logs = {{logFile()}}}));
     }
     ASSERT_TRUE(test::tickUntil(*workbench_, [this] { return !workbench_->loading(); }));
     if (GetParam() == PausedHost::kLog) {

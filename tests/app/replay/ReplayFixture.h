@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "app/core/Workbench.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "logplayer/record/Recorder.h"
@@ -69,7 +68,7 @@ inline void recordSimulation(const std::filesystem::path& file, const RunOptions
 /// The same for the robot of the shipped scene with a layout.
 inline void recordSimulation(const std::filesystem::path& file, const std::string& layout, int steps,
                              const std::function<void(SimulatedRun&, int step)>& before = {}) {
-  RunOptions options = Workbench::defaultOptions();
+  RunOptions options = defaultSimulation();
   options.layout = robotlink::resource("layouts/" + layout + ".yaml");
   recordSimulation(file, options, steps, before);
 }

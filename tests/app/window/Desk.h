@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/core/Workbench.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "foxglove/Geometry.pb.h"
@@ -38,7 +39,7 @@ class Desk {
     window.resize(1600, 1000);
     window.show();
     if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
-    if (opens == Opens::kScene) workbench.load(Workbench::defaultOptions());
+    if (opens == Opens::kScene) workbench.open(SimulationFeed::opening(defaultSimulation()));
   }
 
   /// Whether the simulation is loaded and has published its status.

@@ -292,7 +292,7 @@ class KeysGuiTest : public WindowTest {
 
   void whatIsOpenIsNotReplacedUnaskedWhileSamplesAreUnsaved() {
     KeysDesk desk(home_);
-    desk.workbench.load(app::Workbench::defaultOptions());
+    desk.workbench.open(SimulationFeed::opening(defaultSimulation()));
     QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr, 20000);
     desk.colors().undoStack().push(new QUndoCommand);
     QVERIFY(widgets::colorFiles(const_cast<widgets::ViewContext&>(desk.window.context())).changed());

@@ -50,11 +50,11 @@ class MenusGuiTest : public WindowTest {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     DialogAnswer nothing([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::RejectRole); });
-    desk.choose("file.openScene");
+    desk.choose("simulation.open");
     QVERIFY(nothing.asked());
     QVERIFY(!desk.workbench.loading());
     DialogAnswer two = DialogAnswer::file(twoRobots(home_));
-    desk.choose("file.openScene");
+    desk.choose("simulation.open");
     QVERIFY(two.asked());
     auto& scenes = desk.find<QComboBox>("sceneBox");
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 2, kWaitMs);

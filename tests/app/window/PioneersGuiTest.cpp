@@ -54,7 +54,7 @@ class PioneersGuiTest : public WindowTest {
       dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->setEditText(QStringLiteral("pioneer"));
       dialog.findChild<QSpinBox*>(QStringLiteral("setupRobots"))->setValue(1);
       QTest::mouseClick(dialog.findChild<QCheckBox*>(QStringLiteral("setupKinematic")), Qt::LeftButton);
-      QTest::mouseClick(dialog.findChild<QCheckBox*>(QStringLiteral("setupPorts")), Qt::LeftButton);
+      QTest::mouseClick(dialog.findChild<QCheckBox*>(QStringLiteral("setupPortOn")), Qt::LeftButton);
       dialog.findChild<QSpinBox*>(QStringLiteral("setupPort"))->setValue(port);
       DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
     });

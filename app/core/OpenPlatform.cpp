@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/OpenPlatform.h"
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/session/KeyPresets.h"
+
+namespace app {
+
+OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
+    : userFolder_(std::move(userFolder)),
+      recording_(userFolder_),
+      platform_(session_, recording_.recorder()) {
+  session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
+}
+
+OpenPlatform::~OpenPlatform() {
+  session_.setRequestSink({});
+}
+
+PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change) {
+  ++loading_;
+  // Debug keys that are on stay on in the next platform.
+  if (change == Change::kPlatform) {
+    if (const auto kept = keepKeys(); !kept) report({kept.error()});
+  }
+  return [this, change](const auto& loaded) { outcomes_.push({change, loaded}); };
+}
+
+void OpenPlatform::open(PlatformOpening opening) {
+  logplayer::LogFile::Progress progress;
+  if (!opening.file.empty()) progress = newOpening(opening.file);
+  platform_.open(std::move(opening), std::move(progress), outcomeOf(Change::kPlatform));
+}
+
+logplayer::LogFile::Progress OpenPlatform::newOpening(const std::filesystem::path& file) {
+  opening_ = std::make_shared<Opening>();
+  opening_->name = file.filename().string();
+  return [opening = opening_](double share) {
+    opening->share = share;
+    return !opening->canceled;
+  };
+}
+
+std::optional<double> OpenPlatform::progress() const {
+  return loading() && opening_ ? std::optional(opening_->share.load()) : std::nullopt;
+}
+
+std::string OpenPlatform::openingName() const {
+  return opening_ ? opening_->name : std::string();
+}
+
+void OpenPlatform::cancelOpening() {
+  if (opening_) opening_->canceled = true;
+}
+
+void OpenPlatform::addLog(const std::filesystem::path& file, robotlink::Duration offset) {
+  platform_.addLog(file, offset, newOpening(file), outcomeOf(Change::kPlatform));
+}
+
+robotlink::Result<void> OpenPlatform::connectNow() {
+  if (!loaded_ || !loaded_->isReal())
+    return robotlink::failure("robot.not-real",
+                              "no robot is connected over a line; choose Robot > Connect first");
+  platform_.connectNow();
+  return {};
+}
+void OpenPlatform::close() {
+  platform_.close(outcomeOf(Change::kPlatform));
+}
+void OpenPlatform::setLayout(const std::filesystem::path& file) {
+  platform_.setLayout(file, outcomeOf(Change::kLayout));
+}
+
+void OpenPlatform::ask(robotcontrol::Request request) {
+  session_.request(std::move(request), [this](const robotcontrol::RequestResult& result) {
+    if (!result.accepted()) report({{"request.refused", result.reason(), {}, {}}});
+  });
+}
+
+void OpenPlatform::take(const robotcontrol::Request& request) {
+  if (robotlink::kindOf(request).doer != robotlink::RequestDoer::kRecording)
+    return platform_.request(request);
+  const auto done = recording_.control(request.control_recording());
+  robotcontrol::RequestResult result;
+  result.set_id(request.id());
+  result.set_accepted(done.has_value());
+  if (!done) result.set_reason(done.error().text);
+  session_.pushResult(result);
+}
+
+void OpenPlatform::tick() {
+  for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
+  if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
+  session_.tick();
+}
+
+void OpenPlatform::report(const robotlink::Errors& errors) {
+  if (onErrors_) onErrors_(errors);
+}
+
+void OpenPlatform::apply(Outcome outcome) {
+  if (--loading_ == 0) opening_.reset();
+  if (!outcome.loaded) {
+    const robotlink::Errors& errors = outcome.loaded.error();
+    const bool wanted =
+        errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
+    if (!wanted) report(errors);
+    return;
+  }
+  loaded_ = std::move(*outcome.loaded);
+  std::vector<std::string> robots;
+  for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
+  session_.setRobots(robots);
+  if (outcome.change == Change::kPlatform) {
+    keysToSwitchOn_.clear();
+    for (const std::string& robot : robots) switchKeysOn(robot);
+  }
+  if (onLoaded_) onLoaded_(*loaded_);
+  robotlink::Errors lost;
+  for (const std::string& text : loaded_->lostChoices) lost.push_back({"choices.lost", text, {}, {}});
+  if (!lost.empty()) report(lost);
+}
+
+void OpenPlatform::switchKeysOn(const std::string& robot) {
+  auto keys = robotlink::KeyPresets(userFolder_ / "session").load(robot);
+  if (!keys) keys = robotlink::KeyPresets(robotlink::resource("presets")).load("start");
+  if (!keys) return;
+  const auto unanswered = std::make_shared<int>(keys->keys_size());
+  keysToSwitchOn_[robot] = unanswered;
+  for (const auto& key : keys->keys()) {
+    robotcontrol::Request request;
+    request.set_robot(robot);
+    request.mutable_set_key()->set_name(key.name());
+    *request.mutable_set_key()->mutable_mode() = key.mode();
+    // Another program may lack some of the keys that were on; that is no error to report.
+    session_.request(std::move(request), [unanswered](const robotcontrol::RequestResult&) { --*unanswered; });
+  }
+}
+
+robotlink::Result<void> OpenPlatform::keepKeys() {
+  for (const std::string& robot : session_.robots()) {
+    // Its table may still be the one from before the saved keys were switched on.
+    const auto unanswered = keysToSwitchOn_.find(robot);
+    if (unanswered != keysToSwitchOn_.end() && *unanswered->second > 0) continue;
+    const auto* table = session_.store().latestAs<robotcontrol::KeyTable>(robot + "/tables/keys",
+                                                                          session_.timeline().newest());
+    if (table == nullptr) continue;
+    if (auto saved = robotlink::KeyPresets(userFolder_ / "session").save(robot, *table); !saved) return saved;
+  }
+  return {};
+}
+
+}  // namespace app

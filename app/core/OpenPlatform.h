@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/core/PlatformThread.h"
+#include "app/core/Recording.h"
+#include "robotlink/base/BoundedQueue.h"
+#include "robotlink/session/Session.h"
+
+namespace app {
+
+/// What is open in the workbench: the platform that runs (a simulation, a real robot, or logs), the session
+/// that it feeds, and the recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
+class OpenPlatform {
+ public:
+  /// The settings of the recording, and the debug keys that were on for each robot, are kept below
+  /// `userFolder`.
+  explicit OpenPlatform(std::filesystem::path userFolder);
+  ~OpenPlatform();
+
+  robotlink::Session& session() { return session_; }
+  Recording& recording() { return recording_; }
+
+  /// Starts to open a platform. The result arrives in a later tick(), as for all functions that open or close
+  /// something or change the layout. For a real robot it says only whether its program can be run; the
+  /// progress of the connection is published on its stream link/status.
+  void open(PlatformOpening opening);
+  /// Adds a log to those that are open, on the same time line; `offset` is added to its times.
+  void addLog(const std::filesystem::path& file, robotlink::Duration offset);
+  /// Retries the connection to a real robot at once if it was lost. Fails if no such robot is open.
+  robotlink::Result<void> connectNow();
+  /// Ends what runs.
+  void close();
+  /// Restarts the robots' programs in another layout.
+  void setLayout(const std::filesystem::path& file);
+
+  /// Sends a request to what runs. A refusal is passed to the handler of onErrors().
+  void ask(robotcontrol::Request request);
+
+  /// Applies the results of loading, updates the session, and calls the handlers below.
+  void tick();
+  /// The handler is called with what runs now when something was loaded or closed, or a layout was changed.
+  void onLoaded(std::function<void(const LoadedPlatform&)> handler) { onLoaded_ = std::move(handler); }
+  /// The handler is called if something could not be loaded, in which case what ran before continues; if a
+  /// request was refused; and with warnings.
+  void onErrors(std::function<void(const robotlink::Errors&)> handler) { onErrors_ = std::move(handler); }
+
+  /// What runs; null until something was loaded for the first time.
+  const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
+  /// Whether something is being loaded now.
+  bool loading() const { return loading_ > 0; }
+  /// Which share of a file that is being opened was read, in [0, 1]; unset if none is.
+  std::optional<double> progress() const;
+  /// The name of that file; empty if there is none.
+  std::string openingName() const;
+  /// Cancels opening that file; what ran before continues.
+  void cancelOpening();
+
+  /// Saves the modes of each robot's debug keys for the next start. Those of a robot that has not yet
+  /// switched on what was saved before stay as saved. Fails if a file cannot be written.
+  robotlink::Result<void> keepKeys();
+
+ private:
+  /// The progress of a file that is being opened, shared with the platform's thread.
+  struct Opening {
+    std::string name;
+    std::atomic<double> share = 0;
+    std::atomic<bool> canceled = false;
+  };
+  /// What a result is about: another platform, or another layout on the same one.
+  enum class Change { kPlatform, kLayout };
+  /// A result from the platform's thread.
+  struct Outcome {
+    Change change;
+    tl::expected<LoadedPlatform, robotlink::Errors> loaded;
+  };
+  /// Begins a new opening_, and returns the function that updates it.
+  logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
+  /// Returns a handler that enqueues the result for tick().
+  PlatformThread::LoadHandler outcomeOf(Change change);
+  /// Applies a result from the platform's thread.
+  void apply(Outcome outcome);
+  /// Passes a request of the session to the recording or the platform.
+  void take(const robotcontrol::Request& request);
+  /// Calls the handler of onErrors().
+  void report(const robotlink::Errors& errors);
+  /// Switches on the debug keys that were on when the robot was last open; at first, those of a shipped
+  /// preset.
+  void switchKeysOn(const std::string& robot);
+
+  std::filesystem::path userFolder_;
+  robotlink::Session session_;
+  Recording recording_;
+  /// From the platform's thread. Unbounded: each outcome ends what loading_ counts, and there are no more
+  /// than a person has begun.
+  robotlink::BoundedQueue<Outcome> outcomes_{std::numeric_limits<std::size_t>::max()};
+  std::optional<LoadedPlatform> loaded_;
+  /// How many of the requests of switchKeysOn() a robot has not answered yet, by robot. Shared with the
+  /// handlers of the answers, which count down.
+  std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
+  std::function<void(const LoadedPlatform&)> onLoaded_;
+  std::function<void(const robotlink::Errors&)> onErrors_;
+  /// How many results are still to come.
+  int loading_ = 0;
+  /// The last file whose opening was begun; null if none is in progress.
+  std::shared_ptr<Opening> opening_;
+  /// The last member, since its thread uses the others.
+  PlatformThread platform_;
+};
+
+}  // namespace app

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/SimulationCommands.h"
+
+#include "app/core/OpenPlatform.h"
+#include "app/core/program/CommandValues.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
+
+namespace app {
+namespace {
+
+using Control = robotcontrol::ControlSimulation;
+using robotlink::CommandTable;
+using robotlink::Result;
+
+/// Requests an action; a negative speed leaves the speed as it is.
+Result<void> control(OpenPlatform& open, Control::Action action, double speed = -1) {
+  robotcontrol::Request request;
+  request.mutable_control_simulation()->set_action(action);
+  request.mutable_control_simulation()->set_speed(speed);
+  open.ask(std::move(request));
+  return {};
+}
+
+Result<void> setSimulationSpeed(OpenPlatform& open, double speed) {
+  const std::string wrong = robotlink::wrongSpeed(speed, robotlink::kSimulationSpeeds);
+  if (!wrong.empty()) return robotlink::failure("simulation.speed", wrong);
+  return control(open, Control::UNCHANGED, speed);
+}
+
+}  // namespace
+
+void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
+  const auto action = [&](const char* name, const char* help, Control::Action what) {
+    commands.add({name, help, {}, [&open, what](const Values&) { return control(open, what); }});
+  };
+  action("simulation.start", "Runs the simulation", Control::START);
+  action("simulation.pause", "Pauses the simulation", Control::PAUSE);
+  action("simulation.step", "Steps the simulation by 8 ms", Control::STEP);
+  action("simulation.reset", "Resets everything to the start", Control::RESET);
+  commands.add({"simulation.speed",
+                "Sets how many times real time the simulation runs; 0 is as fast as possible",
+                {{"speed", CommandTable::Type::kNumber, "times real time, 0 to 100"}},
+                [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); }});
+  commands.add({"simulation.light",
+                "Changes the light that cameras see; 1 0 is the scene's own",
+                {{"brightness", CommandTable::Type::kNumber, "times the scene's, 0 to 10"},
+                 {"warmth", CommandTable::Type::kNumber, "-1 (bluish) to 1 (reddish)"}},
+                [&open](const Values& values) -> Result<void> {
+                  robotcontrol::Request request;
+                  request.mutable_set_lighting()->set_brightness(number(values, 0));
+                  request.mutable_set_lighting()->set_warmth(number(values, 1));
+                  open.ask(std::move(request));
+                  return {};
+                }});
+}
+
+}  // namespace app

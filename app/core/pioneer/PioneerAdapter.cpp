@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapter of robots that are reached over a line: the addresses that it opens, and what users are asked
+// for.
+#include <charconv>
+#include <filesystem>
+
+#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/program/PlatformAdapter.h"
+#include "app/core/program/RobotFiles.h"
+#include "app/core/program/ShippedFiles.h"
+#include "robotlink/arcos/stream/SerialPorts.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
+#include "robotlink/config/RobotDescription.h"
+
+namespace app {
+namespace {
+
+namespace arcos = robotlink::arcos;
+using Kind = PlatformField::Kind;
+using robotlink::Result;
+
+constexpr char kFirstAddress[] = "tcp://localhost:8101";
+constexpr char kNetwork[] = "tcp", kSerial[] = "serial";
+
+/// Whether a source is an address: "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+/// Names of existing files are none.
+bool isAddress(const std::string& source) {
+  if (source.starts_with("tcp://") || source.starts_with("serial://")) return true;
+  std::error_code ignored;
+  const bool isFile =
+      !source.starts_with("/dev/") && (source.starts_with('/') || std::filesystem::exists(source, ignored));
+  return !isFile && arcos::parseUrl(source).has_value();
+}
+
+Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
+  PioneerOptions options{.url = choices.sources.front()};
+  if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
+    options.layout = layoutNamed(layout);
+  options.map = textOf(choices.values, "map");
+  return PioneerFeed::opening(std::move(options));
+}
+
+// ---- The form: an address, or its parts
+
+/// What an address means.
+std::string meaningOf(const arcos::StreamUrl& url) {
+  if (const auto* tcp = std::get_if<arcos::TcpAddress>(&url))
+    return "over the network: " + tcp->host + ", port " + std::to_string(tcp->port);
+  const auto& serial = std::get<arcos::SerialAddress>(url);
+  return "over the serial line " + serial.device + " at " + std::to_string(serial.baud) + " baud";
+}
+
+/// Sets the parts from the address.
+void readAddress(FormValues& values, const arcos::StreamUrl& url) {
+  if (const auto* tcp = std::get_if<arcos::TcpAddress>(&url)) {
+    values["line"] = std::string(kNetwork);
+    values["host"] = tcp->host;
+    values["port"] = static_cast<double>(tcp->port);
+  } else {
+    const auto& serial = std::get<arcos::SerialAddress>(url);
+    values["line"] = std::string(kSerial);
+    values["device"] = serial.device;
+    values["baud"] = std::to_string(serial.baud);
+  }
+}
+
+/// Sets the address from the parts.
+void writeAddress(FormValues& values) {
+  if (textOf(values, "line") == kNetwork) {
+    values["address"] = toString(arcos::StreamUrl(
+        arcos::TcpAddress{textOf(values, "host"), static_cast<std::uint16_t>(numberOf(values, "port"))}));
+    return;
+  }
+  arcos::SerialAddress serial{textOf(values, "device")};
+  const std::string baud = textOf(values, "baud");
+  std::from_chars(baud.data(), baud.data() + baud.size(), serial.baud);
+  values["address"] = toString(arcos::StreamUrl(serial));
+}
+
+PlatformField::Items deviceItems() {
+  PlatformField::Items items;
+  for (const auto& port : arcos::serialPorts()) items.push_back({port.device, port.device, port.description});
+  return items;
+}
+
+void followAddress(FormState& state, const std::string& changed) {
+  FormValues& values = state.values;
+  for (const char* part : {"line", "host", "port", "device", "baud"}) {
+    if (changed == part) writeAddress(values);
+  }
+  const auto url = arcos::parseUrl(textOf(values, "address"));
+  if (url && (changed.empty() || changed == "address")) readAddress(values, *url);
+  const bool network = textOf(values, "line") == kNetwork;
+  for (const char* part : {"device", "baud"}) {
+    if (network) state.hidden.insert(part);
+  }
+  for (const char* part : {"host", "port"}) {
+    if (!network) state.hidden.insert(part);
+  }
+  state.notes["address"] = {url ? meaningOf(*url) : url.error().text, !url};
+  state.complete = url.has_value();
+}
+
+/// The same robot always has the same address.
+void normalizeAddress(FormValues& values) {
+  if (const auto url = arcos::parseUrl(textOf(values, "address"))) values["address"] = toString(*url);
+}
+
+/// The layouts that the program of such a robot can run in.
+PlatformField::Items layoutItems() {
+  PlatformField::Items items{{"of the robot", ""}};
+  const auto description = readRobot(PioneerOptions{}.kind);
+  if (!description) return items;
+  for (const auto& file : layoutsFor(**description))
+    items.push_back({file.stem().string(), file.stem().string()});
+  return items;
+}
+
+PlatformField::Items baudItems() {
+  PlatformField::Items items;
+  for (const char* rate : {"9600", "19200", "38400", "57600", "115200"}) items.push_back({rate, rate});
+  return items;
+}
+
+std::vector<PlatformField> lineFields() {
+  return {{.name = "line",
+           .kind = Kind::kChoice,
+           .label = "Line:",
+           .initial = std::string(kNetwork),
+           .items =
+               [] {
+                 return PlatformField::Items{
+                     {"&Network (TCP)", kNetwork, "A simulated robot, or one whose line a computer forwards"},
+                     {"&Serial", kSerial, "A robot at a serial port of this computer"}};
+               },
+           .buttons = true,
+           .isArgument = false},
+          {.name = "host",
+           .label = "&Host:",
+           .help = "Name or address of the computer; localhost is this one",
+           .isArgument = false},
+          {.name = "port",
+           .kind = Kind::kNumber,
+           .label = "port",
+           .help = "8101 is the first robot's, 8102 the next one's",
+           .initial = static_cast<double>(arcos::kDefaultPort),
+           .noun = "port",
+           .min = 1,
+           .max = 65535,
+           .sameRow = true,
+           .isArgument = false},
+          {.name = "device",
+           .kind = Kind::kChoice,
+           .label = "&Port:",
+           .help = "Serial ports of this computer; another one can be typed",
+           .emptyText = "no serial port found; type its path",
+           .items = deviceItems,
+           .editable = true,
+           .listAgain = "Searches for serial ports",
+           .isArgument = false},
+          {.name = "baud",
+           .kind = Kind::kChoice,
+           .label = "at",
+           .help = "As set in the robot; Pioneers start with 9600",
+           .initial = std::string("9600"),
+           .unit = "baud",
+           .items = baudItems,
+           .sameRow = true,
+           .isArgument = false}};
+}
+
+PlatformForm pioneerForm() {
+  PlatformForm form{.name = "connect",
+                    .command = "robot.connect",
+                    .commandHelp =
+                        "Connects a Pioneer over TCP or a serial line and runs its program here; it stays "
+                        "connected until something else is opened",
+                    .menu = "robot",
+                    .entry = "&Connect…",
+                    .action = "robot.connect",
+                    .icon = "connect",
+                    .keys = "Ctrl+K",
+                    .entryHelp = "Connects a robot over TCP or a serial line, and runs its program here",
+                    .title = "Connect to a robot",
+                    .accept = "&Connect",
+                    .connects = true};
+  form.fields = {{.name = "address",
+                  .kind = Kind::kChoice,
+                  .label = "&Address:",
+                  .help =
+                      "HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent "
+                      "ones",
+                  .initial = std::string(kFirstAddress),
+                  .noun = "address",
+                  .editable = true,
+                  .isSource = true,
+                  .remembered = "recent_robots",
+                  .recent = true}};
+  for (auto& field : lineFields()) form.fields.push_back(std::move(field));
+  form.fields.push_back({.name = "layout",
+                         .kind = Kind::kChoice,
+                         .label = "&Layout:",
+                         .help =
+                             "Which process of the robot's program does which tasks: a layout file or the "
+                             "name of a shipped one; empty: the robot's",
+                         .noun = "layout",
+                         .items = layoutItems,
+                         .editable = true});
+  form.fields.push_back({.name = "map",
+                         .kind = Kind::kFile,
+                         .label = "&Map:",
+                         .help = "Map of where the robot drives, for localization; may be empty",
+                         .emptyText = "none: no localization in a map",
+                         .files = "Maps (*.map)",
+                         .option = "--map",
+                         .remembered = "robot_map"});
+  form.follow = followAddress;
+  form.normalize = normalizeAddress;
+  return form;
+}
+
+const PlatformRegistration kPioneerRegistration{
+    {.name = PioneerFeed::kAdapter,
+     .sources = "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
+     .time = PlatformTime::kReal,
+     .opens = isAddress,
+     .order = 2,
+     .open = openPioneer,
+     .perspective = [](const std::string&) { return "Drive"; },
+     .form = pioneerForm}};
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/PlatformForm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace app {
+namespace {
+
+/// The value of a field if it has this type, otherwise null.
+template <typename T>
+const T* valueOf(const FormValues& values, const std::string& field) {
+  const auto found = values.find(field);
+  return found == values.end() ? nullptr : std::get_if<T>(&found->second);
+}
+
+/// "both, red or blue"
+std::string listed(const PlatformField::Items& items) {
+  std::string list;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == items.size() ? " or " : ", ") + items[i].value;
+  return list;
+}
+
+std::string problemOfNumber(const PlatformField& field, double number) {
+  // Written so that a NaN is out of range, too. 0 says that a field with a toggle does not count.
+  const bool whole = field.decimals > 0 || number == std::floor(number);
+  const bool inRange = number >= field.min && number <= field.max;
+  if ((whole && inRange) || (!field.toggle.empty() && number == 0)) return {};
+  std::ostringstream text;
+  text << "the " << field.noun << " must be " << (field.decimals > 0 ? "" : "a whole number ") << "between "
+       << field.min << " and " << field.max;
+  if (!field.unit.empty()) text << " " << field.unit;
+  if (!field.toggle.empty()) text << ", or 0 for none";
+  return text.str();
+}
+
+}  // namespace
+
+bool flagOf(const FormValues& values, const std::string& field, bool fallback) {
+  const bool* value = valueOf<bool>(values, field);
+  return value != nullptr ? *value : fallback;
+}
+
+double numberOf(const FormValues& values, const std::string& field, double fallback) {
+  const double* value = valueOf<double>(values, field);
+  return value != nullptr ? *value : fallback;
+}
+
+std::string textOf(const FormValues& values, const std::string& field, const std::string& fallback) {
+  const std::string* value = valueOf<std::string>(values, field);
+  return value != nullptr ? *value : fallback;
+}
+
+const PlatformField* PlatformForm::field(const std::string& wanted) const {
+  const auto found = std::ranges::find(fields, wanted, &PlatformField::name);
+  return found == fields.end() ? nullptr : &*found;
+}
+
+std::vector<const PlatformField*> PlatformForm::arguments() const {
+  std::vector<const PlatformField*> all;
+  for (const PlatformField& field : fields) {
+    if (field.isArgument) all.push_back(&field);
+  }
+  return all;
+}
+
+std::string problemOf(const PlatformField& field, const FormValue& value) {
+  if (value.index() != field.initial.index()) return "the " + field.noun + " has a value of another type";
+  if (const auto* number = std::get_if<double>(&value)) return problemOfNumber(field, *number);
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || text->empty() || field.kind != PlatformField::Kind::kChoice || field.editable)
+    return {};
+  const PlatformField::Items items = field.items ? field.items() : PlatformField::Items{};
+  if (std::ranges::find(items, *text, &PlatformField::Item::value) != items.end()) return {};
+  return "the " + field.noun + " must be " + listed(items) + ", not '" + *text + "'";
+}
+
+std::string problemOf(const PlatformForm& form, const FormValues& values) {
+  for (const PlatformField& field : form.fields) {
+    const auto value = values.find(field.name);
+    if (value == values.end()) continue;
+    if (std::string problem = problemOf(field, value->second); !problem.empty()) return problem;
+  }
+  return {};
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapter of logs.
+#include "app/core/program/PlatformAdapter.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/replay/ReplayFeed.h"
+
+namespace app {
+namespace {
+
+robotlink::Result<PlatformOpening> openLogFiles(const PlatformChoices& choices) {
+  ReplayOptions options;
+  for (const std::string& file : choices.sources) options.logs.push_back({file});
+  if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
+    options.layout = layoutNamed(layout);
+  return ReplayFeed::opening(std::move(options));
+}
+
+/// The last adapter: every source that no other one opens is a log, or is reported not to be one.
+const PlatformRegistration kReplayRegistration{
+    {.name = ReplayFeed::kAdapter,
+     .sources = "log files to open on one timeline",
+     .time = PlatformTime::kLogged,
+     .severalSources = true,
+     .opens = [](const std::string&) { return true; },
+     .order = 3,
+     .open = openLogFiles,
+     .command = "log.open",
+     .commandHelp = "Opens a log file, paused at its first image; closes what was open",
+     .perspective = [](const std::string&) { return "Log"; }}};
+
+}  // namespace
+}  // namespace app

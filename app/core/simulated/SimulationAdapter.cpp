@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapter of simulations: what they open, and what users are asked for.
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "app/core/program/PlatformAdapter.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/simulated/SimulationFeed.h"
+#include "simcore/SceneFileKind.h"
+
+namespace app {
+namespace {
+
+using Kind = PlatformField::Kind;
+using robotlink::Result;
+
+constexpr int kMaxRobots = 100, kFirstFreePort = 1024, kLastPort = 65535;
+constexpr char kBothTeams[] = "both";
+
+bool isMap(const std::string& scene) {
+  return simcore::isMapFile(sceneNamed(scene));
+}
+
+/// Whether a source is a file that can be simulated, by its name.
+bool isScene(const std::string& source) {
+  return simcore::isSceneFile(source);
+}
+
+// ---- Opening
+
+/// The robots to add. Unset: as the scene's kind of file decides.
+std::optional<simcore::RobotsToAdd> robotsToAdd(const FormValues& values, std::uint64_t seed) {
+  if (!values.contains("robots") && !values.contains("kind")) return std::nullopt;
+  // Whoever names a model wants a robot of it.
+  return simcore::RobotsToAdd{.model = textOf(values, "kind"),
+                              .count = static_cast<int>(numberOf(values, "robots", 1)),
+                              .seed = seed,
+                              .teams = teamsNamed(textOf(values, "teams", kBothTeams))};
+}
+
+std::optional<ArcosPorts::Options> portsToOpen(const FormValues& values) {
+  const double port = numberOf(values, "port");
+  if (port <= 0) return std::nullopt;
+  ArcosPorts::Options ports;
+  ports.firstPort = static_cast<std::uint16_t>(port);
+  if (flagOf(values, "network")) ports.address = "0.0.0.0";
+  return ports;
+}
+
+/// Changes the options of the last simulation to those that were chosen.
+void applySimulationChoices(const FormValues& values, RunOptions& options) {
+  if (values.contains("seed")) options.world.seed = static_cast<std::uint64_t>(numberOf(values, "seed"));
+  options.robots = robotsToAdd(values, options.world.seed);
+  options.ports = portsToOpen(values);
+  options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
+  if (const std::string layout = textOf(values, "layout"); !layout.empty())
+    options.layout = layoutNamed(layout);
+}
+
+Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
+  const FormValues& values = choices.values;
+  if (numberOf(values, "port") + numberOf(values, "robots") > kLastPort + 1) {
+    return robotlink::failure("simulation.ports",
+                              "there are not so many ports above the first one; choose a lower first port");
+  }
+  return SimulationFeed::opening(sceneNamed(choices.sources.front()),
+                                 [values](RunOptions& options) { applySimulationChoices(values, options); });
+}
+
+// ---- The form
+
+PlatformField::Items sceneItems() {
+  PlatformField::Items items;
+  for (const auto& file : shippedScenes()) items.push_back({file.stem().string(), file.stem().string()});
+  return items;
+}
+
+PlatformField::Items kindItems() {
+  PlatformField::Items items;
+  for (const RobotKind& kind : simulatedRobots()) items.push_back({kind.title, kind.name});
+  return items;
+}
+
+PlatformField::Items teamItems() {
+  PlatformField::Items items{{"All, as many in each", kBothTeams}};
+  for (const std::string& team : simulatedTeams()) {
+    std::string title = team;
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    items.push_back({std::move(title), team});
+  }
+  return items;
+}
+
+/// "burger, ers210, p3at"
+std::string kindNames() {
+  std::string names;
+  for (const RobotKind& kind : simulatedRobots()) names += (names.empty() ? "" : ", ") + kind.name;
+  return names;
+}
+
+/// The model of the robots in a scene, found in its text; empty: none.
+std::string kindIn(const std::string& scene) {
+  std::error_code ignored;
+  const std::filesystem::path file = sceneNamed(scene);
+  if (!std::filesystem::is_regular_file(file, ignored)) return {};
+  constexpr std::size_t kEnough = 1U << 20U;
+  std::string text(kEnough, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, in.gcount())));
+  for (const RobotKind& kind : simulatedRobots()) {
+    if (text.find("model://" + kind.name + "<") != std::string::npos) return kind.name;
+  }
+  return {};
+}
+
+bool playsInTeams(const std::string& kind) {
+  const auto kinds = simulatedRobots();
+  return std::ranges::any_of(kinds,
+                             [&](const RobotKind& each) { return each.name == kind && !each.teams.empty(); });
+}
+
+/// The default is to add robots of the kind that the scene contains, and one to a map.
+void followScene(FormState& state, const std::string& scene) {
+  const bool map = isMap(scene);
+  const std::string kind = map ? simcore::RobotsToAdd{}.model : kindIn(scene);
+  if (!kind.empty()) state.values["kind"] = kind;
+  if (map && numberOf(state.values, "robots") == 0) state.values["robots"] = 1.0;
+}
+
+void followSimulation(FormState& state, const std::string& changed) {
+  const std::string scene = textOf(state.values, "scene");
+  if (changed == "scene") followScene(state, scene);
+  const bool adds = numberOf(state.values, "robots") > 0;
+  if (!adds) state.disabled.insert("kind");
+  if (!adds || !playsInTeams(textOf(state.values, "kind"))) state.disabled.insert("teams");
+  const bool ports = numberOf(state.values, "port") > 0;
+  if (!ports) state.disabled.insert("network");
+  if (isMap(scene) && !adds) state.hint = "A map has no robots of its own: there will be none.";
+  if (ports && flagOf(state.values, "network"))
+    state.hint = "Anyone who can reach this computer over the network will be able to drive these robots.";
+  state.complete = !scene.empty();
+}
+
+std::vector<PlatformField> robotFields() {
+  return {{.name = "kind",
+           .kind = Kind::kChoice,
+           .label = "Kind:",
+           .help = "Kind of the robots to add to the world: " + kindNames(),
+           .initial = simcore::RobotsToAdd{}.model,
+           .noun = "kind of robots",
+           .items = kindItems,
+           .group = "Robots",
+           .option = "--robot",
+           .remembered = "simulation_setup/1"},
+          {.name = "robots",
+           .kind = Kind::kNumber,
+           .label = "Add:",
+           .help = "How many robots are added: at the map's home or the kick-off positions first, then where "
+                   "there is room",
+           .initial = 0.0,
+           .noun = "number of robots",
+           .max = kMaxRobots,
+           .emptyText = "none",
+           .group = "Robots",
+           .option = "--robots",
+           .remembered = "simulation_setup/2"},
+          {.name = "kinematic",
+           .kind = Kind::kFlag,
+           .label = "Moved by their odometry, without forces",
+           .help = "Robots on wheels are moved by their odometry, without forces; faster with many robots: "
+                   "nothing slips, and obstacles stop them",
+           .initial = false,
+           .group = "Robots",
+           .option = "--kinematic",
+           .remembered = "simulation_setup/3"}};
+}
+
+std::vector<PlatformField> portFields() {
+  return {{.name = "port",
+           .kind = Kind::kNumber,
+           .label = "First port:",
+           .help = "TCP port of the first robot that speaks ARCOS, at which external programs find it; the "
+                   "next robot has the next one",
+           .initial = 8101.0,
+           .noun = "first port",
+           .min = kFirstFreePort,
+           .max = kLastPort - kMaxRobots,
+           .group = "External programs",
+           .toggle = "Can drive the robots over ARCOS",
+           .option = "--arcos",
+           .remembered = "simulation_setup/4"},
+          {.name = "network",
+           .kind = Kind::kFlag,
+           .label = "From other computers, too",
+           .help = "Anyone who can reach this computer can then drive the robots: ARCOS has no password",
+           .initial = false,
+           .group = "External programs",
+           .remembered = "simulation_setup/5"}};
+}
+
+PlatformForm simulationForm() {
+  PlatformForm form{.name = "setup",
+                    .command = "simulation.setup",
+                    .commandHelp = "Opens a scene or a map and adds robots to it",
+                    .menu = "file",
+                    .entry = "S&imulate robots…",
+                    .action = "file.simulate",
+                    .icon = "simulation",
+                    .keys = "Ctrl+Shift+O",
+                    .entryHelp = "Opens a scene or a map and adds robots to it",
+                    .title = "Simulate",
+                    .accept = "&Open"};
+  form.fields = {{.name = "scene",
+                  .kind = Kind::kChoice,
+                  .label = "Scene:",
+                  .help =
+                      "A shipped scene by its name, or a file: an SDFormat world, or the map of a building "
+                      "(.map)",
+                  .initial = std::string("field2002"),
+                  .noun = "scene",
+                  .items = sceneItems,
+                  .editable = true,
+                  .files = "Worlds and maps (*.sdf *.world *.map)",
+                  .group = "World",
+                  .isSource = true,
+                  .remembered = "simulation_setup/0"}};
+  for (auto& field : robotFields()) form.fields.push_back(std::move(field));
+  for (auto& field : portFields()) form.fields.push_back(std::move(field));
+  form.fields.push_back({.name = "teams",
+                         .kind = Kind::kChoice,
+                         .label = "Teams:",
+                         .help = "Team of the added robots, if they play; red plays toward the sky-blue goal",
+                         .initial = std::string(kBothTeams),
+                         .noun = "teams",
+                         .items = teamItems,
+                         .group = "Robots",
+                         .option = "--teams",
+                         .remembered = "simulation_setup/6"});
+  form.fields.push_back({.name = "seed",
+                         .kind = Kind::kNumber,
+                         .help = "Seed of the simulation's noise",
+                         .initial = 1.0,
+                         .noun = "seed",
+                         .max = 9e15,  // above this, not every whole number is a double
+                         .isArgument = false,
+                         .isShown = false,
+                         .option = "--seed"});
+  form.follow = followSimulation;
+  return form;
+}
+
+const PlatformRegistration kSimulationRegistration{
+    {.name = SimulationFeed::kAdapter,
+     .sources = "a world (.sdf, .world) or the map of a building (.map) to simulate",
+     .time = PlatformTime::kSimulated,
+     .opens = isScene,
+     .order = 1,
+     .open = openSimulation,
+     .command = "simulation.open",
+     .commandHelp = "Opens a scene, by its path or the name of a shipped one",
+     .fileEntry = "&Open scene…",
+     .fileFilter = "Worlds and maps (*.sdf *.world *.map)",
+     .perspective = [](const std::string& source) { return isMap(source) ? "Drive" : ""; },
+     .form = simulationForm}};
+
+}  // namespace
+}  // namespace app
