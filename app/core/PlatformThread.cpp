@@ -29,7 +29,9 @@ void PlatformThread::postOther(PacedThread::Job job) {
 }
 
 LoadedPlatform PlatformThread::describe() const {
-  return feed_ ? feed_->describe() : LoadedPlatform{};
+  LoadedPlatform loaded = feed_ ? feed_->describe() : LoadedPlatform{};
+  loaded.ended = reportedAtEnd_;
+  return loaded;
 }
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
@@ -38,6 +40,8 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
     ended_ = {before.adapter, before.sources, feed_->overrides()};
   }
   // First, so that its last messages do not get into the history of the next one.
+  reportedAtEnd_.clear();
+  if (feed_) reportedAtEnd_ = feed_->end();
   feed_.reset();
   recorder_.setLive(!feed || !feed->describe().isLogged());
   feed_ = std::move(feed);
@@ -112,6 +116,7 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) 
          {},
          {}}};
     if (feed_) errors = feed_->setLayout(file);
+    reportedAtEnd_.clear();
     if (errors.empty()) {
       handler(describe());
     } else {

@@ -82,6 +82,8 @@ class PlatformThread {
   std::unique_ptr<PlatformFeed> feed_;
   /// Only in the platform's thread.
   Ended ended_;
+  /// What the platform before the present one reported about its end. Only in the platform's thread.
+  std::vector<std::string> reportedAtEnd_;
   /// PlatformContext::memory by the adapter's name. Only in the platform's thread.
   std::map<std::string, std::any> memories_;
 

@@ -154,7 +154,18 @@ void MainWindow::onLoaded() {
   simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
   const QString name = QString::fromStdString(loaded->name());
   setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
+  if (!loaded->ended.empty()) showEnded(loaded->ended);
   showWhatBelongsTo(*loaded);
+}
+
+void MainWindow::showEnded(const std::vector<std::string>& reported) {
+  constexpr std::size_t kMaxShown = 2;
+  QString text;
+  for (std::size_t i = 0; i < std::min(reported.size(), kMaxShown); ++i)
+    text += QString::fromStdString(reported[i]) + QLatin1Char(' ');
+  if (reported.size() > kMaxShown)
+    text += widgets::counted(reported.size() - kMaxShown, tr("… and 1 more"), tr("… and %1 more"));
+  statusBar()->showMessage(text.trimmed(), kRefusalShownMs);
 }
 
 /// Changes the perspective if the current one is the default for what was loaded before; a perspective that

@@ -155,6 +155,8 @@ class MainWindow : public QMainWindow {
   void showAbout();
   /// Called when the workbench has loaded another platform.
   void onLoaded();
+  /// Shows for a moment what the platform that ran before reported about its end.
+  void showEnded(const std::vector<std::string>& reported);
   /// Changes to the perspective for what was loaded, unless the user has chosen another one.
   void showWhatBelongsTo(const LoadedPlatform& loaded);
 

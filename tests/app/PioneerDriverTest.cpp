@@ -91,6 +91,12 @@ class PioneerDriverTest : public testing::Test {
     request->mutable_velocity()->set_rotation(rotation);
     request_.send(std::move(request));
   }
+  static arcos::ServerSettings settings() {
+    arcos::ServerSettings settings;
+    settings.lowVoltage = 11.8;
+    settings.shutdownVoltage = 11.2;
+    return settings;
+  }
   robotcontrol::ControlDrive motors(bool on) const {
     robotcontrol::ControlDrive details;
     details.set_motors(on);
@@ -102,7 +108,7 @@ class PioneerDriverTest : public testing::Test {
       *robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));
   Ends platform_{"platform", clock_}, program_{"program", clock_};
   PioneerDriver driver_{platform_, "p3at1", description_, {.address = "test"}};
-  arcos::ServerSession server_;
+  arcos::ServerSession server_{settings()};
   arcos::RobotSensing sensing_;
   FixedRanges ranges_;
   std::vector<arcos::Packet> sent_;
@@ -120,6 +126,8 @@ TEST_F(PioneerDriverTest, itConnectsAndPublishesWhatTheRobotSenses) {
   play(3);
   ASSERT_NE(state_.get(), nullptr);
   EXPECT_FALSE(state_.get()->motors_on());  // a real robot waits for a person
+  EXPECT_EQ(state_.get()->battery_low(), 11.8) << "as it says in its configuration";
+  EXPECT_EQ(state_.get()->battery_empty(), 11.2);
   ASSERT_NE(sonar_.get(), nullptr);
   ASSERT_GT(sonar_.get()->readings_size(), 0);
   const auto& reading = sonar_.get()->readings(0);

@@ -153,6 +153,8 @@ TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return drivingOf(workbench) == "wander"; })) << errors;
   workbench.close();
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return !workbench.loaded()->time; })) << errors;
+  ASSERT_EQ(workbench.loaded()->ended.size(), 1U);
+  EXPECT_TRUE(workbench.loaded()->ended.front().starts_with("p3at1: The platform was shut down in "));
   ASSERT_TRUE(connect()) << errors;
   EXPECT_TRUE(test::tickUntil(workbench, [&] { return drivingOf(workbench) == "wander"; })) << errors;
 }

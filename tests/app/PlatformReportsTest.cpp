@@ -65,6 +65,21 @@ INSTANTIATE_TEST_SUITE_P(OfAllKinds, PlatformReports,
                          testing::Values(Scenario{"field2002.sdf", ""}, Scenario{"pioneer.sdf", ""},
                                          Scenario{"house.map", "burger"}));
 
+TEST(SimulatedPioneerReports, aMicrocontrollerHasTheLimitsOfItsDescription) {
+  RunOptions options;
+  options.scene = robotlink::resource("scenes/pioneer.sdf");
+  auto run = SimulatedRun::create(options, {});
+  ASSERT_TRUE(run) << robotlink::describe(run.error());
+  const auto& description = *(*run)->description("p3at1");
+  const auto& pioneer = *(*run)->world().pioneers().front();
+  const auto& settings = pioneer.session().settings();
+  EXPECT_EQ(settings.lowVoltage, description.battery->low);
+  EXPECT_EQ(settings.shutdownVoltage, description.battery->empty);
+  EXPECT_EQ(settings.fullVoltage, description.battery->full);
+  EXPECT_EQ(settings.motion.speed, description.drive->maximumSpeed);
+  EXPECT_EQ(settings.sonars, 16);
+}
+
 TEST(SimulatedPioneerReports, sayWhatAMicrocontrollerWasAskedFor) {
   RunOptions options;
   options.scene = robotlink::resource("scenes/pioneer.sdf");

@@ -33,6 +33,7 @@ class PioneerFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  std::vector<std::string> end() override;
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
   std::map<std::string, ProgramOverrides> overrides() const override;
   void connectNow() override { run_->connectNow(); }
@@ -49,9 +50,14 @@ class PioneerFeed final : public PlatformFeed {
   /// Listeners that publish.
   PioneerRun::Listeners listeners();
 
+  /// Publishes a sentence about a robot's platform, or keeps it for end().
+  void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
+
   /// Publishes to the session from begin() on.
   PublishGate gate_;
   logplayer::Recorder& recorder_;
+  /// What was reported while the run ended; null before.
+  std::unique_ptr<std::vector<std::string>> ended_;
   std::unique_ptr<PioneerRun> run_;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;

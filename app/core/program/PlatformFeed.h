@@ -45,6 +45,9 @@ struct LoadedPlatform {
   std::filesystem::path layout;
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
+  /// What the platform that ran before reported about its end, as a sentence each: "p3at1: The platform was
+  /// shut down in 12.5 ms."
+  std::vector<std::string> ended;
 
   const std::string& name() const { return title; }
   bool isSimulated() const { return time == PlatformTime::kSimulated; }
@@ -76,6 +79,10 @@ class PlatformFeed {
   virtual std::optional<PacedThread::Clock::time_point> due() = 0;
   /// Makes the step that is due.
   virtual void step() = 0;
+
+  /// Ends the programs and shuts the platforms of the robots down; returns what these report, as a sentence
+  /// each, since the session already belongs to nobody. Called once; then the feed is destroyed.
+  virtual std::vector<std::string> end() { return {}; }
 
   /// Fulfills a request or passes it to the program; the table of requests
   /// (robotlink/debugging/RequestKinds.h) says who is responsible. Fails with the reason if the request is

@@ -49,6 +49,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  std::vector<std::string> end() override;
 
  protected:
   /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.
@@ -88,10 +89,15 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   void publishTransforms();
 
+  /// Publishes a sentence about a robot's platform, or keeps it for end().
+  void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
+
   /// Publishes to the session from begin() on.
   PublishGate gate_;
   logplayer::Recorder& recorder_;
   Choices choices_;
+  /// What was reported while the run ended; null before.
+  std::unique_ptr<std::vector<std::string>> ended_;
   std::unique_ptr<SimulatedRun> run_;
   bool running_ = false;
   /// Single steps that were requested and not made yet.

@@ -48,7 +48,7 @@ struct ShownForm : Bench {
     }
     commands.add({form.command, "", arguments, [this](const Values& values) -> robotlink::Result<void> {
                     ran = values;
-                    if (!refusal.empty()) return robotlink::failure("test", refusal);
+                    if (!reason.empty()) return robotlink::failure("test", reason);
                     return {};
                   }});
     session.setRobots({"p3at1"});
@@ -66,7 +66,7 @@ struct ShownForm : Bench {
   QPushButton& button() { return find<QPushButton>("Button"); }
 
   FormMemory memory;
-  std::string name, refusal;
+  std::string name, reason;
   Values ran;
   std::unique_ptr<PlatformDialog> dialog;
 };
@@ -226,11 +226,11 @@ class PlatformDialogTest : public WindowTest {
 
   void whatIsRefusedIsSaid() {
     ShownDialog s;
-    s.refusal = "there is no layout of this name";
+    s.reason = "there is no layout of this name";
     click(s.button());
     QCOMPARE(s.text("State"), QStringLiteral("there is no layout of this name"));
     QVERIFY(s.button().isEnabled());
-    s.refusal.clear();
+    s.reason.clear();
     click(s.button());
     s.dialog->fail(QStringLiteral("office.map:3: this is no map"));  // found out later
     QVERIFY(s.text("State").contains(QStringLiteral("no map")));
@@ -307,7 +307,7 @@ class PlatformDialogTest : public WindowTest {
              QStringLiteral("Limits"));
     speed.setValue(9);
     QCOMPARE(speed.value(), 2.0);
-    click(s.find<QCheckBox>("Slow"));
+    QTest::mouseClick(&s.find<QCheckBox>("Slow"), Qt::LeftButton, {}, {8, 8});
     QVERIFY(!speed.isEnabled());
     s.find<QComboBox>("Team").setCurrentIndex(0);
     QVERIFY(!speed.isVisible());

@@ -54,6 +54,22 @@ TEST(RequestKinds, aRequestReadsAsWordsWithItsRobot) {
   EXPECT_EQ(kindOf(Request()).doer, RequestDoer::kNobody);
 }
 
+TEST(RequestKinds, speedsHaveLimits) {
+  Request replay, simulation;
+  for (const double speed : {0.04, 51.0, std::numeric_limits<double>::quiet_NaN()}) {
+    replay.mutable_control_replay()->set_speed(speed);
+    EXPECT_EQ(wrongWith(replay), "the speed must be between 0.05 and 50 times real time");
+  }
+  replay.mutable_control_replay()->set_speed(50);
+  EXPECT_EQ(wrongWith(replay), "");
+  replay.mutable_control_replay()->clear_speed();
+  EXPECT_EQ(wrongWith(replay), "");
+  simulation.mutable_control_simulation()->set_speed(101);
+  EXPECT_EQ(wrongWith(simulation), "the speed must be between 0 and 100 times real time");
+  simulation.mutable_control_simulation()->set_speed(-1);
+  EXPECT_EQ(wrongWith(simulation), "") << "the speed stays";
+}
+
 TEST(RequestKinds, twoRequestsSetTheSameIfTheirSubjectIsTheSame) {
   EXPECT_TRUE(setTheSame(keyRequest("a"), keyRequest("a", KeyMode::OFF)));
   EXPECT_FALSE(setTheSame(keyRequest("a"), keyRequest("b")));

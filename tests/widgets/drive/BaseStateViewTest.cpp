@@ -58,6 +58,24 @@ class BaseStateViewTest : public QObject {
     QVERIFY(BatteryLevel::of(7.4, 0.1, false, {}).state == BatteryLevel::State::kLow);
   }
 
+  void whatTheRobotSaysAboutItsBatteryCountsMoreThanItsDescription() {
+    DriveBench world;
+    auto state = DriveBench::state();
+    state.set_battery(11.6);  // low below 11.5 by the description
+    world.push("p3at1/drive/state", state, 1);
+    auto view = world.open<widgets::BaseStateView>();
+    const auto& battery = child<widgets::BatteryGauge>(*view, "baseBattery");
+    QVERIFY(battery.level().state == BatteryLevel::State::kGood);
+    state.set_battery_low(11.8);
+    world.push("p3at1/drive/state", state, 2);
+    world.tick(*view);
+    QVERIFY(battery.level().state == BatteryLevel::State::kLow);
+    state.set_battery_empty(11.7);
+    world.push("p3at1/drive/state", state, 3);
+    world.tick(*view);
+    QVERIFY(battery.level().state == BatteryLevel::State::kEmpty);
+  }
+
   void theStateIsTold() {
     DriveBench world;
     auto state = DriveBench::state();
