@@ -52,8 +52,9 @@ PlatformChoices choicesOf(const PlatformForm& form, const std::vector<FormValue>
 }
 
 Result<PlatformOpening> openingOf(const PlatformAdapter& adapter, const PlatformChoices& choices) {
-  if (const std::string problem = problemOf(formOf(adapter), choices.values); !problem.empty())
-    return failure("platform.choices", problem);
+  const PlatformForm form = formOf(adapter);
+  if (const std::string problem = problemOf(form, choices.values); !problem.empty())
+    return failure(form.command, problem);
   if (choices.sources.size() > 1 && !adapter.severalSources) {
     return failure("platform.sources", choices.sources[1] + " cannot be opened together with " +
                                            choices.sources[0] + "; only logs can be opened together");

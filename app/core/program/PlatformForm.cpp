@@ -66,6 +66,15 @@ std::vector<const PlatformField*> PlatformForm::arguments() const {
   return all;
 }
 
+FormValues initialValues(const PlatformForm& form) {
+  FormValues values;
+  for (const PlatformField& field : form.fields) {
+    const bool number = std::holds_alternative<double>(field.initial);
+    values[field.name] = field.toggle.empty() ? field.initial : number ? FormValue(0.0) : std::string();
+  }
+  return values;
+}
+
 std::string problemOf(const PlatformField& field, const FormValue& value) {
   if (value.index() != field.initial.index()) return "the " + field.noun + " has a value of another type";
   if (const auto* number = std::get_if<double>(&value)) return problemOfNumber(field, *number);

@@ -143,6 +143,9 @@ struct PlatformForm {
   std::vector<const PlatformField*> arguments() const;
 };
 
+/// The values of a form that nobody has filled in yet; a field with a toggle does not count.
+FormValues initialValues(const PlatformForm& form);
+
 /// What is wrong with a value of a field, as a sentence; empty if nothing is.
 std::string problemOf(const PlatformField& field, const FormValue& value);
 /// The same for all fields that have a value.

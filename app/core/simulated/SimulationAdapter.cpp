@@ -61,7 +61,7 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
 Result<PlatformOpening> openSimulation(const PlatformChoices& choices) {
   const FormValues& values = choices.values;
   if (numberOf(values, "port") + numberOf(values, "robots") > kLastPort + 1) {
-    return robotlink::failure("simulation.ports",
+    return robotlink::failure("simulation.setup",
                               "there are not so many ports above the first one; choose a lower first port");
   }
   return SimulationFeed::opening(sceneNamed(choices.sources.front()),
@@ -90,13 +90,6 @@ PlatformField::Items teamItems() {
     items.push_back({std::move(title), team});
   }
   return items;
-}
-
-/// "burger, ers210, p3at"
-std::string kindNames() {
-  std::string names;
-  for (const RobotKind& kind : simulatedRobots()) names += (names.empty() ? "" : ", ") + kind.name;
-  return names;
 }
 
 /// The model of the robots in a scene, found in its text; empty: none.
@@ -147,7 +140,7 @@ std::vector<PlatformField> robotFields() {
   return {{.name = "kind",
            .kind = Kind::kChoice,
            .label = "Kind:",
-           .help = "Kind of the robots to add to the world: " + kindNames(),
+           .help = "Kind of the robots to add to the world; by default that of the robots in it",
            .initial = simcore::RobotsToAdd{}.model,
            .noun = "kind of robots",
            .items = kindItems,

@@ -59,7 +59,6 @@ void FormFields::add(const PlatformField& field) {
     rows_.push_back({caption, box, {}});
   }
   addToRow(field, *editor);
-  addNote(field);
   editors_.emplace(field.name, std::move(editor));
 }
 
@@ -76,13 +75,32 @@ void FormFields::addToRow(const PlatformField& field, FieldEditor& editor) {
   row.fields.push_back(field.name);
 }
 
-void FormFields::addNote(const PlatformField& field) {
-  auto* note = new QLabel(parent_);
-  note->setObjectName(widgetName(form_.name, field.name) + QStringLiteral("Note"));
+QLabel& FormFields::noteOf(const std::string& field) {
+  QLabel*& note = notes_[field];
+  if (note != nullptr) return *note;
+  note = new QLabel(parent_);
+  note->setObjectName(widgetName(form_.name, field) + QStringLiteral("Note"));
   note->setWordWrap(true);
-  note->hide();
-  groupLayout(field.group).addRow(QString(), note);
-  notes_[field.name] = note;
+  const auto row = std::ranges::find_if(
+      rows_, [&](const Row& each) { return std::ranges::find(each.fields, field) != each.fields.end(); });
+  QFormLayout& layout = groupLayout(form_.field(field)->group);
+  int place = layout.rowCount() - 1;
+  QFormLayout::ItemRole role{};
+  if (row != rows_.end()) layout.getWidgetPosition(row->box, &place, &role);
+  layout.insertRow(place + 1, QString(), note);
+  return *note;
+}
+
+void FormFields::showNotes(const FormState& state) {
+  for (const auto& [name, label] : notes_) label->setVisible(state.notes.contains(name));
+  for (const auto& [name, note] : state.notes) {
+    QLabel& label = noteOf(name);
+    label.setText(formText(note.text));
+    const auto meaning = note.bad ? widgets::Meaning::kBad : widgets::Meaning::kMuted;
+    QPalette colors = parent_->palette();
+    colors.setColor(QPalette::WindowText, widgets::colorOf(meaning, colors));
+    label.setPalette(colors);
+  }
 }
 
 FormValues FormFields::values() const {
@@ -97,16 +115,8 @@ void FormFields::show(const FormState& state) {
       editor->setValue(value->second);
     editor->setEnabled(!state.disabled.contains(name));
     editor->setVisible(!state.hidden.contains(name));
-    QLabel* label = notes_[name];
-    const auto note = state.notes.find(name);
-    label->setVisible(note != state.notes.end());
-    if (note == state.notes.end()) continue;
-    label->setText(formText(note->second.text));
-    widgets::Meaning meaning = note->second.bad ? widgets::Meaning::kBad : widgets::Meaning::kMuted;
-    QPalette colors = parent_->palette();
-    colors.setColor(QPalette::WindowText, widgets::colorOf(meaning, colors));
-    label->setPalette(colors);
   }
+  showNotes(state);
   for (const Row& row : rows_) {
     const bool visible = std::ranges::any_of(
         row.fields, [&](const std::string& field) { return !state.hidden.contains(field); });

@@ -51,8 +51,9 @@ class FormFields final : public QObject {
   void add(const PlatformField& field);
   /// Adds an editor to the last row.
   void addToRow(const PlatformField& field, FieldEditor& editor);
-  /// Adds the label for a field's note below the last row.
-  void addNote(const PlatformField& field);
+  /// The label for a field's note, below its row; made when it is first used.
+  QLabel& noteOf(const std::string& field);
+  void showNotes(const FormState& state);
   /// The layout of a group, which is made when it is first used.
   QFormLayout& groupLayout(const std::string& title);
 

@@ -2,6 +2,7 @@
 #include "app/robotcontrol/actions/FormMemory.h"
 
 #include <QJsonArray>
+#include <optional>
 
 #include "app/core/program/PlatformAdapter.h"
 
@@ -27,19 +28,13 @@ QJsonValue toJson(const FormValue& value) {
   return QString::fromStdString(std::get<std::string>(value));
 }
 
-/// The value if it has the type of the field and is one that the field can have; otherwise the fallback.
-FormValue fromJson(const QJsonValue& value, const PlatformField& field, const FormValue& fallback) {
-  FormValue read = fallback;
+/// The value if it has the type of the field and is one that the field can have.
+std::optional<FormValue> fromJson(const QJsonValue& value, const PlatformField& field) {
+  std::optional<FormValue> read;
   if (value.isBool()) read = value.toBool();
   if (value.isDouble()) read = value.toDouble();
   if (value.isString()) read = value.toString().toStdString();
-  return problemOf(field, read).empty() ? read : fallback;
-}
-
-/// A field with a toggle does not count at first.
-FormValue initialOf(const PlatformField& field) {
-  if (field.toggle.empty()) return field.initial;
-  return std::holds_alternative<double>(field.initial) ? FormValue(0.0) : FormValue(std::string());
+  return read && problemOf(field, *read).empty() ? read : std::nullopt;
 }
 
 }  // namespace
@@ -66,8 +61,9 @@ QJsonValue FormMemory::at(const PlatformField& field) const {
 
 FormValues FormMemory::valuesOf(const PlatformForm& form) const {
   FormValues values;
-  for (const PlatformField& field : form.fields)
-    values[field.name] = fromJson(at(field), field, initialOf(field));
+  for (const PlatformField& field : form.fields) {
+    if (auto value = fromJson(at(field), field)) values[field.name] = std::move(*value);
+  }
   return values;
 }
 

@@ -20,7 +20,7 @@ class FormMemory {
   /// Adds them to the state of the window.
   void save(QJsonObject& window) const;
 
-  /// The last values of a form; those that are not kept have their initial values.
+  /// The last values of a form, of those fields that are kept and were accepted before.
   FormValues valuesOf(const PlatformForm& form) const;
   /// The last values of a field with recent ones, the newest first.
   QStringList recent(const PlatformField& field) const;

@@ -63,10 +63,23 @@ PlatformDialog::PlatformDialog(PlatformForm form, robotlink::Session& session,
   for (const PlatformField& field : form_.fields) {
     if (field.recent) fields_->setItems(field.name, itemsOf(memory_.recent(field)));
   }
-  state_.values = memory_.valuesOf(form_);
-  fields_->show(state_);
+  fillIn();
   follow({});
   if (form_.connects) showState(tr("A lost line is reopened automatically."), false, false);
+}
+
+void PlatformDialog::fillIn() {
+  const FormValues last = memory_.valuesOf(form_);
+  state_.values = initialValues(form_);
+  for (const PlatformField& field : form_.fields) {
+    if (!field.isSource) continue;
+    // What has never been chosen follows from what is opened.
+    if (const auto value = last.find(field.name); value != last.end())
+      state_.values[field.name] = value->second;
+    if (form_.follow) form_.follow(state_, field.name);
+  }
+  for (const auto& [name, value] : last) state_.values[name] = value;
+  fields_->show(state_);
 }
 
 void PlatformDialog::createButtons() {

@@ -54,6 +54,8 @@ class PlatformDialog final : public QDialog {
   /// The create functions are called once, by the constructor.
   void createButtons();
   void createProgress();
+  /// Sets the fields to what was accepted last, or to their initial values; called once.
+  void fillIn();
   /// Adapts the form to its values; `changed` is the field that the user has changed.
   void follow(const QString& changed);
   /// Keeps the values, then closes the dialog or connects.

@@ -45,7 +45,9 @@ class PausedRequestsTest : public ::testing::TestWithParam<PausedHost> {
     if (GetParam() == PausedHost::kSimulation) {
       workbench_->open(SimulationFeed::opening(defaultSimulation()));
     } else {
-      workbench_->open(ReplayFeed::opening({.logs = {{logFile()}}}));
+      ReplayOptions options;
+      options.logs = {{logFile()}};
+      workbench_->open(ReplayFeed::opening(std::move(options)));
     }
     ASSERT_TRUE(test::tickUntil(*workbench_, [this] { return !workbench_->loading(); }));
     if (GetParam() == PausedHost::kLog) {

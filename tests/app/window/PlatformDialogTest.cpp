@@ -266,7 +266,11 @@ class PlatformDialogTest : public WindowTest {
 
   void aMapGetsARobotAndSaysSoIfItGetsNone() {
     ShownForm s(formOfAdapter("simulation"), {});
+    QCOMPARE(s.find<QComboBox>("Kind").currentText(),
+             QStringLiteral("Sony Aibo ERS-210"));  // as in the scene
+    QCOMPARE(s.find<QSpinBox>("Robots").value(), 0);
     s.find<QComboBox>("Scene").setEditText(QStringLiteral("house"));
+    QCOMPARE(s.find<QComboBox>("Kind").currentText(), QStringLiteral("Pioneer 3-AT"));
     QCOMPARE(s.find<QSpinBox>("Robots").value(), 1);
     s.find<QSpinBox>("Robots").setValue(0);
     QVERIFY(s.text("State").contains(QStringLiteral("no robots of its own")));
