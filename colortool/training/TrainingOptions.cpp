@@ -31,7 +31,7 @@ constexpr std::array kOptions = {
     TrainingOption{"shading", kVotes, false, 0, VoteOptions::kMaxShading, false,
                    [](const Settings& s) { return s.votes.shading; },
                    [](Settings& s, double value) { s.votes.shading = value; }},
-    TrainingOption{"gray-guard", kVotes, false, 0, 20, false,
+    TrainingOption{"gray-guard", kVotes, false, 0, 40, false,
                    [](const Settings& s) { return s.votes.grayGuard; },
                    [](Settings& s, double value) { s.votes.grayGuard = value; }},
     TrainingOption{"gaussian-distance", kGaussians, false, 1, 400, true,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace colortool {
@@ -15,8 +16,6 @@ constexpr std::size_t kCellCount = std::size_t{kCells} * kCells * kCells;
 constexpr double kReach = 3, kShadeReach = 2.3;
 /// How much wider the kernel along the shade is in Cb and Cr, and how much longer in Y.
 constexpr double kShadeWidth = 1.5, kShadeLength = 2;
-/// Standard deviation of the gray guard, in cells of Cb and Cr.
-constexpr double kGuardWidth = 2;
 /// The number of samples in a cell is raised to this power.
 constexpr double kExponent = 0.7;
 /// More pixels than that of one class in one cell count as that many.
@@ -31,7 +30,9 @@ constexpr double kMaxPrior = 1.0e8;
 constexpr double kFinestPeak = 2048;
 
 /// Number of cells that are decided at a time: the compiler vectorizes loops of constant length.
-constexpr int kBlock = 16;
+constexpr int kBlock = CellBlocks::kBlock;
+constexpr std::array<std::int32_t, kBlock> kNoGuard{};
+
 std::uint32_t keyOf(std::size_t cell, std::uint8_t colorClass) {
   return static_cast<std::uint32_t>(cell) << 8U | colorClass;
 }
@@ -42,9 +43,10 @@ std::size_t rowOf(int y, int cb) {
 }  // namespace
 
 ColorVotes::ColorVotes(int classes, const VoteOptions& options)
-    : votes_(static_cast<std::size_t>(std::clamp(classes, 1, 256)),
-             std::vector<std::int32_t>(kCellCount, 0)) {
+    : votes_(static_cast<std::size_t>(std::clamp(classes, 1, 256)), std::vector<std::int32_t>(kCellCount, 0)),
+      guard_(votes_.size()) {
   sampled_.resize(votes_.size());
+  touched_.resize(votes_.size());
   things_.resize(votes_.size(), false);
   setOptions(options);
 }
@@ -52,7 +54,7 @@ ColorVotes::ColorVotes(int classes, const VoteOptions& options)
 void ColorVotes::makeKernels() {
   const double chroma = options_.radius / ColorTable::kCellSize;
   const double brightness = chroma / options_.brightnessWeight;
-  near_ = VoteKernel({chroma, brightness, kReach, false, 1});
+  near_ = NearKernels({chroma, brightness, kReach, false, 1});
   shade_ = VoteKernel({kShadeWidth * chroma, kShadeLength * brightness, kShadeReach, true, options_.shading});
   const double strongest = kStrengthScale * std::pow(static_cast<double>(kMaxPixels), kExponent);
   const double sum = near_.largestSum() + shade_.largestSum();
@@ -60,27 +62,14 @@ void ColorVotes::makeKernels() {
   near_.setPeak(peak);
   shade_.setPeak(peak);
   priorVotes_ = static_cast<std::int32_t>(std::min(kMaxPrior, options_.rejection * peak * kStrengthScale));
-  makeGuard(peak);
-}
-
-void ColorVotes::makeGuard(double peak) {
-  const double highest = std::min(kMaxPrior, options_.grayGuard * peak * kStrengthScale);
-  guard_.clear();
-  for (int cb = 0; cb < kCells; ++cb) {
-    for (int cr = 0; cr < kCells; ++cr) {
-      // Distance from gray, which is the common corner of four cells.
-      const double blue = cb + 0.5 - kCells / 2, red = cr + 0.5 - kCells / 2;
-      const double squared = (blue * blue + red * red) / (kGuardWidth * kGuardWidth);
-      guard_.push_back(static_cast<std::int32_t>(highest * std::exp(-0.5 * squared)));
-    }
-  }
+  guard_.setHeight(options_.grayGuard * peak * kStrengthScale, GrayGuard::kStroke * kStrengthScale);
 }
 
 void ColorVotes::setThings(std::vector<bool> things) {
   things.resize(votes_.size(), false);
   if (things == things_) return;
   things_ = std::move(things);
-  for (int axis = 0; axis < 3; ++axis) changed_.include(axis, 0, kCells - 1);
+  changed_.includeAll();
 }
 
 void ColorVotes::setOptions(const VoteOptions& options) {
@@ -93,12 +82,14 @@ void ColorVotes::setOptions(const VoteOptions& options) {
   options_.grayGuard = std::max(options.grayGuard, 0.0);
   makeKernels();
   for (auto& votes : votes_) std::ranges::fill(votes, 0);
+  for (CellBlocks& touched : touched_) touched.clear();
+  guard_.clearStrengths();
   for (auto& [key, sample] : samples_) {
     const auto colorClass = static_cast<std::uint8_t>(key & 255U);
     sample.strength = strengthOf(sample.pixels, colorClass);
     vote(key >> 8U, colorClass, 0, sample.strength);
   }
-  for (int axis = 0; axis < 3; ++axis) changed_.include(axis, 0, kCells - 1);
+  changed_.includeAll();
 }
 
 std::int32_t ColorVotes::strengthOf(std::int64_t pixels, std::uint8_t colorClass) const {
@@ -118,28 +109,36 @@ void ColorVotes::add(std::size_t cell, std::uint8_t colorClass, std::int64_t pix
   if (strength != sample.strength) vote(cell, colorClass, sample.strength, strength);
   sample.strength = strength;
   sampled_[colorClass].set(cell, sample.pixels > 0);
+  guard_.setPixels(colorClass, cell, static_cast<double>(sample.pixels) / double{kUnit}, changed_);
   if (sample.pixels == 0) samples_.erase(entry);
 }
 
 void ColorVotes::vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength) {
+  CellBlocks touched;
   // The differences fit: strengths are those of kMaxPixels at most.
-  near_.add(votes_[colorClass], cell, static_cast<std::int16_t>(strength - before), changed_);
+  near_.at(cell).add(votes_[colorClass], cell, static_cast<std::int16_t>(strength - before), touched);
   // A sample that excludes a class says nothing about other light.
   const std::int32_t shaded = std::max(strength, 0) - std::max(before, 0);
   if (shaded != 0 && options_.shading > 0)
-    shade_.add(votes_[colorClass], cell, static_cast<std::int16_t>(shaded), changed_);
+    shade_.add(votes_[colorClass], cell, static_cast<std::int16_t>(shaded), touched);
+  if (shaded != 0) guard_.addStrength(colorClass, shaded);
+  touched_[colorClass].include(touched);
+  changed_.include(touched);
 }
 
 const ColorTable& ColorVotes::update() {
-  if (!changed_.empty()) {
-    for (int y = changed_.first[0]; y <= changed_.last[0]; ++y) {
-      for (int cb = changed_.first[1]; cb <= changed_.last[1]; ++cb) {
-        for (int block = changed_.first[2] / kBlock; block <= changed_.last[2] / kBlock; ++block)
-          decide(y, cb, block);
-      }
-    }
-    changed_.clear();
+  for (std::size_t i = 0; i < votes_.size(); ++i) {
+    if (things_[i] && guard_.update(static_cast<std::uint8_t>(i)))
+      GrayGuard::includeGray(touched_[i], changed_);
   }
+  for (int y = 0; y < kCells; ++y) {
+    for (int cb = 0; cb < kCells; ++cb) {
+      for (unsigned blocks = changed_.row(static_cast<std::size_t>(y * kCells + cb)); blocks != 0;
+           blocks &= blocks - 1)
+        decide(y, cb, std::countr_zero(blocks));
+    }
+  }
+  changed_.clear();
   return table_;
 }
 
@@ -148,14 +147,16 @@ void ColorVotes::decide(int y, int cb, int block) {
   std::array<std::int32_t, kBlock> winner{};
   const std::size_t begin = rowOf(y, cb) + static_cast<std::size_t>(block * kBlock);
   const std::int32_t* background = votes_[0].data() + begin;
-  const std::int32_t* guard = guard_.data() + begin % guard_.size();
   for (std::size_t i = 0; i < kBlock; ++i) best[i] = std::max(background[i], 0) + priorVotes_;
   for (std::size_t colorClass = 1; colorClass < votes_.size(); ++colorClass) {
+    if ((touched_[colorClass].row(begin / kCells) >> static_cast<unsigned>(block) & 1U) == 0) continue;
     const std::int32_t* votes = votes_[colorClass].data() + begin;
     const auto number = static_cast<std::int32_t>(colorClass);
-    const std::int32_t guarded = things_[colorClass] ? 1 : 0;
+    const std::int32_t* guard = kNoGuard.data();
+    if (things_[colorClass] && guard_.covers(cb))
+      guard = guard_.votesOfRow(static_cast<std::uint8_t>(colorClass), y, cb) + block * kBlock;
     for (std::size_t i = 0; i < kBlock; ++i) {
-      const std::int32_t has = votes[i] - guarded * guard[i];
+      const std::int32_t has = votes[i] - guard[i];
       const bool better = has > best[i];
       winner[i] = better ? number : winner[i];
       best[i] = better ? has : best[i];
@@ -180,7 +181,8 @@ std::vector<CellSamples> ColorVotes::samples() const {
 std::int32_t ColorVotes::votesOf(std::size_t colorClass, std::size_t cell) const {
   const std::int32_t votes = votes_[colorClass][cell];
   if (colorClass == ColorClasses::kNone) return std::max(votes, 0) + priorVotes_;
-  return things_[colorClass] ? votes - guard_[cell % guard_.size()] : votes;
+  if (!things_[colorClass]) return votes;
+  return votes - guard_.votes(static_cast<std::uint8_t>(colorClass), cell);
 }
 
 double ColorVotes::margin(std::size_t cell) const {

@@ -8,7 +8,10 @@
 
 #include "colortool/table/CellSet.h"
 #include "colortool/table/ColorTable.h"
+#include "colortool/votes/CellBlocks.h"
+#include "colortool/votes/GrayGuard.h"
 #include "colortool/votes/LearnedTables.h"
+#include "colortool/votes/NearKernels.h"
 #include "colortool/votes/VoteKernel.h"
 
 namespace colortool {
@@ -17,6 +20,7 @@ namespace colortool {
 /// clamps values that are out of range. A plain value.
 struct VoteOptions {
   /// Standard deviation of a sample's vote in Cb and Cr, in values of a channel; kMinRadius to kMaxRadius.
+  /// That of saturated colors is longer along their saturation, and shorter across it, see NearKernels.
   double radius = 8;
   /// A difference in Y counts this much against one in Cb or Cr; kMinBrightnessWeight to 1. Below 1, since
   /// light and shadow change a color's brightness first.
@@ -30,10 +34,10 @@ struct VoteOptions {
   /// Strength of the second, wider vote along the shade of the color, as a share of the vote for the sample's
   /// own cell; 0 disables it, kMaxShading is the maximum. It decides where no sample is near: shadow and
   /// glare change Cb and Cr along with Y.
-  double shading = 0.1;
-  /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel: walls,
-  /// clothes and shadows that no stroke has touched are gray, or nearly so.
-  double grayGuard = 8;
+  double shading = 0.15;
+  /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel for each
+  /// stroke's worth of samples of its class, see GrayGuard.
+  double grayGuard = 16;
 
   static constexpr double kMinRadius = 2, kMaxRadius = 24;
   static constexpr double kMinBrightnessWeight = 0.1;
@@ -98,8 +102,6 @@ class ColorVotes {
   };
   /// Computes kernels, prior and guard from the options.
   void makeKernels();
-  /// `peak`: the vote of a kernel for the sample's own cell.
-  void makeGuard(double peak);
   std::int32_t strengthOf(std::int64_t pixels, std::uint8_t colorClass) const;
   /// Replaces the vote of a cell's samples by one of another strength.
   void vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength);
@@ -110,19 +112,21 @@ class ColorVotes {
 
   VoteOptions options_;
   /// The vote around the sample's own color, and the weak one along its shade.
-  VoteKernel near_, shade_;
+  NearKernels near_;
+  VoteKernel shade_;
   /// Votes that background has everywhere: the rejection.
   std::int32_t priorVotes_ = 0;
-  /// Votes by which a thing must exceed the others, by Cb and Cr.
-  std::vector<std::int32_t> guard_;
   std::vector<bool> things_;  // by class
   /// Keyed by cell and class.
   std::unordered_map<std::uint32_t, Sample> samples_;
   std::vector<CellSet> sampled_;  // by class
   /// Indexed by class and cell.
   std::vector<std::vector<std::int32_t>> votes_;
-  /// The cells that may have changed since the last update().
-  CellBox changed_;
+  GrayGuard guard_;
+  /// The blocks where a class may have votes, by class.
+  std::vector<CellBlocks> touched_;
+  /// Those that may have changed since the last update().
+  CellBlocks changed_;
   ColorTable table_;
 };
 

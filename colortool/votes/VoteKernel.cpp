@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "colortool/table/ColorTable.h"
 
@@ -16,6 +17,8 @@ constexpr int kGrayCell = kChannelCells / 2;
 /// The colors of one thing in all lights converge at this distance below black, in cells: cameras raise dark
 /// values.
 constexpr double kBlackOffset = 6.5;
+/// Smallest standard deviation across the direction of a kernel, in cells.
+constexpr double kMinDeviation = 0.5;
 /// Number of cells to which votes are added at a time, where the row is long enough.
 constexpr int kKernelStride = 8;
 
@@ -30,23 +33,12 @@ double shadeRatio(int from, int to) {
 
 }  // namespace
 
-void CellBox::include(int axis, int from, int to) {
-  first[axis] = std::min(first[axis], std::max(from, 0));
-  last[axis] = std::max(last[axis], std::min(to, kChannelCells - 1));
-}
-
-void CellBox::clear() {
-  std::ranges::fill(first, kChannelCells);
-  std::ranges::fill(last, -1);
-}
-
 VoteKernel::VoteKernel(const Shape& shape) : shape_(shape) {
   const auto reach = [&](double deviation) {
     return std::min(kChannelCells - 1, static_cast<int>(std::ceil(shape.reach * deviation)));
   };
-  chromaReach_ = reach(shape.chroma);
+  chromaReach_ = reach(shape.chroma * std::max(shape.along, shape.across));
   brightnessReach_ = reach(shape.brightness);
-  width_ = (2 * chromaReach_ + 1 + kKernelStride - 1) / kKernelStride * kKernelStride;
 }
 
 double VoteKernel::largestSum() const {
@@ -62,56 +54,98 @@ double VoteKernel::largestSum() const {
   return shape_.height * sum;
 }
 
-void VoteKernel::setPeak(double peak) {
-  values_.clear();
-  for (int y = -brightnessReach_; y <= brightnessReach_; ++y) {
-    for (int cb = -chromaReach_; cb <= chromaReach_; ++cb) {
-      for (int cr = -chromaReach_; cr < width_ - chromaReach_; ++cr) {
-        const double squared = (cb * cb + cr * cr) / (shape_.chroma * shape_.chroma) +
-                               y * y / (shape_.brightness * shape_.brightness);
-        values_.push_back(cr > chromaReach_ ? std::int16_t{0}
-                                            : static_cast<std::int16_t>(std::lround(
-                                                  peak * shape_.height * std::exp(-0.5 * squared))));
-      }
+std::vector<double> VoteKernel::chromaWeights() const {
+  const double cosine = std::cos(shape_.direction), sine = std::sin(shape_.direction);
+  const double along = shape_.chroma * shape_.along;
+  // A narrower one would hardly reach the next cell, and depend on how it lies in the grid.
+  const double across = std::max(shape_.chroma * shape_.across, std::min(shape_.chroma, kMinDeviation));
+  std::vector<double> weights;
+  for (int cb = -chromaReach_; cb <= chromaReach_; ++cb) {
+    for (int cr = -chromaReach_; cr <= chromaReach_; ++cr) {
+      const double a = (cb * cosine + cr * sine) / along, b = (cr * cosine - cb * sine) / across;
+      weights.push_back(std::exp(-0.5 * (a * a + b * b)));
     }
+  }
+  return weights;
+}
+
+void VoteKernel::setPeak(double peak) {
+  slices_.clear();
+  begins_.clear();
+  values_.clear();
+  const std::vector<double> weights = chromaWeights();
+  for (int y = -brightnessReach_; y <= brightnessReach_; ++y) {
+    const double off = y / shape_.brightness;
+    makeSlice(weights, peak * shape_.height * std::exp(-0.5 * off * off));
   }
 }
 
+void VoteKernel::makeSlice(const std::vector<double>& weights, double height) {
+  const auto side = static_cast<std::size_t>(2 * chromaReach_ + 1);
+  std::vector<std::int16_t> all(weights.size());
+  std::ranges::transform(weights, all.begin(), [height](double weight) {
+    return static_cast<std::int16_t>(height * weight + 0.5);
+  });
+  Slice slice{.left = static_cast<int>(side), .row = begins_.size(), .value = values_.size()};
+  // A Gaussian has no empty rows between others.
+  for (std::size_t row = 0; row < side; ++row) {
+    const std::span<const std::int16_t> votes = std::span(all).subspan(row * side, side);
+    const auto begin = std::ranges::find_if(votes, [](std::int16_t vote) { return vote != 0; });
+    if (begin == votes.end()) continue;
+    const auto end = std::ranges::find_if(votes.rbegin(), votes.rend(), [](auto vote) { return vote != 0; });
+    if (slice.rows++ == 0) slice.first = static_cast<int>(row);
+    begins_.push_back(static_cast<std::int16_t>(begin - votes.begin()));
+    slice.left = std::min<int>(slice.left, begins_.back());
+    slice.right = std::max<int>(slice.right, begins_.back());
+    const int length = static_cast<int>(end.base() - begin);
+    slice.width = std::max(slice.width, (length + kKernelStride - 1) / kKernelStride * kKernelStride);
+  }
+  for (int i = 0; i < slice.rows; ++i) {
+    const auto begin = static_cast<std::size_t>(begins_[slice.row + static_cast<std::size_t>(i)]);
+    const std::size_t row = static_cast<std::size_t>(slice.first + i) * side;
+    for (std::size_t at = begin; at < begin + static_cast<std::size_t>(slice.width); ++at)
+      values_.push_back(at < side ? all[row + at] : std::int16_t{0});
+  }
+  slices_.push_back(slice);
+}
+
 void VoteKernel::add(std::span<std::int32_t> votes, std::size_t cell, std::int16_t strength,
-                     CellBox& changed) const {
+                     CellBlocks& touched) const {
   const int y = static_cast<int>(cell >> 12U), cb = static_cast<int>(cell >> 6U & 63U),
             cr = static_cast<int>(cell & 63U);
-  const std::size_t slice =
-      (2 * static_cast<std::size_t>(chromaReach_) + 1) * static_cast<std::size_t>(width_);
-  changed.include(0, y - brightnessReach_, y + brightnessReach_);
   const int last = std::min(kChannelCells - 1, y + brightnessReach_);
   for (int atY = std::max(0, y - brightnessReach_); atY <= last; ++atY) {
     const auto shaded = [&](int chroma) {
       if (!shape_.shaded) return chroma;
       return chroma + static_cast<int>(std::lround((chroma + 0.5 - kGrayCell) * (shadeRatio(y, atY) - 1)));
     };
-    const int atCb = shaded(cb), atCr = shaded(cr);
-    changed.include(1, atCb - chromaReach_, atCb + chromaReach_);
-    changed.include(2, atCr - chromaReach_, atCr + chromaReach_);
-    addSlice(votes.data() + static_cast<std::ptrdiff_t>(atY) * kChannelCells * kChannelCells,
-             values_.data() + static_cast<std::size_t>(atY - y + brightnessReach_) * slice, atCb, atCr,
-             strength);
+    addSlice(votes, slices_[static_cast<std::size_t>(atY - y + brightnessReach_)], atY, shaded(cb),
+             shaded(cr), strength, touched);
   }
 }
 
-void VoteKernel::addSlice(std::int32_t* votes, const std::int16_t* slice, int cb, int cr,
-                          std::int16_t strength) const {
-  const int begin = cr - chromaReach_;
-  const bool inside = begin >= 0 && begin + width_ <= kChannelCells;
-  const int from = std::max(0, -begin), to = std::min(2 * chromaReach_ + 1, kChannelCells - begin);
-  for (int atCb = std::max(0, cb - chromaReach_); atCb <= std::min(kChannelCells - 1, cb + chromaReach_);
-       ++atCb) {
-    const std::int16_t* kernel = slice + static_cast<std::ptrdiff_t>(atCb - cb + chromaReach_) * width_;
-    std::int32_t* row = votes + static_cast<std::ptrdiff_t>(atCb) * kChannelCells + begin;
+void VoteKernel::addSlice(std::span<std::int32_t> votes, const Slice& slice, int y, int cb, int cr,
+                          std::int16_t strength, CellBlocks& touched) const {
+  const int bottom = cb - chromaReach_ + slice.first, origin = cr - chromaReach_;
+  const int left = std::max(0, origin + slice.left),
+            right = std::min(kChannelCells, origin + slice.right + slice.width);
+  if (left >= right) return;
+  const unsigned blocks = CellBlocks::blocksOf(left, right - 1);
+  const bool inside = origin + slice.left >= 0 && origin + slice.right + slice.width <= kChannelCells;
+  const int first = std::max(0, -bottom), last = std::min(slice.rows, kChannelCells - bottom);
+  if (first >= last) return;
+  const auto row = [&](int i) { return static_cast<std::size_t>(y * kChannelCells + bottom + i); };
+  touched.includeBlocks(row(first), row(last), blocks);
+  for (int i = first; i < last; ++i) {
+    const int begin = origin + begins_[slice.row + static_cast<std::size_t>(i)];
+    const std::int16_t* kernel = values_.data() + slice.value + static_cast<std::ptrdiff_t>(i) * slice.width;
+    std::int32_t* const cells = votes.data() + row(i) * kChannelCells;
     if (inside) {
-      for (int i = 0; i < width_; i += kKernelStride) addProducts(row + i, kernel + i, strength);
+      for (int at = 0; at < slice.width; at += kKernelStride)
+        addProducts(cells + begin + at, kernel + at, strength);
     } else {
-      for (int i = from; i < to; ++i) row[i] += strength * kernel[i];
+      const int to = std::min(slice.width, kChannelCells - begin);
+      for (int at = std::max(0, -begin); at < to; ++at) cells[begin + at] += strength * kernel[at];
     }
   }
 }

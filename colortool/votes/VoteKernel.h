@@ -5,25 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "colortool/votes/CellBlocks.h"
+
 namespace colortool {
 
-/// A box of cells of a color table, from `first` to `last`, both inclusive, indexed by Y, Cb, Cr. A plain
-/// value.
-struct CellBox {
-  int first[3], last[3];
-  CellBox() { clear(); }
-  /// Extends the box by the cells `from` to `to` (inclusive) of an axis, clipped to the table.
-  void include(int axis, int from, int to);
-  /// Makes the box empty.
-  void clear();
-  bool empty() const { return last[0] < 0; }
-};
-
 /// The votes of a sample for the cells around its own: a Gaussian that is longer along Y than along Cb and
-/// Cr. A shaded kernel is slanted: at each brightness it is centered where the sample's color would be if
-/// more or less light fell on the same thing, so that Cb and Cr approach gray as it gets darker. The votes
-/// are integers, so that they can be added and removed exactly. After setPeak() only const functions are
-/// used, from any thread.
+/// Cr, where it can be longer in one direction than across it. A shaded kernel is slanted: at each brightness
+/// it is centered where the sample's color would be if more or less light fell on the same thing, so that Cb
+/// and Cr approach gray as it gets darker. The votes are integers, so that they can be added and removed
+/// exactly. After setPeak() only const functions are used, from any thread.
 class VoteKernel {
  public:
   /// The parameters of the Gaussian.
@@ -36,6 +26,11 @@ class VoteKernel {
     bool shaded = false;
     /// Height of its peak relative to that of other kernels.
     double height = 1;
+    /// Factors of `chroma` in a direction of the plane of Cb and Cr, and across it; their product is at
+    /// most 1.
+    double along = 1, across = 1;
+    /// That direction, in radians from Cb towards Cr.
+    double direction = 0;
   };
   VoteKernel() = default;
   explicit VoteKernel(const Shape& shape);
@@ -46,21 +41,38 @@ class VoteKernel {
   /// Sets the vote, an integer, for the sample's own cell; must be called before add().
   void setPeak(double peak);
 
-  /// Adds the votes of a sample at this cell, times `strength`, to `votes` (all cells of the table), and
-  /// extends `changed` by the cells touched.
-  void add(std::span<std::int32_t> votes, std::size_t cell, std::int16_t strength, CellBox& changed) const;
+  /// Adds the votes of a sample at this cell, times `strength`, to `votes` (all cells of the table), and the
+  /// blocks touched to `touched`.
+  void add(std::span<std::int32_t> votes, std::size_t cell, std::int16_t strength, CellBlocks& touched) const;
 
  private:
-  /// Adds the votes for one brightness, centered at (cb, cr).
-  void addSlice(std::int32_t* votes, const std::int16_t* slice, int cb, int cr, std::int16_t strength) const;
+  /// The votes for one brightness: the rows along Cr that are not all zero, each from its first vote on, and
+  /// equally long.
+  struct Slice {
+    /// The first row, counted along Cb from the reach below the center, and the number of rows.
+    int first = 0, rows = 0;
+    /// Values per row, with zeros at the end, a multiple of the length that vector instructions add at once.
+    int width = 0;
+    /// Where rows begin, the first and the last, counted along Cr from the reach below the center.
+    int left = 0, right = 0;
+    /// Where its rows are in begins_, and its values in values_.
+    std::size_t row = 0, value = 0;
+  };
+  /// The weights of the cells around the center in Cb and Cr, (2 * chromaReach_ + 1) squared.
+  std::vector<double> chromaWeights() const;
+  /// Adds a slice of votes in the proportions of `weights` to slices_.
+  void makeSlice(const std::vector<double>& weights, double height);
+  /// Adds the votes of a slice for the brightness `y`, centered at (cb, cr).
+  void addSlice(std::span<std::int32_t> votes, const Slice& slice, int y, int cb, int cr,
+                std::int16_t strength, CellBlocks& touched) const;
 
   Shape shape_;
   /// In cells, on either side of the center.
   int chromaReach_ = 0, brightnessReach_ = 0;
-  /// Length of the rows along Cr, padded with zeros for vector instructions.
-  int width_ = 0;
-  /// The votes, indexed [y][cb][cr].
-  std::vector<std::int16_t> values_;
+  /// By brightness.
+  std::vector<Slice> slices_;
+  /// Where the rows of all slices begin along Cr, and their values.
+  std::vector<std::int16_t> begins_, values_;
 };
 
 }  // namespace colortool

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "app/core/simulated/SimulatedRun.h"
@@ -228,6 +229,7 @@ TEST_F(SimulatedCalibration, aTableLearnedInOneLightingIsScoredInThree) {
     const std::vector<LabeledImage> images = see(light, kOtherViews);
     ours.push_back(scoresOf(samples, images));
     ofPalette.emplace_back().add(palette, {}, images, all.size(), 1);
+    std::puts(described(light, ours.back()).c_str());
     SCOPED_TRACE(described(light, ours.back()) + "\nthe palette's table " +
                  described(light, ofPalette.back()));
     EXPECT_GT(ours.back().mean, mean);
@@ -249,6 +251,7 @@ TEST_F(SimulatedCalibration, aTableLearnedInThreeLightingsStandsAllOfThem) {
   const std::vector<colortool::Samples> samples = strokesIn(images, classes());
   for (const Light& light : {kUsual, kDimAndWarm, kBrightAndCool}) {
     const Scores scores = scoresOf(samples, see(light, kOtherViews));
+    std::puts(("of all three: " + described(light, scores)).c_str());
     SCOPED_TRACE(described(light, scores));
     // Measured: mean recall 0.992, 0.975 and 0.985; false color at most 0, 0 and 0.059.
     EXPECT_GT(scores.mean, 0.95);

@@ -163,7 +163,9 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   const auto number = [&](const char* name, double& value, const char* help, const CLI::Validator& range) {
     command.add_option(name, value, help)->check(range)->capture_default_str();
   };
-  number("--radius", settings.votes.radius, "How far a sample reaches in Cb and Cr: one standard deviation",
+  number("--radius", settings.votes.radius,
+         "How far a sample reaches in Cb and Cr: one standard deviation; farther along the saturation of "
+         "strong colors, less far across it",
          CLI::Range(Votes::kMinRadius, Votes::kMaxRadius));
   number("--y-weight", settings.votes.brightnessWeight, "Weight of a difference in Y, relative to Cb or Cr",
          CLI::Range(Votes::kMinBrightnessWeight, 1.0));
@@ -176,7 +178,8 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
          "Vote of a sample for its color in shadow and glare, as a share of its own vote",
          CLI::Range(0.0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
-         "Extra votes that colors of objects need where they are nearly gray", CLI::NonNegativeNumber);
+         "Extra votes that colors of objects need where they are nearly gray, for each stroke of the class",
+         CLI::NonNegativeNumber);
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
          "gauss: squared Mahalanobis distance from a class beyond which a color is not of it",
          CLI::PositiveNumber);

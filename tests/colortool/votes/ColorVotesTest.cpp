@@ -54,7 +54,8 @@ TEST(ColorVotes, aColorThatMustNotBeOfAClassIsNot) {
   EXPECT_EQ(votes.update().classOf({150, 112, 140}), 1);
 }
 
-/// The tables on the way there are met again on the way back, in any order of what is taken away.
+/// The tables on the way there are met again on the way back, in any order of what is taken away. Things need
+/// more votes near gray, by how many samples they have in all.
 TEST(ColorVotes, takingSamplesAwayLeavesExactlyWhatWasThere) {
   std::mt19937 random(7);
   struct Step {
@@ -65,6 +66,7 @@ TEST(ColorVotes, takingSamplesAwayLeavesExactlyWhatWasThere) {
   std::vector<Step> steps;
   std::vector<ColorTable> tables;
   ColorVotes votes(4);
+  votes.setThings({false, true, false, true});
   for (int i = 0; i < 60; ++i) {
     // A few cells, so that they are hit again and again.
     const YCbCr color{static_cast<std::uint8_t>(100 + random() % 16),
@@ -137,6 +139,46 @@ TEST(ColorVotes, whatIsNearlyGrayIsNoThingUnlessManySamplesSaySo) {
   votes.setThings({false, true, false});
   add(votes, wall, 1, 20);
   EXPECT_EQ(votes.update().classOf(wall), 1) << "a stroke there counts more";
+}
+
+/// The samples of a class add up also where there are none.
+TEST(ColorVotes, moreStrokesDoNotTakeMoreOfTheWall) {
+  const YCbCr wall{95, 136, 122}, goal{90, 150, 106};
+  std::mt19937 random(3);
+  const auto near = [&random](YCbCr color) {
+    return YCbCr{static_cast<std::uint8_t>(color.y + random() % 24 - 12),
+                 static_cast<std::uint8_t>(color.cb + random() % 12 - 6),
+                 static_cast<std::uint8_t>(color.cr + random() % 12 - 6)};
+  };
+  ColorVotes votes(2);
+  votes.setThings({false, true});
+  for (int stroke = 1; stroke <= 30; ++stroke) {
+    for (int i = 0; i < 29; ++i) add(votes, near(goal), 1, 1);
+    const ColorTable& table = votes.update();
+    ASSERT_EQ(table.classOf(wall), 0) << "after " << stroke << " strokes";
+    ASSERT_EQ(table.classOf(goal), 1) << "after " << stroke << " strokes";
+  }
+  add(votes, wall, 1, 29);
+  EXPECT_EQ(votes.update().classOf(wall), 1) << "who paints it wants it";
+  add(votes, wall, 1, -29);
+  EXPECT_EQ(votes.update().classOf(wall), 0) << "and it can be undone";
+}
+
+TEST(ColorVotes, aPaleBallInTheShadeIsNotLostToRed) {
+  // Of a real ball in the light, and of a robot; the ball is duller in the shade, of nearly the same hue.
+  const YCbCr ball{131, 87, 178}, robot{86, 110, 178}, dull{102, 97, 175};
+  ColorVotes votes(3);
+  votes.setThings({false, true, true});
+  for (const int off : {-4, 0, 4}) {
+    const auto at = [off](YCbCr color) {
+      return YCbCr{static_cast<std::uint8_t>(color.y + 3 * off), color.cb,
+                   static_cast<std::uint8_t>(color.cr + off / 2)};
+    };
+    add(votes, at(ball), 1, 10);
+    add(votes, at(robot), 2, 10);
+    add(votes, {static_cast<std::uint8_t>(86 + off), 106, 178}, 2, 10);
+  }
+  EXPECT_EQ(votes.update().classOf(dull), 1);
 }
 
 TEST(ColorVotes, whatMustNotBeReachesNoFartherThanASample) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "colortool/table/ColorTable.h"
 
@@ -12,10 +13,10 @@ namespace {
 
 using Votes = std::vector<std::int32_t>;
 
-Votes votesOf(const VoteKernel& kernel, robotlink::YCbCr color, CellBox* changed = nullptr) {
+Votes votesOf(const VoteKernel& kernel, robotlink::YCbCr color, CellBlocks* touched = nullptr) {
   Votes votes(ColorTable::kCellCount, 0);
-  CellBox box;
-  kernel.add(votes, ColorTable::cellOf(color), 1, changed == nullptr ? box : *changed);
+  CellBlocks blocks;
+  kernel.add(votes, ColorTable::cellOf(color), 1, touched == nullptr ? blocks : *touched);
   return votes;
 }
 
@@ -43,21 +44,46 @@ TEST(VoteKernelTest, alongTheShadeADarkColorIsNearerToGray) {
   EXPECT_EQ(shaded[ColorTable::cellOf({160, 80, 190})], 1000);
 }
 
-TEST(VoteKernelTest, whatWasTouchedIsInTheBox) {
+TEST(VoteKernelTest, aLongKernelReachesFartherInItsDirectionAndLessAcrossIt) {
+  // Towards more Cb and Cr alike.
+  VoteKernel slanted(
+      {.chroma = 2, .brightness = 10, .along = 1.5, .across = 0.5, .direction = std::numbers::pi / 4});
+  slanted.setPeak(1000);
+  const Votes votes = votesOf(slanted, {100, 128, 128}), round = votesOf(kernel(false), {100, 128, 128});
+  const std::size_t along = ColorTable::cellOf({100, 140, 140}), back = ColorTable::cellOf({100, 116, 116}),
+                    across = ColorTable::cellOf({100, 140, 116});
+  EXPECT_GT(votes[along], 2 * round[along]);
+  EXPECT_EQ(votes[along], votes[back]);
+  EXPECT_LT(10 * votes[across], round[across]);
+}
+
+TEST(VoteKernelTest, whatWasTouchedIsKnown) {
   for (const bool shaded : {false, true}) {
     for (const robotlink::YCbCr color :
          {robotlink::YCbCr{0, 0, 0}, {255, 255, 255}, {20, 200, 60}, {250, 90, 170}}) {
-      CellBox box;
-      const Votes votes = votesOf(kernel(shaded), color, &box);
+      CellBlocks touched;
+      const Votes votes = votesOf(kernel(shaded), color, &touched);
       for (std::size_t cell = 0; cell < votes.size(); ++cell) {
-        const int place[] = {static_cast<int>(cell >> 12U), static_cast<int>(cell >> 6U & 63U),
-                             static_cast<int>(cell & 63U)};
-        for (int axis = 0; axis < 3 && votes[cell] != 0; ++axis) {
-          ASSERT_GE(place[axis], box.first[axis]) << cell << " " << axis;
-          ASSERT_LE(place[axis], box.last[axis]) << cell << " " << axis;
-        }
+        if (votes[cell] == 0) continue;
+        const int cr = static_cast<int>(cell % 64);
+        ASSERT_NE(touched.row(cell / 64) & CellBlocks::blocksOf(cr, cr), 0U) << cell;
       }
     }
+  }
+}
+
+/// At the edges of the table, where kernels are cut off, and everywhere else.
+TEST(VoteKernelTest, takingAVoteAwayLeavesNothing) {
+  VoteKernel slanted({.chroma = 3, .brightness = 9, .along = 1.5, .across = 0.4, .direction = 2});
+  slanted.setPeak(1000);
+  for (const VoteKernel& each : {kernel(false), kernel(true), slanted}) {
+    Votes votes(ColorTable::kCellCount, 0);
+    CellBlocks touched;
+    for (const int strength : {1, -1}) {
+      for (std::size_t cell = 0; cell < ColorTable::kCellCount; cell += 331)
+        each.add(votes, cell, static_cast<std::int16_t>(strength), touched);
+    }
+    EXPECT_TRUE(std::ranges::all_of(votes, [](std::int32_t vote) { return vote == 0; }));
   }
 }
 
@@ -66,11 +92,12 @@ TEST(VoteKernelTest, noCellGetsMoreThanTheLargestSum) {
     VoteKernel made({3, 20, 2.3, shaded, 0.5});
     made.setPeak(100);
     Votes votes(ColorTable::kCellCount, 0);
-    CellBox box;
+    CellBlocks touched;
     // Every eighth cell along each chroma axis and Y, with what the others would have given.
     for (std::size_t y = 0; y < 64; y += 8) {
       for (std::size_t cb = 0; cb < 64; cb += 4) {
-        for (std::size_t cr = 0; cr < 64; cr += 4) made.add(votes, y << 12U | cb << 6U | cr, 8 * 4 * 4, box);
+        for (std::size_t cr = 0; cr < 64; cr += 4)
+          made.add(votes, y << 12U | cb << 6U | cr, 8 * 4 * 4, touched);
       }
     }
     EXPECT_LE(std::ranges::max(votes), 1.1 * 100 * made.largestSum()) << shaded;
