@@ -186,6 +186,20 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
   }
 
+  void aHugeGreenStrokeOverTheWallLowersTheQuality() {
+    goodStrokes();
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
+    QVERIFY(!note().contains(QStringLiteral("Of the background")));
+    bench_->setCurrentClass(2);
+    bench_->addStroke(colortool::rectangleArea(40, 30, {22, 17}, {38, 28}), "rectangle");
+    // All of its pixels are missed by the table of the other strokes: a third of green. The wall is green
+    // now.
+    QTRY_VERIFY2(summary("strokes").contains(QStringLiteral("Mean recall 88.89 %")),
+                 qPrintable(summary("strokes")));
+    QVERIFY2(note().contains(QStringLiteral("Of the background it takes for a class: 100 % green.")),
+             qPrintable(note()));
+  }
+
   void oneStrokeIsNotCalledStrokes() {
     colortool::Samples one = colortool::quarterSamples();
     one.strokes.resize(1);

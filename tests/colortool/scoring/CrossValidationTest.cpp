@@ -161,6 +161,18 @@ TEST(CrossValidation, aLargeStrokeCountsNoMoreThanASmallOne) {
   EXPECT_EQ(quality->strokesOf[3], 3);
 }
 
+/// If pixels counted, its own would outnumber all others.
+TEST(CrossValidation, aHugeGreenStrokeOverTheWallLowersTheQuality) {
+  Samples samples = twiceQuarterSamples();
+  EXPECT_DOUBLE_EQ(crossValidate(samples)->evaluation.meanRecall(), 1);
+  const ColorImage image = quarters(400, 300);
+  addStroke(samples, placeOf("c"), image, rectangleArea(400, 300, {210, 160}, {390, 290}), {2});
+  const Evaluation after = crossValidate(samples)->evaluation;
+  EXPECT_NEAR(after.recall(2), 2.0 / 3, 1e-9) << "the other strokes know it to be wall";
+  EXPECT_NEAR(after.meanRecall(), 8.0 / 9, 1e-9);
+  EXPECT_EQ(after.count(0, 2), after.labeled(0)) << "the wall is green now";
+}
+
 TEST(CrossValidation, aSingleStrokeOfTheBackgroundSaysNothingOfFalseColors) {
   const auto quality = crossValidate(quarterSamples());
   EXPECT_EQ(quality->alone, (std::vector<std::uint8_t>{0, 1, 2, 3}));

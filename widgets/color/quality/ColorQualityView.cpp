@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 
+#include "colortool/training/Suspicion.h"
 #include "widgets/Controls.h"
 #include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
@@ -30,6 +31,9 @@ const ViewRegistration kColorQualityViewRegistration{
 constexpr int kEmptyWidth = 200;
 /// With fewer strokes of a class its figures mean little.
 constexpr int kFewStrokes = 5;
+
+/// A smaller share of the background that a class takes is not told.
+constexpr double kMinTaken = 0.01;
 
 /// The camera of the strokes' images if they all have the same one.
 std::string onlyCamera(const colortool::Samples& samples) {
@@ -220,6 +224,22 @@ QString ColorQualityView::othersNote() const {
       .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));
 }
 
+QString ColorQualityView::backgroundNote(const colortool::Evaluation& evaluation) const {
+  const std::uint64_t all = evaluation.labeled(0);
+  const auto things = colortool::objectClasses(bench_.quality()->classes);
+  QStringList taken;
+  for (int found = 1; found < evaluation.classes() && all > 0; ++found) {
+    const double share = static_cast<double>(evaluation.count(0, found)) / static_cast<double>(all);
+    if (share >= kMinTaken && !things[static_cast<std::size_t>(found)])
+      taken << tr("%1 % %2")
+                   .arg(qRound(100 * share))
+                   .arg(QString::fromStdString(bench_.quality()->classes.name(found)));
+  }
+  return taken.isEmpty()
+             ? QString()
+             : tr("Of the background it takes for a class: %1.").arg(taken.join(QStringLiteral(", ")));
+}
+
 QString ColorQualityView::strokesNote() const {
   const ColorQuality& quality = *bench_.quality();
   QStringList notes, alone;
@@ -237,7 +257,7 @@ QString ColorQualityView::strokesNote() const {
     notes << tr("A single stroke of the background: false colors are not known; draw a second one.");
   const QString reference =
       referenceNote(quality.strokes->evaluation, quality.referenceStrokes, quality.strokes->alone);
-  for (const QString& note : {reference, othersNote()}) {
+  for (const QString& note : {backgroundNote(quality.strokes->evaluation), reference, othersNote()}) {
     if (!note.isEmpty()) notes << note;
   }
   return notes.join(QLatin1Char(' '));
@@ -267,8 +287,10 @@ void ColorQualityView::showLabeled() {
   }
   const ColorQuality* quality = bench_.quality();
   if (quality == nullptr || !quality->labeled) return labeled_->showNothing(tr("Finding out…"));
-  labeled_->show(quality->classes, *quality->labeled, {},
-                 referenceNote(*quality->labeled, quality->referenceLabeled, {}));
+  QStringList notes{backgroundNote(*quality->labeled),
+                    referenceNote(*quality->labeled, quality->referenceLabeled, {})};
+  notes.removeAll({});
+  labeled_->show(quality->classes, *quality->labeled, {}, notes.join(QLatin1Char(' ')));
 }
 
 void ColorQualityView::say(const QString& text, bool bad) {

@@ -58,6 +58,9 @@ class ColorQualityView final : public View {
   QString countNote() const;
   /// Suspicious pixels in other images.
   QString othersNote() const;
+  /// What of the background is taken for a class that is no color of things, such as a wall for green; empty
+  /// if that is next to nothing.
+  QString backgroundNote(const colortool::Evaluation& evaluation) const;
   /// The figures of the reference table, and which of both is better; empty without a reference.
   QString referenceNote(const colortool::Evaluation& own,
                         const std::optional<colortool::Evaluation>& reference,
