@@ -2,6 +2,7 @@
 // A table learned from what one Aibo saw, and scored on what the others saw: real ones, and made ones.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <map>
 #include <random>
 
@@ -103,6 +104,7 @@ TEST_P(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
     total.right += score.right;
     total.all += score.all;
   }
+  std::printf("%.3f %% of the colors that other robots saw\n", 100 * total.share());
   EXPECT_GE(total.share(), 0.998) << total.right << " of " << total.all;
 }
 

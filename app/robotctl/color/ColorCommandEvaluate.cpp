@@ -169,7 +169,10 @@ int evaluate(const EvaluateArguments& arguments) {
 void addColorEvaluateCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command =
-      color.add_subcommand("evaluate", "Compares a color table's classes in images with their labels");
+      color.add_subcommand("evaluate",
+                           "Compares a color table's classes in images with their labels: how much of each "
+                           "class is found, and how "
+                           "much of the background is taken for orange, blue, yellow or red (false color)");
   command->add_option("--table", arguments->table, "A color table (.c64)")->required();
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();
