@@ -18,7 +18,7 @@ constexpr int kGrayCell = kChannelCells / 2;
 /// values.
 constexpr double kBlackOffset = 6.5;
 /// Smallest standard deviation across the direction of a kernel, in cells.
-constexpr double kMinDeviation = 0.5;
+constexpr double kMinAcross = 0.5;
 /// Number of cells to which votes are added at a time, where the row is long enough.
 constexpr int kKernelStride = 8;
 
@@ -58,7 +58,7 @@ std::vector<double> VoteKernel::chromaWeights() const {
   const double cosine = std::cos(shape_.direction), sine = std::sin(shape_.direction);
   const double along = shape_.chroma * shape_.along;
   // A narrower one would hardly reach the next cell, and depend on how it lies in the grid.
-  const double across = std::max(shape_.chroma * shape_.across, std::min(shape_.chroma, kMinDeviation));
+  const double across = std::max(shape_.chroma * shape_.across, std::min(shape_.chroma, kMinAcross));
   std::vector<double> weights;
   for (int cb = -chromaReach_; cb <= chromaReach_; ++cb) {
     for (int cr = -chromaReach_; cr <= chromaReach_; ++cr) {
