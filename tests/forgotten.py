@@ -9,8 +9,10 @@ Usage: forgotten.py BUILD_DIR CTEST
 import collections
 import json
 import os
+import pathlib
 import subprocess
 import sys
+import tempfile
 
 
 def tests_of(program, arguments):
@@ -26,12 +28,18 @@ def tests_of(program, arguments):
     return names
 
 
+def tests_known_to(ctest, build):
+    """Asks from another folder: in its own, ctest would begin the log of its last run anew, even while one is under way."""
+    with tempfile.TemporaryDirectory() as folder:
+        pathlib.Path(folder, "CTestTestfile.cmake").write_text(f'subdirs("{pathlib.Path(build).resolve().as_posix()}")\n')
+        return json.loads(subprocess.run([ctest, "--test-dir", folder, "--show-only=json-v1"], capture_output=True,
+                                         text=True, check=True).stdout)["tests"]
+
+
 def main():
     build, ctest = sys.argv[1:]
-    known = json.loads(subprocess.run([ctest, "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True,
-                                      check=True).stdout)
     filters = collections.defaultdict(list)
-    for test in known["tests"]:
+    for test in tests_known_to(ctest, build):
         for argument in test.get("command", []):
             if argument.startswith("--gtest_filter="):
                 filters[test["command"][0]].append(argument)
