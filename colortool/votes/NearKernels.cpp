@@ -13,8 +13,8 @@ namespace {
 /// Kernels are longest from the second of these distances from gray on, and round up to the first, in cells
 /// of Cb and Cr.
 constexpr double kRoundUpTo = 6, kLongestFrom = 11;
-/// The factors of the longest kernel along its saturation and across it.
-constexpr double kMostAlong = 1.5, kLeastAcross = 0.5;
+/// How many times longer and wider than the round kernel the longest one is: along saturation, across hue.
+constexpr double kLongestAlong = 1.5, kLongestAcross = 0.5;
 /// Number of directions in half a turn, and of degrees of saturation besides the round one.
 constexpr int kDirections = 16, kDegrees = 3;
 
@@ -45,8 +45,8 @@ const VoteKernel& NearKernels::at(std::size_t cell) {
   if (!kernel) {
     VoteKernel::Shape shape = gray_;
     const double longer = static_cast<double>(degree) / kDegrees;
-    shape.along = 1 + (kMostAlong - 1) * longer;
-    shape.across = 1 + (kLeastAcross - 1) * longer;
+    shape.along = 1 + (kLongestAlong - 1) * longer;
+    shape.across = 1 + (kLongestAcross - 1) * longer;
     shape.direction = direction * std::numbers::pi / kDirections;
     kernel.emplace(shape);
     kernel->setPeak(peak_);

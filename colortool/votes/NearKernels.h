@@ -31,7 +31,7 @@ class NearKernels {
  private:
   VoteKernel::Shape gray_;
   double peak_ = 0;
-  /// By direction and degree of saturation; not set until needed.
+  /// The kernels, indexed by direction and degree of saturation; not set until needed.
   std::vector<std::optional<VoteKernel>> kernels_;
 };
 

@@ -69,7 +69,7 @@ class VoteKernel {
   Shape shape_;
   /// In cells, on either side of the center.
   int chromaReach_ = 0, brightnessReach_ = 0;
-  /// By brightness.
+  /// The slices of the kernel, indexed by brightness.
   std::vector<Slice> slices_;
   /// Where the rows of all slices begin along Cr, and their values.
   std::vector<std::int16_t> begins_, values_;

@@ -20,7 +20,7 @@ using namespace colortool;
 namespace fs = std::filesystem;
 
 constexpr int kFrameWidth = 320, kHeight = 240;
-/// By which means of some repetitions with strokes at other places differ.
+/// Mean recalls of repetitions with strokes at other places differ by so much.
 constexpr double kNoise = 0.002;
 constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
 
@@ -221,7 +221,7 @@ TEST_P(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreSt
   expectGoodTables(GetParam(), GetParam() == "real" ? 3 : 1);
 }
 
-/// Of real images, if they are there.
+/// Measures on real images if they are there, otherwise on the made game.
 TEST(SlowLeaveOneFrameOut, wherever20TimesTheStrokesAre) {
   const bool real = fs::exists(game::dataOf("real") / "colour/bhuman2009");
   expectGoodTables(real ? "real" : "made", 20);

@@ -45,7 +45,7 @@ class DrawingsModel : public QAbstractListModel {
   /// Moves a row by so many rows of this model; -1 is up. Ignored at the ends.
   void move(int row, int by);
 
-  /// Of a state no more drawings than these are taken; what comes later in its order is left out. No robot
+  /// At most this many drawings of a saved state are restored, the first in its order. No robot
   /// draws nearly as many.
   static constexpr int kMaxRestored = 1000;
   /// {"order": [id, ...], "hidden": [id, ...]}.

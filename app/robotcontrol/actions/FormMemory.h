@@ -31,7 +31,7 @@ class FormMemory {
   /// The value of a field; undefined if there is none.
   QJsonValue at(const PlatformField& field) const;
 
-  /// By the keys of the window's state.
+  /// What is remembered, as in the state of the window and by the same keys.
   QJsonObject kept_;
 };
 

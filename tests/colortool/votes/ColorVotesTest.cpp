@@ -165,7 +165,7 @@ TEST(ColorVotes, moreStrokesDoNotTakeMoreOfTheWall) {
 }
 
 TEST(ColorVotes, aPaleBallInTheShadeIsNotLostToRed) {
-  // Of a real ball in the light, and of a robot; the ball is duller in the shade, of nearly the same hue.
+  // A real ball in the light, a robot, and the ball in the shade: duller, of nearly the same hue.
   const YCbCr ball{131, 87, 178}, robot{86, 110, 178}, dull{102, 97, 175};
   ColorVotes votes(3);
   votes.setThings({false, true, true});

@@ -24,7 +24,7 @@ class RobotPortsTest : public testing::Test, public RobotPorts::Listener {
   std::map<std::size_t, std::vector<Packet>> packets;
   std::map<std::size_t, int> came, gone;
 
-  /// By which clients are silent; it stands still unless a test moves it.
+  /// The clock that measures how long clients are silent; only tests move it.
   Clock::time_point now = Clock::now();
 
   RobotPortsTest() {
