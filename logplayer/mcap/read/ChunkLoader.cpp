@@ -10,10 +10,15 @@ namespace {
 
 // More than a chunk's head takes with any compression known here.
 constexpr std::size_t kChunkHeadBytes = 128;
-constexpr std::size_t kPiece = 128U << 10U;
 
 tl::unexpected<std::string> problem(std::string text) {
   return tl::unexpected<std::string>(std::move(text));
+}
+
+/// An expected CRC of 0 says that there is none.
+tl::expected<void, std::string> checked(Bytes records, std::uint32_t expected) {
+  if (expected != 0 && crc32(records) != expected) return problem("the CRC of a chunk is wrong");
+  return {};
 }
 
 }  // namespace
@@ -42,21 +47,6 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
   return loadChunk(section, *head, kRecordHeadBytes + chunkHeadBytes(head->compression.size()), records);
 }
 
-/// Reads in pieces, so that each is still in the processor's cache when its CRC is computed.
-tl::expected<void, std::string> ChunkLoader::readPlain(std::uint64_t at, std::uint32_t expected,
-                                                       std::span<std::uint8_t> to) {
-  std::uint32_t crc = 0;
-  while (!to.empty()) {
-    const auto piece = to.first(std::min(kPiece, to.size()));
-    if (!source_.read(at, piece)) return problem("the system cannot read it");
-    if (expected != 0) crc = crc32(piece, crc);
-    at += piece.size();
-    to = to.subspan(piece.size());
-  }
-  if (crc != expected) return problem("the CRC of a chunk is wrong");
-  return {};
-}
-
 tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, const ChunkHead& head,
                                                        std::size_t headBytes, Buffer& records) {
   const ChunkInfo& info = section.info;
@@ -74,7 +64,8 @@ tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, c
   if (compression == Compression::kNone) {
     if (head.recordsBytes != head.uncompressedBytes) return problem("a chunk's sizes contradict each other");
     records.resize(static_cast<std::size_t>(head.recordsBytes));
-    return readPlain(at, head.uncompressedCrc, records);
+    if (!source_.read(at, records)) return problem("the system cannot read it");
+    return checked(records, head.uncompressedCrc);
   }
   compressed_.resize(static_cast<std::size_t>(head.recordsBytes));
   if (!source_.read(at, compressed_)) return problem("the system cannot read it");
@@ -86,10 +77,7 @@ tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, c
   if (!decompressor_.decompress(compression, compressed_, records)) {
     return problem("a chunk cannot be decompressed");
   }
-  if (head.uncompressedCrc != 0 && crc32(records) != head.uncompressedCrc) {
-    return problem("the CRC of a chunk is wrong");
-  }
-  return {};
+  return checked(records, head.uncompressedCrc);
 }
 
 }  // namespace logplayer::mcap

@@ -22,9 +22,6 @@ class ChunkLoader {
   /// Loads a chunk whose head has been read.
   tl::expected<void, std::string> loadChunk(const Section& section, const ChunkHead& head,
                                             std::size_t headBytes, Buffer& records);
-  /// Loads uncompressed records and checks their CRC, if `expected` is not 0.
-  tl::expected<void, std::string> readPlain(std::uint64_t at, std::uint32_t expected,
-                                            std::span<std::uint8_t> to);
 
   const Source& source_;
   std::size_t maxRecordBytes_;
