@@ -2,6 +2,7 @@
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Crc.h"
 #include "logplayer/mcap/RecordBytes.h"
+#include "logplayer/mcap/RecordFields.h"
 
 namespace logplayer::mcap {
 namespace {
@@ -10,8 +11,32 @@ Instant takeInstant(ByteReader& fields) {
   return instantOf(fields.take<std::uint64_t>());
 }
 
-/// Decodes a map; returns false if its bytes are not complete pairs. Of equal keys the first one counts.
-bool takeMap(ByteReader& fields, std::map<std::string, std::string>& map) {
+// These return false if a field that consists of several is not whole; that the bytes suffice is checked at
+// the end.
+
+template <std::unsigned_integral Number>
+bool take(ByteReader& fields, Number& number) {
+  number = fields.take<Number>();
+  return true;
+}
+
+bool take(ByteReader& fields, Instant& instant) {
+  instant = takeInstant(fields);
+  return true;
+}
+
+bool take(ByteReader& fields, Opcode& opcode) {
+  opcode = static_cast<Opcode>(fields.take<std::uint8_t>());
+  return true;
+}
+
+bool take(ByteReader& fields, std::string& text) {
+  text = fields.takeText();
+  return true;
+}
+
+/// Of equal keys the first one counts.
+bool take(ByteReader& fields, std::map<std::string, std::string>& map) {
   ByteReader entries(fields.take(fields.take<std::uint32_t>()));
   while (entries.good() && !entries.rest().empty()) {
     const std::string_view key = entries.takeText();
@@ -21,20 +46,34 @@ bool takeMap(ByteReader& fields, std::map<std::string, std::string>& map) {
   return entries.good();
 }
 
-template <typename Take>
-bool takeNumbers(ByteReader& fields, Take take) {
+/// Pairs of a channel and a number.
+template <typename Add>
+bool takeNumbers(ByteReader& fields, Add add) {
   ByteReader entries(fields.take(fields.take<std::uint32_t>()));
   while (entries.good() && !entries.rest().empty()) {
     const auto key = entries.take<std::uint16_t>();
     const auto value = entries.take<std::uint64_t>();
-    if (entries.good()) take(key, value);
+    if (entries.good()) add(key, value);
   }
   return entries.good();
 }
 
+bool take(ByteReader& fields, std::vector<std::pair<std::uint16_t, std::uint64_t>>& offsets) {
+  return takeNumbers(fields,
+                     [&](std::uint16_t key, std::uint64_t value) { offsets.emplace_back(key, value); });
+}
+
+bool take(ByteReader& fields, std::map<std::uint16_t, std::uint64_t>& counts) {
+  return takeNumbers(fields, [&](std::uint16_t key, std::uint64_t value) { counts[key] = value; });
+}
+
 template <typename Record>
-std::optional<Record> ifGood(const ByteReader& fields, Record record) {
-  if (!fields.good()) return std::nullopt;
+std::optional<Record> decodeFields(Bytes content) {
+  ByteReader fields(content);
+  Record record;
+  const bool whole =
+      std::apply([&](auto&... field) { return (take(fields, field) && ...); }, fieldsOf(record));
+  if (!whole || !fields.good()) return std::nullopt;
   return record;
 }
 
@@ -50,42 +89,20 @@ std::optional<RecordView> firstRecord(Bytes bytes) {
 }
 
 std::optional<Header> decodeHeader(Bytes content) {
-  ByteReader fields(content);
-  Header header;
-  header.profile = fields.takeText();
-  header.library = fields.takeText();
-  return ifGood(fields, std::move(header));
+  return decodeFields<Header>(content);
 }
 
 std::optional<Footer> decodeFooter(Bytes content) {
-  ByteReader fields(content);
-  Footer footer;
-  footer.summaryStart = fields.take<std::uint64_t>();
-  footer.summaryOffsetStart = fields.take<std::uint64_t>();
-  footer.summaryCrc = fields.take<std::uint32_t>();
-  return ifGood(fields, footer);
+  return decodeFields<Footer>(content);
 }
 
 std::optional<Schema> decodeSchema(Bytes content) {
-  ByteReader fields(content);
-  Schema schema;
-  schema.id = fields.take<std::uint16_t>();
-  schema.name = fields.takeText();
-  schema.encoding = fields.takeText();
-  schema.data = fields.takeText();
-  if (schema.id == 0) return std::nullopt;
-  return ifGood(fields, std::move(schema));
+  std::optional<Schema> schema = decodeFields<Schema>(content);
+  return schema && schema->id != 0 ? std::move(schema) : std::nullopt;
 }
 
 std::optional<Channel> decodeChannel(Bytes content) {
-  ByteReader fields(content);
-  Channel channel;
-  channel.id = fields.take<std::uint16_t>();
-  channel.schemaId = fields.take<std::uint16_t>();
-  channel.topic = fields.takeText();
-  channel.messageEncoding = fields.takeText();
-  if (!takeMap(fields, channel.metadata)) return std::nullopt;
-  return ifGood(fields, std::move(channel));
+  return decodeFields<Channel>(content);
 }
 
 std::optional<Message> decodeMessage(Bytes content) {
@@ -101,15 +118,7 @@ std::optional<Message> decodeMessage(Bytes content) {
 }
 
 std::optional<ChunkHead> decodeChunkHead(Bytes content) {
-  ByteReader fields(content);
-  ChunkHead head;
-  head.start = takeInstant(fields);
-  head.end = takeInstant(fields);
-  head.uncompressedBytes = fields.take<std::uint64_t>();
-  head.uncompressedCrc = fields.take<std::uint32_t>();
-  head.compression = fields.takeText();
-  head.recordsBytes = fields.take<std::uint64_t>();
-  return ifGood(fields, std::move(head));
+  return decodeFields<ChunkHead>(content);
 }
 
 std::optional<MessageIndex> decodeMessageIndex(Bytes content) {
@@ -129,21 +138,7 @@ std::optional<MessageIndex> decodeMessageIndex(Bytes content) {
 }
 
 std::optional<ChunkIndex> decodeChunkIndex(Bytes content) {
-  ByteReader fields(content);
-  ChunkIndex index;
-  index.start = takeInstant(fields);
-  index.end = takeInstant(fields);
-  index.chunkOffset = fields.take<std::uint64_t>();
-  index.chunkLength = fields.take<std::uint64_t>();
-  const bool offsetsGood = takeNumbers(fields, [&](std::uint16_t channel, std::uint64_t offset) {
-    index.messageIndexOffsets.emplace_back(channel, offset);
-  });
-  if (!offsetsGood) return std::nullopt;
-  index.messageIndexLength = fields.take<std::uint64_t>();
-  index.compression = fields.takeText();
-  index.compressedBytes = fields.take<std::uint64_t>();
-  index.uncompressedBytes = fields.take<std::uint64_t>();
-  return ifGood(fields, std::move(index));
+  return decodeFields<ChunkIndex>(content);
 }
 
 std::optional<CheckedAttachment> decodeAttachment(Bytes content) {
@@ -156,70 +151,33 @@ std::optional<CheckedAttachment> decodeAttachment(Bytes content) {
   result.attachment.data = textOf(fields.take(fields.take<std::uint64_t>()));
   const std::size_t checked = content.size() - fields.rest().size();
   const auto crc = fields.take<std::uint32_t>();
-  if (fields.good()) result.crcFits = crc == 0 || crc == crc32(content.first(checked));
-  return ifGood(fields, std::move(result));
+  if (!fields.good()) return std::nullopt;
+  result.crcFits = crc == 0 || crc == crc32(content.first(checked));
+  return result;
 }
 
 std::optional<AttachmentIndex> decodeAttachmentIndex(Bytes content) {
-  ByteReader fields(content);
-  AttachmentIndex index;
-  index.offset = fields.take<std::uint64_t>();
-  index.length = fields.take<std::uint64_t>();
-  index.logTime = takeInstant(fields);
-  index.createTime = takeInstant(fields);
-  index.dataBytes = fields.take<std::uint64_t>();
-  index.name = fields.takeText();
-  index.mediaType = fields.takeText();
-  return ifGood(fields, std::move(index));
+  return decodeFields<AttachmentIndex>(content);
 }
 
 std::optional<Statistics> decodeStatistics(Bytes content) {
-  ByteReader fields(content);
-  Statistics statistics;
-  statistics.messageCount = fields.take<std::uint64_t>();
-  statistics.schemaCount = fields.take<std::uint16_t>();
-  statistics.channelCount = fields.take<std::uint32_t>();
-  statistics.attachmentCount = fields.take<std::uint32_t>();
-  statistics.metadataCount = fields.take<std::uint32_t>();
-  statistics.chunkCount = fields.take<std::uint32_t>();
-  statistics.messageStart = takeInstant(fields);
-  statistics.messageEnd = takeInstant(fields);
-  const bool countsGood = takeNumbers(fields, [&](std::uint16_t channel, std::uint64_t count) {
-    statistics.channelMessageCounts[channel] = count;
-  });
-  if (!countsGood) return std::nullopt;
-  return ifGood(fields, std::move(statistics));
+  return decodeFields<Statistics>(content);
 }
 
 std::optional<Metadata> decodeMetadata(Bytes content) {
-  ByteReader fields(content);
-  Metadata metadata;
-  metadata.name = fields.takeText();
-  if (!takeMap(fields, metadata.values)) return std::nullopt;
-  return ifGood(fields, std::move(metadata));
+  return decodeFields<Metadata>(content);
 }
 
 std::optional<MetadataIndex> decodeMetadataIndex(Bytes content) {
-  ByteReader fields(content);
-  MetadataIndex index;
-  index.offset = fields.take<std::uint64_t>();
-  index.length = fields.take<std::uint64_t>();
-  index.name = fields.takeText();
-  return ifGood(fields, std::move(index));
+  return decodeFields<MetadataIndex>(content);
 }
 
 std::optional<SummaryOffset> decodeSummaryOffset(Bytes content) {
-  ByteReader fields(content);
-  SummaryOffset offset;
-  offset.group = static_cast<Opcode>(fields.take<std::uint8_t>());
-  offset.start = fields.take<std::uint64_t>();
-  offset.length = fields.take<std::uint64_t>();
-  return ifGood(fields, offset);
+  return decodeFields<SummaryOffset>(content);
 }
 
 std::optional<DataEnd> decodeDataEnd(Bytes content) {
-  ByteReader fields(content);
-  return ifGood(fields, DataEnd{fields.take<std::uint32_t>()});
+  return decodeFields<DataEnd>(content);
 }
 
 }  // namespace logplayer::mcap

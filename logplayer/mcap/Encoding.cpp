@@ -3,6 +3,7 @@
 
 #include "logplayer/mcap/Crc.h"
 #include "logplayer/mcap/RecordBytes.h"
+#include "logplayer/mcap/RecordFields.h"
 
 namespace logplayer::mcap {
 namespace {
@@ -27,18 +28,33 @@ void put(ByteWriter& fields, Instant instant) {
   fields.put(nanosecondsOf(instant));
 }
 
+void put(ByteWriter& fields, Opcode opcode) {
+  fields.put(static_cast<std::uint8_t>(opcode));
+}
+
+void put(ByteWriter& fields, const std::string& text) {
+  fields.put(std::string_view(text));
+}
+
+template <std::unsigned_integral Number>
+void put(ByteWriter& fields, Number number) {
+  fields.put(number);
+}
+
 void put(ByteWriter& fields, const std::map<std::string, std::string>& map) {
   std::size_t bytes = 0;
   for (const auto& [key, value] : map) bytes += 8 + key.size() + value.size();
   fields.put(static_cast<std::uint32_t>(bytes));
   for (const auto& [key, value] : map) {
-    fields.put(std::string_view(key));
-    fields.put(std::string_view(value));
+    put(fields, key);
+    put(fields, value);
   }
 }
 
+/// Pairs of a channel and a number.
 template <typename Pairs>
-void putNumbers(ByteWriter& fields, const Pairs& pairs) {
+requires std::same_as<typename Pairs::value_type::second_type, std::uint64_t>
+void put(ByteWriter& fields, const Pairs& pairs) {
   fields.put(static_cast<std::uint32_t>(pairs.size() * 10));
   for (const auto& [key, value] : pairs) {
     fields.put(key);
@@ -46,40 +62,30 @@ void putNumbers(ByteWriter& fields, const Pairs& pairs) {
   }
 }
 
+template <typename Record>
+void encodeFields(Buffer& out, Opcode opcode, const Record& record, Bytes padding = {},
+                  std::uint64_t bytesToCome = 0) {
+  OpenRecord open(out, opcode);
+  std::apply([&](const auto&... field) { (put(open.fields, field), ...); }, fieldsOf(record));
+  open.close(padding, bytesToCome);
+}
+
 }  // namespace
 
 void encode(Buffer& out, const Header& header, Bytes padding) {
-  OpenRecord record(out, Opcode::kHeader);
-  record.fields.put(std::string_view(header.profile));
-  record.fields.put(std::string_view(header.library));
-  record.close(padding);
+  encodeFields(out, Opcode::kHeader, header, padding);
 }
 
 void encode(Buffer& out, const Footer& footer) {
-  OpenRecord record(out, Opcode::kFooter);
-  record.fields.put(footer.summaryStart);
-  record.fields.put(footer.summaryOffsetStart);
-  record.fields.put(footer.summaryCrc);
-  record.close({});
+  encodeFields(out, Opcode::kFooter, footer);
 }
 
 void encode(Buffer& out, const Schema& schema, Bytes padding) {
-  OpenRecord record(out, Opcode::kSchema);
-  record.fields.put(schema.id);
-  record.fields.put(std::string_view(schema.name));
-  record.fields.put(std::string_view(schema.encoding));
-  record.fields.put(std::string_view(schema.data));
-  record.close(padding);
+  encodeFields(out, Opcode::kSchema, schema, padding);
 }
 
 void encode(Buffer& out, const Channel& channel, Bytes padding) {
-  OpenRecord record(out, Opcode::kChannel);
-  record.fields.put(channel.id);
-  record.fields.put(channel.schemaId);
-  record.fields.put(std::string_view(channel.topic));
-  record.fields.put(std::string_view(channel.messageEncoding));
-  put(record.fields, channel.metadata);
-  record.close(padding);
+  encodeFields(out, Opcode::kChannel, channel, padding);
 }
 
 void encode(Buffer& out, const Message& message) {
@@ -95,14 +101,7 @@ void encode(Buffer& out, const Message& message) {
 }
 
 void encode(Buffer& out, const ChunkHead& head) {
-  OpenRecord record(out, Opcode::kChunk);
-  put(record.fields, head.start);
-  put(record.fields, head.end);
-  record.fields.put(head.uncompressedBytes);
-  record.fields.put(head.uncompressedCrc);
-  record.fields.put(std::string_view(head.compression));
-  record.fields.put(head.recordsBytes);
-  record.close({}, head.recordsBytes);
+  encodeFields(out, Opcode::kChunk, head, {}, head.recordsBytes);
 }
 
 void encode(Buffer& out, const MessageIndex& index, Bytes padding) {
@@ -121,17 +120,7 @@ void encode(Buffer& out, const MessageIndex& index, Bytes padding) {
 }
 
 void encode(Buffer& out, const ChunkIndex& index, Bytes padding) {
-  OpenRecord record(out, Opcode::kChunkIndex);
-  put(record.fields, index.start);
-  put(record.fields, index.end);
-  record.fields.put(index.chunkOffset);
-  record.fields.put(index.chunkLength);
-  putNumbers(record.fields, index.messageIndexOffsets);
-  record.fields.put(index.messageIndexLength);
-  record.fields.put(std::string_view(index.compression));
-  record.fields.put(index.compressedBytes);
-  record.fields.put(index.uncompressedBytes);
-  record.close(padding);
+  encodeFields(out, Opcode::kChunkIndex, index, padding);
 }
 
 void encode(Buffer& out, const Attachment& attachment, bool crc, Bytes padding) {
@@ -148,58 +137,27 @@ void encode(Buffer& out, const Attachment& attachment, bool crc, Bytes padding) 
 }
 
 void encode(Buffer& out, const AttachmentIndex& index, Bytes padding) {
-  OpenRecord record(out, Opcode::kAttachmentIndex);
-  record.fields.put(index.offset);
-  record.fields.put(index.length);
-  put(record.fields, index.logTime);
-  put(record.fields, index.createTime);
-  record.fields.put(index.dataBytes);
-  record.fields.put(std::string_view(index.name));
-  record.fields.put(std::string_view(index.mediaType));
-  record.close(padding);
+  encodeFields(out, Opcode::kAttachmentIndex, index, padding);
 }
 
 void encode(Buffer& out, const Statistics& statistics, Bytes padding) {
-  OpenRecord record(out, Opcode::kStatistics);
-  record.fields.put(statistics.messageCount);
-  record.fields.put(statistics.schemaCount);
-  record.fields.put(statistics.channelCount);
-  record.fields.put(statistics.attachmentCount);
-  record.fields.put(statistics.metadataCount);
-  record.fields.put(statistics.chunkCount);
-  put(record.fields, statistics.messageStart);
-  put(record.fields, statistics.messageEnd);
-  putNumbers(record.fields, statistics.channelMessageCounts);
-  record.close(padding);
+  encodeFields(out, Opcode::kStatistics, statistics, padding);
 }
 
 void encode(Buffer& out, const Metadata& metadata, Bytes padding) {
-  OpenRecord record(out, Opcode::kMetadata);
-  record.fields.put(std::string_view(metadata.name));
-  put(record.fields, metadata.values);
-  record.close(padding);
+  encodeFields(out, Opcode::kMetadata, metadata, padding);
 }
 
 void encode(Buffer& out, const MetadataIndex& index, Bytes padding) {
-  OpenRecord record(out, Opcode::kMetadataIndex);
-  record.fields.put(index.offset);
-  record.fields.put(index.length);
-  record.fields.put(std::string_view(index.name));
-  record.close(padding);
+  encodeFields(out, Opcode::kMetadataIndex, index, padding);
 }
 
 void encode(Buffer& out, const SummaryOffset& offset, Bytes padding) {
-  OpenRecord record(out, Opcode::kSummaryOffset);
-  record.fields.put(static_cast<std::uint8_t>(offset.group));
-  record.fields.put(offset.start);
-  record.fields.put(offset.length);
-  record.close(padding);
+  encodeFields(out, Opcode::kSummaryOffset, offset, padding);
 }
 
 void encode(Buffer& out, const DataEnd& end) {
-  OpenRecord record(out, Opcode::kDataEnd);
-  record.fields.put(end.dataCrc);
-  record.close({});
+  encodeFields(out, Opcode::kDataEnd, end);
 }
 
 std::string_view compressionName(Compression compression) {
