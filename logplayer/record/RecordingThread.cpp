@@ -49,15 +49,16 @@ void RecordingThread::push(RecordedFramePtr frame) {
 }
 
 void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
+  DroppedMessages dropped;
   {
     const std::lock_guard lock(mutex_);
     progress_ = {};
     progress_.path = file->path();
-    droppedBefore_ = queue_.dropped();
+    dropped = droppedBefore_ = queue_.dropped();
   }
-  pushJob([this, file = std::move(file), before = std::move(before)]() mutable {
+  pushJob([this, file = std::move(file), before = std::move(before), dropped]() mutable {
     requested_ = file->path();
-    begin(std::move(file), std::move(before));
+    begin(std::move(file), std::move(before), dropped);
   });
 }
 
@@ -68,13 +69,17 @@ void RecordingThread::openNext(const RecordingFile::Options& how, Held before) {
     end();
     auto made = RecordingFile::create(nextRecordingPath(requested_), how);
     if (!made) return fail(made.error());
+    DroppedMessages dropped;
     {
       const std::lock_guard lock(mutex_);
-      progress_ = {};
-      progress_.path = (*made)->path();
-      droppedBefore_ = queue_.dropped();
+      dropped = queue_.dropped();
+      if (isNewest()) {
+        progress_ = {};
+        progress_.path = (*made)->path();
+        droppedBefore_ = dropped;
+      }
     }
-    begin(std::move(*made), std::move(before));
+    begin(std::move(*made), std::move(before), dropped);
   });
 }
 
@@ -104,8 +109,10 @@ void RecordingThread::run() {
     tick();
     lock.lock();
     busy_ = false;
-    if (file_) progress_.messages = file_->messages();
-    if (file_) progress_.bytes = file_->bytes();
+    if (file_ && isNewest()) {
+      progress_.messages = file_->messages();
+      progress_.bytes = file_->bytes();
+    }
     if (queue_.bytes() <= options_.queueBytes / 2) done_.notify_all();
   }
 }
@@ -122,9 +129,11 @@ std::vector<FrameQueue::Entry> RecordingThread::takeSome() {
   return entries;
 }
 
-void RecordingThread::begin(std::shared_ptr<RecordingFile> file, Held before) {
+void RecordingThread::begin(std::shared_ptr<RecordingFile> file, Held before,
+                            const DroppedMessages& droppedSoFar) {
   path_ = file->path();
   file_ = std::move(file);
+  droppedBeforeFile_ = droppedSoFar;
   file_->beginWith(std::move(before));
 }
 
@@ -139,7 +148,7 @@ void RecordingThread::end() {
   DroppedMessages dropped;
   {
     const std::lock_guard lock(mutex_);
-    dropped = queue_.dropped() - droppedBefore_;
+    dropped = queue_.dropped() - droppedBeforeFile_;
   }
   warnOfDropped();
   if (const auto closed = file->close(dropped); !closed) return fail(closed.error());
@@ -154,7 +163,7 @@ void RecordingThread::fail(const robotlink::Error& error) {
   bool newest = false;
   {
     const std::lock_guard lock(mutex_);
-    newest = progress_.path == path_;
+    newest = isNewest();
   }
   if (options_.failed) options_.failed(error, newest);
 }

@@ -78,8 +78,11 @@ class RecordingThread {
   /// Removes a batch of entries from the queue; requires the mutex to be locked.
   std::vector<FrameQueue::Entry> takeSome();
   void write(const RecordedFrame& frame);
-  void begin(std::shared_ptr<RecordingFile> file, Held before);
+  /// `droppedSoFar`: the total before this file was opened.
+  void begin(std::shared_ptr<RecordingFile> file, Held before, const DroppedMessages& droppedSoFar);
   void end();
+  /// Whether no other file was opened after the one that is written; requires the mutex to be locked.
+  bool isNewest() const { return progress_.path == path_; }
   /// Flushes old chunks and warns about dropped messages, each at its interval.
   void tick();
   /// Discards the file and reports the error.
@@ -105,6 +108,8 @@ class RecordingThread {
 
   // The members from here on are used by the worker thread only.
   std::shared_ptr<RecordingFile> file_;
+  /// The total before file_ was opened; a newer file may be waiting already.
+  DroppedMessages droppedBeforeFile_;
   /// Path of the newest file.
   std::filesystem::path path_;
   /// Path of the file that was opened; continuations are named after it.
