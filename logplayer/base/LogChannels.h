@@ -37,8 +37,12 @@ class LogChannels {
   bool hidden(const mcap::MessagePosition& position) const {
     return position.time > states_.at(position.channelId).completeUntil;
   }
-  /// The time up to which a channel can be shown; Instant::max() if it is complete.
-  mcap::Instant completeUntil(std::uint16_t channel) const { return states_.at(channel).completeUntil; }
+  /// The time up to which a channel can be shown; Instant::max() if it is complete, Instant::min() if the
+  /// reader found it later, when a summary turned out not to fit its file.
+  mcap::Instant completeUntil(std::uint16_t channel) const {
+    const auto found = states_.find(channel);
+    return found == states_.end() ? mcap::Instant::min() : found->second.completeUntil;
+  }
   /// Whether some messages of a channel may be hidden.
   bool cutShort(std::uint16_t channel) const { return completeUntil(channel) != mcap::Instant::max(); }
 

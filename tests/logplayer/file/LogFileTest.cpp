@@ -112,6 +112,47 @@ TEST(LogFile, aFileThatIsCutShortWhileItIsOpenSaysSo) {
       << log->damageText();
 }
 
+TEST(LogFile, aStreamThatIsFoundOnlyWhileBytesAreCountedIsLeftOut) {
+  const LogFixture fixture;
+  const auto writeChunks = [&](const std::string& name, const std::vector<std::string>& paths,
+                               std::size_t bytes) {
+    const auto writer = fixture.write(name);
+    double time = 0;
+    for (const std::string& path : paths) {
+      auto value = std::make_shared<robotcontrol::PlotValue>();
+      value->set_unit(std::string(bytes, 'x'));
+      ASSERT_TRUE(writer->write({StreamMessage{path, at(time += 1), value}}));
+      ASSERT_TRUE(writer->container().flush());
+    }
+  };
+  const auto chunksOf = [](const std::filesystem::path& file) {
+    return (*mcap::Reader::open(file, {}))->chunks();
+  };
+  writeChunks("log.mcap", std::vector<std::string>(100, "red1/plots/a"), 50'000);
+  writeChunks("other.mcap", {"red1/plots/a", "red1/plots/b"}, 10);
+  // A chunk of another file takes the place of one that is not looked at when the file is opened.
+  const auto chunks = chunksOf(fixture.path()), others = chunksOf(fixture.path("other.mcap"));
+  std::string foreign(others[1].length, '\0');
+  std::ifstream from(fixture.path("other.mcap"), std::ios::binary);
+  from.seekg(static_cast<std::streamoff>(others[1].offset));
+  from.read(foreign.data(), static_cast<std::streamsize>(foreign.size()));
+  const std::size_t place = chunks[99].offset - chunks[98].offset;
+  std::string filler{static_cast<char>(0x80)};
+  for (std::size_t i = 0, length = place - foreign.size() - 9; i < 8; ++i, length >>= 8U)
+    filler += static_cast<char>(length & 0xFFU);
+  std::fstream file(fixture.path(), std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(chunks[98].offset));
+  file << foreign << filler << std::flush;
+
+  const auto log = opened(fixture.path());
+  ASSERT_TRUE(log);
+  ASSERT_EQ(log->streams().size(), 1U);
+  const auto counted = log->countBytes({});
+  ASSERT_EQ(counted.size(), 1U);
+  EXPECT_GT(counted[0].bytes, 99U * 50'000U);
+  EXPECT_NE(log->damageText().find("summary does not fit"), std::string::npos) << log->damageText();
+}
+
 TEST(LogFile, aCursorGoesInTheOrderOfTimeFromAnywhere) {
   const LogFixture fixture;
   {
