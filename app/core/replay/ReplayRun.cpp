@@ -103,7 +103,9 @@ Errors ReplayRun::open() {
     if (Errors errors = addRobots(source); !errors.empty()) return errors;
     source.reader.seek((*file)->begin());
     source.reader.onBrokenImage([this, &source](const StreamMessage& message, const std::string& why) {
-      note(source, robotOf(message.path), message.time, foxglove::Log::ERROR,
+      const auto robot = source.byLogName.find(robotOf(message.path));
+      note(source, robot == source.byLogName.end() ? robotOf(message.path) : robot->second->name(),
+           message.time, foxglove::Log::ERROR,
            "an image on " + message.path + " could not be decoded: " + why);
     });
   }

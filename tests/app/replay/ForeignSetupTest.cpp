@@ -27,6 +27,16 @@ class ForeignSetup : public ::testing::Test {
         (*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
     return file;
   }
+  /// One image that cannot be decoded.
+  std::filesystem::path writeBrokenImage(const std::string& name) {
+    auto image = std::make_shared<foxglove::CompressedImage>();
+    image->set_format("jpeg");
+    image->set_data("no image");
+    const auto file = folder_ / name;
+    auto writer = logplayer::LogWriter::create(file, {});
+    EXPECT_TRUE((*writer)->write({{"red1/camera/image", at(1), image, "platform"}}));
+    return file;
+  }
   static std::string replayTexts(const Replay& replay) {
     std::string texts;
     for (const auto& message : replay.reported) {
@@ -39,6 +49,22 @@ class ForeignSetup : public ::testing::Test {
  private:
   const TestFolder folder_;
 };
+
+TEST_F(ForeignSetup, anImageThatCannotBeDecodedIsReportedForItsOwnRobot) {
+  Replay replay(replayOf({{write("version: 9\nname: later\n")}, {writeBrokenImage("broken.mcap")}}));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  ASSERT_EQ(replay.run->robots(), (std::vector<std::string>{"red1", "red1-2"}));
+  replay.playToEnd();
+  ASSERT_TRUE(replay.run->jump(replay.run->end()).empty());
+  std::string paths;
+  for (const auto& message : replay.reported) {
+    const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+    if (text != nullptr && text->message().find("could not be decoded") != std::string::npos)
+      paths += message.path + " ";
+  }
+  EXPECT_THAT(paths, testing::StartsWith("red1-2/log "));
+  EXPECT_THAT(paths, testing::Not(HasSubstr("red1/log")));
+}
 
 TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {
   Replay replay(write("version: 9\nname: later\n"));
