@@ -49,6 +49,15 @@ TEST(LinkMeterTest, silenceIsAGapUntilTheConnectionBeginsAnew) {
   EXPECT_EQ(statusOf(meter, Instant(milliseconds(2000))).longest_gap(), 0);
 }
 
+TEST(LinkMeterTest, aFloodOfCyclesIsNotRememberedForEver) {
+  LinkMeter meter;
+  meter.cycle({});
+  meter.cycle(Instant(milliseconds(500)));
+  EXPECT_NEAR(statusOf(meter, Instant(milliseconds(500))).longest_gap(), 0.5, 1e-9);
+  for (int i = 0; i < 20000; ++i) meter.cycle(Instant(milliseconds(500)));
+  EXPECT_EQ(statusOf(meter, Instant(milliseconds(500))).longest_gap(), 0);
+}
+
 TEST(LinkMeterTest, packetsAreKeptOnlyWhileSomebodyWantsThemAndNeverTooMany) {
   LinkMeter meter;
   meter.packet(true, kPacket, kBytes, {});

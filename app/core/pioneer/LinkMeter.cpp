@@ -52,6 +52,7 @@ void LinkMeter::keep(bool fromRobot, bool damaged, std::span<const std::uint8_t>
 }
 
 void LinkMeter::cycle(robotlink::Instant now) {
+  if (gaps_.size() >= kMaxSamples) gaps_.pop_front();
   if (lastCycle_) gaps_.push_back({now, now - *lastCycle_});
   lastCycle_ = now;
   forgetOld(now);
