@@ -73,6 +73,12 @@ Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   return std::min(status.end(), status.begin() + robotlink::fromSeconds(seconds).count());
 }
 
+/// Converts seconds that are to be added to a log's times. Fails for so many that no clocks differ by them.
+Result<robotlink::Duration> offsetOf(double seconds) {
+  if (std::abs(seconds) <= robotlink::kMaxLogOffset) return robotlink::fromSeconds(seconds);
+  return failure("log.offset", "the offset must be a number of seconds, and at most 100 years");
+}
+
 /// Returns the path of an open log by the name of its file; otherwise the argument as it is.
 std::string logNamed(const std::string& name, const ReplayStatus& status) {
   for (const auto& log : status.logs()) {
@@ -88,7 +94,9 @@ void addOpening(CommandTable& commands, const Logs& logs) {
                  {"offset", Type::kNumber,
                   "seconds to add to its times; 0: it starts with the first log unless their times overlap"}},
                 [logs](const Values& values) -> Result<void> {
-                  logs.open().addLog(text(values, 0), robotlink::fromSeconds(number(values, 1)));
+                  const auto offset = offsetOf(number(values, 1));
+                  if (!offset) return tl::unexpected(offset.error());
+                  logs.open().addLog(text(values, 0), *offset);
                   return {};
                 }});
   commands.add({"log.cancel",
@@ -110,9 +118,11 @@ void addOpening(CommandTable& commands, const Logs& logs) {
        [logs](const Values& values) -> Result<void> {
          const auto status = logs.status();
          if (!status) return tl::unexpected(status.error());
+         const auto offset = offsetOf(number(values, 1));
+         if (!offset) return tl::unexpected(offset.error());
          ControlReplay control;
          control.add_offsets()->set_log(logNamed(text(values, 0), **status));
-         control.mutable_offsets(0)->set_offset(robotlink::fromSeconds(number(values, 1)).count());
+         control.mutable_offsets(0)->set_offset(offset->count());
          return logs.control(control);
        }});
 }

@@ -67,8 +67,12 @@ std::string wrongSimulationSpeed(const Request& request) {
   return speed < 0 ? "" : wrongSpeed(speed, kSimulationSpeeds);
 }
 
-std::string wrongReplaySpeed(const Request& request) {
+std::string wrongReplay(const Request& request) {
   const auto& control = request.control_replay();
+  for (const auto& offset : control.offsets()) {
+    if (!(std::abs(static_cast<double>(offset.offset())) <= 1e9 * kMaxLogOffset))
+      return "a log cannot be shifted by more than 100 years";
+  }
   return control.has_speed() ? wrongSpeed(control.speed(), kReplaySpeeds) : "";
 }
 
@@ -195,10 +199,7 @@ constexpr std::array<RequestKind, 16> kKinds{{
      .words = "set lighting",
      .subject = theOnlyOne},
     {.what = Request::kControlRecording, .doer = Doer::kRecording, .words = "control recording"},
-    {.what = Request::kControlReplay,
-     .doer = Doer::kReplay,
-     .words = "control replay",
-     .wrong = wrongReplaySpeed},
+    {.what = Request::kControlReplay, .doer = Doer::kReplay, .words = "control replay", .wrong = wrongReplay},
 }};
 
 }  // namespace

@@ -99,6 +99,10 @@ inline constexpr SpeedRange kReplaySpeeds{0.05, 50}, kSimulationSpeeds{0, 100};
 /// it is.
 std::string wrongSpeed(double speed, const SpeedRange& range);
 
+/// The largest offset of a log on the timeline, s: 100 years. Clocks that begin in 1970 and in a simulation
+/// differ by less, and sums of times stay within their range.
+inline constexpr double kMaxLogOffset = 100 * 365.25 * 24 * 3600;
+
 /// Ids with this bit are those of requests that repeat what a person chose, for a program that takes the
 /// place of another one. Sessions count from 1.
 inline constexpr std::uint64_t kRepeatedIds = std::uint64_t{1} << 63U;

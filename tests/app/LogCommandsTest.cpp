@@ -58,6 +58,13 @@ TEST_F(LogCommandsTest, playingIsAskedFor) {
   EXPECT_EQ(run("log.skip-gaps off"), "skip_gaps: false");
 }
 
+TEST_F(LogCommandsTest, aLogIsNotShiftedOutOfTheRangeOfTimes) {
+  openLog();
+  EXPECT_THAT(run("log.offset a.mcap 1.5"), HasSubstr("offset: 1500000000"));
+  EXPECT_THAT(run("log.offset a.mcap -1e300"), HasSubstr("at most 100 years"));
+  EXPECT_THAT(run("log.add b.mcap 1e10"), HasSubstr("at most 100 years"));
+}
+
 TEST_F(LogCommandsTest, stepsGoForwardsAndBackwards) {
   EXPECT_EQ(run("log.step 1"), "action: STEP_FRAME count: 1");
   EXPECT_EQ(run("log.step -5"), "action: STEP_FRAME count: -5");
