@@ -292,6 +292,18 @@ TEST(ArcosDriving, aClientThatGoesStopsItsRobotAndLeavesTheOthers) {
   EXPECT_NEAR(place(), x, 1e-3);
 }
 
+TEST(ArcosDriving, aSlowSimulationStopsWhileItWaitsForItsNextStep) {
+  ArcosSimulation::Options options;
+  options.scene = kRoom;
+  options.speed = 0.004;  // two seconds a step
+  options.ports.firstPort = 0;
+  auto simulation = ArcosSimulation::create(options, [](const std::string&) {});
+  ASSERT_TRUE(simulation) << describe(simulation.error());
+  int asked = 0;
+  (*simulation)->run(Instant::max(), [&asked] { return ++asked == 4; });
+  EXPECT_EQ((*simulation)->world().clock().now(), Instant(SimulatedWorld::kStep));
+}
+
 TEST(ArcosDriving, theWorldsResetKeepsTheClientConnected) {
   ArcosBench bench;
   WireClient& client = bench.connect();

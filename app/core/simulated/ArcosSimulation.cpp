@@ -8,6 +8,9 @@ namespace app {
 
 using Clock = std::chrono::steady_clock;
 
+/// A slow simulation asks at least this often whether it shall stop.
+constexpr std::chrono::milliseconds kAskEvery{100};
+
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
     Options options, ArcosPorts::Log logger) {
   auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}));
@@ -28,17 +31,32 @@ tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulatio
   return simulation;
 }
 
+bool ArcosSimulation::serveUntilDue(const std::function<bool()>& stop) {
+  const auto due = pace_.due(world_->clock().now());
+  for (auto now = Clock::now(); now + kAskEvery < due; now = Clock::now()) {
+    ports_->serve(now + kAskEvery);
+    if (stop && stop()) return false;
+  }
+  ports_->serve(due);
+  return true;
+}
+
 void ArcosSimulation::step() {
+  (void)stepUnless({});
+}
+
+bool ArcosSimulation::stepUnless(const std::function<bool()>& stop) {
   const auto time = world_->clock().now();
   if (!std::exchange(paced_, true)) pace_.restart(Clock::now(), time);
   if (options_.speed > 0) {
-    ports_->serve(pace_.due(time));
+    if (!serveUntilDue(stop)) return false;
     keepTime(Clock::now(), time);
   } else {
     ports_->serve(Clock::now());
   }
   world_->advance();
   ports_->deliver();
+  return true;
 }
 
 void ArcosSimulation::keepTime(Clock::time_point now, robotlink::Instant time) {
@@ -49,7 +67,8 @@ void ArcosSimulation::keepTime(Clock::time_point now, robotlink::Instant time) {
 }
 
 void ArcosSimulation::run(robotlink::Instant end, const std::function<bool()>& stop) {
-  while (world_->clock().now() < end && !ports_->exitRequest() && !(stop && stop())) step();
+  while (world_->clock().now() < end && !ports_->exitRequest() && !(stop && stop()) && stepUnless(stop)) {
+  }
 }
 
 }  // namespace app

@@ -48,8 +48,8 @@ class ArcosSimulation {
 
   /// Waits until the next step is due, moving packets meanwhile, then makes it.
   void step();
-  /// Steps until an instant of the simulation, until `stop` returns true (it is called before each step), or
-  /// until a client ends the simulation.
+  /// Steps until an instant of the simulation, until `stop` returns true (it is called before each step, and
+  /// several times a second while that is waited for), or until a client ends the simulation.
   void run(robotlink::Instant end, const std::function<bool()>& stop = {});
 
   SimulatedWorld& world() { return *world_; }
@@ -61,6 +61,10 @@ class ArcosSimulation {
 
  private:
   explicit ArcosSimulation(Options options) : options_(std::move(options)) {}
+  /// Makes a step as step() does; returns false without it if `stop` returned true meanwhile.
+  bool stepUnless(const std::function<bool()>& stop);
+  /// Moves packets until the next step is due; returns false if `stop` returned true before.
+  bool serveUntilDue(const std::function<bool()>& stop);
   /// Measures how late a step is, and gives up the time that cannot be made up for.
   void keepTime(std::chrono::steady_clock::time_point now, robotlink::Instant time);
 

@@ -19,6 +19,7 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/ArcosOptions.h"
 #include "app/robotctl/run/CameraOptions.h"
@@ -32,6 +33,8 @@ namespace app {
 namespace {
 
 constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
+/// A slow simulation looks for signals this often while it waits.
+constexpr std::chrono::milliseconds kLookEvery{100};
 
 using nlohmann::json;
 
@@ -91,6 +94,15 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImage
   return listeners;
 }
 
+/// Waits until a step is due; false if a signal came before.
+bool waitUntilDue(Pace::RealTime due) {
+  for (auto now = std::chrono::steady_clock::now(); now < due; now = std::chrono::steady_clock::now()) {
+    std::this_thread::sleep_until(std::min(due, now + kLookEvery));
+    if (Interrupt::noted()) return false;
+  }
+  return true;
+}
+
 /// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
 /// recording: nothing is in a hurry here.
 bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
@@ -102,7 +114,7 @@ bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recor
   robotlink::Instant reported;
   while (clock.now() < end) {
     if (Interrupt::noted()) return false;
-    if (arguments.speed > 0) std::this_thread::sleep_until(pace.due(clock.now()));
+    if (arguments.speed > 0 && !waitUntilDue(pace.due(clock.now()))) return false;
     run.step();
     if (recorder != nullptr) recorder->waitForRoom();
     if (!arguments.progress || clock.now() - reported < kProgressEvery) continue;
@@ -153,7 +165,7 @@ int runOnce(const SimArguments& arguments) {
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";
   } else {
-    std::cout << (arguments.asJson ? figures.dump(2) + "\n" : figuresText(figures));
+    std::cout << (arguments.asJson ? jsonOutput(figures) : figuresText(figures));
   }
   return status;
 }
@@ -189,7 +201,7 @@ int runTrials(const SimArguments& arguments) {
   report["blackout"] = arguments.run.world.blackout;
   for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
   if (arguments.asJson) {
-    std::cout << report.dump(2) << "\n";
+    std::cout << jsonOutput(report);
   } else {
     std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
   }

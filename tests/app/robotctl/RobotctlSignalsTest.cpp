@@ -92,6 +92,18 @@ TEST_P(Signals, aSimulationThatIsRecordedClosesItsFile) {
   EXPECT_TRUE(isComplete(here_ / "out.mcap"));
 }
 
+TEST_P(Signals, aSlowSimulationThatIsRecordedClosesItsFile) {
+  // It waits for eight seconds before its second step.
+  const Watch watch(here_, IN_MODIFY);
+  Program program(here_, {"sim", kScene, "--speed", "0.001", "--json", "--record", "out.mcap"});
+  std::error_code none;
+  while (std::filesystem::file_size(here_ / "out.mcap", none) < 1000 || none) ASSERT_TRUE(watch.happens());
+  program.send(GetParam());
+  EXPECT_EQ(program.wait(), 128 + GetParam());
+  EXPECT_THAT(program.text(), HasSubstr("simulated_seconds"));
+  EXPECT_TRUE(isComplete(here_ / "out.mcap"));
+}
+
 TEST_P(Signals, aReplayThatIsRecordedClosesItsFile) {
   ASSERT_EQ(Program(here_, {"sim", kScene, "--seconds", "5", "--record", "../game.mcap"}).wait(), 0);
   const Watch watch(here_, IN_CREATE);
