@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/UnfinishedFile.h"
 
 namespace logplayer {
 namespace {
@@ -84,6 +85,7 @@ Result<void> append(const std::filesystem::path& log,
 
 Result<void> appendToLog(const std::filesystem::path& log,
                          const std::function<Result<void>(mcap::Writer&)>& write) {
+  const robotlink::ChangeInPlace change;
   const LogEnd end(log);
   auto result = append(log, write);
   if (!result) end.restore();

@@ -15,6 +15,7 @@ namespace {
 struct UnfinishedFiles {
   std::mutex mutex;  // protects `paths`
   std::multiset<std::filesystem::path> paths;
+  std::shared_mutex changes;  // shared by the changes in place
 
   /// Never destroyed: endProgram() may run while other statics are being destroyed.
   static UnfinishedFiles& all() {
@@ -40,9 +41,12 @@ UnfinishedFile::~UnfinishedFile() {
   files.paths.erase(files.paths.find(path_));
 }
 
+ChangeInPlace::ChangeInPlace() : lock_(UnfinishedFiles::all().changes) {}
+
 void endProgram(int status) {
   UnfinishedFiles& files = UnfinishedFiles::all();
-  // Never unlocked: no file may be begun while the program ends.
+  // Never unlocked: no file may be changed or begun while the program ends.
+  files.changes.lock();
   files.mutex.lock();
   std::error_code ignored;
   for (const auto& path : files.paths) std::filesystem::remove_all(path, ignored);

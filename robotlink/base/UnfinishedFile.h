@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <shared_mutex>
 
 namespace robotlink {
 
@@ -20,8 +21,19 @@ class UnfinishedFile {
   std::filesystem::path path_;
 };
 
-/// Removes all unfinished files and ends the program at once, without destructors. Any thread, but not a
-/// signal handler: it locks a mutex.
+/// While an object of this class exists, endProgram() waits: for short changes of a file that people already
+/// have, which would be damaged if the program ended in the middle. Any thread; objects in several threads do
+/// not wait for each other.
+class ChangeInPlace {
+ public:
+  ChangeInPlace();
+
+ private:
+  std::shared_lock<std::shared_mutex> lock_;
+};
+
+/// Waits for changes in place, removes all unfinished files and ends the program at once, without
+/// destructors. Any thread, but not a signal handler: it locks mutexes.
 [[noreturn]] void endProgram(int status);
 
 }  // namespace robotlink

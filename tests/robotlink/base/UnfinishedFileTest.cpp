@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <optional>
+#include <thread>
 
 #include "tests/TestFolder.h"
 
@@ -73,6 +75,23 @@ TEST(UnfinishedFile, twoOwnersOfAFileBothHaveToFinishIt) {
 
 TEST(UnfinishedFile, oneThatWasNeverMadeDoesNoHarm) {
   EXPECT_EQ(statusOf([] { static const UnfinishedFile file("/no/such/folder/file.txt"); }), 7);
+}
+
+TEST(UnfinishedFile, theEndOfTheProgramWaitsForAChangeInPlace) {
+  const TestFolder folder;
+  std::atomic<bool> begun{false};
+  std::thread change;
+  EXPECT_EQ(statusOf([&] {
+              change = std::thread([&] {
+                const ChangeInPlace whole;
+                begun = true;
+                for (int i = 0; i < 100; ++i) folder.write(std::to_string(i), "half");
+                folder.write("log.mcap", "whole");
+              });
+              while (!begun) std::this_thread::yield();
+            }),
+            7);
+  EXPECT_TRUE(std::filesystem::exists(folder / "log.mcap"));
 }
 
 }  // namespace
