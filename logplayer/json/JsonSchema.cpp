@@ -221,12 +221,15 @@ std::string JsonSchema::rowFor(const Kind& value, const std::string& hint) {
 }
 
 std::string JsonSchema::addField(DescriptorProto& to, const std::string& property, const Kind& kind) {
-  std::string name = identifier(property);
-  const auto taken = [&](const std::string& wanted) {
-    return std::any_of(to.field().begin(), to.field().end(),
-                       [&](const auto& field) { return field.name() == wanted; });
-  };
-  for (int number = 2; taken(name); ++number) name = identifier(property) + "_" + std::to_string(number);
+  const std::string wanted = identifier(property);
+  int& number = lastNumbers_[{to.name(), wanted}];
+  std::string name = wanted;
+  if (number > 0) name += "_" + std::to_string(++number);
+  while (!fieldNames_.insert({to.name(), name}).second) {
+    number = std::max(number + 1, 2);
+    name = wanted + "_" + std::to_string(number);
+  }
+  number = std::max(number, 1);
   FieldDescriptorProto& field = *to.add_field();
   field.set_name(name);
   field.set_number(to.field_size() < 19'000 ? to.field_size()

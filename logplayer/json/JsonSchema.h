@@ -53,8 +53,7 @@ class JsonSchema {
   /// Adds an empty message type with a unique name.
   google::protobuf::DescriptorProto& addMessage(const std::string& hint);
   /// Adds a field for a property and returns its name.
-  static std::string addField(google::protobuf::DescriptorProto& to, const std::string& property,
-                              const Kind& kind);
+  std::string addField(google::protobuf::DescriptorProto& to, const std::string& property, const Kind& kind);
   /// The full name of a message type of the file.
   std::string qualified(const std::string& message) const;
 
@@ -66,6 +65,10 @@ class JsonSchema {
   std::map<const nlohmann::json*, std::string> messages_;
   /// The names of all message types.
   std::set<std::string> names_;
+  /// The names of all fields, by (name of the message type, name).
+  std::set<std::pair<std::string, std::string>> fieldNames_;
+  /// The last number that was appended to a field's name so that it is unique, by the same; 1: none yet.
+  std::map<std::pair<std::string, std::string>, int> lastNumbers_;
   /// Limits against schemas that are huge or deeply nested.
   int fieldCount_ = 0;
   int depth_ = 0;

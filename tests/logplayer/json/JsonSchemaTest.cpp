@@ -109,6 +109,21 @@ TEST(JsonSchema, aHugeSchemaIsCutShort) {
   EXPECT_THAT(file.message_type(0).field(), SizeIs(4001)) << "with that for what does not fit";
 }
 
+TEST(JsonSchema, manyNamesThatProtobufCannotTellApartAreNumberedAtOnce) {
+  json properties = json::object();
+  for (int i = 0; i < 4000; ++i) {
+    std::string name;
+    for (int bit = 0; bit < 12; ++bit) name += (i >> bit & 1) != 0 ? '-' : '.';
+    properties[name] = {{"type", "integer"}};
+  }
+  const json root{{"properties", properties}};
+  const auto file = JsonSchema(root).describe("T", "");
+  ASSERT_THAT(file.message_type(0).field(), SizeIs(4001));
+  EXPECT_EQ(file.message_type(0).field(0).name(), "____________");
+  EXPECT_EQ(file.message_type(0).field(1).name(), "_____________2");
+  EXPECT_EQ(file.message_type(0).field(3999).name(), "_____________4000");
+}
+
 TEST(JsonSchema, ofAValueHasItsMembers) {
   EXPECT_EQ(JsonSchema::ofValue(json::parse(R"({"a": 1, "b": [true], "c": null, "d": [], "e": {"f": "x"}})")),
             json::parse(R"({"type": "object", "properties": {
