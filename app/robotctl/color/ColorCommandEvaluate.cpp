@@ -8,6 +8,7 @@
 
 #include "app/core/simulated/TrueClasses.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/scoring/Evaluation.h"
@@ -54,7 +55,7 @@ void printFigures(const Evaluation& evaluation, const ColorClasses& classes) {
                                       {"mean_recall", evaluation.meanRecall()},
                                       {"false_color", evaluation.falseColor(falseClasses(classes))},
                                       {"confusion", confusion}};
-  std::cout << result.dump(2) << "\n";
+  std::cout << jsonOutput(result);
 }
 
 void printFiguresAsText(const Evaluation& evaluation, const ColorClasses& classes) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/TableDifference.h"
 
@@ -58,7 +59,7 @@ int info(const TableArguments& arguments) {
   }
   const nlohmann::ordered_json result{
       {"file", arguments.table}, {"classes", table->classes.names()}, {"cells", cellCounts(*table)}};
-  std::cout << result.dump(2) << "\n";
+  std::cout << jsonOutput(result);
   return kDone;
 }
 
@@ -102,7 +103,7 @@ int diff(const TableArguments& arguments) {
   if (!second) return printErrors(second.error());
   const TableDifference found = difference(*first, *second);
   if (arguments.json)
-    std::cout << jsonOf(found).dump(2) << "\n";
+    std::cout << jsonOutput(jsonOf(found));
   else
     printDifference(found);
   return kDone;

@@ -23,7 +23,7 @@ constexpr auto kQuiet = std::chrono::milliseconds(500);  // shorter operations s
 std::optional<double> numberOf(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  constexpr double kLargest = 9e9;  // s; fits into an Instant
+  constexpr double kLargest = 4e9;  // s; the sum of two fits into an Instant
   if (error != std::errc() || end != text.data() + text.size() || !(std::abs(number) < kLargest))
     return std::nullopt;
   return number;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/program/ColorTables.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/RobotName.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
@@ -41,7 +42,7 @@ void printReport(const ImportArguments& arguments, const logplayer::ImportReport
                       {"imported", report.imported},
                       {"not_understood", report.notUnderstood},
                       {"damage", report.damage}};
-    std::cout << object.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+    std::cout << jsonOutput(object);
     return;
   }
   std::cout << arguments.to << ": " << report.messages << " messages of the " << report.format << " "

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
@@ -51,7 +52,7 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
                    {"to", robotlink::seconds(bookmark.to)},
                    {"text", bookmark.text}});
   }
-  if (asJson) std::cout << all.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  if (asJson) std::cout << jsonOutput(all);
 }
 
 /// Adds the one that is asked for; "usage" if the times make no sense.
@@ -125,7 +126,7 @@ int list(const std::filesystem::path& log, bool asJson) {
     objects.push_back(
         {{"name", attachment.name}, {"media_type", attachment.mediaType}, {"bytes", attachment.bytes}});
   }
-  if (asJson) std::cout << objects.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  if (asJson) std::cout << jsonOutput(objects);
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/LogInfo.h"
@@ -75,9 +76,9 @@ Result<Findings> verify(const std::filesystem::path& path) {
 /// Prints the object of a single file; for several files an object that contains theirs.
 void printJson(const ReadArguments& arguments, const std::vector<json>& objects) {
   if (arguments.files.size() == 1 && objects.size() == 1) {
-    std::cout << objects.front().dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+    std::cout << jsonOutput(objects.front());
   } else if (arguments.files.size() > 1) {
-    std::cout << json{{"files", objects}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+    std::cout << jsonOutput(json{{"files", objects}});
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/TextMessages.h"
@@ -94,7 +95,7 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
   (*simulation)->run(end, &Interrupt::noted);
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const nlohmann::json figures = figuresOf(**simulation, real);
-  std::cout << (run.asJson ? figures.dump(2) + "\n" : figuresText(figures));
+  std::cout << (run.asJson ? jsonOutput(figures) : figuresText(figures));
   return ports.exitRequest().value_or(0) == 0 ? kDone : kFailed;
 }
 

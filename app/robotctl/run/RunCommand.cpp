@@ -13,12 +13,14 @@
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/RobotName.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/RunRobotCommand.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/session/QueueMessages.h"
@@ -291,7 +293,7 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
   (*run)->describe(status);
   const json summary = summaryOf(status, instants, real);
   if (arguments.asJson) {
-    std::cout << summary.dump(2) << "\n";
+    std::cout << jsonOutput(summary);
   } else {
     printSummary(status, summary);
   }
@@ -357,8 +359,10 @@ void addRunCommand(CLI::App& app, int& status) {
                    "tcp://HOST[:PORT], "
                    "serial://DEVICE[?baud=RATE]")
       ->required();
-  command->add_option("--offset", arguments->offsets,
-                      "Seconds added to the times of a log; one for each, in their order");
+  command
+      ->add_option("--offset", arguments->offsets,
+                   "Seconds added to the times of a log; one for each, in their order")
+      ->check(CLI::Range(-robotlink::kMaxLogOffset, robotlink::kMaxLogOffset).description(""));
   command->add_option(
       "--layout", arguments->layout,
       "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");

@@ -10,6 +10,7 @@
 #include "app/core/program/ShippedFiles.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/run/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
@@ -103,7 +104,7 @@ int runRobot(const RunRobotArguments& arguments) {
   run->reset();
   const int recorded = *recorder ? finishRecording(**recorder) : kDone;
   if (arguments.asJson) {
-    std::cout << figures.dump(2) << "\n";
+    std::cout << jsonOutput(figures);
   } else {
     for (const auto& [name, value] : figures.items()) {
       std::cout << std::left << std::setw(24) << name

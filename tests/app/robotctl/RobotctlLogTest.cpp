@@ -292,6 +292,18 @@ TEST_F(RobotctlLog, logsOfOtherProgramsAreReadAsFarAsTheyCanBe) {
   EXPECT_THAT(played.errors, HasSubstr("names no robot"));
 }
 
+TEST_F(RobotctlLog, aFileNameThatIsNoUtf8DoesNotSpoilTheJson) {
+  std::filesystem::copy_file(folder_ / "a.mcap", folder_ / "sp\xFCl.mcap");
+  const Outcome played = runRobotctl(folder_.path(), "run --json --platform log:sp\xFCl.mcap");
+  EXPECT_EQ(played.status, 0) << played.errors;
+  EXPECT_THAT(played.out, HasSubstr("sp\xEF\xBF\xBDl.mcap"));
+}
+
+TEST_F(RobotctlLog, anOffsetIsNotOutOfTheRangeOfTimes) {
+  EXPECT_EQ(runRobotctl(folder_.path(), "run --platform log:a.mcap --offset 1e300").status, 2);
+  EXPECT_EQ(log("merge a.mcap a.mcap b.mcap --offset a.mcap=8e9").status, 2);
+}
+
 TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {
   const Outcome images = log("export a.mcap --images pictures --from 1 --to 2");
   ASSERT_EQ(images.status, 0) << images.errors;
