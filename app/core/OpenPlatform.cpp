@@ -21,8 +21,8 @@ OpenPlatform::~OpenPlatform() {
   session_.setRequestSink({});
 }
 
-PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change) {
-  ++loading_;
+PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change, std::shared_ptr<Opening> opening) {
+  openings_.push_back(std::move(opening));
   // Debug keys that are on stay on in the next platform.
   if (change == Change::kPlatform) {
     if (const auto kept = keepKeys(); !kept) report({kept.error()});
@@ -31,34 +31,35 @@ PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change) {
 }
 
 void OpenPlatform::open(PlatformOpening opening) {
-  logplayer::LogFile::Progress progress;
-  if (!opening.file.empty()) progress = newOpening(opening.file);
-  platform_.open(std::move(opening), std::move(progress), outcomeOf(Change::kPlatform));
+  const auto reading = opening.file.empty() ? nullptr : std::make_shared<Opening>(opening.file);
+  platform_.open(std::move(opening), reading ? progressOf(reading) : logplayer::LogFile::Progress(),
+                 outcomeOf(Change::kPlatform, reading));
 }
 
-logplayer::LogFile::Progress OpenPlatform::newOpening(const std::filesystem::path& file) {
-  opening_ = std::make_shared<Opening>();
-  opening_->name = file.filename().string();
-  return [opening = opening_](double share) {
+logplayer::LogFile::Progress OpenPlatform::progressOf(std::shared_ptr<Opening> opening) {
+  return [opening = std::move(opening)](double share) {
     opening->share = share;
     return !opening->canceled;
   };
 }
 
 std::optional<double> OpenPlatform::progress() const {
-  return loading() && opening_ ? std::optional(opening_->share.load()) : std::nullopt;
+  return loading() && openings_.front() ? std::optional(openings_.front()->share.load()) : std::nullopt;
 }
 
 std::string OpenPlatform::openingName() const {
-  return opening_ ? opening_->name : std::string();
+  return loading() && openings_.front() ? openings_.front()->name : std::string();
 }
 
 void OpenPlatform::cancelOpening() {
-  if (opening_) opening_->canceled = true;
+  for (const auto& opening : openings_) {
+    if (opening) opening->canceled = true;
+  }
 }
 
 void OpenPlatform::addLog(const std::filesystem::path& file, robotlink::Duration offset) {
-  platform_.addLog(file, offset, newOpening(file), outcomeOf(Change::kPlatform));
+  const auto reading = std::make_shared<Opening>(file);
+  platform_.addLog(file, offset, progressOf(reading), outcomeOf(Change::kPlatform, reading));
 }
 
 robotlink::Result<void> OpenPlatform::connectNow() {
@@ -103,7 +104,7 @@ void OpenPlatform::report(const robotlink::Errors& errors) {
 }
 
 void OpenPlatform::apply(Outcome outcome) {
-  if (--loading_ == 0) opening_.reset();
+  openings_.pop_front();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
     const bool wanted =

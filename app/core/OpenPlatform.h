@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -56,12 +57,12 @@ class OpenPlatform {
   /// What runs; null until something was loaded for the first time.
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Whether something is being loaded now.
-  bool loading() const { return loading_ > 0; }
-  /// Which share of a file that is being opened was read, in [0, 1]; unset if none is.
+  bool loading() const { return !openings_.empty(); }
+  /// Which share of the file that is being opened now was read, in [0, 1]; unset if none is.
   std::optional<double> progress() const;
   /// The name of that file; empty if there is none.
   std::string openingName() const;
-  /// Cancels opening that file; what ran before continues.
+  /// Cancels opening that file, and those that are to be opened after it; what ran before continues.
   void cancelOpening();
 
   /// Saves the modes of each robot's debug keys for the next start. Those of a robot that has not yet
@@ -71,7 +72,8 @@ class OpenPlatform {
  private:
   /// The progress of a file that is being opened, shared with the platform's thread.
   struct Opening {
-    std::string name;
+    explicit Opening(const std::filesystem::path& file) : name(file.filename().string()) {}
+    const std::string name;
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
@@ -82,10 +84,10 @@ class OpenPlatform {
     Change change;
     tl::expected<LoadedPlatform, robotlink::Errors> loaded;
   };
-  /// Begins a new opening_, and returns the function that updates it.
-  logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
-  /// Returns a handler that enqueues the result for tick().
-  PlatformThread::LoadHandler outcomeOf(Change change);
+  /// The function that updates an opening.
+  static logplayer::LogFile::Progress progressOf(std::shared_ptr<Opening> opening);
+  /// Returns a handler that enqueues the result for tick(), after `opening` was added to openings_.
+  PlatformThread::LoadHandler outcomeOf(Change change, std::shared_ptr<Opening> opening = nullptr);
   /// Applies a result from the platform's thread.
   void apply(Outcome outcome);
   /// Passes a request of the session to the recording or the platform.
@@ -99,7 +101,7 @@ class OpenPlatform {
   std::filesystem::path userFolder_;
   robotlink::Session session_;
   Recording recording_;
-  /// From the platform's thread. Unbounded: each outcome ends what loading_ counts, and there are no more
+  /// From the platform's thread. Unbounded: each outcome belongs to one of openings_, and there are no more
   /// than a person has begun.
   robotlink::BoundedQueue<Outcome> outcomes_{std::numeric_limits<std::size_t>::max()};
   std::optional<LoadedPlatform> loaded_;
@@ -108,10 +110,8 @@ class OpenPlatform {
   std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
-  /// How many results are still to come.
-  int loading_ = 0;
-  /// The last file whose opening was begun; null if none is in progress.
-  std::shared_ptr<Opening> opening_;
+  /// What the results to come are about, in their order; null where no file is read.
+  std::deque<std::shared_ptr<Opening>> openings_;
   /// The last member, since its thread uses the others.
   PlatformThread platform_;
 };

@@ -3,9 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <future>
+
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 using robotcontrol::ControlReplay;
@@ -56,6 +59,28 @@ TEST_F(LogCommandsTest, playingIsAskedFor) {
   EXPECT_EQ(run("log.speed 50"), "speed: 50");
   EXPECT_EQ(run("log.loop on"), "loop: true");
   EXPECT_EQ(run("log.skip-gaps off"), "skip_gaps: false");
+}
+
+TEST_F(LogCommandsTest, cancelingIsForAllThatIsStillToBeOpened) {
+  std::promise<void> mayGoOn;
+  const auto opening = [going = mayGoOn.get_future().share()](const char* file) {
+    PlatformOpening log;
+    log.file = file;
+    log.make = [going](const PlatformContext& context) -> PlatformOpening::Made {
+      going.wait();
+      const bool wanted = context.progress(0.5);
+      return tl::unexpected(
+          robotlink::Errors{{wanted ? "log.no-log" : "log.given-up", "not opened", {}, {}}});
+    };
+    return log;
+  };
+  workbench.open(opening("/logs/first.mcap"));
+  workbench.open(opening("/logs/second.mcap"));
+  EXPECT_EQ(workbench.openingName(), "first.mcap");
+  ASSERT_TRUE(workbench.commands().runLine("log.cancel"));
+  mayGoOn.set_value();
+  ASSERT_TRUE(test::tickUntil(workbench, [&] { return !workbench.loading(); }));
+  EXPECT_EQ(errors, "");
 }
 
 TEST_F(LogCommandsTest, aLogIsNotShiftedOutOfTheRangeOfTimes) {
