@@ -134,15 +134,15 @@ robotlink::Errors Recording::takeWarnings() {
 std::filesystem::path documentsFolder() {
   const char* home = std::getenv("HOME");
   const std::string homeFolder = home != nullptr ? home : ".";
+  std::error_code error;
   std::ifstream userFolders(robotlink::userDirectory().parent_path() / "user-dirs.dirs");
   const std::string wanted = "XDG_DOCUMENTS_DIR=\"";
   for (std::string line; std::getline(userFolders, line);) {
     if (!line.starts_with(wanted)) continue;
     std::string folder = line.substr(wanted.size(), line.rfind('"') - wanted.size());
     if (folder.starts_with("$HOME")) folder.replace(0, 5, homeFolder);
-    return folder;
+    if (std::filesystem::is_directory(folder, error)) return folder;
   }
-  std::error_code error;
   const std::filesystem::path documents = std::filesystem::path(homeFolder) / "Documents";
   return std::filesystem::is_directory(documents, error) ? documents : std::filesystem::path(homeFolder);
 }

@@ -53,7 +53,7 @@ class Recording {
   logplayer::Recorder recorder_;
 };
 
-/// Returns the desktop's XDG_DOCUMENTS_DIR, otherwise ~/Documents if that exists, otherwise the home folder.
+/// Returns the desktop's XDG_DOCUMENTS_DIR or else ~/Documents, if it exists, otherwise the home folder.
 std::filesystem::path documentsFolder();
 
 }  // namespace app

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <set>
 
+#include "app/core/Recording.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotcontrol/Perception.pb.h"
@@ -347,6 +349,24 @@ TEST_F(RecordingTest, anotherLayoutGoesOnInTheSameFileAndAResetInANewOne) {
   EXPECT_EQ(parsed<ProgramSetup>(on(second, "red1/program")[0]).layout().name(), "layouts/parallel.yaml");
   EXPECT_GT(second.count("red1/models/ball"), 0U);
   EXPECT_EQ(second.entries.front().time, robotlink::Instant());
+}
+
+TEST(DocumentsFolder, isOneThatExists) {
+  const TestFolder home;
+  const char* homeBefore = std::getenv("HOME");
+  const char* configBefore = std::getenv("XDG_CONFIG_HOME");
+  const std::string oldHome = homeBefore != nullptr ? homeBefore : "",
+                    oldConfig = configBefore != nullptr ? configBefore : "";
+  ::setenv("HOME", home.path().c_str(), 1);
+  ::setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+  home.write("user-dirs.dirs", "XDG_DOCUMENTS_DIR=\"$HOME/Papiere\"\n");
+  EXPECT_EQ(documentsFolder(), home.path());
+  std::filesystem::create_directory(home / "Documents");
+  EXPECT_EQ(documentsFolder(), home / "Documents");
+  std::filesystem::create_directory(home / "Papiere");
+  EXPECT_EQ(documentsFolder(), home / "Papiere");
+  homeBefore != nullptr ? ::setenv("HOME", oldHome.c_str(), 1) : ::unsetenv("HOME");
+  configBefore != nullptr ? ::setenv("XDG_CONFIG_HOME", oldConfig.c_str(), 1) : ::unsetenv("XDG_CONFIG_HOME");
 }
 
 TEST_F(RecordingTest, threadsAreRecordedInWholeFramesToo) {
