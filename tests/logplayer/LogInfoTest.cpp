@@ -72,7 +72,7 @@ TEST_F(LogInfoTest, columnsAreAlignedAndHaveUnits) {
   EXPECT_THAT(text, HasSubstr("  red1/camera/image      foxglove.RawImage            100  25.0 Hz"));
 }
 
-TEST_F(LogInfoTest, whatIsWrongIsTold) {
+TEST_F(LogInfoTest, whatIsWrongIsListed) {
   const LogInfo found = info({.close = false, .cutLastFrame = true});
   EXPECT_FALSE(found.complete);
   EXPECT_THAT(found.losses, ElementsAre(HasSubstr("not closed")));

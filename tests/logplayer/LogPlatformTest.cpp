@@ -61,14 +61,14 @@ struct Bench {
 
 }  // namespace
 
-TEST(LogPlatform, sendsWhatThePlatformToldBeforeTheProcessesRun) {
+TEST(LogPlatform, sendsWhatThePlatformPublishedBeforeTheProcessesRun) {
   Bench bench("");
   bench.executor.add(bench.watcher);
   for (int i = 1; i <= 3; ++i) bench.step(i);
   EXPECT_EQ(bench.watcher.seen, (std::vector<double>{1, 2, 3}));
 }
 
-TEST(LogPlatform, sendsWhatALaterProcessToldAsLateAsItDid) {
+TEST(LogPlatform, sendsWhatALaterProcessPublishedAsLateAsItDid) {
   Bench bench("motion");
   bench.executor.add(bench.watcher);
   ASSERT_NE(bench.platform.turnOf("motion"), nullptr);

@@ -59,7 +59,7 @@ Image pictureOf(const std::shared_ptr<const RenderScene>& scene, const Lighting&
 
 }  // namespace
 
-TEST(CameraLabels, everyPixelTellsTheInstanceWhoseColorItHas) {
+TEST(CameraLabels, everyPixelNamesTheInstanceWhoseColorItHas) {
   for (const CameraScene& scene : {glowing(fieldScene()), glowing(tableScene())}) {
     CameraRenderer renderer(scene.scene, {});
     renderer.setPoses(scene.poses);

@@ -89,7 +89,7 @@ TEST(Drive, withoutPowerItRollsOutAgainstItsGears) {
   EXPECT_NEAR(world->wheelState(0).leftSpeed, 0.2, 1e-9);
 }
 
-TEST(Drive, pushingAWallItStallsUntilItIsToldOtherwise) {
+TEST(Drive, pushingAWallItStallsUntilItsNextCommand) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0) + wallAhead());
   world.drive(0.4, 0.4, 3);
   EXPECT_FALSE(world->wheelState(0).leftBlocked || world->wheelState(0).rightBlocked);
@@ -107,7 +107,7 @@ TEST(Drive, pushingAWallItStallsUntilItIsToldOtherwise) {
   EXPECT_EQ(world->obstacleContacts(kRobot), 1U);
 }
 
-TEST(Drive, bumpersTellWhichSegmentTouches) {
+TEST(Drive, bumpersReportWhichSegmentTouches) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0) + wallAhead());
   world.drive(0.4, 0.4, 5);
   for (const char* segment :
@@ -141,7 +141,7 @@ TEST(Drive, bumpersAreNumberedFromLeftToRightSeenFromAbove) {
   }
 }
 
-TEST(Drive, theGyroscopeTellsHowFastItTurns) {
+TEST(Drive, theGyroscopeMeasuresHowFastItTurns) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0));
   world.drive(-0.147, 0.147, 2);
   EXPECT_NEAR(world.reading("p3at1/gyroscope", 2), 0.5, 0.02);

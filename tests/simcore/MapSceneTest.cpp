@@ -117,7 +117,7 @@ TEST_F(MapScene, twentyRobotsStandInsideOfTheShippedHouse) {
   }
 }
 
-TEST_F(MapScene, loadingTellsHowFarItIsAndCanBeGivenUpAnywhere) {
+TEST_F(MapScene, loadingReportsItsProgressAndCanBeCanceledAnywhere) {
   const auto file = folder_.write("house.map", kHouse);
   std::vector<double> reported;
   const auto note = [&](double share) {

@@ -80,7 +80,7 @@ TEST(SdfDrive, aDriveHasItsWheelsAndTheLeastOfTheirLimits) {
   EXPECT_NEAR(drive.idleForce, 5, 1e-9);
 }
 
-TEST(SdfDrive, whatIsWrongWithADriveIsToldWithItsLine) {
+TEST(SdfDrive, whatIsWrongWithADriveIsReportedWithItsLine) {
   EXPECT_EQ(errorsWith("left>l<", "left>x<"), "m.sdf:4: the model has no joint 'x' for its drive");
   EXPECT_EQ(errorsWith("<robotcontrol:left>l</robotcontrol:left>", ""),
             "m.sdf:2: a drive needs a wheel on each side: <robotcontrol:left>, <robotcontrol:right>");

@@ -50,7 +50,7 @@ TEST_F(RobotctlColorTables, picturesOfNumbersAreLabelsAgain) {
             "robotcontrol-color-classes 1\ngreen #008232\norange #ff6900\n");
   const json result = evaluated("--labels numbers --table t.c64");
   EXPECT_EQ(result.at("recall"), (json{{"green", 1.0}, {"orange", 1.0}}));
-  // Told otherwise, what is green is taken for orange.
+  // With other names, what is green is taken for orange.
   EXPECT_EQ(evaluated("--labels numbers --table t.c64 --label-classes orange,green").at("mean_recall"), 0.0);
   ASSERT_EQ(color("segment --table t.c64 --images images --out shown").status, 0);
   const std::string png = textOf(folder_ / "shown/000.png");
@@ -60,7 +60,7 @@ TEST_F(RobotctlColorTables, picturesOfNumbersAreLabelsAgain) {
   EXPECT_EQ(shown->row(120)[3 * 50 + 1], 105);
 }
 
-TEST_F(RobotctlColorTables, namesThatAreBrokenAreToldWithTheirLine) {
+TEST_F(RobotctlColorTables, namesThatAreBrokenAreReportedWithTheirLine) {
   ASSERT_EQ(train("--classes 2002 --out t.c64").status, 0);
   std::ofstream(folder_ / "t.c64.classes") << "robotcontrol-color-classes 1\norange\n";
   for (const char* command :
@@ -104,7 +104,7 @@ TEST_F(RobotctlColorTables, tablesOfOthersAreConverted) {
   EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("yellow"), 131072);
 }
 
-TEST_F(RobotctlColorTables, whatAConvertedTableLacksIsTold) {
+TEST_F(RobotctlColorTables, whatAConvertedTableLacksIsReported) {
   std::string bytes(std::size_t{128} * 128 * 128, '\0');
   bytes[0] = 6;
   std::ofstream(folder_ / "fine.lut", std::ios::binary) << bytes;

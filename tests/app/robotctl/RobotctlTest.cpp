@@ -240,7 +240,7 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   const PrintedOutcome missing = robotctl("run --platform log:/no/such.mcap");
   EXPECT_EQ(missing.status, 1);
   EXPECT_NE(missing.text.find("/no/such.mcap"), std::string::npos) << missing.text;
-  // One that was not closed: what is there is played, and the loss told.
+  // One that was not closed: what is there is played, and the loss reported.
   const auto cut = std::filesystem::path(testing::TempDir()) / "run-cut.mcap";
   std::filesystem::remove(cut);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + cut.string()).status, 0);
@@ -278,7 +278,7 @@ TEST(Robotctl, simRecordsIntoANewFileAndNeverOverAnOldOne) {
   EXPECT_EQ(robotctl("sim " + kScene + " --images jpeg").status, 2);
 }
 
-TEST(Robotctl, simKeepsTheSpeedAndTellsHowFarItIs) {
+TEST(Robotctl, simKeepsTheSpeedAndPrintsHowFarItIs) {
   const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 0.6 --speed 2 --progress --json");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("0.504 s\n"), std::string::npos) << outcome.text;

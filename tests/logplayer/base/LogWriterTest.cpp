@@ -44,7 +44,7 @@ StreamMessage foreign(const std::string& field) {
 
 }  // namespace
 
-TEST(LogWriter, aChannelIsAStreamAndTheProcessThatToldIt) {
+TEST(LogWriter, aChannelIsAStreamAndTheProcessThatPublishedIt) {
   const TestFolder folder;
   {
     const auto writer = create(folder / "a.mcap");
@@ -97,7 +97,7 @@ TEST(LogWriter, aStreamThatChangesItsTypeGetsAnotherChannel) {
   EXPECT_EQ(readLog(folder / "a.mcap").entries[1].type, "foxglove.RawImage");
 }
 
-TEST(LogWriter, typesOfOneNameThatDifferAreToldApartThoughTheyVanish) {
+TEST(LogWriter, typesOfOneNameThatDifferAreDistinguishedThoughTheyVanish) {
   const TestFolder folder;
   {
     const auto writer = create(folder / "a.mcap");

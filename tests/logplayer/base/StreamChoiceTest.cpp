@@ -36,7 +36,7 @@ TEST(StreamFilter, anythingIsTakenUnlessSomethingIsNamed) {
   EXPECT_FALSE((StreamFilter{{}, {"scene"}}.has("scene")));
 }
 
-TEST(StreamFilter, tablesSceneAndSetUpsHoldUntilTheyAreToldAnew) {
+TEST(StreamFilter, tablesSceneAndSetUpsAreLatched) {
   EXPECT_TRUE(isLatched("scene", "foxglove.SceneUpdate"));
   EXPECT_TRUE(isLatched("red1/program", robotcontrol::ProgramSetup::descriptor()->full_name()));
   EXPECT_TRUE(isLatched("red1/colors/table", robotcontrol::ColorTable::descriptor()->full_name()));

@@ -51,7 +51,7 @@ Imported import(const std::vector<std::uint8_t>& file) {
 
 }  // namespace
 
-TEST(FrameConverter, framesAreToldAtTheTimeOfTheirImageOrJoints) {
+TEST(FrameConverter, framesHaveTheTimeOfTheirImageOrJoints) {
   const auto imported = import(QueueBuilder()
                                    .begin('m')
                                    .joints(100)
@@ -146,7 +146,7 @@ TEST(FrameConverter, framesWithoutATimeGetThatOfTheOneBefore) {
             "cognition 2 @100: log frames/cognition\n");
 }
 
-TEST(FrameConverter, aFrameThatWouldTellNothingIsNone) {
+TEST(FrameConverter, aFrameThatWouldPublishNothingIsNone) {
   const auto imported = import(
       QueueBuilder().imageCoordinateSystem().begin('m').joints(100).end('m').imageCoordinateSystem().file());
   EXPECT_EQ(imported.text(), "motion 1 @100: joints/states frames/motion\n");
@@ -192,7 +192,7 @@ TEST(FrameConverter, aGapThatTheNextFrameConfirmsIsOne) {
   EXPECT_EQ(imported.report.damage, "");
 }
 
-TEST(FrameConverter, framesWithoutTheirEndOrBeginningAreKeptAndTold) {
+TEST(FrameConverter, framesWithoutTheirEndOrBeginningAreKeptAndReported) {
   const auto imported = import(QueueBuilder()
                                    .begin('m')
                                    .joints(100)
@@ -230,7 +230,7 @@ TEST(FrameConverter, whatIsNotUnderstoodIsCountedByItsKind) {
   EXPECT_EQ(imported.report.messages, 8U);
 }
 
-TEST(FrameConverter, anImageThatCannotBeReadIsToldWithItsPlace) {
+TEST(FrameConverter, anImageThatCannotBeReadIsReportedWithItsPlace) {
   QueueBuilder builder;
   builder.begin('c');
   const std::size_t offset = builder.size();
@@ -253,7 +253,7 @@ TEST(FrameConverter, aSizeThatIsOnlyClaimedTakesNoMemory) {
   EXPECT_NE(imported.report.damage.find("which no camera of these robots had"), std::string::npos);
 }
 
-TEST(FrameConverter, aCameraThatCannotBeReliedOnIsTold) {
+TEST(FrameConverter, aCameraThatCannotBeReliedOnIsReported) {
   const auto imported = import(QueueBuilder()
                                    .begin('c')
                                    .image(100, 4, 2)

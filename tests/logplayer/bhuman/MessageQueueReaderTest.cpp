@@ -64,7 +64,7 @@ TEST(MessageQueueReader, skipsMessagesOfUnknownKinds) {
   EXPECT_EQ(read.damage, "");
 }
 
-TEST(MessageQueueReader, tellsWhatAHeaderLiesAbout) {
+TEST(MessageQueueReader, reportsWhatAHeaderLiesAbout) {
   auto file = twoFrames().file();
   file[0] = 1;
   file[4] = 77;

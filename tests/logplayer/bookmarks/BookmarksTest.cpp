@@ -275,7 +275,7 @@ TEST_F(BookmarksTest, aLogThatIsGoneIsAnError) {
   EXPECT_FALSE(Bookmarks::open(log()));
 }
 
-TEST_F(BookmarksTest, aBrokenFileBesideTheLogIsToldAndKeptAside) {
+TEST_F(BookmarksTest, aBrokenFileBesideTheLogIsReportedAndKeptAside) {
   std::ofstream(fileBeside(log()))
       << "{\"format\": \"robotcontrol-bookmarks\", \"version\": 1, \"bookmarks\": ";
   Bookmarks bookmarks = opened();
@@ -286,7 +286,7 @@ TEST_F(BookmarksTest, aBrokenFileBesideTheLogIsToldAndKeptAside) {
   EXPECT_EQ(savedTexts(), "a");
 }
 
-TEST_F(BookmarksTest, aValueOfAnotherTypeBesideTheLogIsToldInWords) {
+TEST_F(BookmarksTest, aValueOfAnotherTypeBesideTheLogIsReportedInWords) {
   const auto problemWith = [this](const std::string& entry) {
     std::ofstream(fileBeside(log()), std::ios::trunc)
         << R"({"format": "robotcontrol-bookmarks", "version": 1, "bookmarks": {"entries": )" << entry << "}}";

@@ -80,7 +80,7 @@ TEST_F(LogCutTest, aCutHasTheFramesInItsRangeWithBothEnds) {
   EXPECT_EQ(file->latest("red1/models/ball", sampleTime(15))->frame, 16U) << "frames keep their numbers";
 }
 
-TEST_F(LogCutTest, whatHoldsUntilToldAnewIsAtItsStart) {
+TEST_F(LogCutTest, whatIsLatchedIsAtItsStart) {
   rewritten({.inputs = {{in()}}, .from = sampleTime(40), .to = sampleTime(60)});
   const auto file = log();
   EXPECT_EQ(latest<KeyTable>(*file, "red1/tables/keys", sampleTime(40)).keys(0).name(), "before");
@@ -90,7 +90,7 @@ TEST_F(LogCutTest, whatHoldsUntilToldAnewIsAtItsStart) {
   EXPECT_EQ((*reader)->statistics().messageStart, sampleTime(40)) << "a viewer shows no gap before it";
 }
 
-TEST_F(LogCutTest, whatWasToldAnewAtTheStartIsThatOne) {
+TEST_F(LogCutTest, whatWasPublishedAnewAtTheStartIsThatOne) {
   rewritten({.inputs = {{in()}}, .from = sampleTime(50), .to = sampleTime(60)});
   EXPECT_EQ(latest<KeyTable>(*log(), "red1/tables/keys", sampleTime(50)).keys(0).name(), "after");
 }
@@ -103,7 +103,7 @@ TEST_F(LogCutTest, framesWithoutTheirEndAreLeftOut) {
   EXPECT_THAT(report.losses, ElementsAre(HasSubstr("1 frame left out")));
 }
 
-TEST_F(LogCutTest, aLogWhoseWriterWasKilledIsCutWithThatLossTold) {
+TEST_F(LogCutTest, aLogWhoseWriterWasKilledIsCutWithThatLossReported) {
   std::filesystem::remove(in());
   SampleLog{.close = false}.write(in());
   const auto report = rewritten({.inputs = {{in()}}, .from = sampleTime(10)});
@@ -263,7 +263,7 @@ TEST_F(LogCutTest, anOffsetToBeforeTimeZeroIsRefused) {
   EXPECT_EQ(report.error().id, "log.offset");
 }
 
-TEST_F(LogCutTest, attachmentsAndMetadataAreKeptAndTheOriginIsTold) {
+TEST_F(LogCutTest, attachmentsAndMetadataAreKeptAndTheOriginIsNoted) {
   {
     auto writer = mcap::Writer::append(in(), {});
     ASSERT_TRUE(writer);

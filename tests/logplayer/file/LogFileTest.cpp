@@ -44,7 +44,7 @@ void writeFrames(LogWriter& writer, std::uint64_t firstFrame = 1) {
 
 }  // namespace
 
-TEST(LogFile, tellsWhatItHolds) {
+TEST(LogFile, listsWhatItHolds) {
   const LogFixture fixture;
   {
     const auto writer = fixture.write();
@@ -62,7 +62,7 @@ TEST(LogFile, tellsWhatItHolds) {
   EXPECT_EQ(paths, (std::vector<std::string>{"blue1/plots/b", "red1/frames/cognition", "red1/plots/a",
                                              "red1/tables/keys", "scene"}));
   EXPECT_EQ(log->robots(), (std::vector<std::string>{"blue1", "red1"}));
-  // A table and a scene that were told long before are not when the recording began.
+  // A table and a scene that were published long before are not when the recording began.
   EXPECT_EQ(log->begin(), at(0));
   EXPECT_EQ(log->end(), at(0.9));
   const auto& plots = log->streams()[2];

@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto report =
       importQueue(*source, "nao",
                   [&bytes](const FrameConverter::Frame& frame) {
-                    require(!frame.empty(), "a frame tells something");
+                    require(!frame.empty(), "a frame has something");
                     for (const auto& message : frame) {
                       require(message.process == frame.front().process, "a frame is of one process");
                       bytes += message.value->ByteSizeLong();
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(sumOf(report->imported) + sumOf(report->notUnderstood) == report->messages,
           "every message is accounted for");
   // An image may decode to more than its JPEG has; nothing else grows much.
-  require(bytes <= (std::size_t{8} << 20U) * (report->messages + 1), "what is told is bounded");
+  require(bytes <= (std::size_t{8} << 20U) * (report->messages + 1), "what is reported is bounded");
   return 0;
 }
 

@@ -5,7 +5,7 @@
 #include "logplayer/mcap/RecordBytes.h"
 #include "tests/logplayer/mcap/ConformanceCase.h"
 
-// How the conformance suite lays its files out, told by the codec.
+// How the conformance suite lays its files out, as the codec has it.
 namespace logplayer::mcap::test {
 namespace {
 

@@ -136,7 +136,7 @@ TEST_P(DamageTest, aFileCutAtAnyByteKeepsAllChunksBeforeThat) {
   }
 }
 
-TEST_P(DamageTest, theSearchBehindDamageTellsHowFarItIsAndCanBeGivenUp) {
+TEST_P(DamageTest, theSearchBehindDamageReportsItsProgressAndCanBeCanceled) {
   const auto file = folder_ / "hole.mcap";
   const std::size_t cut = chunks_.back().offset;
   writeBytes(file, bytes_.substr(0, cut));
@@ -182,7 +182,7 @@ class LyingChunkTest : public testing::Test {
     writeBytes(folder_ / "log.mcap", std::string(textOf(bytes)));
     return test::open(folder_ / "log.mcap", {});
   }
-  /// Nothing of it can be read, that is told, and no more memory was taken than `bytes`.
+  /// Nothing of it can be read, that is reported, and no more memory was taken than `bytes`.
   static void expectNothing(Reader& reader) {
     EXPECT_TRUE(readForwards(reader, {1}).empty());
     EXPECT_TRUE(readAll(reader).empty());

@@ -59,7 +59,7 @@ class FullDiskTest : public testing::TestWithParam<const char*> {
   void (*previous_)(int) = SIG_DFL;
 };
 
-TEST_P(FullDiskTest, theErrorIsToldAndTheFileIsComplete) {
+TEST_P(FullDiskTest, theErrorIsReportedAndTheFileIsComplete) {
   const std::vector<Expected> messages = someMessages(1000, 1000);
   Writer::Options options;
   options.chunkBytes = 20'000;

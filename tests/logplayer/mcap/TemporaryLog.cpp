@@ -66,7 +66,7 @@ std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options 
   return reader ? std::move(*reader) : nullptr;
 }
 
-Expected toldBy(const Message& message) {
+Expected readFrom(const Message& message) {
   EXPECT_EQ(message.publishTime - message.logTime, robotlink::Duration(1));
   return {message.channelId, message.sequence, message.logTime.time_since_epoch().count(),
           std::string(textOf(message.data))};
@@ -75,7 +75,7 @@ Expected toldBy(const Message& message) {
 std::vector<Expected> readAll(Reader& reader) {
   std::vector<Expected> expected;
   reader.readAll([&](const Message& message) {
-    expected.push_back(toldBy(message));
+    expected.push_back(readFrom(message));
     return true;
   });
   return expected;
@@ -85,7 +85,7 @@ std::vector<Expected> readForwards(Reader& reader, std::vector<std::uint16_t> ch
   std::vector<Expected> expected;
   MessagePosition position{Instant::min(), 0, 0, 0};
   while (const auto next = reader.next(position, channels)) {
-    if (const auto message = reader.read(*next)) expected.push_back(toldBy(message->message));
+    if (const auto message = reader.read(*next)) expected.push_back(readFrom(message->message));
     position = *next;
   }
   return expected;
@@ -94,7 +94,7 @@ std::vector<Expected> readForwards(Reader& reader, std::vector<std::uint16_t> ch
 std::vector<Expected> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels) {
   std::vector<Expected> expected;
   for (MessageCursor cursor(reader, channels); cursor.next();) {
-    if (cursor.readable()) expected.push_back(toldBy(cursor.message()));
+    if (cursor.readable()) expected.push_back(readFrom(cursor.message()));
   }
   return expected;
 }
@@ -103,7 +103,7 @@ std::vector<Expected> readBackwards(Reader& reader, std::vector<std::uint16_t> c
   std::vector<Expected> expected;
   MessagePosition position{Instant::max(), UINT64_MAX, UINT64_MAX, UINT16_MAX};
   while (const auto previous = reader.previous(position, channels)) {
-    if (const auto message = reader.read(*previous)) expected.push_back(toldBy(message->message));
+    if (const auto message = reader.read(*previous)) expected.push_back(readFrom(message->message));
     position = *previous;
   }
   return expected;

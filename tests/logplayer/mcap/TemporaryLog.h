@@ -45,7 +45,7 @@ void writeLog(const std::filesystem::path& file, const std::vector<Expected>& me
               int channels = 3);
 
 std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options options = {});
-Expected toldBy(const Message& message);
+Expected readFrom(const Message& message);
 /// In the order of the file.
 std::vector<Expected> readAll(Reader& reader);
 /// By next() from the start; messages that cannot be read are skipped.

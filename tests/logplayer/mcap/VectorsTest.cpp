@@ -272,7 +272,7 @@ TEST(UnchunkedTest, readingGoesOnBehindDamage) {
   EXPECT_EQ(reader->damage()[1].bytes, 131U);
 }
 
-TEST(CompressionNameTest, anUnknownCompressionIsToldAndTheRestIsRead) {
+TEST(CompressionNameTest, anUnknownCompressionIsReportedAndTheRestIsRead) {
   TemporaryFolder folder;
   Writer::Options options;
   options.compression = Compression::kLz4;

@@ -170,12 +170,12 @@ class File:
         return bytes(self.data) + MAGIC
 
 
-def told(value):
+def plain(value):
     """A field as the list of what is in the files has it: numbers as text, bytes as a list."""
     if isinstance(value, bytes):
         return [str(byte) for byte in value]
     if isinstance(value, dict):
-        return {str(key): told(entry) for key, entry in value.items()}
+        return {str(key): plain(entry) for key, entry in value.items()}
     return str(value)
 
 
@@ -223,7 +223,7 @@ def main():
                 data = file.write()
                 case = "-".join([name, *chosen])
                 (folder / f"{case}.mcap").write_bytes(data)
-                records = [{"type": kind, "fields": [[key, value if isinstance(value, str) else told(value)]
+                records = [{"type": kind, "fields": [[key, value if isinstance(value, str) else plain(value)]
                                                      for key, value in fields.items()]} for kind, fields in file.records]
                 cases.append({"name": case, "features": list(chosen), "records": records})
     (folder / "answers.json").write_text(json.dumps(cases))

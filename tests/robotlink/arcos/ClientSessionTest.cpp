@@ -159,7 +159,7 @@ TEST_F(ClientSessionTest, aRobotThatNeverAnswersAllIsGivenUp) {
   EXPECT_EQ(problem(), "arcos.no-answer");
 }
 
-TEST_F(ClientSessionTest, aRobotThatIsConnectedAlreadyIsToldToClose) {
+TEST_F(ClientSessionTest, aRobotThatIsConnectedAlreadyIsSentClose) {
   openLine();
   said();
   answerInformation();

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Writes down what it is told.
+/// Notes what is reported to it.
 struct Witness : PioneerClient::Listener {
   void packetPassed(Direction direction, const Packet& packet, std::span<const std::uint8_t> frame,
                     Instant) override {
@@ -82,7 +82,7 @@ struct PioneerClientTest : testing::Test {
   PioneerClient client{witness};
 };
 
-TEST_F(PioneerClientTest, whatHappensIsToldInItsOrder) {
+TEST_F(PioneerClientTest, whatHappensIsReportedInItsOrder) {
   client.open(now);
   client.linkOpened(now);
   client.take(Packet{0, {}}, now);

@@ -27,7 +27,7 @@ TEST_F(PioneerRobotSerialTest, aNoisyLineLosesPacketsButNotTheRobot) {
   PioneerRobot robot(
       [&] {
         auto stream = open(line.url());
-        // What a radio modem is told by clients that think there is one: junk to the robot.
+        // What a radio modem is sent by clients that think there is one: junk to the robot.
         if (stream) {
           EXPECT_TRUE((*stream)->write(std::vector<std::uint8_t>{'W', 'M', 'S', '2', '\r'}));
         }

@@ -49,7 +49,7 @@ TEST_F(PioneerRobotTest, itIsConnectedAndKnownAfterBegin) {
   EXPECT_EQ(robot.problem(), "");
 }
 
-TEST_F(PioneerRobotTest, readTellsWhetherTheStateIsNew) {
+TEST_F(PioneerRobotTest, readReturnsWhetherTheStateIsNew) {
   begin();
   ASSERT_EQ(robot.read(), true) << "what begin() waited for was not read yet";
   EXPECT_EQ(robot.read(0ms), false);
@@ -69,7 +69,7 @@ TEST_F(PioneerRobotTest, readTakesTheLatestStateOfSeveral) {
   EXPECT_EQ(robot.read(0ms), false) << "older ones are not handed out one by one";
 }
 
-TEST_F(PioneerRobotTest, theRobotDoesWhatItIsTold) {
+TEST_F(PioneerRobotTest, theRobotObeysCommands) {
   begin();
   robot.setMotors(true);
   robot.drive(0.3, radians(20.0));
@@ -200,7 +200,7 @@ TEST_F(PioneerRobotTest, aProgramThatStopsCallingStopsTheRobotAfterTwoSeconds) {
   EXPECT_TRUE(robot.setRotation(0)) << "a program that slept does not take its own silence for the robot's";
   EXPECT_FALSE(world.robot.session.starved());
   readFor(2);
-  EXPECT_NEAR(robot.speed(), 0.3, 0.01) << "it goes on with what it was told";
+  EXPECT_NEAR(robot.speed(), 0.3, 0.01) << "it goes on with its last command";
 }
 
 TEST_F(PioneerRobotTest, sonarsAreHeardOnceTheyAreOn) {
@@ -271,7 +271,7 @@ TEST_F(RealRobotTest, whatOnlySimulatorsCanIsRefused) {
   EXPECT_THAT(robot.setTruePose(true).error().text, HasSubstr("true pose"));
 }
 
-TEST_F(PioneerRobotTest, aSimulatedRobotIsPutSomewhereAndTellsItsTruePose) {
+TEST_F(PioneerRobotTest, aSimulatedRobotIsPutSomewhereAndSendsItsTruePose) {
   begin();
   EXPECT_FALSE(robot.truePose());
   world.robot.sensing.truePose = {1.5, -2, radians(90.0)};

@@ -145,7 +145,7 @@ TEST(SessionsTogetherTest, aLongSilenceIsALossAndTheRobotIsFoundAgain) {
   EXPECT_EQ(both.client.statistics().losses, 1U);
   both.run(20s);
   both.cut(false);
-  // The robot goes on sending as if nothing had been: it must be told to close first.
+  // The robot goes on sending as if nothing had been: it must be sent CLOSE first.
   EXPECT_EQ(both.robot.session.state(), ServerSession::State::kOpen);
   EXPECT_TRUE(both.connects(40s)) << both.client.describe();
   EXPECT_EQ(both.client.statistics().connections, 2U);

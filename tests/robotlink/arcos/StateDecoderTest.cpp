@@ -60,7 +60,7 @@ TEST_F(StateDecoderTest, numbersOfThePacketBecomeSi) {
   EXPECT_NEAR(take(i).rotation, radians(-10.0), 1e-9);
 }
 
-TEST_F(StateDecoderTest, whatAnOldRobotDoesNotTellIsUnknown) {
+TEST_F(StateDecoderTest, whatAnOldRobotDoesNotSendIsUnknown) {
   const RobotState& s = take({});
   EXPECT_FALSE(s.temperature || s.stateOfCharge || s.charging);
   EXPECT_FALSE(s.moving || s.motorsOn || s.bumped() || s.stalled());

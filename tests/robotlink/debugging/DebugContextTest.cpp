@@ -69,7 +69,7 @@ TEST_F(DebugContextTest, nTimesIsTrueNTimesAndThenOff) {
   EXPECT_EQ(calls(5), "11100");
   EXPECT_EQ(debug_.mode(kShapeKey.index()).kind(), KeyMode::OFF);
   EXPECT_EQ(debug_.mode(kShapeKey.index()).n(), 3U)
-      << "so that it can be told from one that was switched off";
+      << "so that it can be distinguished from one that was switched off";
   debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 1));
   EXPECT_EQ(calls(3), "100");
   debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 0));

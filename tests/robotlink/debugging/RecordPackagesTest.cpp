@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program tells because it is recorded, whatever a person asked to see.
+// What a program publishes because it is recorded, whatever a person asked to see.
 #include <gtest/gtest.h>
 
 #include "robotlink/session/QueueMessages.h"

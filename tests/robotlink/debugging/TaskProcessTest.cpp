@@ -170,7 +170,7 @@ TEST(TaskProcessTest, wrongKeysAreRefusedWithTheNearestName) {
             robot.setKey("ball-percept/dot", KeyMode::EVERY_MS).reason());
 }
 
-TEST(TaskProcessTest, stopwatchesTellEachTaskAndTheWholeFrame) {
+TEST(TaskProcessTest, stopwatchesTimeEachTaskAndTheWholeFrame) {
   ToyRobot robot;
   robot.run(10);
   EXPECT_TRUE(robot.on("stopwatches/cognition").empty());

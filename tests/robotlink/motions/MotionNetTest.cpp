@@ -52,7 +52,7 @@ TEST(MotionNetTest, columnsFollowTheJointsOfTheRobot) {
   EXPECT_NEAR(frame.joints[2].angle, 0.5236, 1e-4);
 }
 
-TEST(MotionNetTest, whatOneFileAloneCannotTellIsCheckedHere) {
+TEST(MotionNetTest, whatOneFileAloneCannotShowIsCheckedHere) {
   const std::string end = "transition allMotions extern start\n";
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\n" + end), "none");
   EXPECT_EQ(errorsOf("motion_id = nod\nlabel start\ntransition nod nod stop\n" + end),

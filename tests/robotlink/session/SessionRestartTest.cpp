@@ -49,7 +49,7 @@ TEST(Session, whatARestartPublishesAppearsAsAWhole) {
   session.restart([&] {
     session.push(plot("a", 1));
     session.tick();
-    EXPECT_NE(session.store().find("old"), nullptr) << "until all is told, the old history stays";
+    EXPECT_NE(session.store().find("old"), nullptr) << "until all is published, the old history stays";
     EXPECT_EQ(session.store().find("a"), nullptr);
     session.push(plot("b", 2));
   });

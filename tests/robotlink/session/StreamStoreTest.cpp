@@ -105,7 +105,7 @@ TEST(StreamStore, tablesOutliveAReset) {
   EXPECT_EQ(store.find("red1/tables/keys")->count, 2U);
 }
 
-TEST(StreamStore, processesThatTellInOneStreamDoNotResetEachOther) {
+TEST(StreamStore, processesThatPublishInOneStreamDoNotResetEachOther) {
   StreamStore store({});
   auto reported = [](const char* process, double time, double value) {
     StreamMessage message = plotted("red1/log", time, value);

@@ -281,7 +281,7 @@ TEST(CameraRenderer, aLineOneMillimeterAboveTheCarpetNeverFlickers) {
   }
 }
 
-TEST(CameraRenderer, aBodyCastsItsShadowUnlessToldNotTo) {
+TEST(CameraRenderer, aBodyCastsItsShadowUnlessItMustNot) {
   for (const bool casts : {true, false}) {
     auto scene = std::make_shared<RenderScene>();
     scene->bodies = {"world", "ball"};

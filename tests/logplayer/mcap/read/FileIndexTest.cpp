@@ -79,7 +79,7 @@ TEST(FileIndex, aDamagedSummaryIsNotUsed) {
   file.ended();
   const Buffer whole = file.bytes;
   const std::size_t end = whole.size() - sizeof kMagic - kFooterBytes;
-  file.bytes[end - 1] ^= 1U;  // its last byte; the CRC tells
+  file.bytes[end - 1] ^= 1U;  // its last byte; the CRC is wrong then
   EXPECT_EQ(indexBySummary(file.source(), kAnyBytes).error().damage, "the summary is damaged");
   file.bytes = whole;
   const auto summaryStart = loadNumber<std::uint64_t>(whole.data() + end + kRecordHeadBytes);

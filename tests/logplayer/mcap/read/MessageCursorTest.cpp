@@ -71,9 +71,9 @@ class MessageCursorTest : public testing::Test {
     writeBytes(file_, bytes);
   }
   static std::vector<std::string> damageOf(const Reader& reader) {
-    std::vector<std::string> told;
-    for (const Damage& damage : reader.damage()) told.push_back(damage.what);
-    return told;
+    std::vector<std::string> texts;
+    for (const Damage& damage : reader.damage()) texts.push_back(damage.what);
+    return texts;
   }
 
   TemporaryFolder folder_;
@@ -117,7 +117,7 @@ TEST_F(MessageCursorTest, itGoesToAnyPlace) {
     const auto first = std::ranges::lower_bound(messages, time, {}, &Expected::time);
     for (auto expected = first; expected != messages.end() && expected - first < 5; ++expected) {
       ASSERT_TRUE(cursor.next());
-      ASSERT_EQ(toldBy(cursor.message()), *expected) << time;
+      ASSERT_EQ(readFrom(cursor.message()), *expected) << time;
     }
   }
 }
@@ -130,15 +130,15 @@ TEST_F(MessageCursorTest, itGoesOnBehindThePositionOfAnyMessage) {
   MessageCursor cursor(*reader, kAll);
   while (cursor.next()) {
     positions.push_back(cursor.position());
-    all.push_back(toldBy(cursor.message()));
+    all.push_back(readFrom(cursor.message()));
   }
   ASSERT_TRUE(std::ranges::is_sorted(positions));
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    ASSERT_EQ(toldBy(reader->read(positions[i]).value().message), all[i]);
+    ASSERT_EQ(readFrom(reader->read(positions[i]).value().message), all[i]);
     cursor.seek(positions[i]);
     ASSERT_EQ(cursor.next(), i + 1 < all.size());
     if (i + 1 < all.size()) {
-      ASSERT_EQ(toldBy(cursor.message()), all[i + 1]);
+      ASSERT_EQ(readFrom(cursor.message()), all[i + 1]);
     }
   }
 }
@@ -162,7 +162,7 @@ TEST_F(MessageCursorTest, theReaderMayBeAskedInBetween) {
   std::vector<Expected> found;
   std::vector<Reader::MessageData> kept;
   for (MessageCursor cursor(*reader, kAll); cursor.next();) {
-    found.push_back(toldBy(cursor.message()));
+    found.push_back(readFrom(cursor.message()));
     if (found.size() % 7 == 0) kept.push_back(cursor.data());
     const auto newest = reader->latest(2, at(static_cast<std::int64_t>(random() % 150)));
     if (newest) {
@@ -170,7 +170,7 @@ TEST_F(MessageCursorTest, theReaderMayBeAskedInBetween) {
     }
   }
   EXPECT_EQ(found, inOrder(messages));
-  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(toldBy(kept[i].message), found[7 * i + 6]);
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(readFrom(kept[i].message), found[7 * i + 6]);
 }
 
 // A log of which each chunk goes from its start to its end cannot be held in memory.
@@ -183,7 +183,7 @@ TEST_F(MessageCursorTest, whereTooManyChunksOverlapItGoesByStepsAndFindsTheSame)
   EXPECT_EQ(readByCursor(*reader), inOrder(messages));
 }
 
-TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
+TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreKnown) {
   const std::vector<Expected> messages = someMessages(100);
   const std::uint64_t inside = [&] {
     const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
@@ -195,7 +195,7 @@ TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
   std::vector<std::int64_t> lost;
   for (MessageCursor cursor(*reader, kAll); cursor.next();) {
     if (cursor.readable()) {
-      read.push_back(toldBy(cursor.message()));
+      read.push_back(readFrom(cursor.message()));
     } else {
       lost.push_back(cursor.position().time.time_since_epoch().count());
       EXPECT_EQ(cursor.position().channelId, messages[lost.size() + 39].channelId);
@@ -230,19 +230,19 @@ TEST_F(MessageCursorTest, whereTheRecordsOfAChunkBreakOffMessagesAreFoundByTheir
   writeUnguarded(messages);
   const std::size_t schema = recordsOfChunk(0);
   lengthen(schema + kRecordHeadBytes + lengthOf(schema), std::uint64_t{1} << 40U);  // of a channel's record
-  const std::vector<std::string> told{"the records of a chunk do not fill it"};
+  const std::vector<std::string> expected{"the records of a chunk do not fill it"};
 
   const auto reader = test::open(file_);
   EXPECT_EQ(readForwards(*reader), messages);
   EXPECT_EQ(readByCursor(*reader), messages);
-  EXPECT_EQ(damageOf(*reader), told);
+  EXPECT_EQ(damageOf(*reader), expected);
   EXPECT_EQ(readByCursor(*reader, {2}), readForwards(*reader, {2}));
   EXPECT_EQ(reader->verify()->messages, messages.size());
-  EXPECT_EQ(damageOf(*reader), told);
+  EXPECT_EQ(damageOf(*reader), expected);
 
   const auto another = test::open(file_);
   EXPECT_EQ(test::readAll(*another), messages);
-  EXPECT_EQ(damageOf(*another), told);
+  EXPECT_EQ(damageOf(*another), expected);
   const auto report = repair(file_, folder_ / "repaired.mcap");
   ASSERT_TRUE(report) << report.error().describe();
   EXPECT_EQ(report->messages, messages.size());
@@ -266,7 +266,7 @@ TEST_F(MessageCursorTest, whereTheRecordsOfAChunkBreakOffAtAMessageThoseBeforeAr
   EXPECT_THAT(damageOf(*another), testing::Contains("the records of a chunk do not fill it"));
 }
 
-TEST_F(MessageCursorTest, itTellsIfTheMessageIndexesOfAChunkListOthersThanItsRecords) {
+TEST_F(MessageCursorTest, itReportsMessageIndexesThatListOthersThanTheRecordsOfTheirChunk) {
   const std::vector<Expected> messages = someMessages(30);
   writeUnguarded(messages);
   const std::size_t first = recordsOfChunk(2);

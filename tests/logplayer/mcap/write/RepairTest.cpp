@@ -151,7 +151,7 @@ TEST_F(VerifyTest, itCanBeGivenUp) {
   EXPECT_FALSE(test::open(whole_, options)->verify());
 }
 
-TEST_F(VerifyTest, aWrongMessageIndexIsToldAndDoneWithout) {
+TEST_F(VerifyTest, aWrongMessageIndexIsReportedAndDoneWithout) {
   // The offset in the first entry of the message index behind the third chunk.
   bytes_[chunks_[2].offset + chunks_[2].length + 9 + 2 + 4 + 8] ^= 0x04;
   writeBytes(broken_, bytes_);
@@ -215,7 +215,7 @@ TEST_F(MisfitTest, nothingIsLostInARepairOfIt) {
   EXPECT_EQ(readForwards(*test::open(repaired_)), messages_);
 }
 
-TEST_F(VerifyTest, itTellsHowMuchCanBeReadNotWhatTheSummarySays) {
+TEST_F(VerifyTest, itCountsWhatCanBeReadNotWhatTheSummarySays) {
   bytes_[chunks_[3].offset + chunks_[3].length - 20] ^= 0x10;
   writeBytes(broken_, bytes_);
   const auto reader = test::open(broken_);

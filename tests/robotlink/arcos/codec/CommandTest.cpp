@@ -81,7 +81,7 @@ TEST(CommandTest, dataOfUnknownFormIsKept) {
   EXPECT_EQ(laser.extra, (Bytes{1}));
 }
 
-TEST(CommandTest, argumentsThatDoNotFitAreToldOf) {
+TEST(CommandTest, argumentsThatDoNotFitAreReported) {
   EXPECT_TRUE(check(command(CommandId::kVel, -65535)));
   const auto large = check(command(CommandId::kVel, 70000));
   ASSERT_FALSE(large);

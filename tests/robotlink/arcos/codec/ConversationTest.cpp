@@ -48,7 +48,7 @@ TEST(ConversationTest, aTimeThatIsRoundedToZeroIsWrittenWithoutASign) {
   EXPECT_EQ(writeConversation(readConversation(text, "").value()), text);
 }
 
-TEST(ConversationTest, whatIsWrongIsToldWithItsLine) {
+TEST(ConversationTest, whatIsWrongIsReportedWithItsLine) {
   const auto problem = [](const std::string& line) {
     const auto conversation = readConversation("=== new connection\n" + line + "\n", "a.wire");
     return conversation ? "none" : conversation.error().describe();
@@ -70,7 +70,7 @@ TEST(ConversationTest, whatIsWrongIsToldWithItsLine) {
             "a.wire:2: the line says 'id=0(0x00) len=3 ck=ok', but its bytes are 'id=0(0x00) len=3 ck=bad'");
 }
 
-TEST(ConversationTest, filesThatCannotBeReadAreToldOf) {
+TEST(ConversationTest, filesThatCannotBeReadAreReported) {
   const TestFolder folder;
   const auto missing = readConversationFile(folder / "none.wire");
   ASSERT_FALSE(missing);

@@ -83,7 +83,7 @@ TEST_F(LaserScanTest, moreReadingsThanTheScanHasAreLeftOut) {
   EXPECT_EQ(scan->rangesMm.size(), 10U);
 }
 
-TEST_F(LaserScanTest, plainPacketsTellWhereTheRobotWas) {
+TEST_F(LaserScanTest, plainPacketsSayWhereTheRobotWas) {
   LaserPacket plain = part(0, 2, 2);
   plain.extended = false;
   plain.xMm = -7;

@@ -243,7 +243,7 @@ TEST_F(MotionControllerTest, withoutMotorsNothingMovesAndNothingIsRemembered) {
   EXPECT_EQ(ideal.command, (WheelCommand{0, 0, true}));
 }
 
-TEST_F(MotionControllerTest, heldItStopsAndThenGoesOnWithWhatItWasTold) {
+TEST_F(MotionControllerTest, heldItStopsAndThenGoesOnWithItsCommand) {
   controller.translate(0.3);
   run(2);
   controller.hold(true);

@@ -39,7 +39,7 @@ TEST_F(ServerCommandsTest, signsAreThoseOfTheWire) {
   robot.drive(3);
   EXPECT_LT(headingDeg(), -20);
   EXPECT_EQ(latest().rotationRateDeciDegS, -100);
-  EXPECT_EQ(latest().leftSpeedMmS, 51) << "v - w / DiffConv, as MobileSim tells it";
+  EXPECT_EQ(latest().leftSpeedMmS, 51) << "v - w / DiffConv, as MobileSim sends it";
   EXPECT_EQ(latest().rightSpeedMmS, -51);
   robot.send(CommandId::kHead, -90);
   robot.drive(5);
@@ -60,7 +60,7 @@ TEST_F(ServerCommandsTest, moveEndsWhereItShould) {
   EXPECT_NEAR(latest().xMm, -200, 4);
 }
 
-TEST_F(ServerCommandsTest, wheelsAreToldInUnitsOf20MmPerSecond) {
+TEST_F(ServerCommandsTest, wheelSpeedsAreInUnitsOf20MmPerSecond) {
   robot.send(CommandId::kVel2, joined({-5, 5}));
   robot.drive(3);
   EXPECT_EQ(latest().leftSpeedMmS, -100);
@@ -115,7 +115,7 @@ TEST_F(ServerCommandsTest, setOdometryZeroes) {
   EXPECT_EQ(latest().heading4096, 0);
 }
 
-TEST_F(ServerCommandsTest, sonarsFireInTurnAndAreToldOnce) {
+TEST_F(ServerCommandsTest, sonarsFireInTurnAndAreSentOnce) {
   robot.forget();
   robot.shots.clear();
   robot.drive(3.2);
@@ -262,7 +262,7 @@ TEST_F(ServerCommandsTest, digitalOutputsChangeWhereTheMaskSaysSo) {
   EXPECT_EQ(latest().digitalOut, 8);
 }
 
-TEST_F(ServerCommandsTest, theBatteryIsToldAndCanBePretended) {
+TEST_F(ServerCommandsTest, theBatteryIsSentAndCanBePretended) {
   robot.sensing.battery = 12.34;
   robot.run(0.1);
   EXPECT_EQ(latest().batteryDecivolts, 123);
@@ -400,7 +400,7 @@ TEST_F(ServerCommandsTest, theSimulatorIsAskedThroughValues) {
   EXPECT_EQ(std::get<LoadMap>(requests[4]).file, "a.map");
 }
 
-TEST_F(ServerCommandsTest, theSimulatorTellsItsNameItsTruthAndItsMap) {
+TEST_F(ServerCommandsTest, theSimulatorSendsItsNameItsTruthAndItsMap) {
   robot.sensing.truePose = {1.5, -2, radians(90.0)};
   robot.send({236, {0x2B, 6, 0}});
   robot.send(CommandId::kSimStat, 1);
@@ -422,7 +422,7 @@ TEST_F(ServerCommandsTest, theSimulatorTellsItsNameItsTruthAndItsMap) {
   EXPECT_EQ(map->loaded, 1);
   robot.session.mapLoaded(std::string(1000, 'x') + "/b.map", true, true);
   robot.run(0.1);
-  EXPECT_THAT(robot.of(MapChanged::kId), SizeIs(2)) << "long paths are told by their end";
+  EXPECT_THAT(robot.of(MapChanged::kId), SizeIs(2)) << "of long paths the end is sent";
 }
 
 TEST(ServerCommands, aGyroscopeOfTheRobotsOwnMakesItsHeading) {
@@ -431,7 +431,7 @@ TEST(ServerCommands, aGyroscopeOfTheRobotsOwnMakesItsHeading) {
   IdealRobot robot(settings);
   robot.connect();
   robot.send(CommandId::kEnable, 1);
-  robot.sensing.rotationRate = radians(10.0);  // what the wheels do not tell
+  robot.sensing.rotationRate = radians(10.0);  // what the wheels do not show
   robot.drive(2);
   EXPECT_EQ(robot.information().back().heading4096, 0) << "a robot that stands does not drift";
   robot.send(CommandId::kVel, 200);

@@ -85,7 +85,7 @@ TEST_F(ServerSessionTest, informationComesTenTimesASecond) {
   }
 }
 
-TEST_F(ServerSessionTest, configurationIsToldWithAndWithoutArgument) {
+TEST_F(ServerSessionTest, configurationIsSentWithAndWithoutArgument) {
   robot.connect();
   robot.forget();
   robot.send(CommandId::kConfig);
@@ -209,7 +209,7 @@ TEST_F(ServerSessionTest, theStopButtonSwitchesTheMotorsOff) {
   EXPECT_FALSE(robot.wheels.command.motorsOn);
 }
 
-TEST_F(ServerSessionTest, informationTellsWhetherTheRobotMoves) {
+TEST_F(ServerSessionTest, informationSaysWhetherTheRobotMoves) {
   robot.connect();
   robot.run(0.2);
   EXPECT_FALSE(latest().moving);
@@ -221,7 +221,7 @@ TEST_F(ServerSessionTest, informationTellsWhetherTheRobotMoves) {
   EXPECT_EQ(latest().rightSpeedMmS, 200);
 }
 
-TEST_F(ServerSessionTest, stallsAndBumpersAreTold) {
+TEST_F(ServerSessionTest, stallsAndBumpersAreSent) {
   robot.connect();
   robot.send(CommandId::kEnable, 1);
   robot.send(CommandId::kVel, 200);
