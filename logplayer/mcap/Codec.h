@@ -42,23 +42,13 @@ struct CheckedAttachment {
   bool crcFits = true;
 };
 
-std::optional<Header> decodeHeader(Bytes content);
-std::optional<Footer> decodeFooter(Bytes content);
-std::optional<Schema> decodeSchema(Bytes content);
-std::optional<Channel> decodeChannel(Bytes content);
+/// Any record that has no function of its own here. The content of a chunk may be truncated behind its head.
+template <typename Record>
+std::optional<Record> decode(Bytes content);
 /// The message's data is a view into `content`.
 std::optional<Message> decodeMessage(Bytes content);
-/// `content` may be truncated behind the fields of the head.
-std::optional<ChunkHead> decodeChunkHead(Bytes content);
 std::optional<MessageIndex> decodeMessageIndex(Bytes content);
-std::optional<ChunkIndex> decodeChunkIndex(Bytes content);
 std::optional<CheckedAttachment> decodeAttachment(Bytes content);
-std::optional<AttachmentIndex> decodeAttachmentIndex(Bytes content);
-std::optional<Statistics> decodeStatistics(Bytes content);
-std::optional<Metadata> decodeMetadata(Bytes content);
-std::optional<MetadataIndex> decodeMetadataIndex(Bytes content);
-std::optional<SummaryOffset> decodeSummaryOffset(Bytes content);
-std::optional<DataEnd> decodeDataEnd(Bytes content);
 
 /// Size of a chunk's content before its records.
 constexpr std::size_t chunkHeadBytes(std::size_t compressionNameBytes) {

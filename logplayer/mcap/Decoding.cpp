@@ -67,16 +67,6 @@ bool take(ByteReader& fields, std::map<std::uint16_t, std::uint64_t>& counts) {
   return takeNumbers(fields, [&](std::uint16_t key, std::uint64_t value) { counts[key] = value; });
 }
 
-template <typename Record>
-std::optional<Record> decodeFields(Bytes content) {
-  ByteReader fields(content);
-  Record record;
-  const bool whole =
-      std::apply([&](auto&... field) { return (take(fields, field) && ...); }, fieldsOf(record));
-  if (!whole || !fields.good()) return std::nullopt;
-  return record;
-}
-
 }  // namespace
 
 std::optional<RecordView> firstRecord(Bytes bytes) {
@@ -88,22 +78,30 @@ std::optional<RecordView> firstRecord(Bytes bytes) {
   return record;
 }
 
-std::optional<Header> decodeHeader(Bytes content) {
-  return decodeFields<Header>(content);
+template <typename Record>
+std::optional<Record> decode(Bytes content) {
+  ByteReader fields(content);
+  Record record;
+  const bool whole =
+      std::apply([&](auto&... field) { return (take(fields, field) && ...); }, fieldsOf(record));
+  if (!whole || !fields.good()) return std::nullopt;
+  if constexpr (std::same_as<Record, Schema>) {
+    if (record.id == 0) return std::nullopt;
+  }
+  return record;
 }
-
-std::optional<Footer> decodeFooter(Bytes content) {
-  return decodeFields<Footer>(content);
-}
-
-std::optional<Schema> decodeSchema(Bytes content) {
-  std::optional<Schema> schema = decodeFields<Schema>(content);
-  return schema && schema->id != 0 ? std::move(schema) : std::nullopt;
-}
-
-std::optional<Channel> decodeChannel(Bytes content) {
-  return decodeFields<Channel>(content);
-}
+template std::optional<Header> decode(Bytes content);
+template std::optional<Footer> decode(Bytes content);
+template std::optional<Schema> decode(Bytes content);
+template std::optional<Channel> decode(Bytes content);
+template std::optional<ChunkHead> decode(Bytes content);
+template std::optional<ChunkIndex> decode(Bytes content);
+template std::optional<AttachmentIndex> decode(Bytes content);
+template std::optional<Statistics> decode(Bytes content);
+template std::optional<Metadata> decode(Bytes content);
+template std::optional<MetadataIndex> decode(Bytes content);
+template std::optional<SummaryOffset> decode(Bytes content);
+template std::optional<DataEnd> decode(Bytes content);
 
 std::optional<Message> decodeMessage(Bytes content) {
   constexpr std::size_t kHead = kMessageHeadBytes - kRecordHeadBytes;
@@ -115,10 +113,6 @@ std::optional<Message> decodeMessage(Bytes content) {
   message.publishTime = instantOf(loadNumber<std::uint64_t>(content.data() + 14));
   message.data = content.subspan(kHead);
   return message;
-}
-
-std::optional<ChunkHead> decodeChunkHead(Bytes content) {
-  return decodeFields<ChunkHead>(content);
 }
 
 std::optional<MessageIndex> decodeMessageIndex(Bytes content) {
@@ -137,10 +131,6 @@ std::optional<MessageIndex> decodeMessageIndex(Bytes content) {
   return index;
 }
 
-std::optional<ChunkIndex> decodeChunkIndex(Bytes content) {
-  return decodeFields<ChunkIndex>(content);
-}
-
 std::optional<CheckedAttachment> decodeAttachment(Bytes content) {
   ByteReader fields(content);
   CheckedAttachment result;
@@ -154,30 +144,6 @@ std::optional<CheckedAttachment> decodeAttachment(Bytes content) {
   if (!fields.good()) return std::nullopt;
   result.crcFits = crc == 0 || crc == crc32(content.first(checked));
   return result;
-}
-
-std::optional<AttachmentIndex> decodeAttachmentIndex(Bytes content) {
-  return decodeFields<AttachmentIndex>(content);
-}
-
-std::optional<Statistics> decodeStatistics(Bytes content) {
-  return decodeFields<Statistics>(content);
-}
-
-std::optional<Metadata> decodeMetadata(Bytes content) {
-  return decodeFields<Metadata>(content);
-}
-
-std::optional<MetadataIndex> decodeMetadataIndex(Bytes content) {
-  return decodeFields<MetadataIndex>(content);
-}
-
-std::optional<SummaryOffset> decodeSummaryOffset(Bytes content) {
-  return decodeFields<SummaryOffset>(content);
-}
-
-std::optional<DataEnd> decodeDataEnd(Bytes content) {
-  return decodeFields<DataEnd>(content);
 }
 
 }  // namespace logplayer::mcap

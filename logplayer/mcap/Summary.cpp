@@ -27,34 +27,30 @@ class Groups {
 };
 
 template <typename Record, typename Add>
-bool added(std::optional<Record> record, Add add) {
-  if (!record) return false;
-  add(std::move(*record));
-  return true;
+bool added(Bytes content, Add add) {
+  auto record = decode<Record>(content);
+  if (record) add(std::move(*record));
+  return record.has_value();
 }
 
 bool addRecord(Summary& summary, const RecordView& record) {
   const Bytes content = record.content;
+  const auto append = [](auto& to) { return [&to](auto&& index) { to.push_back(std::move(index)); }; };
+  const auto addById = [](auto& to) { return [&to](auto&& one) { to.emplace(one.id, std::move(one)); }; };
   switch (static_cast<Opcode>(record.opcode)) {
     case Opcode::kSchema:
-      return added(decodeSchema(content), [&](Schema&& s) { summary.schemas.emplace(s.id, std::move(s)); });
+      return added<Schema>(content, addById(summary.schemas));
     case Opcode::kChannel:
-      return added(decodeChannel(content),
-                   [&](Channel&& c) { summary.channels.emplace(c.id, std::move(c)); });
+      return added<Channel>(content, addById(summary.channels));
     case Opcode::kStatistics:
-      return added(decodeStatistics(content), [&](Statistics&& s) {
-        summary.statistics = std::move(s);
-        summary.hasStatistics = true;
-      });
+      summary.hasStatistics = true;
+      return added<Statistics>(content, [&](Statistics&& s) { summary.statistics = std::move(s); });
     case Opcode::kChunkIndex:
-      return added(decodeChunkIndex(content),
-                   [&](ChunkIndex&& i) { summary.chunks.push_back(std::move(i)); });
+      return added<ChunkIndex>(content, append(summary.chunks));
     case Opcode::kAttachmentIndex:
-      return added(decodeAttachmentIndex(content),
-                   [&](AttachmentIndex&& i) { summary.attachments.push_back(std::move(i)); });
+      return added<AttachmentIndex>(content, append(summary.attachments));
     case Opcode::kMetadataIndex:
-      return added(decodeMetadataIndex(content),
-                   [&](MetadataIndex&& i) { summary.metadata.push_back(std::move(i)); });
+      return added<MetadataIndex>(content, append(summary.metadata));
     default:
       return true;
   }

@@ -42,7 +42,7 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
   if (!source_.read(info.offset, begin)) return problem("the system cannot read it");
   const bool isChunk =
       begin.size() > kRecordHeadBytes && begin[0] == static_cast<std::uint8_t>(Opcode::kChunk);
-  const auto head = isChunk ? decodeChunkHead(begin.subspan(kRecordHeadBytes)) : std::nullopt;
+  const auto head = isChunk ? decode<ChunkHead>(begin.subspan(kRecordHeadBytes)) : std::nullopt;
   if (!head) return problem("there is no chunk where the file says so");
   return loadChunk(section, *head, kRecordHeadBytes + chunkHeadBytes(head->compression.size()), records);
 }

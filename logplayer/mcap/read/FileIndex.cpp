@@ -16,7 +16,7 @@ std::optional<Footer> readFooter(const Source& source) {
   if (end.size() != bytes || !std::ranges::equal(Bytes(end).last(sizeof kMagic), kMagic)) return std::nullopt;
   const std::optional<RecordView> record = firstRecord(end);
   if (!record || !record->is(Opcode::kFooter) || record->bytes() != kFooterBytes) return std::nullopt;
-  return decodeFooter(record->content);
+  return decode<Footer>(record->content);
 }
 
 /// The records between the start of the summary and the footer, with their CRC checked.
@@ -43,7 +43,7 @@ std::optional<Header> readHeader(const Source& source, std::size_t maxRecordByte
   if (head.take<std::uint8_t>() != static_cast<std::uint8_t>(Opcode::kHeader)) return std::nullopt;
   const auto length = head.take<std::uint64_t>();
   if (length > maxRecordBytes || length > source.bytes()) return std::nullopt;
-  return decodeHeader(source.read(sizeof kMagic + kRecordHeadBytes, length));
+  return decode<Header>(source.read(sizeof kMagic + kRecordHeadBytes, length));
 }
 
 /// The size of a message index with `entries` messages.
@@ -156,7 +156,7 @@ tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::siz
   index.metadata = std::move(summary->metadata);
   index.complete = index.bySummary = true;
   index.dataEnd = dataEnd;
-  index.dataCrc = decodeDataEnd(record->content)->dataCrc;
+  index.dataCrc = decode<DataEnd>(record->content)->dataCrc;
   index.sections.reserve(summary->chunks.size());
   for (const ChunkIndex& chunk : summary->chunks) index.sections.push_back(sectionOf(chunk));
   return index;

@@ -200,7 +200,7 @@ const std::vector<Metadata>& Reader::metadata() {
     if (index.length <= self.options.maxRecordBytes) {
       const Buffer bytes = self.source.read(index.offset, index.length);
       const std::optional<RecordView> record = firstRecord(bytes);
-      if (record && record->is(Opcode::kMetadata)) metadata = decodeMetadata(record->content);
+      if (record && record->is(Opcode::kMetadata)) metadata = decode<Metadata>(record->content);
     }
     if (metadata) {
       self.metadata->push_back(std::move(*metadata));

@@ -29,7 +29,7 @@ std::optional<Section> chunkAt(SourceWindow& window, const Source& source, std::
   if (bytes.size() < kRecordHeadBytes || !is(bytes[0], Opcode::kChunk)) return std::nullopt;
   const auto content = loadNumber<std::uint64_t>(bytes.data() + 1);
   if (content > source.bytes() - offset - kRecordHeadBytes) return std::nullopt;
-  const auto head = decodeChunkHead(bytes.subspan(kRecordHeadBytes));
+  const auto head = decode<ChunkHead>(bytes.subspan(kRecordHeadBytes));
   if (!head || head->start > head->end) return std::nullopt;
   if (head->recordsBytes > content || content - head->recordsBytes < chunkHeadBytes(head->compression.size()))
     return std::nullopt;

@@ -312,45 +312,43 @@ Scanner::Taken Scanner::takeAttachment(std::uint64_t length) {
 /// same length.
 Scanner::Taken Scanner::takeSmall(Opcode opcode, std::uint64_t length) {
   const Buffer content = source_.read(offset_ + kRecordHeadBytes, length);
-  Buffer again;
   if (content.size() != length) return Taken::kNot;
-  if (opcode == Opcode::kHeader) {
-    const auto header = decodeHeader(content);
-    if (!header) return Taken::kNot;
-    encode(again, *header);
-    index_.header = *header;
-  } else if (opcode == Opcode::kSchema) {
-    const auto schema = decodeSchema(content);
-    if (!schema) return Taken::kNot;
-    encode(again, *schema);
-    learn({static_cast<std::uint8_t>(opcode), content});
-  } else if (opcode == Opcode::kChannel) {
-    const auto channel = decodeChannel(content);
-    if (!channel) return Taken::kNot;
-    encode(again, *channel);
-    learn({static_cast<std::uint8_t>(opcode), content});
-  } else if (opcode == Opcode::kMetadata) {
-    const auto metadata = decodeMetadata(content);
-    if (!metadata) return Taken::kNot;
-    encode(again, *metadata);
-    index_.metadata.push_back({offset_, end_ - offset_, metadata->name});
-  } else if (opcode == Opcode::kDataEnd) {
-    if (length != kDataEndBytes - kRecordHeadBytes) return Taken::kNot;
-    index_.dataEnd = offset_;
-    index_.dataCrc = decodeDataEnd(content)->dataCrc;
-    return Taken::kWhole;
-  } else {
-    ended_ = length == kFooterBytes - kRecordHeadBytes;
-    return ended_ ? Taken::kWhole : Taken::kNot;
+  const auto takeAs = [&]<typename Record>(std::type_identity<Record>, auto use) {
+    const auto record = decode<Record>(content);
+    if (!record) return Taken::kNot;
+    use(*record);
+    Buffer again;
+    encode(again, *record);
+    return again.size() == kRecordHeadBytes + length ? Taken::kWhole : Taken::kPart;
+  };
+  const auto learnThis = [&](const auto&) { learn({static_cast<std::uint8_t>(opcode), content}); };
+  switch (opcode) {
+    case Opcode::kHeader:
+      return takeAs(std::type_identity<Header>(), [&](const Header& header) { index_.header = header; });
+    case Opcode::kSchema:
+      return takeAs(std::type_identity<Schema>(), learnThis);
+    case Opcode::kChannel:
+      return takeAs(std::type_identity<Channel>(), learnThis);
+    case Opcode::kMetadata:
+      return takeAs(std::type_identity<Metadata>(), [&](const Metadata& metadata) {
+        index_.metadata.push_back({offset_, end_ - offset_, metadata.name});
+      });
+    case Opcode::kDataEnd:
+      if (length != kDataEndBytes - kRecordHeadBytes) return Taken::kNot;
+      index_.dataEnd = offset_;
+      index_.dataCrc = decode<DataEnd>(content)->dataCrc;
+      return Taken::kWhole;
+    default:
+      ended_ = length == kFooterBytes - kRecordHeadBytes;
+      return ended_ ? Taken::kWhole : Taken::kNot;
   }
-  return again.size() == kRecordHeadBytes + length ? Taken::kWhole : Taken::kPart;
 }
 
 void Scanner::learn(const RecordView& record) {
   if (record.is(Opcode::kSchema)) {
-    if (auto schema = decodeSchema(record.content)) index_.schemas.emplace(schema->id, std::move(*schema));
+    if (auto schema = decode<Schema>(record.content)) index_.schemas.emplace(schema->id, std::move(*schema));
   } else if (record.is(Opcode::kChannel)) {
-    if (auto channel = decodeChannel(record.content))
+    if (auto channel = decode<Channel>(record.content))
       index_.channels.emplace(channel->id, std::move(*channel));
   }
 }

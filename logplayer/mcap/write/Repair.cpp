@@ -147,7 +147,7 @@ Result<void> Salvage::copyMetadata(Writer& writer) {
   for (const MetadataIndex& metadata : index_.metadata) {
     const auto record = recordAt(metadata.offset, metadata.length);
     const auto decoded =
-        record && record->is(Opcode::kMetadata) ? decodeMetadata(record->content) : std::nullopt;
+        record && record->is(Opcode::kMetadata) ? decode<Metadata>(record->content) : std::nullopt;
     if (!decoded) {
       index_.damage.push_back(
           {metadata.offset, metadata.length, "the metadata " + metadata.name + " is damaged"});

@@ -48,35 +48,35 @@ void check(const RecordView& record) {
   const Bytes content = record.content;
   switch (static_cast<Opcode>(record.opcode)) {
     case Opcode::kHeader:
-      return checkAgain(decodeHeader(content), &decodeHeader);
+      return checkAgain(decode<Header>(content), &decode<Header>);
     case Opcode::kFooter:
-      return checkAgain(decodeFooter(content), &decodeFooter);
+      return checkAgain(decode<Footer>(content), &decode<Footer>);
     case Opcode::kSchema:
-      return checkAgain(decodeSchema(content), &decodeSchema);
+      return checkAgain(decode<Schema>(content), &decode<Schema>);
     case Opcode::kChannel:
-      return checkAgain(decodeChannel(content), &decodeChannel);
+      return checkAgain(decode<Channel>(content), &decode<Channel>);
     case Opcode::kMessage:
       return checkMessage(content);
     case Opcode::kMessageIndex:
       return checkAgain(decodeMessageIndex(content), &decodeMessageIndex);
     case Opcode::kChunkIndex:
-      return checkAgain(decodeChunkIndex(content), &decodeChunkIndex);
+      return checkAgain(decode<ChunkIndex>(content), &decode<ChunkIndex>);
     case Opcode::kAttachment:
       return checkAttachment(content);
     case Opcode::kAttachmentIndex:
-      return checkAgain(decodeAttachmentIndex(content), &decodeAttachmentIndex);
+      return checkAgain(decode<AttachmentIndex>(content), &decode<AttachmentIndex>);
     case Opcode::kStatistics:
-      return checkAgain(decodeStatistics(content), &decodeStatistics);
+      return checkAgain(decode<Statistics>(content), &decode<Statistics>);
     case Opcode::kMetadata:
-      return checkAgain(decodeMetadata(content), &decodeMetadata);
+      return checkAgain(decode<Metadata>(content), &decode<Metadata>);
     case Opcode::kMetadataIndex:
-      return checkAgain(decodeMetadataIndex(content), &decodeMetadataIndex);
+      return checkAgain(decode<MetadataIndex>(content), &decode<MetadataIndex>);
     case Opcode::kSummaryOffset:
-      return checkAgain(decodeSummaryOffset(content), &decodeSummaryOffset);
+      return checkAgain(decode<SummaryOffset>(content), &decode<SummaryOffset>);
     case Opcode::kDataEnd:
-      return checkAgain(decodeDataEnd(content), &decodeDataEnd);
+      return checkAgain(decode<DataEnd>(content), &decode<DataEnd>);
     case Opcode::kChunk:
-      if (const auto head = decodeChunkHead(content)) {
+      if (const auto head = decode<ChunkHead>(content)) {
         visitRecords(content.subspan(chunkHeadBytes(head->compression.size())),
                      [](const RecordView& inner, std::size_t) { check(inner); });
       }

@@ -52,10 +52,10 @@ TEST(CodecTest, aRecordCutAnywhereIsNotDecoded) {
   encode(bytes, Channel{1, 2, "topic", "json", {{"key", "value"}}});
   const Bytes content = firstRecord(bytes)->content;
   for (std::size_t length = 0; length < content.size(); ++length) {
-    EXPECT_FALSE(decodeChannel(content.first(length))) << length;
+    EXPECT_FALSE(decode<Channel>(content.first(length))) << length;
     EXPECT_FALSE(firstRecord(Bytes(bytes).first(length)));
   }
-  EXPECT_EQ(decodeChannel(content)->metadata.at("key"), "value");
+  EXPECT_EQ(decode<Channel>(content)->metadata.at("key"), "value");
 }
 
 TEST(CodecTest, whatFollowsTheKnownFieldsIsIgnored) {
@@ -64,7 +64,7 @@ TEST(CodecTest, whatFollowsTheKnownFieldsIsIgnored) {
   const Metadata metadata{"m", {{"a", "b"}}};
   encode(bytes, metadata, padding);
   EXPECT_EQ(bytes.size(), kRecordHeadBytes + 4 + 1 + 4 + 10 + 3);
-  EXPECT_EQ(decodeMetadata(firstRecord(bytes)->content).value(), metadata);
+  EXPECT_EQ(decode<Metadata>(firstRecord(bytes)->content).value(), metadata);
 }
 
 TEST(CodecTest, aLengthPastTheEndIsNotBelieved) {
@@ -77,7 +77,7 @@ TEST(CodecTest, aLengthPastTheEndIsNotBelieved) {
 TEST(CodecTest, schemaZeroIsInvalid) {
   Buffer bytes;
   encode(bytes, Schema{0, "s", "", ""});
-  EXPECT_FALSE(decodeSchema(firstRecord(bytes)->content));
+  EXPECT_FALSE(decode<Schema>(firstRecord(bytes)->content));
 }
 
 TEST(CompressionTest, whatIsCompressedComesBack) {

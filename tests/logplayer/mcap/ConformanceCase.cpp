@@ -128,27 +128,27 @@ bool appendDecoded(std::vector<Record>& records, const RecordView& record) {
   const Bytes content = record.content;
   switch (static_cast<Opcode>(record.opcode)) {
     case Opcode::kHeader:
-      return append(records, decodeHeader(content));
+      return append(records, decode<Header>(content));
     case Opcode::kFooter:
-      return append(records, decodeFooter(content));
+      return append(records, decode<Footer>(content));
     case Opcode::kSchema:
-      return append(records, decodeSchema(content));
+      return append(records, decode<Schema>(content));
     case Opcode::kChannel:
-      return append(records, decodeChannel(content));
+      return append(records, decode<Channel>(content));
     case Opcode::kChunkIndex:
-      return append(records, decodeChunkIndex(content));
+      return append(records, decode<ChunkIndex>(content));
     case Opcode::kAttachmentIndex:
-      return append(records, decodeAttachmentIndex(content));
+      return append(records, decode<AttachmentIndex>(content));
     case Opcode::kStatistics:
-      return append(records, decodeStatistics(content));
+      return append(records, decode<Statistics>(content));
     case Opcode::kMetadata:
-      return append(records, decodeMetadata(content));
+      return append(records, decode<Metadata>(content));
     case Opcode::kMetadataIndex:
-      return append(records, decodeMetadataIndex(content));
+      return append(records, decode<MetadataIndex>(content));
     case Opcode::kSummaryOffset:
-      return append(records, decodeSummaryOffset(content));
+      return append(records, decode<SummaryOffset>(content));
     case Opcode::kDataEnd:
-      return append(records, decodeDataEnd(content));
+      return append(records, decode<DataEnd>(content));
     case Opcode::kMessageIndex:
       return decodeMessageIndex(content).has_value();
     case Opcode::kMessage: {
@@ -162,7 +162,7 @@ bool appendDecoded(std::vector<Record>& records, const RecordView& record) {
       return attachment && attachment->crcFits;
     }
     case Opcode::kChunk: {
-      const auto head = decodeChunkHead(content);
+      const auto head = decode<ChunkHead>(content);
       if (!head) return false;
       const Bytes inner = content.subspan(chunkHeadBytes(head->compression.size()));
       return inner.size() == head->recordsBytes && appendAll(records, inner);
