@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -37,23 +36,6 @@ class FileBytes final : public ByteSource {
   std::uint64_t size_;
 };
 
-class MemoryBytes final : public ByteSource {
- public:
-  explicit MemoryBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-
-  std::uint64_t size() const override { return bytes_.size(); }
-  std::size_t read(std::uint64_t offset, std::span<std::uint8_t> to) override {
-    if (offset >= bytes_.size()) return 0;
-    const auto from = bytes_.subspan(static_cast<std::size_t>(offset));
-    const std::size_t count = std::min(from.size(), to.size());
-    std::copy_n(from.begin(), count, to.begin());
-    return count;
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
-
 }  // namespace
 
 robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file) {
@@ -67,10 +49,6 @@ robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::p
     return robotlink::failure("log.open", "the log cannot be opened: " + reason, {file.string(), 0, 0});
   }
   return std::make_unique<FileBytes>(descriptor, static_cast<std::uint64_t>(status.st_size));
-}
-
-std::unique_ptr<ByteSource> bytesInMemory(std::span<const std::uint8_t> bytes) {
-  return std::make_unique<MemoryBytes>(bytes);
 }
 
 }  // namespace logplayer::bhuman

@@ -10,7 +10,7 @@
 
 namespace logplayer::bhuman {
 
-/// Bytes with random access: a file, or memory, which must outlive this object.
+/// Bytes with random access: a file, or in tests memory.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
@@ -23,7 +23,5 @@ class ByteSource {
 
 /// Fails if the file cannot be opened.
 robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file);
-/// The memory is not copied; for tests.
-std::unique_ptr<ByteSource> bytesInMemory(std::span<const std::uint8_t> bytes);
 
 }  // namespace logplayer::bhuman

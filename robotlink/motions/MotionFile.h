@@ -84,7 +84,7 @@ struct MotionFile {
   /// Whether the file itself names the columns, and in which line.
   bool hasJointHeader = false;
   int jointHeaderLine = 0;
-  /// The units of numbers in the text; writeMotion() keeps them.
+  /// The units of numbers in the text.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
   std::vector<MotionLine> lines;
@@ -94,8 +94,5 @@ struct MotionFile {
 
 /// The tick of the robots of 2002: one frame of joint angles.
 inline constexpr Duration kMotionTick = std::chrono::milliseconds(8);
-
-/// Returns the text of a motion. Reading it yields an equal object, except for line numbers.
-std::string writeMotion(const MotionFile& motion);
 
 }  // namespace robotlink

@@ -13,18 +13,6 @@ int MotionNet::find(std::string_view motion) const {
   return found == motions.end() ? -1 : static_cast<int>(found - motions.begin());
 }
 
-std::vector<std::string> MotionNet::requestable() const {
-  std::vector<std::string> names;
-  const int table = find(kEntryName);
-  for (const Node& node : nodes) {
-    const auto* transition = std::get_if<Transition>(&node.step);
-    if (node.motion != table || !transition || transition->request < 0 || transition->request == table)
-      continue;
-    names.push_back(motions[static_cast<std::size_t>(transition->request)]);
-  }
-  return names;
-}
-
 tl::expected<std::shared_ptr<const MotionNet>, Errors> loadMotions(const std::filesystem::path& folder,
                                                                    const std::vector<std::string>& joints) {
   std::error_code error;

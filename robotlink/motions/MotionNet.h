@@ -53,8 +53,6 @@ struct MotionNet {
 
   /// The index of a motion; -1 if there is none of that name.
   int find(std::string_view motion) const;
-  /// The motions that can be requested: those in the entry table, in its order.
-  std::vector<std::string> requestable() const;
 };
 
 /// Compiles files into a net for a robot's joints. Columns that a file names are matched by name, others by

@@ -10,6 +10,7 @@
 
 #include "logplayer/mcap/Source.h"
 #include "tests/TestFolder.h"
+#include "tests/logplayer/bhuman/MemoryBytes.h"
 
 namespace logplayer::bhuman {
 namespace {

@@ -9,6 +9,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Random.h"
 #include "tests/game/Data.h"
+#include "tests/logplayer/bhuman/MemoryBytes.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

@@ -9,6 +9,7 @@
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/Random.h"
+#include "tests/logplayer/bhuman/MemoryBytes.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;

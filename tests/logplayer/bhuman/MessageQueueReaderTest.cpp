@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/logplayer/bhuman/MemoryBytes.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer::bhuman;

@@ -6,6 +6,7 @@
 
 #include "logplayer/bhuman/QueueImport.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/logplayer/bhuman/MemoryBytes.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;

@@ -6,11 +6,11 @@
 
 #include "robotlink/arcos/PioneerRobot.h"
 #include "robotlink/arcos/codec/PacketParser.h"
-#include "robotlink/arcos/stream/MemoryStream.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 #include "tests/robotlink/arcos/PseudoTerminal.h"
+#include "tests/robotlink/arcos/stream/MemoryStream.h"
 
 namespace robotlink::arcos {
 namespace {

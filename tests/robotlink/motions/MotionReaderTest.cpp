@@ -5,6 +5,7 @@
 
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Random.h"
+#include "tests/robotlink/motions/MotionText.h"
 
 namespace robotlink {
 namespace {

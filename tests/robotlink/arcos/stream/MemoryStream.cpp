@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/arcos/stream/MemoryStream.h"
+#include "tests/robotlink/arcos/stream/MemoryStream.h"
 
 #include <algorithm>
 #include <condition_variable>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/motions/MotionFile.h"
+#include "tests/robotlink/motions/MotionText.h"
 
 #include <charconv>
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "robotlink/motions/MotionFile.h"
+
+namespace robotlink {
+
+/// Returns the text of a motion. Reading it yields an equal object, except for line numbers.
+std::string writeMotion(const MotionFile& motion);
+
+}  // namespace robotlink
