@@ -4,7 +4,6 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "logplayer/json/JsonText.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace logplayer {
 
@@ -46,11 +46,7 @@ std::optional<Number> integerOf(const json& value) {
                : std::nullopt;
   }
   if (!value.is_string()) return std::nullopt;  // 64-bit integers are often written as strings
-  const auto& text = value.get_ref<const std::string&>();
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(number)
-                                                                                   : std::nullopt;
+  return robotlink::parsedNumber<Number>(value.get_ref<const std::string&>());
 }
 
 /// JSON has no infinite numbers: null often stands for NaN, and some programs write names.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/Utf8.h"
 
 namespace robotlink {
@@ -37,14 +37,6 @@ bool isSpace(char c) {
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
   return text;
-}
-
-std::optional<double> numberOf(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
 }
 
 /// Returns names as UTF-8; those of old files are in Latin-1.
@@ -142,7 +134,7 @@ class Parser {
   }
 
   void parseCount(std::string_view text, Promise& promise) {
-    const auto value = numberOf(trimmed(text));
+    const auto value = parsedNumberWithSign<double>(trimmed(text));
     if (!value || !(*value >= 0 && *value <= 1e15))
       return note(line_, "this is not a number of lines or points: they are counted");
     promise.line = promise.line == 0 ? line_ : promise.line;
@@ -183,7 +175,7 @@ class Parser {
     while (at != end) {
       const char* from = at;
       while (at != end && !isSpace(*at)) ++at;
-      const auto value = numberOf({from, at});
+      const auto value = parsedNumberWithSign<double>({from, at});
       const int column = column_ + static_cast<int>(from - line.data());
       if (!value || read == count) break;
       if (!(std::abs(*value) <= kFarthestMm))
@@ -281,7 +273,8 @@ class Parser {
     std::vector<Token> tokens;
     std::optional<double> numbers[3];
     if (!readTokens(trimmed(text), tokens)) return;
-    for (std::size_t i = 0; i < 3 && i < tokens.size(); ++i) numbers[i] = numberOf(tokens[i].text);
+    for (std::size_t i = 0; i < 3 && i < tokens.size(); ++i)
+      numbers[i] = parsedNumberWithSign<double>(tokens[i].text);
     const bool known =
         numbers[0] && numbers[1] && std::abs(*numbers[0]) <= 90 && std::abs(*numbers[1]) <= 180;
     if (!known)
@@ -292,7 +285,7 @@ class Parser {
   }
 
   void parseResolution(std::string_view text) {
-    const auto value = numberOf(trimmed(text));
+    const auto value = parsedNumberWithSign<double>(trimmed(text));
     if (value && *value >= kFinestMm && *value <= kCoarsestMm) {
       map_.resolution = *value / 1000;
     } else {
@@ -314,7 +307,7 @@ class Parser {
     const bool hasExtent = tokens.size() >= kAll;
     for (std::size_t i = 0; i < (hasExtent ? 7U : 3U); ++i) {
       const Token& token = tokens[i < 3 ? kFirstNumber + i : kFirstExtent + i - 3];
-      const auto value = numberOf(token.text);
+      const auto value = parsedNumberWithSign<double>(token.text);
       if (!value || !(std::abs(*value) <= kFarthestMm)) {
         return fail(
             token.column, "map.cairn",

@@ -4,7 +4,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <unordered_set>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace robotlink {
 
@@ -108,15 +108,6 @@ void collectUnknownKeys(const YamlValue& value, Errors& errors) {
   }
 }
 
-template <typename Number>
-std::optional<Number> parseNumber(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 // Scalar<T>::read() returns the value, or nothing; kExpected names the type in the error message.
 template <typename T>
 struct Scalar;
@@ -131,7 +122,7 @@ template <>
 struct Scalar<double> {
   static constexpr const char* kExpected = "a finite number";
   static std::optional<double> read(const YamlValue& value) {
-    const auto number = value.quoted ? std::nullopt : parseNumber<double>(value.text);
+    const auto number = value.quoted ? std::nullopt : parsedNumberWithSign<double>(value.text);
     return number && std::isfinite(*number) ? number : std::nullopt;
   }
 };
@@ -140,7 +131,7 @@ template <typename Integer>
 struct IntegerScalar {
   static constexpr const char* kExpected = "a whole number";
   static std::optional<Integer> read(const YamlValue& value) {
-    return value.quoted ? std::nullopt : parseNumber<Integer>(value.text);
+    return value.quoted ? std::nullopt : parsedNumberWithSign<Integer>(value.text);
   }
 };
 template <>

@@ -2,11 +2,10 @@
 #include "robotlink/motions/MotionReader.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
-#include <sstream>
 
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace robotlink {
 namespace {
@@ -48,11 +47,8 @@ bool isName(std::string_view text) {
 }
 
 std::optional<double> number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = parsedNumberWithSign<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 class Reader {
@@ -297,16 +293,14 @@ tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::st
 
 tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
                                                 const std::vector<std::string>& joints) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream) text << stream.rdbuf();
-  if (!stream) {
+  const auto text = readFile(file);
+  if (!text) {
     return tl::unexpected(Errors{{"motion.unreadable",
                                   "the file cannot be read; check its name and its rights",
                                   {},
                                   {file.string(), 0, 0}}});
   }
-  return readMotion(text.str(), file.string(), joints);
+  return readMotion(*text, file.string(), joints);
 }
 
 }  // namespace robotlink

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/session/CommandTable.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 
+#include "robotlink/base/ParsedNumber.h"
 #include "robotlink/session/CommandLine.h"
 
 namespace robotlink {
@@ -62,21 +62,14 @@ std::optional<bool> parseBool(const std::string& text) {
   return std::nullopt;
 }
 
-std::optional<double> parseNumber(const std::string& text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
 std::optional<Value> parseValue(Type type, const std::string& text) {
   if (type == Type::kBool) {
     const auto value = parseBool(text);
     return value ? std::optional<Value>(*value) : std::nullopt;
   }
   if (type == Type::kNumber) {
-    const auto value = parseNumber(text);
-    return value ? std::optional<Value>(*value) : std::nullopt;
+    const auto value = parsedNumber<double>(text);
+    return value && std::isfinite(*value) ? std::optional<Value>(*value) : std::nullopt;
   }
   return Value(text);
 }

@@ -5,8 +5,9 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
+
+#include "robotlink/base/ParsedNumber.h"
 
 namespace robotlink {
 namespace {
@@ -173,9 +174,7 @@ std::optional<Step> takeStep(std::string_view& path) {
 int elementIndex(const Message& message, const FieldDescriptor& field, std::string_view key) {
   const Reflection& reflection = *message.GetReflection();
   const int size = reflection.FieldSize(message, &field);
-  int index = -1;
-  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-  if (error == std::errc() && end == key.data() + key.size()) return index >= 0 && index < size ? index : -1;
+  if (const auto index = parsedNumber<int>(key)) return *index >= 0 && *index < size ? *index : -1;
   const FieldDescriptor* name = isPart(field) ? nameField(*field.message_type()) : nullptr;
   for (int i = 0; name && i < size; ++i) {
     const Message& element = reflection.GetRepeatedMessage(message, &field, i);

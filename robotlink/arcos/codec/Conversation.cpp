@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/arcos/codec/Conversation.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -87,13 +87,12 @@ double writtenMs(robotlink::Duration at) {
 tl::expected<Event, std::string> readEvent(std::string_view line) {
   if (line == kNewConnection) return Event{EventKind::kNewConnection, {}, {}, {}};
   const std::string_view time = takeWord(line);
-  double ms = 0;
-  const auto [end, problem] = std::from_chars(time.data(), time.data() + time.size(), ms);
-  if (problem != std::errc() || end != time.data() + time.size() || !(std::abs(ms) <= kMaxMs)) {
+  const auto ms = parsedNumber<double>(time);
+  if (!ms || !(std::abs(*ms) <= kMaxMs)) {
     return tl::unexpected("expected '" + std::string(kNewConnection) + "' or a time in ms, not '" +
                           std::string(time.substr(0, 40)) + "'");
   }
-  Event event{EventKind::kClosed, std::chrono::microseconds(std::llround(ms * 1000)), {}, {}};
+  Event event{EventKind::kClosed, std::chrono::microseconds(std::llround(*ms * 1000)), {}, {}};
   if (line == kClosed) return event;
 
   event.kind = EventKind::kPacket;

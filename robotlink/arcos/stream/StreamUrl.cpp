@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
+
+#include "robotlink/base/ParsedNumber.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -17,13 +18,6 @@ constexpr std::array kBauds = {9600, 19200, 38400, 57600, 115200};
 
 tl::unexpected<Error> bad(const std::string& url, const std::string& problem) {
   return failure("url.bad", "'" + url + "' is not the address of a robot: " + problem, {}, {url});
-}
-
-std::optional<int> toNumber(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
 }
 
 Result<StreamUrl> parseTcp(const std::string& url, std::string_view rest) {
@@ -48,7 +42,7 @@ Result<StreamUrl> parseTcp(const std::string& url, std::string_view rest) {
   }
   TcpAddress address{std::string(host), kDefaultPort};
   if (!port.empty()) {
-    const auto number = port.starts_with(':') ? toNumber(port.substr(1)) : std::nullopt;
+    const auto number = port.starts_with(':') ? parsedNumber<int>(port.substr(1)) : std::nullopt;
     if (!number || *number < 1 || *number > 65535)
       return bad(url, "its port must be a number from 1 to 65535");
     address.port = static_cast<std::uint16_t>(*number);
@@ -65,7 +59,7 @@ Result<StreamUrl> parseSerial(const std::string& url, std::string_view rest) {
   if (question == std::string_view::npos) return address;
   const std::string_view option = rest.substr(question + 1);
   if (!option.starts_with("baud=")) return bad(url, "its only option is the speed, as in ?baud=9600");
-  const auto baud = toNumber(option.substr(5));
+  const auto baud = parsedNumber<int>(option.substr(5));
   if (!baud || std::ranges::find(kBauds, *baud) == kBauds.end()) {
     return bad(url, "its speed must be one of 9600, 19200, 38400, 57600, 115200 baud");
   }
