@@ -6,6 +6,7 @@
 
 #include "logplayer/base/DamageReport.h"
 #include "logplayer/base/LogChannels.h"
+#include "logplayer/base/Plural.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -30,10 +31,6 @@ std::string framesPathOf(const mcap::Channel& channel) {
   const auto process = channel.metadata.find("process");
   if (process == channel.metadata.end() || process->second.empty()) return {};
   return robotPartOf(channel.topic) + "/" + robotlink::streams::kFrames + process->second;
-}
-
-std::string counted(std::uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::string listed(const std::map<std::string, std::uint64_t>& counts) {
@@ -221,9 +218,9 @@ std::vector<std::string> LogSource::losses() const {
   std::vector<std::string> result = otherLosses_;
   const auto damaged = describeDamage(file_, reader_->complete(), reader_->damage());
   result.insert(result.end(), damaged.begin(), damaged.end());
-  if (unread_ > 0) result.push_back(name + counted(unread_, "message") + " could not be read");
+  if (unread_ > 0) result.push_back(name + plural(unread_, "message") + " could not be read");
   if (incompleteFrames_ > 0) {
-    result.push_back(name + counted(incompleteFrames_, "frame") + " left out, of which the end is missing");
+    result.push_back(name + plural(incompleteFrames_, "frame") + " left out, of which the end is missing");
   }
   return result;
 }

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace app {
 namespace {
@@ -21,12 +21,9 @@ using robotlink::Result;
 constexpr auto kQuiet = std::chrono::milliseconds(500);  // shorter operations show no progress
 
 std::optional<double> numberOf(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   constexpr double kLargest = 4e9;  // s; the sum of two fits into an Instant
-  if (error != std::errc() || end != text.data() + text.size() || !(std::abs(number) < kLargest))
-    return std::nullopt;
-  return number;
+  const auto number = robotlink::parsedNumber<double>(text);
+  return number && std::abs(*number) < kLargest ? number : std::nullopt;
 }
 
 Result<Instant> timeOf(const std::string& text, Instant begin,
@@ -94,6 +91,11 @@ Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) cons
     return robotlink::failure("usage", "--to is before --from");
   }
   return result;
+}
+
+int printRangeError(const robotlink::Error& error) {
+  printErrors({error});
+  return error.id == "usage" ? kUsage : kFailed;
 }
 
 TerminalProgress::TerminalProgress()

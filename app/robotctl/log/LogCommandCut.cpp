@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `robotctl log` cut, merge, filter and convert.
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -10,7 +9,9 @@
 
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
+#include "logplayer/base/Plural.h"
 #include "logplayer/edit/LogCut.h"
+#include "robotlink/base/ParsedNumber.h"
 
 namespace app {
 namespace {
@@ -36,18 +37,16 @@ robotlink::Result<logplayer::RewriteReport> rewrite(logplayer::RewriteOptions& o
   return rewriteLogs(options, to);
 }
 
-std::string counted(std::uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 int writeLog(logplayer::RewriteOptions& options, const std::string& to) {
   const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
   for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
   if (report->concatenated) std::cout << "the logs were joined one after another, as parts of one\n";
   for (const std::string& note : report->notes) std::cout << note << "\n";
-  std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(), counted(report->messages, "message").c_str(),
-              counted(report->frames, "frame").c_str(), counted(report->bookmarks, "bookmark").c_str(),
+  std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(),
+              logplayer::plural(report->messages, "message").c_str(),
+              logplayer::plural(report->frames, "frame").c_str(),
+              logplayer::plural(report->bookmarks, "bookmark").c_str(),
               robotlink::seconds(report->end - report->begin), static_cast<double>(report->bytes) * 1e-6);
   std::fflush(stdout);
   return printLosses(report->losses);
@@ -57,10 +56,7 @@ int cut(CutArguments& arguments) {
   const auto input = LogInput::of(arguments.from);
   if (!input) return printErrors({input.error()});
   const auto range = arguments.range.of(input->path());
-  if (!range) {
-    printErrors({range.error()});
-    return range.error().id == "usage" ? kUsage : kFailed;
-  }
+  if (!range) return printRangeError(range.error());
   arguments.options.from = range->from;
   arguments.options.to = range->to;
   arguments.options.inputs = {{input->path()}};
@@ -70,14 +66,12 @@ int cut(CutArguments& arguments) {
 /// Assigns "FILE=SECONDS" to the input with this name; prints an error and returns false if there is none.
 bool takeOffset(const std::string& text, std::vector<logplayer::RewriteInput>& inputs) {
   const auto equals = text.rfind('=');
-  double seconds = 0;
-  const char* end = text.data() + text.size();
-  const bool number = equals != std::string::npos &&
-                      std::from_chars(text.data() + equals + 1, end, seconds).ptr == end &&
-                      equals + 1 < text.size() && std::abs(seconds) < 4e9;
+  const double seconds = equals == std::string::npos
+                             ? NAN
+                             : robotlink::parsedNumber<double>(text.substr(equals + 1)).value_or(NAN);
   bool taken = false;
   for (auto& input : inputs) {
-    if (!number || input.file != text.substr(0, equals)) continue;
+    if (!(std::abs(seconds) < 4e9) || input.file != text.substr(0, equals)) continue;
     input.offset = robotlink::fromSeconds(seconds);
     taken = true;
   }

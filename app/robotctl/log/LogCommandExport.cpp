@@ -95,10 +95,7 @@ int exportLog(const ExportArguments& arguments) {
   const auto input = LogInput::of(arguments.file);
   if (!input) return printErrors({input.error()});
   const auto range = arguments.range.of(input->path());
-  if (!range) {
-    printErrors({range.error()});
-    return range.error().id == "usage" ? kUsage : kFailed;
-  }
+  if (!range) return printRangeError(range.error());
   const auto log = opened(input->path());
   if (!log) return printErrors({log.error()});
   return exportFrom(*log, arguments, {range->from, range->to, arguments.force});

@@ -76,11 +76,6 @@ Result<void> remove(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
   return {};
 }
 
-int bookmarkFailed(const robotlink::Error& error) {
-  printErrors({error});
-  return error.id == "usage" ? kUsage : kFailed;
-}
-
 int bookmark(const BookmarkArguments& arguments) {
   const bool changes = !arguments.add.empty() || !arguments.remove.empty();
   if (changes && arguments.file == "-") {
@@ -91,14 +86,14 @@ int bookmark(const BookmarkArguments& arguments) {
   if (!input) return printErrors({input.error()});
   Result<TimeRange::Instants> range;
   if (!arguments.add.empty()) range = arguments.range.of(arguments.file);
-  if (!range) return bookmarkFailed(range.error());
+  if (!range) return printRangeError(range.error());
   auto bookmarks = Bookmarks::open(input->path());
   if (!bookmarks) return printErrors({bookmarks.error()});
   Result<void> done;
   if (!arguments.add.empty()) done = addBookmark(*bookmarks, arguments, *range);
   if (done && !arguments.remove.empty()) done = remove(*bookmarks, arguments);
   if (done && changes) done = bookmarks->save();
-  if (!done) return bookmarkFailed(done.error());
+  if (!done) return printRangeError(done.error());
   printBookmarks(*bookmarks, arguments.asJson);
   if (changes && bookmarks->savedIn() != arguments.file) {
     std::cerr << "the log cannot be changed; its bookmarks are in " << bookmarks->savedIn().string() << "\n";

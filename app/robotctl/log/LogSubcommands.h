@@ -23,6 +23,8 @@ void addLogNoteCommands(CLI::App& log, int& status);  // bookmark, attachment
 
 /// Prints losses to stderr, one per line. Returns kDoneWithLosses, or kDone if there are none.
 int printLosses(const std::vector<std::string>& losses);
+/// Prints why a range or what depends on it failed; kUsage if the range makes no sense, else kFailed.
+int printRangeError(const robotlink::Error& error);
 
 /// A time range as users enter it. Each end is a number of seconds from the log's start ("12.5"), a time of
 /// the log ("@486.75"), a date ("2026-05-04T12:30:01"), or the text of a bookmark.

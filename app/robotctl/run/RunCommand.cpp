@@ -334,12 +334,7 @@ int replay(const RunArguments& arguments) {
   ReplayOptions options;
   if (const std::string wrong = takeLogs(arguments, options); !wrong.empty()) return usage(wrong);
   if (const std::string wrong = takeChoices(arguments, options); !wrong.empty()) return usage(wrong);
-  if (!arguments.layout.empty()) {
-    options.layout = arguments.layout;
-    for (const auto& shipped : shippedLayouts()) {
-      if (shipped.stem() == arguments.layout) options.layout = shipped;
-    }
-  }
+  if (!arguments.layout.empty()) options.layout = layoutNamed(arguments.layout);
   options.colorTable = arguments.colorTable;
   options.publishAllPackages = !arguments.record.empty();
   std::vector<LogInput> inputs;

@@ -70,13 +70,6 @@ bool takeSolutions(SimArguments& arguments) {
   return true;
 }
 
-std::filesystem::path layoutFile(const std::string& name) {
-  for (const auto& shipped : shippedLayouts()) {
-    if (shipped.stem() == name) return shipped;
-  }
-  return name;
-}
-
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImages* images) {
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
@@ -241,7 +234,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   }
   arguments.camera.applyTo(arguments.run);
   arguments.arcos.applyTo(arguments.run);
-  if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
+  if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
   // Threads run in real time: nothing waits for them.
