@@ -55,8 +55,7 @@ struct Simulation::Implementation {
   std::vector<Pose3> poses;
   // Indices of models.
   std::vector<int> balls, robots;
-  // By robot.
-  std::vector<std::uint64_t> ballContacts;
+  std::uint64_t ballContacts = 0;
   // By robot, in the last step.
   std::vector<bool> touchedBall;
   // By robot.
@@ -86,7 +85,7 @@ struct Simulation::Implementation {
     ports.servoStates = fresh.servoStates;
     steps = 0;
     poses.assign(physics->bodyCount() + 1, Pose3::Identity());
-    ballContacts.assign(robots.size(), 0);
+    ballContacts = 0;
     touchedBall.assign(robots.size(), false);
     obstacles.assign(robots.size(), {});
     wheelStates.assign(ports.drives.size(), {});
@@ -110,7 +109,7 @@ struct Simulation::Implementation {
     for (std::size_t i = 0; i < robots.size(); ++i) {
       const bool touches =
           std::ranges::any_of(balls, [&](int ball) { return physics->touched(robots[i], ball); });
-      if (touches && !touchedBall[i]) ++ballContacts[i];
+      if (touches && !touchedBall[i]) ++ballContacts;
       touchedBall[i] = touches;
     }
   }
@@ -300,17 +299,7 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
 }
 
 std::uint64_t Simulation::ballContacts() const {
-  std::uint64_t sum = 0;
-  for (const std::uint64_t count : implementation_->ballContacts) sum += count;
-  return sum;
-}
-
-std::uint64_t Simulation::ballContacts(const std::string& robot) const {
-  const Implementation& i = *implementation_;
-  for (std::size_t r = 0; r < i.robots.size(); ++r) {
-    if (i.world.models[static_cast<std::size_t>(i.robots[r])].name == robot) return i.ballContacts[r];
-  }
-  return 0;
+  return implementation_->ballContacts;
 }
 
 std::uint64_t Simulation::obstacleContacts(const std::string& robot) const {

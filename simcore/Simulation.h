@@ -94,9 +94,8 @@ class Simulation {
   /// Fails, changing nothing, if the model is unknown or static, or does not fit there.
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose);
 
-  /// How often robots, or a robot, began to touch a ball.
+  /// How often robots began to touch a ball.
   std::uint64_t ballContacts() const;
-  std::uint64_t ballContacts(const std::string& robot) const;
 
   /// How often a robot began to touch anything but the floor (contacts less than 0.1 s apart count as one),
   /// and for how long in total.

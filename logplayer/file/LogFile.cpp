@@ -262,13 +262,6 @@ std::optional<Instant> LogFile::timeAfter(const std::string& stream, Instant tim
   return found ? std::optional(found->time) : std::nullopt;
 }
 
-std::optional<Instant> LogFile::timeBefore(const std::string& stream, Instant time) {
-  Implementation& self = *implementation_;
-  const std::lock_guard lock(self.mutex);
-  const auto found = self.previous({time, 0, 0, 0}, self.channels->of(stream));
-  return found ? std::optional(found->time) : std::nullopt;
-}
-
 std::vector<Instant> LogFile::times(const std::string& stream) {
   Implementation& self = *implementation_;
   const std::lock_guard lock(self.mutex);

@@ -93,9 +93,8 @@ class LogFile {
   /// The newest message of a stream not later than `time`; empty if there is none. Unreadable messages are
   /// skipped and counted in damage().
   std::optional<robotlink::StreamMessage> latest(const std::string& stream, robotlink::Instant time);
-  /// Time of the first message of a stream later than `time`, or of the last one earlier than it.
+  /// Time of the first message of a stream later than `time`.
   std::optional<robotlink::Instant> timeAfter(const std::string& stream, robotlink::Instant time);
-  std::optional<robotlink::Instant> timeBefore(const std::string& stream, robotlink::Instant time);
   /// The times of all messages of a stream, sorted.
   std::vector<robotlink::Instant> times(const std::string& stream);
 

@@ -248,7 +248,4 @@ class ClientSession {
   Statistics statistics_;
 };
 
-/// The state in words: "connected", "synchronizing", ...
-const char* nameOf(ClientSession::State state);
-
 }  // namespace robotlink::arcos

@@ -9,28 +9,6 @@ using State = ClientSession::State;
 
 }  // namespace
 
-const char* nameOf(State state) {
-  switch (state) {
-    case State::kClosed:
-      return "closed";
-    case State::kPausing:
-      return "pausing";
-    case State::kWaitingForLink:
-      return "waiting for the line";
-    case State::kSynchronizing:
-      return "synchronizing";
-    case State::kResynchronizing:
-      return "resynchronizing";
-    case State::kOpening:
-      return "opening";
-    case State::kConnected:
-      return "connected";
-    case State::kFailed:
-      return "failed";
-  }
-  return "";
-}
-
 /// The reason for a timeout, as far as the received bytes allow to tell.
 Error ClientSession::silence() const {
   if (damages_ > 0 && !heard_) {

@@ -161,10 +161,6 @@ void TaskProcess::Implementation::connectPackages() {
   }
 }
 
-DebugContext& TaskProcess::debug() {
-  return implementation_->debug;
-}
-
 void TaskProcess::recordPackages(const std::set<std::string>& packages) {
   implementation_->board.record(packages);
 }

@@ -45,7 +45,6 @@ class TaskProcess final : public Process {
   /// Whether there is a handler for requests of this kind.
   static bool fulfills(const robotcontrol::Request& request);
 
-  DebugContext& debug();
   /// Has the same effect as a RecordPackages request before the first frame. Before it runs.
   void recordPackages(const std::set<std::string>& packages);
   /// Sets modes of debug keys, including those of packages, before the first frame. Unknown keys are ignored.

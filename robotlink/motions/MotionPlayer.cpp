@@ -63,10 +63,6 @@ std::string MotionPlayer::motion() const {
   return finished_ || playing == none_ ? "" : net_->motions[static_cast<std::size_t>(playing)];
 }
 
-int MotionPlayer::line() const {
-  return net_->nodes[node_].line;
-}
-
 void MotionPlayer::advance(Duration frame) {
   left_ = frame;
   if (hardness_) {

@@ -38,9 +38,8 @@ class MotionPlayer {
   /// Whether a key frame has set or released this joint since start(); other joints may be moved by something
   /// else.
   bool moves(std::size_t joint) const { return moved_[joint]; }
-  /// The motion being played, "" if there is none, and the current line in its file.
+  /// The motion being played, "" if there is none.
   std::string motion() const;
-  int line() const;
 
  private:
   void run();

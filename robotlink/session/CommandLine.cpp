@@ -49,18 +49,4 @@ Result<std::vector<std::string>> splitCommandLine(const std::string& line) {
   return words;
 }
 
-std::string quotedWord(const std::string& word) {
-  if (!word.empty() && word.find_first_of(" \t\r\n\"'#\\") == std::string::npos) return word;
-  std::string result = "\"";
-  for (const char c : word) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n') {
-      result += "\\n";
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
 }  // namespace robotlink

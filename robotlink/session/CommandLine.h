@@ -14,7 +14,4 @@ namespace robotlink {
 /// word begins a comment. Fails if a quote is not closed.
 Result<std::vector<std::string>> splitCommandLine(const std::string& line);
 
-/// Quotes a word where necessary, so that splitCommandLine() returns it unchanged.
-std::string quotedWord(const std::string& word);
-
 }  // namespace robotlink

@@ -65,13 +65,6 @@ std::string drawingPrefix(const std::string& robot, DrawingKind kind) {
   return robot + "/" + stream;
 }
 
-std::vector<std::string> drawingNames(const StreamStore& store, const std::string& robot, DrawingKind kind) {
-  const std::string prefix = drawingPrefix(robot, kind);
-  std::vector<std::string> names;
-  for (const auto* stream : store.streams(prefix)) names.push_back(stream->path.substr(prefix.size()));
-  return names;
-}
-
 std::vector<const StreamMessage*> currentDrawings(const StreamStore& store, const std::string& robot,
                                                   DrawingKind kind, Instant time) {
   const std::string prefix = drawingPrefix(robot, kind);

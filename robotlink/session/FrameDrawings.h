@@ -19,9 +19,6 @@ enum class DrawingKind {
 /// follows.
 std::string drawingPrefix(const std::string& robot, DrawingKind kind);
 
-/// The names (those of the debug keys) of all drawings of a kind that a robot has ever sent, sorted.
-std::vector<std::string> drawingNames(const StreamStore& store, const std::string& robot, DrawingKind kind);
-
 /// The drawings to show at a time, sorted by name; the drawings of a frame appear and disappear together.
 ///
 /// A drawing is current if it belongs to the latest complete frame of its process (FrameInfo) that is not

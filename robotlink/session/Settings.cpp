@@ -60,11 +60,6 @@ const T* Settings::find(const std::string& name) const {
   return found == values_.end() ? nullptr : std::get_if<T>(&found->second);
 }
 
-bool Settings::flag(const std::string& name, bool fallback) const {
-  const auto* value = find<bool>(name);
-  return value ? *value : fallback;
-}
-
 double Settings::number(const std::string& name, double fallback) const {
   const auto* value = find<double>(name);
   return value ? *value : fallback;
@@ -72,12 +67,6 @@ double Settings::number(const std::string& name, double fallback) const {
 
 std::string Settings::text(const std::string& name, const std::string& fallback) const {
   const auto* value = find<std::string>(name);
-  return value ? *value : fallback;
-}
-
-std::vector<std::string> Settings::list(const std::string& name,
-                                        const std::vector<std::string>& fallback) const {
-  const auto* value = find<std::vector<std::string>>(name);
   return value ? *value : fallback;
 }
 

@@ -32,10 +32,8 @@ class Settings {
   Result<void> save();
 
   /// `fallback` is returned if the name is absent or has another type.
-  bool flag(const std::string& name, bool fallback) const;
   double number(const std::string& name, double fallback) const;
   std::string text(const std::string& name, const std::string& fallback) const;
-  std::vector<std::string> list(const std::string& name, const std::vector<std::string>& fallback = {}) const;
 
   void set(const std::string& name, Value value);
   void set(const std::string& name, const char* text) { set(name, Value(std::string(text))); }

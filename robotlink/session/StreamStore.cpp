@@ -161,12 +161,4 @@ const StreamMessage* StreamStore::latest(const std::string& path, Instant time) 
   return after == stream->messages.begin() ? nullptr : &*std::prev(after);
 }
 
-Instant StreamStore::oldest() const {
-  Instant result = newest_;
-  for (const auto& [path, stream] : streams_) {
-    if (stream.messages.size() > 1) result = std::min(result, stream.messages.front().time);
-  }
-  return std::max(result, newest_ - limits_.age);
-}
-
 }  // namespace robotlink

@@ -79,9 +79,6 @@ class StreamStore {
   std::size_t bytes() const { return bytes_; }
   /// The latest time of all messages; the clock's zero if there are none.
   Instant newest() const { return newest_; }
-  /// How far back the history reaches, not counting messages that are kept only because they are the newest
-  /// of their stream.
-  Instant oldest() const;
   /// The number of messages dropped because there were too many streams.
   std::uint64_t refused() const { return refused_; }
 

@@ -78,10 +78,6 @@ double Physics::angle(std::size_t hinge) const {
   return dJointGetHingeAngle(ode_->hinges[hinge]);
 }
 
-double Physics::angularVelocity(std::size_t hinge) const {
-  return dJointGetHingeAngleRate(ode_->hinges[hinge]);
-}
-
 double Physics::anchorGap(std::size_t hinge) const {
   dVector3 a, b;
   dJointGetHingeAnchor(ode_->hinges[hinge], a);

@@ -38,9 +38,8 @@ class Physics {
   Vector3 velocityAt(std::size_t body, const Vector3& point) const;
   Vector3 angularVelocityOf(std::size_t body) const;
 
-  // rad and rad/s
+  // rad
   double angle(std::size_t hinge) const;
-  double angularVelocity(std::size_t hinge) const;
   /// The distance between a hinge's two anchors, m: the drift of the solver.
   double anchorGap(std::size_t hinge) const;
   /// Makes a hinge turn at `velocity` (rad/s) with at most `maximumTorque` (N m), until it is called again.

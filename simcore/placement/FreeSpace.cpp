@@ -43,10 +43,6 @@ FreeSpace::FreeSpace(const ClearanceGrid& grid, double radius, std::optional<Vec
   if (part.open) keepSurrounded();
 }
 
-double FreeSpace::area() const {
-  return static_cast<double>(cells_.size()) * grid_.cellSize() * grid_.cellSize();
-}
-
 std::optional<ClearanceGrid::Cell> FreeSpace::freeCellNextTo(const Vector2& point) const {
   std::optional<Cell> best;
   double nearest = std::numeric_limits<double>::max();

@@ -21,8 +21,6 @@ class FreeSpace {
   FreeSpace(const ClearanceGrid& grid, double radius, std::optional<robotlink::Vector2> start);
 
   bool empty() const { return cells_.empty(); }
-  /// The area of the free cells, m^2.
-  double area() const;
   const std::vector<ClearanceGrid::Cell>& cells() const { return cells_; }
 
   /// The free position nearest to a point.

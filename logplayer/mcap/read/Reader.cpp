@@ -77,10 +77,6 @@ std::uint64_t Reader::cutOffBytes() const {
 const std::vector<Damage>& Reader::damage() const {
   return parts_->index.damage;
 }
-std::uint64_t Reader::fileBytes() const {
-  return parts_->source.bytes();
-}
-
 std::optional<MessagePosition> Reader::latest(std::uint16_t channelId, Instant time) {
   return parts_->step(parts_->newest, behind(time), {channelId});
 }

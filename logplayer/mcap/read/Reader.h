@@ -49,8 +49,6 @@ class Reader {
   bool complete() const;
   /// What could not be read so far.
   const std::vector<Damage>& damage() const;
-  /// Size of the file when it was opened.
-  std::uint64_t fileBytes() const;
   /// Number of bytes that the file has lost at its end since it was opened; queries the operating system.
   std::uint64_t cutOffBytes() const;
 

@@ -426,8 +426,4 @@ const Statistics& Writer::statistics() const {
 std::uint64_t Writer::bytesWritten() const {
   return implementation_->sink.position();
 }
-const robotlink::Error* Writer::error() const {
-  return implementation_->sink.error() ? &*implementation_->sink.error() : nullptr;
-}
-
 }  // namespace logplayer::mcap

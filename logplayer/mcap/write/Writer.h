@@ -81,8 +81,6 @@ class Writer {
   const Statistics& statistics() const;
   /// Number of bytes passed to the operating system.
   std::uint64_t bytesWritten() const;
-  /// The error that ended the file; null if there was none.
-  const robotlink::Error* error() const;
 
  private:
   struct Implementation;

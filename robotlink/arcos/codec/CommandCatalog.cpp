@@ -199,12 +199,6 @@ const CommandInfo* findCommand(std::uint8_t id) {
   return kPlaces[id] < 0 ? nullptr : &kCommands[kPlaces[id]];
 }
 
-const CommandInfo* findCommand(std::string_view name) {
-  const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
-                                  [&](const CommandInfo& info) { return info.name == name; });
-  return found == std::end(kCommands) ? nullptr : found;
-}
-
 std::string nameOf(std::uint8_t commandId) {
   const CommandInfo* info = findCommand(commandId);
   return info ? info->name : "command " + std::to_string(commandId);

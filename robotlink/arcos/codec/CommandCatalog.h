@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace robotlink::arcos {
 
@@ -27,7 +26,6 @@ struct CommandInfo {
 std::span<const CommandInfo> commandCatalog();
 /// Null if the command is unknown.
 const CommandInfo* findCommand(std::uint8_t id);
-const CommandInfo* findCommand(std::string_view name);
 /// The command's name: "VEL2", or "command 111" if it is unknown.
 std::string nameOf(std::uint8_t commandId);
 

@@ -94,10 +94,7 @@ TEST(LogFile, findsTheNewestMessageAndItsNeighbors) {
   EXPECT_FALSE(log->latest("red1/plots/a", at(-0.1)));
   EXPECT_FALSE(log->latest("red1/plots/none", at(1)));
   EXPECT_EQ(log->timeAfter("red1/plots/a", at(0.4)), at(0.5));
-  EXPECT_EQ(log->timeBefore("red1/plots/a", at(0.4)), at(0.3));
-  EXPECT_EQ(log->timeBefore("red1/plots/a", at(0.45)), at(0.4));
   EXPECT_FALSE(log->timeAfter("red1/plots/a", at(0.9)));
-  EXPECT_FALSE(log->timeBefore("red1/plots/a", at(0)));
   EXPECT_EQ(log->times("red1/plots/a").size(), 10U);
 }
 

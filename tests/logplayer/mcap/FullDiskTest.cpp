@@ -68,9 +68,9 @@ TEST_P(FullDiskTest, theErrorIsReportedAndTheFileIsComplete) {
   addChannels(**writer, 3);
   const std::size_t written = fill(**writer, messages);
   ASSERT_LT(written, messages.size());
-  ASSERT_NE((*writer)->error(), nullptr);
-  EXPECT_THAT((*writer)->error()->describe(), HasSubstr("cannot write the log file"));
-  EXPECT_FALSE((*writer)->tick());
+  const auto ticked = (*writer)->tick();
+  ASSERT_FALSE(ticked);
+  EXPECT_THAT(ticked.error().describe(), HasSubstr("cannot write the log file"));
   EXPECT_FALSE((*writer)->flush());
   EXPECT_FALSE((*writer)->addMetadata({"m", {}}));
   EXPECT_FALSE((*writer)->close());

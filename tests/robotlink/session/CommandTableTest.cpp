@@ -112,10 +112,3 @@ TEST(CommandLine, quotesAndBackslashesDoWhatTheHeaderSays) {
   EXPECT_THAT(splitCommandLine("a'b c'd \"e \\\"f\\\\\" 'g\\' h#i C:\\x").value(),
               ElementsAre("ab cd", "e \"f\\", "g\\", "h#i", "C:\\x"));
 }
-
-TEST(CommandLine, aQuotedWordIsReadBackAsItWas) {
-  for (const std::string word :
-       {"", "plain", "two words", "a\"b", "it's", "back\\slash", "#x", "line\nfeed", "\t"}) {
-    EXPECT_THAT(splitCommandLine("x " + quotedWord(word) + " y").value(), ElementsAre("x", word, "y"));
-  }
-}

@@ -140,10 +140,12 @@ TEST_F(FrameDrawingsTest, messagesThatDoNotKnowTheirFrameAreMatchedByTime) {
 
 TEST_F(FrameDrawingsTest, kindsAndRobotsAreDistinguished) {
   frame("cognition", 1, {"ball-percept/circle", "lines"});
-  EXPECT_THAT(drawingNames(session_.store(), "red1", DrawingKind::kImage),
-              ElementsAre("ball-percept/circle", "lines"));
-  EXPECT_THAT(drawingNames(session_.store(), "red1", DrawingKind::kField), IsEmpty());
-  EXPECT_THAT(drawingNames(session_.store(), "red11", DrawingKind::kImage), IsEmpty());
+  const auto drawn = [&](const std::string& robot, DrawingKind kind) {
+    return currentDrawings(session_.store(), robot, kind, Instant::max()).size();
+  };
+  EXPECT_EQ(drawn("red1", DrawingKind::kImage), 2U);
+  EXPECT_EQ(drawn("red1", DrawingKind::kField), 0U);
+  EXPECT_EQ(drawn("red11", DrawingKind::kImage), 0U);
   EXPECT_EQ(drawingPrefix("red1", DrawingKind::kField), "red1/drawings/field/");
   EXPECT_EQ(drawingPrefix("red1", DrawingKind::kRobot), "red1/drawings/robot/");
 }

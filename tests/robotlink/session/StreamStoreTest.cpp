@@ -61,7 +61,6 @@ TEST(StreamStore, whatIsTooOldIsForgottenButTheNewestOfEachStream) {
   EXPECT_GE(store.find("often")->messages.front().time, timeAt(7.9));
   EXPECT_LE(store.find("often")->messages.front().time, timeAt(8.1));
   EXPECT_EQ(store.find("often")->count, 101U);
-  EXPECT_GE(store.oldest(), timeAt(7.9)) << "the one kept message does not make the history long";
 }
 
 TEST(StreamStore, theHistoryIsBoundedInBytesOldestFirst) {
