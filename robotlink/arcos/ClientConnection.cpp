@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "robotlink/arcos/ClientSession.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -27,7 +28,7 @@ ClientSession::News ClientSession::applyConnection(const Packet& packet, Instant
 }
 
 ClientSession::News ClientSession::takeInformation(const Packet& packet, Instant now) {
-  auto information = decodeStandardInformation(packet);
+  auto information = decode<StandardInformation>(packet);
   if (!information) {
     ++statistics_.undecodable;
     return News::kNothing;
@@ -45,7 +46,7 @@ ClientSession::News ClientSession::takeInformation(const Packet& packet, Instant
 }
 
 ClientSession::News ClientSession::takeConfiguration(const Packet& packet, Instant now) {
-  auto configuration = decodeConfiguration(packet);
+  auto configuration = decode<Configuration>(packet);
   if (!configuration) {
     ++statistics_.undecodable;
     return News::kNothing;
@@ -59,7 +60,7 @@ ClientSession::News ClientSession::takeConfiguration(const Packet& packet, Insta
 }
 
 ClientSession::News ClientSession::takeLaser(const Packet& packet, Instant now) {
-  const auto part = decodeLaser(packet);
+  const auto part = decode<LaserPacket>(packet);
   if (!part) {
     ++statistics_.undecodable;
     return News::kNothing;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robotlink/arcos/codec/CommandCatalog.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -180,7 +181,7 @@ ClientSession::News ClientSession::overhear(const Packet& packet, Instant now) {
 }
 
 ClientSession::News ClientSession::takeIdentity(const Packet& packet) {
-  auto identity = decodeIdentity(packet);
+  auto identity = decode<Identity>(packet);
   if (!identity) {
     ++statistics_.undecodable;
     return News::kNothing;

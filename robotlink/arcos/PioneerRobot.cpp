@@ -233,7 +233,7 @@ Result<void> PioneerRobot::setTruePose(bool on) {
 
 std::optional<Pose2> PioneerRobot::truePose() const {
   const auto packet = latest(SimulatorStatus::kId);
-  const auto status = packet ? decodeSimulatorStatus(*packet) : Result<SimulatorStatus>(failure("", ""));
+  const auto status = packet ? decode<SimulatorStatus>(*packet) : Result<SimulatorStatus>(failure("", ""));
   if (!status) return std::nullopt;
   return Pose2{status->xMm / 1000.0, status->yMm / 1000.0, normalizedAngle(radians(status->headingDeg))};
 }

@@ -66,7 +66,7 @@ TEST(ArcosAcceptance, c2SyncsAreEchoedWithinASecond) {
   ASSERT_TRUE(bench.runUntil([&] { return client.received.size() == 3; }, 1));
   EXPECT_EQ(client.received[0], (Packet{0, {}}));
   EXPECT_EQ(client.received[1], (Packet{1, {}}));
-  const auto identity = decodeIdentity(client.received[2]);
+  const auto identity = decode<Identity>(client.received[2]);
   ASSERT_TRUE(identity);
   EXPECT_EQ(identity->robotClass, "Pioneer");
   EXPECT_EQ(identity->subclass, "p3at-sh");
@@ -98,7 +98,7 @@ TEST(ArcosAcceptance, c4ConfigurationWithAndWithoutArgument) {
     client.forget();
     client.send(request);
     ASSERT_TRUE(bench.runUntil([&] { return !client.of(Configuration::kId).empty(); }, kNoTime));
-    const auto reported = decodeConfiguration(client.of(Configuration::kId)[0]);
+    const auto reported = decode<Configuration>(client.of(Configuration::kId)[0]);
     ASSERT_TRUE(reported);
     EXPECT_EQ(reported->serialNumber, "SIM");
     EXPECT_EQ(reported->subtype, "p3at-sh");
@@ -282,7 +282,7 @@ TEST(ArcosAcceptance, c16TheSimulatorsOwnCommands) {
   bench.run(0.1);
   client.send(CommandId::kSimStat, 1);
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(SimulatorStatus::kId).empty(); }, kNoTime));
-  auto status = decodeSimulatorStatus(client.of(SimulatorStatus::kId)[0]);
+  auto status = decode<SimulatorStatus>(client.of(SimulatorStatus::kId)[0]);
   ASSERT_TRUE(status);
   EXPECT_NEAR(status->xMm, 1000, 2);
   EXPECT_NEAR(status->yMm, 2000, 2);
@@ -300,11 +300,11 @@ TEST(ArcosAcceptance, c16TheSimulatorsOwnCommands) {
   client.send(CommandId::kSimMessage, "hello\x1B[2J");
   client.send(Packet{236, {0x2B, 6, 0}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(SimulatorInfo::kId).empty(); }, kNoTime));
-  EXPECT_EQ(decodeSimulatorInfo(client.of(SimulatorInfo::kId)[0])->application, "RobotControl");
+  EXPECT_EQ(decode<SimulatorInfo>(client.of(SimulatorInfo::kId)[0])->application, "RobotControl");
   EXPECT_THAT(bench.reported, testing::Contains("p3at1: hello [2J")) << "without what disturbs a terminal";
   client.send(Packet{236, {0x2B, 1, 0, 9, 0, 'w', 'o', 'r', 'l', 'd', '.', 's', 'd', 'f'}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(MapChanged::kId).empty(); }, kNoTime));
-  EXPECT_EQ(decodeMapChanged(client.of(MapChanged::kId)[0])->loaded, 1);
+  EXPECT_EQ(decode<MapChanged>(client.of(MapChanged::kId)[0])->loaded, 1);
   client.send(CommandId::kSimExit, 3);
   ASSERT_TRUE(bench.runUntil([&] { return bench.simulation().ports().exitRequest().has_value(); }, kNoTime));
   EXPECT_EQ(bench.simulation().ports().exitRequest(), 3);
@@ -344,14 +344,15 @@ TEST(ArcosAcceptance, c17EncodersInputsGyroscopeAndInertialUnit) {
   EXPECT_THAT(client.of(IoPacket::kId), SizeIs(10));
   EXPECT_THAT(client.of(BatteryPacket::kId), SizeIs(1));
   ASSERT_THAT(client.of(GyroPacket::kId), SizeIs(10));
-  const auto encoders = decodeEncoder(client.of(EncoderPacket::kId)[0]);
+  const auto encoders = decode<EncoderPacket>(client.of(EncoderPacket::kId)[0]);
   EXPECT_LT(encoders->leftTicks, -1000);
   EXPECT_GT(encoders->rightTicks, 1000);
-  const auto gyro = decodeGyro(client.of(GyroPacket::kId).back());
+  const auto gyro = decode<GyroPacket>(client.of(GyroPacket::kId).back());
   ASSERT_FALSE(gyro->readings.empty());
   EXPECT_NEAR((512.0 - gyro->readings[0].rate) * 5 / 1023 * 300 / 2.5 * 1.626, 20, 4);
   ASSERT_THAT(client.of(ImuPacket::kId), SizeIs(10));
-  EXPECT_NEAR(decodeImu(client.of(ImuPacket::kId).back())->readings.at(0).gyro.at(0) * 0.01832, 20, 4);
+  EXPECT_NEAR(decode<ImuPacket>(client.of(ImuPacket::kId).back())->readings.at(0).gyro.at(0) * 0.01832, 20,
+              4);
 }
 
 TEST(ArcosAcceptance, c18NothingForbiddenOrTooLongGoesOut) {

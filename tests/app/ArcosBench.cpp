@@ -59,14 +59,14 @@ std::vector<Packet> WireClient::of(std::uint8_t id) const {
 std::vector<StandardInformation> WireClient::information() const {
   std::vector<StandardInformation> found;
   for (const Packet& packet : received) {
-    if ((packet.id & 0xF0) == 0x30) found.push_back(decodeStandardInformation(packet).value());
+    if ((packet.id & 0xF0) == 0x30) found.push_back(decode<StandardInformation>(packet).value());
   }
   return found;
 }
 
 StandardInformation WireClient::latest() const {
   for (auto packet = received.rbegin(); packet != received.rend(); ++packet) {
-    if ((packet->id & 0xF0) == 0x30) return decodeStandardInformation(*packet).value();
+    if ((packet->id & 0xF0) == 0x30) return decode<StandardInformation>(*packet).value();
   }
   ADD_FAILURE() << "no information packet came";
   return {};

@@ -98,7 +98,7 @@ TEST(ArcosDriving, c10LaserByTheOldCommandsAndTheNew) {
     int next = 0;
     double ahead = 0;
     for (const Packet& packet : parts) {
-      const auto part = decodeLaser(packet);
+      const auto part = decode<LaserPacket>(packet);
       ASSERT_TRUE(part);
       EXPECT_EQ(part->total, 181);
       ASSERT_EQ(part->first, next);

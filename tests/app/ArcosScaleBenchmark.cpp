@@ -160,7 +160,7 @@ class Client {
     if (counted && last_ != Clock::time_point{})
       gaps.push_back(std::chrono::duration<double>(now - last_).count());
     last_ = now;
-    const auto sip = decodeStandardInformation(packet);
+    const auto sip = decode<StandardInformation>(packet);
     if (sip) wander(*sip);
   }
   /// Away from what is near in front, every half second; else a pulse is enough.

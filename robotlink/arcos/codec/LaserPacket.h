@@ -15,6 +15,7 @@ namespace robotlink::arcos {
 struct LaserPacket {
   static constexpr std::uint8_t kPlainId = 0x60;
   static constexpr std::uint8_t kExtendedId = 0x61;
+  static constexpr std::uint8_t kIds[] = {kPlainId, kExtendedId};
   /// The number of readings in a full packet, which is then shorter than kMaxSentCount.
   static constexpr std::size_t kMaxReadings = 32;
 

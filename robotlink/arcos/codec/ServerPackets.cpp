@@ -2,6 +2,7 @@
 #include "robotlink/arcos/codec/ServerPackets.h"
 
 #include <cstdio>
+#include <optional>
 
 #include "robotlink/arcos/codec/ConfigurationFields.h"
 #include "robotlink/arcos/codec/ServerPacketFields.h"
@@ -10,44 +11,14 @@
 namespace robotlink::arcos {
 namespace {
 
+/// Writes a packet that consists of its fields.
 template <typename T>
-Packet written(std::uint8_t id, const T& value) {
+Packet withFields(std::uint8_t id, const T& value) {
   Packet packet{id, {}};
   FieldWriter writer(packet.data);
   visitFields(value, writer);
   writer.finish();
   return packet;
-}
-
-tl::unexpected<Error> wrongPacket(const Packet& packet, const std::string& wanted) {
-  return failure("arcos.wrong-packet", "this is no " + wanted + " but " + nameOfServerPacket(packet.id));
-}
-
-template <typename T>
-Result<T> read(const Packet& packet, T value = {}) {
-  FieldReader reader(packet.data);
-  visitFields(value, reader);
-  if (reader.ok()) return value;
-  return failure("arcos.short-packet", "the " + nameOfServerPacket(packet.id) + " packet of " +
-                                           std::to_string(packet.data.size()) + " bytes ends before its " +
-                                           reader.missing());
-}
-
-template <typename T>
-Result<T> readOnly(const Packet& packet) {
-  if (packet.id != T::kId) return wrongPacket(packet, nameOfServerPacket(T::kId));
-  return read<T>(packet);
-}
-
-bool isAuxSerial(std::uint8_t id) {
-  return std::find(std::begin(AuxSerialPacket::kIds), std::end(AuxSerialPacket::kIds), id) !=
-         std::end(AuxSerialPacket::kIds);
-}
-
-template <typename T>
-Result<ServerPacket> widened(Result<T> result) {
-  if (!result) return tl::unexpected(std::move(result.error()));
-  return ServerPacket(std::move(*result));
 }
 
 /// Reads fields until the data end.
@@ -74,121 +45,26 @@ struct PrefixWriter {
   }
 };
 
-}  // namespace
-
-Packet toPacket(const Identity& identity) {
-  return written(Identity::kId, identity);
+template <typename T>
+Packet written(const T& packet) {
+  return withFields(T::kId, packet);
 }
-Packet toPacket(const StandardInformation& information) {
-  return written(information.moving ? StandardInformation::kMovingId : StandardInformation::kStandingId,
-                 information);
+Packet written(const RawPacket& raw) {
+  return raw.packet;
 }
-Packet toPacket(const EncoderPacket& encoder) {
-  return written(EncoderPacket::kId, encoder);
+Packet written(const StandardInformation& information) {
+  return withFields(information.moving ? StandardInformation::kMovingId : StandardInformation::kStandingId,
+                    information);
 }
-Packet toPacket(const IoPacket& io) {
-  return written(IoPacket::kId, io);
+Packet written(const AuxSerialPacket& serial) {
+  return withFields(AuxSerialPacket::kIds[std::clamp(serial.port, 1, 3) - 1], serial);
 }
-Packet toPacket(const GyroPacket& gyro) {
-  return written(GyroPacket::kId, gyro);
-}
-Packet toPacket(const ImuPacket& imu) {
-  return written(ImuPacket::kId, imu);
-}
-Packet toPacket(const AuxSerialPacket& serial) {
-  const int port = std::clamp(serial.port, 1, 3);
-  return written(AuxSerialPacket::kIds[port - 1], serial);
-}
-Packet toPacket(const CompassPacket& compass) {
-  return written(CompassPacket::kId, compass);
-}
-Packet toPacket(const GripperPacket& gripper) {
-  return written(GripperPacket::kId, gripper);
-}
-Packet toPacket(const JoystickPacket& joystick) {
-  return written(JoystickPacket::kId, joystick);
-}
-Packet toPacket(const LaserPacket& laser) {
-  return written(laser.extended ? LaserPacket::kExtendedId : LaserPacket::kPlainId, laser);
-}
-Packet toPacket(const SimulatorStatus& status) {
-  return written(SimulatorStatus::kId, status);
-}
-Packet toPacket(const SimulatorInfo& info) {
-  return written(SimulatorInfo::kId, info);
-}
-Packet toPacket(const MapChanged& changed) {
-  return written(MapChanged::kId, changed);
-}
-Packet toPacket(const ServerPacket& packet) {
-  return std::visit(
-      [](const auto& value) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, RawPacket>) {
-          return value.packet;
-        } else {
-          return toPacket(value);
-        }
-      },
-      packet);
-}
-
-Result<Identity> decodeIdentity(const Packet& packet) {
-  return readOnly<Identity>(packet);
-}
-Result<StandardInformation> decodeStandardInformation(const Packet& packet) {
-  const bool moving = packet.id == StandardInformation::kMovingId;
-  if (!moving && packet.id != StandardInformation::kStandingId)
-    return wrongPacket(packet, "standard information");
-  StandardInformation information;
-  information.moving = moving;
-  return read(packet, std::move(information));
-}
-Result<EncoderPacket> decodeEncoder(const Packet& packet) {
-  return readOnly<EncoderPacket>(packet);
-}
-Result<IoPacket> decodeIo(const Packet& packet) {
-  return readOnly<IoPacket>(packet);
-}
-Result<GyroPacket> decodeGyro(const Packet& packet) {
-  return readOnly<GyroPacket>(packet);
-}
-Result<ImuPacket> decodeImu(const Packet& packet) {
-  return readOnly<ImuPacket>(packet);
-}
-Result<AuxSerialPacket> decodeAuxSerial(const Packet& packet) {
-  if (!isAuxSerial(packet.id)) return wrongPacket(packet, "serial port");
-  const auto* found =
-      std::find(std::begin(AuxSerialPacket::kIds), std::end(AuxSerialPacket::kIds), packet.id);
-  return AuxSerialPacket{static_cast<int>(found - std::begin(AuxSerialPacket::kIds)) + 1, packet.data};
-}
-Result<CompassPacket> decodeCompass(const Packet& packet) {
-  return readOnly<CompassPacket>(packet);
-}
-Result<GripperPacket> decodeGripper(const Packet& packet) {
-  return readOnly<GripperPacket>(packet);
-}
-Result<JoystickPacket> decodeJoystick(const Packet& packet) {
-  return readOnly<JoystickPacket>(packet);
-}
-Result<LaserPacket> decodeLaser(const Packet& packet) {
-  const bool extended = packet.id == LaserPacket::kExtendedId;
-  if (!extended && packet.id != LaserPacket::kPlainId) return wrongPacket(packet, "laser");
-  LaserPacket laser;
-  laser.extended = extended;
-  return read(packet, std::move(laser));
-}
-Result<SimulatorStatus> decodeSimulatorStatus(const Packet& packet) {
-  return readOnly<SimulatorStatus>(packet);
-}
-Result<SimulatorInfo> decodeSimulatorInfo(const Packet& packet) {
-  return readOnly<SimulatorInfo>(packet);
-}
-Result<MapChanged> decodeMapChanged(const Packet& packet) {
-  return readOnly<MapChanged>(packet);
+Packet written(const LaserPacket& laser) {
+  return withFields(laser.extended ? LaserPacket::kExtendedId : LaserPacket::kPlainId, laser);
 }
 
 // The packet itself says how many bytes a battery has.
-Packet toPacket(const BatteryPacket& battery) {
+Packet written(const BatteryPacket& battery) {
   const std::uint8_t bytes = battery.batteries.empty()
                                  ? battery.bytesPerBattery
                                  : std::max(battery.bytesPerBattery, BatteryPacket::kKnownBytes);
@@ -205,9 +81,45 @@ Packet toPacket(const BatteryPacket& battery) {
   return packet;
 }
 
-Result<BatteryPacket> decodeBattery(const Packet& packet) {
-  if (packet.id != BatteryPacket::kId) return wrongPacket(packet, nameOfServerPacket(BatteryPacket::kId));
-  BatteryPacket battery;
+Packet written(const Configuration& configuration) {
+  Packet packet{Configuration::kId, {}};
+  packet.data.reserve(128);
+  FieldWriter writer(packet.data);
+  PrefixWriter prefix{writer, configuration.fieldCount};
+  visitConfigurationFields(configuration, prefix);
+  writer.rest(configuration.rest);
+  writer.finish();
+  return packet;
+}
+
+template <typename T>
+Result<T> read(const Packet& packet, T value) {
+  FieldReader reader(packet.data);
+  visitFields(value, reader);
+  if (reader.ok()) return value;
+  return failure("arcos.short-packet", "the " + nameOfServerPacket(packet.id) + " packet of " +
+                                           std::to_string(packet.data.size()) + " bytes ends before its " +
+                                           reader.missing());
+}
+
+Result<StandardInformation> read(const Packet& packet, StandardInformation information) {
+  information.moving = packet.id == StandardInformation::kMovingId;
+  return read<StandardInformation>(packet, std::move(information));
+}
+
+Result<AuxSerialPacket> read(const Packet& packet, AuxSerialPacket serial) {
+  const auto* found = std::ranges::find(AuxSerialPacket::kIds, packet.id);
+  serial.port = static_cast<int>(found - std::begin(AuxSerialPacket::kIds)) + 1;
+  serial.bytes = packet.data;
+  return serial;
+}
+
+Result<LaserPacket> read(const Packet& packet, LaserPacket laser) {
+  laser.extended = packet.id == LaserPacket::kExtendedId;
+  return read<LaserPacket>(packet, std::move(laser));
+}
+
+Result<BatteryPacket> read(const Packet& packet, BatteryPacket battery) {
   FieldReader reader(packet.data);
   reader.size<std::uint8_t>("batteries", battery.batteries);
   reader("bytes of a battery", battery.bytesPerBattery);
@@ -225,45 +137,39 @@ Result<BatteryPacket> decodeBattery(const Packet& packet) {
   return failure("arcos.short-packet", "the battery packet ends before its last battery");
 }
 
-Result<ServerPacket> decodeServerPacket(const Packet& packet) {
-  switch (packet.id) {
-    case Identity::kId:
-      return widened(decodeIdentity(packet));
-    case StandardInformation::kStandingId:
-    case StandardInformation::kMovingId:
-      return widened(decodeStandardInformation(packet));
-    case Configuration::kId:
-      return widened(decodeConfiguration(packet));
-    case EncoderPacket::kId:
-      return widened(decodeEncoder(packet));
-    case IoPacket::kId:
-      return widened(decodeIo(packet));
-    case GyroPacket::kId:
-      return widened(decodeGyro(packet));
-    case ImuPacket::kId:
-      return widened(decodeImu(packet));
-    case CompassPacket::kId:
-      return widened(decodeCompass(packet));
-    case GripperPacket::kId:
-      return widened(decodeGripper(packet));
-    case JoystickPacket::kId:
-      return widened(decodeJoystick(packet));
-    case BatteryPacket::kId:
-      return widened(decodeBattery(packet));
-    case LaserPacket::kPlainId:
-    case LaserPacket::kExtendedId:
-      return widened(decodeLaser(packet));
-    case SimulatorStatus::kId:
-      return widened(decodeSimulatorStatus(packet));
-    case SimulatorInfo::kId:
-      return widened(decodeSimulatorInfo(packet));
-    case MapChanged::kId:
-      return widened(decodeMapChanged(packet));
-    default:
-      break;
+Result<Configuration> read(const Packet& packet, Configuration configuration) {
+  FieldReader reader(packet.data);
+  PrefixReader prefix{reader};
+  visitConfigurationFields(configuration, prefix);
+  configuration.fieldCount = prefix.count;
+  reader.rest(configuration.rest);
+  if (prefix.count < 3) {
+    return failure("arcos.short-packet", "the robot's configuration ends before its serial number");
   }
-  if (isAuxSerial(packet.id)) return widened(decodeAuxSerial(packet));
-  return ServerPacket(RawPacket{packet});
+  return configuration;
+}
+
+/// Reads a packet as that of the types whose id it has.
+template <typename... T>
+Result<ServerPacket> readAny(const Packet& packet, const std::variant<RawPacket, T...>*) {
+  std::optional<Result<ServerPacket>> result;
+  const auto readAs = [&]<typename One>() {
+    if (!hasId<One>(packet.id)) return false;
+    result = read(packet, One{}).map([](One value) { return ServerPacket(std::move(value)); });
+    return true;
+  };
+  static_cast<void>((readAs.template operator()<T>() || ...));
+  return result ? std::move(*result) : ServerPacket(RawPacket{packet});
+}
+
+}  // namespace
+
+Packet toPacket(const ServerPacket& packet) {
+  return std::visit([](const auto& value) { return written(value); }, packet);
+}
+
+Result<ServerPacket> decodeServerPacket(const Packet& packet) {
+  return readAny(packet, static_cast<const ServerPacket*>(nullptr));
 }
 
 std::string nameOfServerPacket(std::uint8_t id) {
@@ -310,34 +216,6 @@ std::string nameOfServerPacket(std::uint8_t id) {
   char text[16];
   std::snprintf(text, sizeof text, "packet 0x%02x", static_cast<unsigned>(id));
   return text;
-}
-
-Packet toPacket(const Configuration& configuration) {
-  Packet packet{Configuration::kId, {}};
-  packet.data.reserve(128);
-  FieldWriter writer(packet.data);
-  PrefixWriter prefix{writer, configuration.fieldCount};
-  visitConfigurationFields(configuration, prefix);
-  writer.rest(configuration.rest);
-  writer.finish();
-  return packet;
-}
-
-Result<Configuration> decodeConfiguration(const Packet& packet) {
-  if (packet.id != Configuration::kId) {
-    return failure("arcos.wrong-packet",
-                   "this is not a configuration but packet " + std::to_string(packet.id));
-  }
-  Configuration configuration;
-  FieldReader reader(packet.data);
-  PrefixReader prefix{reader};
-  visitConfigurationFields(configuration, prefix);
-  configuration.fieldCount = prefix.count;
-  reader.rest(configuration.rest);
-  if (prefix.count < 3) {
-    return failure("arcos.short-packet", "the robot's configuration ends before its serial number");
-  }
-  return configuration;
 }
 
 }  // namespace robotlink::arcos

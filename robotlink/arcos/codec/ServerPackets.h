@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <variant>
 
 #include "robotlink/arcos/codec/Configuration.h"
@@ -11,8 +12,7 @@
 #include "robotlink/arcos/codec/StandardInformation.h"
 #include "robotlink/base/Error.h"
 
-// Encoding and decoding of every packet that a robot sends: toPacket() and a decode function for each. Pure
-// functions.
+// Encoding and decoding of every packet that a robot sends: toPacket() and decode() for each. Pure functions.
 //
 // A decoder fails, with a sentence, if required data are missing. toPacket() restores a decoded packet byte
 // for byte; data after the known fields are preserved. Numbers too large for their field, strings after their
@@ -31,45 +31,35 @@ using ServerPacket =
                  ImuPacket, AuxSerialPacket, CompassPacket, GripperPacket, JoystickPacket, BatteryPacket,
                  LaserPacket, SimulatorStatus, SimulatorInfo, MapChanged>;
 
-/// Encodes a packet with its own id.
-Packet toPacket(const Identity& identity);
-Packet toPacket(const Configuration& configuration);
-Packet toPacket(const EncoderPacket& encoder);
-Packet toPacket(const IoPacket& io);
-Packet toPacket(const GyroPacket& gyro);
-Packet toPacket(const ImuPacket& imu);
-Packet toPacket(const AuxSerialPacket& serial);
-Packet toPacket(const CompassPacket& compass);
-Packet toPacket(const GripperPacket& gripper);
-Packet toPacket(const JoystickPacket& joystick);
-Packet toPacket(const BatteryPacket& battery);
-Packet toPacket(const LaserPacket& laser);
-Packet toPacket(const SimulatorStatus& status);
-Packet toPacket(const SimulatorInfo& info);
-Packet toPacket(const MapChanged& changed);
-Packet toPacket(const ServerPacket& packet);
+/// The name for users: "standard information", or "packet 0x7b" if the id is unknown.
+std::string nameOfServerPacket(std::uint8_t id);
 
-/// Decodes a packet whose id is known to fit. The error names the missing field.
-Result<Identity> decodeIdentity(const Packet& packet);
-Result<Configuration> decodeConfiguration(const Packet& packet);
-Result<EncoderPacket> decodeEncoder(const Packet& packet);
-Result<IoPacket> decodeIo(const Packet& packet);
-Result<GyroPacket> decodeGyro(const Packet& packet);
-Result<ImuPacket> decodeImu(const Packet& packet);
-Result<AuxSerialPacket> decodeAuxSerial(const Packet& packet);
-Result<CompassPacket> decodeCompass(const Packet& packet);
-Result<GripperPacket> decodeGripper(const Packet& packet);
-Result<JoystickPacket> decodeJoystick(const Packet& packet);
-Result<BatteryPacket> decodeBattery(const Packet& packet);
-Result<LaserPacket> decodeLaser(const Packet& packet);
-Result<SimulatorStatus> decodeSimulatorStatus(const Packet& packet);
-Result<SimulatorInfo> decodeSimulatorInfo(const Packet& packet);
-Result<MapChanged> decodeMapChanged(const Packet& packet);
+/// Encodes a packet with its own id.
+Packet toPacket(const ServerPacket& packet);
 
 /// Decodes any packet by its id; unknown ids give a RawPacket.
 Result<ServerPacket> decodeServerPacket(const Packet& packet);
 
-/// The name for users: "standard information", or "packet 0x7b" if the id is unknown.
-std::string nameOfServerPacket(std::uint8_t id);
+/// Whether packets of this type have the id.
+template <typename T>
+constexpr bool hasId(std::uint8_t id) {
+  if constexpr (requires { T::kIds; }) {
+    return std::ranges::find(T::kIds, id) != std::end(T::kIds);
+  } else {
+    return id == T::kId;
+  }
+}
+
+/// Decodes a packet whose id is known to be that of one of the types of ServerPacket. The error names the
+/// missing field.
+template <typename T>
+Result<T> decode(const Packet& packet) {
+  if (!hasId<T>(packet.id))
+    return failure("arcos.wrong-packet",
+                   "this is another packet than expected: " + nameOfServerPacket(packet.id));
+  auto decoded = decodeServerPacket(packet);
+  if (!decoded) return tl::unexpected(std::move(decoded.error()));
+  return std::get<T>(std::move(*decoded));
+}
 
 }  // namespace robotlink::arcos

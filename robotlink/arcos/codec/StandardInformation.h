@@ -25,6 +25,7 @@ struct StandardInformation {
 
   static constexpr std::uint8_t kStandingId = 0x32;
   static constexpr std::uint8_t kMovingId = 0x33;
+  static constexpr std::uint8_t kIds[] = {kStandingId, kMovingId};
 
   // Bits of stallAndBumpers; bumper segment i of a side is bit i + 1 of its byte.
   static constexpr std::uint16_t kLeftStalled = 1U << 0U;
@@ -102,10 +103,5 @@ struct StandardInformation {
 
   bool operator==(const StandardInformation&) const = default;
 };
-
-/// Encodes the packet, up to the first empty optional field.
-Packet toPacket(const StandardInformation& information);
-/// Fails if a required field is missing.
-Result<StandardInformation> decodeStandardInformation(const Packet& packet);
 
 }  // namespace robotlink::arcos

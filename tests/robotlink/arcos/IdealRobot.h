@@ -74,7 +74,7 @@ class IdealRobot : public robotlink::arcos::RangeFinders {
   std::vector<robotlink::arcos::StandardInformation> information() const {
     std::vector<robotlink::arcos::StandardInformation> found;
     for (const auto& packet : received) {
-      if ((packet.id & 0xF0) == 0x30) found.push_back(*decodeStandardInformation(packet));
+      if ((packet.id & 0xF0) == 0x30) found.push_back(*robotlink::arcos::decode<robotlink::arcos::StandardInformation>(packet));
     }
     return found;
   }

@@ -62,7 +62,7 @@ class RecordedClientsTest : public testing::Test {
     }
     for (std::size_t i = 0; i < robot.received.size(); ++i) {
       if ((robot.received[i].id & 0xF0) != 0x30) continue;
-      information.push_back(*decodeStandardInformation(robot.received[i]));
+      information.push_back(*decode<StandardInformation>(robot.received[i]));
       informedAt.push_back(robot.receivedAt[i]);
     }
   }
@@ -115,7 +115,7 @@ TEST_F(RecordedClientsTest, laserConnectGetsItsScans) {
   const auto parts = robot.of(LaserPacket::kExtendedId);
   ASSERT_THAT(parts, SizeIs(Ge(60U)));
   EXPECT_EQ(parts.size() % 6, 0U);
-  EXPECT_EQ(decodeLaser(parts[0])->total, 181);
+  EXPECT_EQ(decode<LaserPacket>(parts[0])->total, 181);
   EXPECT_GT(robot.scans, 10);
   EXPECT_LE(robot.scans, static_cast<int>(information.size()));
 }
@@ -162,7 +162,7 @@ TEST_F(RecordedClientsTest, aMadeClientGetsItsScans) {
   const auto parts = robot.of(LaserPacket::kExtendedId);
   ASSERT_THAT(parts, SizeIs(Ge(60U)));
   EXPECT_EQ(parts.size() % 6, 0U);
-  EXPECT_EQ(decodeLaser(parts[0])->total, 181);
+  EXPECT_EQ(decode<LaserPacket>(parts[0])->total, 181);
   EXPECT_GT(robot.scans, 10);
   EXPECT_LE(robot.scans, static_cast<int>(information.size()));
 }

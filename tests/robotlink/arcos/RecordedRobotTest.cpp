@@ -37,11 +37,11 @@ Replay replay(const Conversation& conversation) {
     fromRobot.push(event.bytes);
     while (const auto found = fromRobot.next()) {
       const auto& packet = std::get<Packet>(*found);
-      if (const auto sip = decodeStandardInformation(packet)) {
+      if (const auto sip = decode<StandardInformation>(packet)) {
         ++result.information;
         result.last = *sip;
       }
-      if (const auto laser = decodeLaser(packet);
+      if (const auto laser = decode<LaserPacket>(packet);
           laser && laser->first + laser->readings.size() >= laser->total) {
         ++result.lastScanParts;
       }

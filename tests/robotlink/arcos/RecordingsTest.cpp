@@ -103,7 +103,7 @@ TEST_P(RecordingsTest, theConfigurationSaysWhatIsKnownOfTheRobot) {
   for (const Conversation::Event& event : conversation->events) {
     if (event.bytes.size() < 6 || event.bytes[3] != Configuration::kId) continue;
     const auto found =
-        decodeConfiguration({Configuration::kId, Bytes(event.bytes.begin() + 4, event.bytes.end() - 2)});
+        decode<Configuration>({Configuration::kId, Bytes(event.bytes.begin() + 4, event.bytes.end() - 2)});
     ASSERT_TRUE(found);
     EXPECT_EQ(found->fieldCount, Configuration::kUsualFields);
     EXPECT_TRUE(found->rest.empty());

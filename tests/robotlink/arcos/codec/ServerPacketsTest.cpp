@@ -72,7 +72,7 @@ TEST(ServerPacketsTest, informationMayEndBehindEveryTrailingField) {
   for (std::size_t size = required; size <= whole.data.size(); ++size) {
     Packet cut = whole;
     cut.data.resize(size);
-    const auto found = decodeStandardInformation(cut);
+    const auto found = decode<StandardInformation>(cut);
     ASSERT_TRUE(found) << found.error().text;
     EXPECT_EQ(toPacket(*found), cut) << size;
     EXPECT_EQ(found->digitalOut.has_value(), size >= required + 5);
@@ -80,23 +80,24 @@ TEST(ServerPacketsTest, informationMayEndBehindEveryTrailingField) {
   }
   Packet longer = whole;
   longer.data.push_back(99);
-  EXPECT_EQ(decodeStandardInformation(longer)->rest, Bytes{99});
+  EXPECT_EQ(decode<StandardInformation>(longer)->rest, Bytes{99});
 }
 
 TEST(ServerPacketsTest, shortPacketsSayWhatTheyLack) {
   Packet packet = toPacket(information());
   packet.data.resize(packet.data.size() - 1);
-  const auto cut = decodeStandardInformation(packet);
+  const auto cut = decode<StandardInformation>(packet);
   ASSERT_FALSE(cut);
   EXPECT_EQ(cut.error().text, "the standard information packet of 24 bytes ends before its sonar");
   packet.data.resize(2);
-  EXPECT_EQ(decodeStandardInformation(packet).error().text,
+  EXPECT_EQ(decode<StandardInformation>(packet).error().text,
             "the standard information packet of 2 bytes ends before its y");
-  EXPECT_EQ(decodeEncoder(packet).error().text, "this is no encoder but standard information");
-  EXPECT_FALSE(decodeConfiguration({Configuration::kId, hexBytes("4100 4200")}));
-  EXPECT_FALSE(decodeIdentity({2, {}}));
-  EXPECT_FALSE(decodeSimulatorInfo({0x63, hexBytes("00 00 00000000 FFFFFFFF 00")}));
-  EXPECT_FALSE(decodeBattery({0xFA, hexBytes("01 04 01020304")}));
+  EXPECT_EQ(decode<EncoderPacket>(packet).error().text,
+            "this is another packet than expected: standard information");
+  EXPECT_FALSE(decode<Configuration>({Configuration::kId, hexBytes("4100 4200")}));
+  EXPECT_FALSE(decode<Identity>({2, {}}));
+  EXPECT_FALSE(decode<SimulatorInfo>({0x63, hexBytes("00 00 00000000 FFFFFFFF 00")}));
+  EXPECT_FALSE(decode<BatteryPacket>({0xFA, hexBytes("01 04 01020304")}));
 }
 
 TEST(ServerPacketsTest, bumpersAndStallsAreInTheirBytes) {
@@ -181,7 +182,7 @@ TEST(ServerPacketsTest, configurationMayEndAnywhere) {
   for (std::size_t size = 20; size < packet.data.size(); ++size) {
     Packet cut = packet;
     cut.data.resize(size);
-    const auto found = decodeConfiguration(cut);
+    const auto found = decode<Configuration>(cut);
     ASSERT_TRUE(found) << found.error().text;
     EXPECT_LT(found->fieldCount, Configuration::kAllFields);
     EXPECT_EQ(toPacket(*found), cut);
@@ -189,7 +190,7 @@ TEST(ServerPacketsTest, configurationMayEndAnywhere) {
   }
   Packet longer = packet;
   longer.data.push_back(1);
-  EXPECT_EQ(decodeConfiguration(longer)->rest, Bytes{1});
+  EXPECT_EQ(decode<Configuration>(longer)->rest, Bytes{1});
 }
 
 }  // namespace

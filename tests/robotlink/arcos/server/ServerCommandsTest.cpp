@@ -162,7 +162,7 @@ TEST_F(ServerCommandsTest, thereIsNoEchoBeyondTheMaximum) {
   for (int i = 0; i < 50; ++i) session.step({}, far, Instant(i * IdealWheels::kStep));
   std::vector<Sip::Sonar> sonars;
   for (const Packet& packet : session.takeOutgoing()) {
-    if (const auto sip = decodeStandardInformation(packet))
+    if (const auto sip = decode<StandardInformation>(packet))
       sonars.insert(sonars.end(), sip->sonars.begin(), sip->sonars.end());
   }
   ASSERT_FALSE(sonars.empty());
@@ -208,7 +208,7 @@ TEST_F(ServerCommandsTest, encodersCountTicksOfTheRims) {
   robot.drive(2);
   robot.send(CommandId::kEncoder, 1);
   robot.run(0.2);
-  const auto encoder = decodeEncoder(robot.of(EncoderPacket::kId).at(0));
+  const auto encoder = decode<EncoderPacket>(robot.of(EncoderPacket::kId).at(0));
   ASSERT_TRUE(encoder);
   EXPECT_NEAR(encoder->leftTicks, robot.sensing.leftTravel * 138000, 6000);
   EXPECT_GT(encoder->leftTicks, 30000);
@@ -218,7 +218,7 @@ TEST_F(ServerCommandsTest, theGyroscopeIsReadAsAriaDoes) {
   robot.sensing.rotationRate = radians(30.0);
   robot.send(CommandId::kGyro, 2);
   robot.drive(1);
-  const auto gyro = decodeGyro(robot.of(GyroPacket::kId).back());
+  const auto gyro = decode<GyroPacket>(robot.of(GyroPacket::kId).back());
   ASSERT_TRUE(gyro);
   ASSERT_THAT(gyro->readings, SizeIs(testing::AllOf(testing::Ge(3U), testing::Le(4U))));
   for (const auto& reading : gyro->readings) {
@@ -232,7 +232,7 @@ TEST_F(ServerCommandsTest, gyroscopesReadingsAddUpToTheTurn) {
   robot.drive(5);
   double turned = 0;
   for (const Packet& packet : robot.of(GyroPacket::kId)) {
-    const auto gyro = decodeGyro(packet);
+    const auto gyro = decode<GyroPacket>(packet);
     ASSERT_TRUE(gyro);
     for (const auto& reading : gyro->readings) {
       turned += 0.025 * -(reading.rate - 512.0) * 5 / 1023 * 300 / 2.5 * 1.626;
@@ -245,7 +245,7 @@ TEST_F(ServerCommandsTest, bumpersInIoPacketsAreLowWherePressed) {
   robot.sensing.frontBumpers = 0b10;
   robot.send(CommandId::kIoRequest, 1);
   robot.run(0.2);
-  const auto io = decodeIo(robot.of(IoPacket::kId).at(0));
+  const auto io = decode<IoPacket>(robot.of(IoPacket::kId).at(0));
   ASSERT_TRUE(io);
   ASSERT_THAT(io->digitalIn, SizeIs(4));
   EXPECT_EQ(io->digitalIn[1], 0b11111011);
@@ -296,7 +296,7 @@ TEST_F(ServerCommandsTest, aLaserComesByTheOldCommandsAndByTheNew) {
   const auto parts = robot.of(LaserPacket::kPlainId);
   int next = 0;
   for (const Packet& packet : parts) {
-    const auto part = decodeLaser(packet);
+    const auto part = decode<LaserPacket>(packet);
     ASSERT_TRUE(part);
     EXPECT_EQ(part->total, 181);
     EXPECT_EQ(part->first, next);
@@ -316,7 +316,7 @@ TEST_F(ServerCommandsTest, aLaserLooksOnlyWhereItIsAskedTo) {
   robot.send(CommandId::kSimLaserResolution, 200);
   robot.send(CommandId::kSimLaserEnable, 1);
   robot.run(0.1);
-  const auto part = decodeLaser(robot.of(LaserPacket::kPlainId).at(0));
+  const auto part = decode<LaserPacket>(robot.of(LaserPacket::kPlainId).at(0));
   ASSERT_TRUE(part);
   ASSERT_THAT(part->readings, SizeIs(21));
   EXPECT_EQ(part->readings.front().rangeMm, 1000 + 10 * 80);
@@ -328,7 +328,7 @@ TEST_F(ServerCommandsTest, whatIsAskedOfTheGripperDoesNotMoveTheLaser) {
     robot.forget();
     robot.run(0.15);
     const auto parts = robot.of(LaserPacket::kExtendedId);
-    return parts.empty() ? 0 : int{decodeLaser(parts[0])->total};
+    return parts.empty() ? 0 : int{decode<LaserPacket>(parts[0])->total};
   };
   robot.send(CommandId::kLegacyLaserStart, -90);
   robot.send(CommandId::kPulse);
@@ -355,7 +355,7 @@ TEST_F(ServerCommandsTest, itsStatusSaysOnlyWhatIsSo) {
     robot.forget();
     robot.send(CommandId::kSimStat, 1);
     robot.run(0.15);
-    return *decodeSimulatorStatus(robot.of(SimulatorStatus::kId).at(0));
+    return *decode<SimulatorStatus>(robot.of(SimulatorStatus::kId).at(0));
   };
   EXPECT_EQ(status().flags, 0U) << "neither a place on Earth nor an error of the odometry";
   robot.sensing.globalPosition = GlobalPosition{42.807191, -71.578661, 72.5};
@@ -406,17 +406,17 @@ TEST_F(ServerCommandsTest, theSimulatorSendsItsNameItsTruthAndItsMap) {
   robot.send(CommandId::kSimStat, 1);
   robot.session.mapLoaded("office.map", true, false);
   robot.run(0.3);
-  const auto info = decodeSimulatorInfo(robot.of(SimulatorInfo::kId).at(0));
+  const auto info = decode<SimulatorInfo>(robot.of(SimulatorInfo::kId).at(0));
   ASSERT_TRUE(info);
   EXPECT_EQ(info->application, "RobotControl");
   EXPECT_THAT(info->devices, SizeIs(3));
   ASSERT_THAT(robot.of(SimulatorStatus::kId), SizeIs(1));
-  const auto status = decodeSimulatorStatus(robot.of(SimulatorStatus::kId).at(0));
+  const auto status = decode<SimulatorStatus>(robot.of(SimulatorStatus::kId).at(0));
   ASSERT_TRUE(status);
   EXPECT_EQ(status->xMm, 1500);
   EXPECT_EQ(status->yMm, -2000);
   EXPECT_EQ(status->headingDeg, 90);
-  const auto map = decodeMapChanged(robot.of(MapChanged::kId).at(0));
+  const auto map = decode<MapChanged>(robot.of(MapChanged::kId).at(0));
   ASSERT_TRUE(map);
   EXPECT_EQ(map->file, "office.map");
   EXPECT_EQ(map->loaded, 1);

@@ -30,7 +30,7 @@ TEST_F(ServerSessionTest, syncsAreEchoedAndTheThirdIsAnsweredWithTheIdentity) {
   EXPECT_THAT(robot.received, ElementsAre(Packet{0, {}}, Packet{1, {}}));
   robot.send(CommandId::kSync2);
   ASSERT_THAT(robot.received, SizeIs(3));
-  const auto identity = decodeIdentity(robot.received[2]);
+  const auto identity = decode<Identity>(robot.received[2]);
   ASSERT_TRUE(identity);
   EXPECT_EQ(identity->name, "MobileSim");
   EXPECT_EQ(identity->robotClass, "Pioneer");
@@ -91,7 +91,7 @@ TEST_F(ServerSessionTest, configurationIsSentWithAndWithoutArgument) {
   robot.send(CommandId::kConfig);
   robot.send(CommandId::kConfig, 1);
   ASSERT_THAT(robot.of(Configuration::kId), SizeIs(2));
-  const auto reported = decodeConfiguration(robot.received[0]);
+  const auto reported = decode<Configuration>(robot.received[0]);
   ASSERT_TRUE(reported);
   EXPECT_EQ(reported->type, "Pioneer");
   EXPECT_EQ(reported->subtype, "p3at-sh");
