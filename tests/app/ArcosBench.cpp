@@ -27,11 +27,6 @@ void WireClient::send(std::span<const std::uint8_t> bytes) {
   sentBytes += bytes.size();
 }
 
-void WireClient::handshake() {
-  for (const auto id : {CommandId::kSync0, CommandId::kSync1, CommandId::kSync2}) send(id);
-  send(CommandId::kOpen, 1);
-}
-
 void WireClient::receive(robotlink::Instant now) {
   std::array<std::uint8_t, 4096> bytes;
   while (stream_) {
@@ -41,40 +36,17 @@ void WireClient::receive(robotlink::Instant now) {
     parser_.push(std::span(bytes).first(*count));
     while (auto found = parser_.next()) {
       EXPECT_TRUE(std::holds_alternative<Packet>(*found)) << "robots send no damage";
-      if (!std::holds_alternative<Packet>(*found)) continue;
-      received.push_back(std::get<Packet>(std::move(*found)));
-      receivedAt.push_back(now);
+      if (std::holds_alternative<Packet>(*found)) store(std::get<Packet>(std::move(*found)), now);
     }
   }
 }
 
-std::vector<Packet> WireClient::of(std::uint8_t id) const {
-  std::vector<Packet> found;
-  for (const Packet& packet : received) {
-    if (packet.id == id) found.push_back(packet);
-  }
-  return found;
-}
-
-std::vector<StandardInformation> WireClient::information() const {
-  std::vector<StandardInformation> found;
-  for (const Packet& packet : received) {
-    if ((packet.id & 0xF0) == 0x30) found.push_back(decode<StandardInformation>(packet).value());
-  }
-  return found;
-}
-
 StandardInformation WireClient::latest() const {
   for (auto packet = received.rbegin(); packet != received.rend(); ++packet) {
-    if ((packet->id & 0xF0) == 0x30) return decode<StandardInformation>(*packet).value();
+    if (hasId<StandardInformation>(packet->id)) return decode<StandardInformation>(*packet).value();
   }
   ADD_FAILURE() << "no information packet came";
   return {};
-}
-
-void WireClient::forget() {
-  received.clear();
-  receivedAt.clear();
 }
 
 SimulatedWorld::Options ArcosBench::quiet() {

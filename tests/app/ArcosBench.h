@@ -6,30 +6,21 @@
 #include <vector>
 
 #include "app/core/simulated/ArcosSimulation.h"
-#include "robotlink/arcos/codec/Command.h"
-#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/ByteStream.h"
+#include "tests/robotlink/arcos/PacketClient.h"
 
 namespace app {
 
-/// A minimal client of a robot's TCP port, like those of the recordings: it sends packets and stores what it
-/// receives.
-class WireClient {
+/// A minimal client of a robot's TCP port, like those of the recordings.
+class WireClient : public robotlink::arcos::PacketClient {
  public:
   /// Connects; closed() is true if that fails.
   explicit WireClient(const std::string& url);
 
+  using PacketClient::send;
   void send(std::span<const std::uint8_t> bytes);
-  void send(const robotlink::arcos::Packet& packet) { send(encode(packet)); }
-  void send(robotlink::arcos::CommandId id) { send(toPacket(robotlink::arcos::command(id))); }
-  void send(robotlink::arcos::CommandId id, int argument) {
-    send(toPacket(robotlink::arcos::command(id, argument)));
-  }
-  void send(robotlink::arcos::CommandId id, const std::string& argument) {
-    send(toPacket(robotlink::arcos::command(id, argument)));
-  }
-  /// Sends the three SYNC packets and OPEN.
-  void handshake();
+  void send(const robotlink::arcos::Packet& packet) override { send(encode(packet)); }
   /// Reads everything that has arrived, with `now` as its time.
   void receive(robotlink::Instant now);
   void close() {
@@ -39,21 +30,11 @@ class WireClient {
   /// Whether the robot has closed the connection.
   bool closed() const { return closed_; }
 
-  /// All packets received so far, with the times at which they were read.
-  std::vector<robotlink::arcos::Packet> received;
-  std::vector<robotlink::Instant> receivedAt;
   std::uint64_t sentBytes = 0;
   /// Number of packets received, including those before forget().
   std::uint64_t readPackets() const { return parser_.counters().packets; }
-
-  /// The received packets with an id.
-  std::vector<robotlink::arcos::Packet> of(std::uint8_t id) const;
-  /// All standard information packets received.
-  std::vector<robotlink::arcos::StandardInformation> information() const;
-  /// The last one of them.
+  /// The last standard information packet.
   robotlink::arcos::StandardInformation latest() const;
-  /// Clears the received packets.
-  void forget();
 
  private:
   std::unique_ptr<robotlink::arcos::ByteStream> stream_;

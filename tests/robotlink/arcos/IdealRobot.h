@@ -4,44 +4,30 @@
 #include <map>
 #include <vector>
 
-#include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/server/ServerSession.h"
 #include "tests/robotlink/arcos/IdealWheels.h"
+#include "tests/robotlink/arcos/PacketClient.h"
 
 /// A microcontroller on ideal wheels in an empty world, together with its client: without sockets and without
 /// waiting.
-class IdealRobot : public robotlink::arcos::RangeFinders {
+class IdealRobot : public robotlink::arcos::RangeFinders, public robotlink::arcos::PacketClient {
  public:
   explicit IdealRobot(robotlink::arcos::ServerSettings settings = {}) : session(std::move(settings)) {}
 
   robotlink::arcos::ServerSession session;
   robotlink::arcos::RobotSensing sensing;
-  /// Packets received by the client.
-  std::vector<robotlink::arcos::Packet> received;
-  std::vector<robotlink::Instant> receivedAt;
   /// Number of times that each sonar has fired.
   std::map<int, int> shots;
   int scans = 0;
   std::vector<double> scan = std::vector<double>(181, 7.0);
   robotlink::Instant now;
 
-  void send(const robotlink::arcos::Packet& packet) {
+  using PacketClient::send;
+  void send(const robotlink::arcos::Packet& packet) override {
     session.take(packet, now);
     collect();
   }
-  void send(robotlink::arcos::CommandId id) { send(toPacket(robotlink::arcos::command(id))); }
-  void send(robotlink::arcos::CommandId id, int argument) {
-    send(toPacket(robotlink::arcos::command(id, argument)));
-  }
-  void send(robotlink::arcos::CommandId id, std::string argument) {
-    send(toPacket(robotlink::arcos::command(id, std::move(argument))));
-  }
-
-  void connect() {
-    using robotlink::arcos::CommandId;
-    for (const auto id : {CommandId::kSync0, CommandId::kSync1, CommandId::kSync2}) send(id);
-    send(CommandId::kOpen, 1);
-  }
+  void connect() { handshake(); }
 
   void step() {
     now += IdealWheels::kStep;
@@ -64,25 +50,6 @@ class IdealRobot : public robotlink::arcos::RangeFinders {
     }
   }
 
-  std::vector<robotlink::arcos::Packet> of(std::uint8_t id) const {
-    std::vector<robotlink::arcos::Packet> found;
-    for (const auto& packet : received) {
-      if (packet.id == id) found.push_back(packet);
-    }
-    return found;
-  }
-  std::vector<robotlink::arcos::StandardInformation> information() const {
-    std::vector<robotlink::arcos::StandardInformation> found;
-    for (const auto& packet : received) {
-      if ((packet.id & 0xF0) == 0x30) found.push_back(*robotlink::arcos::decode<robotlink::arcos::StandardInformation>(packet));
-    }
-    return found;
-  }
-  void forget() {
-    received.clear();
-    receivedAt.clear();
-  }
-
   double sonar(int number) override {
     ++shots[number];
     return 1 + 0.1 * number;
@@ -96,9 +63,6 @@ class IdealRobot : public robotlink::arcos::RangeFinders {
 
  private:
   void collect() {
-    for (auto& packet : session.takeOutgoing()) {
-      received.push_back(std::move(packet));
-      receivedAt.push_back(now);
-    }
+    for (auto& packet : session.takeOutgoing()) store(std::move(packet), now);
   }
 };
