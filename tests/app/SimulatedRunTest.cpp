@@ -16,6 +16,7 @@
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
+#include "tests/app/TableRequest.h"
 
 using namespace app;
 using robotlink::Pose2;
@@ -152,16 +153,6 @@ robotcontrol::Request parameterRequest(double memory) {
   value->GetReflection()->SetDouble(value.get(), field, memory);
   details.mutable_value()->set_type(value->GetDescriptor()->full_name());
   details.mutable_value()->set_data(value->SerializeAsString());
-  return request;
-}
-
-robotcontrol::Request tableRequest() {
-  robotcontrol::Request request;
-  request.set_robot("red1");
-  auto& table = *request.mutable_set_color_table()->mutable_table();
-  table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
-  table.add_class_names("orange");
-  table.set_source("/home/me/orange.c64");
   return request;
 }
 

@@ -12,6 +12,7 @@
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/app/TableRequest.h"
 #include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
@@ -209,14 +210,7 @@ TEST_F(ReplayRunTest, theColorTableInUseIsThatOfTheLogOrTheOneThatIsBuiltIn) {
 
   const auto file = *folder_ / "table.mcap";
   recordSimulation(file, "compact", 200, [](SimulatedRun& run, int step) {
-    if (step != 100) return;
-    robotcontrol::Request request;
-    request.set_robot("red1");
-    auto& table = *request.mutable_set_color_table()->mutable_table();
-    table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
-    table.add_class_names("orange");
-    table.set_source("/home/me/orange.c64");
-    (void)run.request(request);
+    if (step == 100) (void)run.request(tableRequest());
   });
   Replay played(file);
   ASSERT_TRUE(played.run);

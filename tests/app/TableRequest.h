@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "robotcontrol/Requests.pb.h"
+
+namespace app {
+
+/// A request for red1 to use a color table in which everything is orange.
+inline robotcontrol::Request tableRequest() {
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  auto& table = *request.mutable_set_color_table()->mutable_table();
+  table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
+  table.add_class_names("orange");
+  table.set_source("/home/me/orange.c64");
+  return request;
+}
+
+}  // namespace app
