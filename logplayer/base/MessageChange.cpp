@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "robotlink/packages/FieldValues.h"
+
 namespace logplayer {
 namespace {
 
@@ -16,9 +18,9 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-bool isTime(const Descriptor& type) {
-  return type.full_name() == "google.protobuf.Timestamp" && type.FindFieldByNumber(1) &&
-         type.FindFieldByNumber(2);
+/// Durations are not moved.
+bool isInstant(const Descriptor& type) {
+  return robotlink::isTime(type) && type.full_name() == "google.protobuf.Timestamp";
 }
 
 bool namesRobot(const FieldDescriptor& field) {
@@ -66,7 +68,7 @@ bool MessageChange::concernsFields(const Descriptor& type) {
   bool result = false;
   for (std::size_t next = 0; next < reached.size() && !result; ++next) {
     const Descriptor& at = *reached[next];
-    result = isTime(at);
+    result = isInstant(at);
     for (int i = 0; i < at.field_count() && !result; ++i) {
       const FieldDescriptor& field = *at.field(i);
       result = namesRobot(field);
@@ -80,7 +82,7 @@ bool MessageChange::concernsFields(const Descriptor& type) {
 
 void MessageChange::apply(Message& message) {
   if (!concerns(*message.GetDescriptor())) return;
-  if (isTime(*message.GetDescriptor())) {
+  if (isInstant(*message.GetDescriptor())) {
     move(message, offset_);
     return;
   }

@@ -10,6 +10,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <type_traits>
+
+#include "robotlink/packages/FieldValues.h"
 
 namespace logplayer {
 namespace {
@@ -40,24 +43,6 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// Time stamps and durations have the same fields.
-bool isTimeMessage(const google::protobuf::Descriptor& type) {
-  const auto* seconds = type.FindFieldByNumber(1);
-  const auto* nanos = type.FindFieldByNumber(2);
-  return (type.full_name() == "google.protobuf.Timestamp" ||
-          type.full_name() == "google.protobuf.Duration") &&
-         seconds && nanos && seconds->cpp_type() == FieldDescriptor::CPPTYPE_INT64 &&
-         nanos->cpp_type() == FieldDescriptor::CPPTYPE_INT32 && !seconds->is_repeated() &&
-         !nanos->is_repeated();
-}
-
-std::string timeText(const Message& time) {
-  const auto* type = time.GetDescriptor();
-  const Reflection* reflection = time.GetReflection();
-  return secondsText(reflection->GetInt64(time, type->FindFieldByNumber(1)),
-                     reflection->GetInt32(time, type->FindFieldByNumber(2)));
-}
-
 std::string enumText(const FieldDescriptor& field, int number) {
   const auto* value = field.enum_type()->FindValueByNumber(number);
   return value ? value->name() : std::to_string(number);
@@ -65,45 +50,20 @@ std::string enumText(const FieldDescriptor& field, int number) {
 
 /// `element` is -1 for a field that is not repeated.
 std::string valueText(const Message& message, const FieldDescriptor& field, int element) {
-  const Reflection* reflection = message.GetReflection();
-  const bool repeated = element >= 0;
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_INT32:
-      return numberText(repeated ? reflection->GetRepeatedInt32(message, &field, element)
-                                 : reflection->GetInt32(message, &field));
-    case FieldDescriptor::CPPTYPE_INT64:
-      return numberText(repeated ? reflection->GetRepeatedInt64(message, &field, element)
-                                 : reflection->GetInt64(message, &field));
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return numberText(repeated ? reflection->GetRepeatedUInt32(message, &field, element)
-                                 : reflection->GetUInt32(message, &field));
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return numberText(repeated ? reflection->GetRepeatedUInt64(message, &field, element)
-                                 : reflection->GetUInt64(message, &field));
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return numberText(repeated ? reflection->GetRepeatedFloat(message, &field, element)
-                                 : reflection->GetFloat(message, &field));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return numberText(repeated ? reflection->GetRepeatedDouble(message, &field, element)
-                                 : reflection->GetDouble(message, &field));
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return (repeated ? reflection->GetRepeatedBool(message, &field, element)
-                       : reflection->GetBool(message, &field))
-                 ? "true"
-                 : "false";
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return enumText(field, repeated ? reflection->GetRepeatedEnumValue(message, &field, element)
-                                      : reflection->GetEnumValue(message, &field));
-    case FieldDescriptor::CPPTYPE_STRING: {
-      std::string text = repeated ? reflection->GetRepeatedString(message, &field, element)
-                                  : reflection->GetString(message, &field);
-      return field.type() == FieldDescriptor::TYPE_BYTES ? base64(text) : text;
+  return robotlink::visitValue(message, field, element, [&](const auto& value) -> std::string {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, bool>) {
+      return value ? "true" : "false";
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+      return numberText(value);
+    } else if constexpr (std::is_same_v<Value, robotlink::EnumNumber>) {
+      return enumText(field, value.number);
+    } else if constexpr (std::is_same_v<Value, Message>) {
+      return secondsText(robotlink::wholeSeconds(value), robotlink::nanoseconds(value));
+    } else {
+      return field.type() == FieldDescriptor::TYPE_BYTES ? base64(value) : value;
     }
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return timeText(repeated ? reflection->GetRepeatedMessage(message, &field, element)
-                               : reflection->GetMessage(message, &field));
-  }
-  return {};
+  });
 }
 
 }  // namespace
@@ -143,7 +103,7 @@ class MessageTable::Walk {
     place_.push_back(field.index());
     place_.push_back(element);
     fields_.push_back(&field);
-    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || isTimeMessage(*field.message_type())) {
+    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || robotlink::isTime(*field.message_type())) {
       visit_(*this, message, field, element);
     } else {
       const Reflection* reflection = message.GetReflection();

@@ -12,6 +12,7 @@
 
 #include "logplayer/json/JsonText.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/packages/FieldValues.h"
 
 namespace logplayer {
 
@@ -65,15 +66,11 @@ const json* memberOf(const json& object, std::initializer_list<const char*> keys
   return nullptr;
 }
 
-bool isTimeType(const Descriptor& type) {
-  return type.full_name() == "google.protobuf.Timestamp" || type.full_name() == "google.protobuf.Duration";
-}
-
 /// Assigns an object with exactly the members sec and nsec.
 bool assignTime(Message& to, const json& value) {
   const auto* seconds = to.GetDescriptor()->FindFieldByNumber(1);
   const auto* nanos = to.GetDescriptor()->FindFieldByNumber(2);
-  if (!value.is_object() || value.size() != 2 || seconds == nullptr || nanos == nullptr) return false;
+  if (!value.is_object() || value.size() != 2) return false;
   const json* whole = memberOf(value, {"sec", "seconds"});
   const json* rest = memberOf(value, {"nsec", "nanosec", "nanos"});
   const auto s = whole != nullptr ? integerOf<std::int64_t>(*whole) : std::nullopt;
@@ -199,7 +196,7 @@ bool Assignment::addMessage(Message& to, const FieldDescriptor& field, const jso
   Message& inner =
       field.is_repeated() ? *reflection->AddMessage(&to, &field) : *reflection->MutableMessage(&to, &field);
   const Descriptor& type = *inner.GetDescriptor();
-  if (isTimeType(type)) return assignTime(inner, value);
+  if (robotlink::isTime(type)) return assignTime(inner, value);
   // Only rows of arrays of arrays are arrays.
   const bool row = type.field_count() == 1 && type.field(0)->is_repeated() && !fields_.contains(&type);
   if (row) return value.is_array() && assignAll(inner, *type.field(0), value, path);

@@ -11,6 +11,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/FieldValues.h"
 #include "robotlink/packages/Schema.h"
 
 namespace robotlink {
@@ -51,32 +52,19 @@ bool isSound(const pb::Message& message, const pb::FieldDescriptor& field) {
   const pb::Reflection& reflection = *message.GetReflection();
   const int count = field.is_repeated() ? reflection.FieldSize(message, &field) : 1;
   for (int i = 0; i < count; ++i) {
-    switch (field.cpp_type()) {
-      case pb::FieldDescriptor::CPPTYPE_DOUBLE:
-        if (!std::isfinite(field.is_repeated() ? reflection.GetRepeatedDouble(message, &field, i)
-                                               : reflection.GetDouble(message, &field)))
-          return false;
-        break;
-      case pb::FieldDescriptor::CPPTYPE_FLOAT:
-        if (!std::isfinite(field.is_repeated() ? reflection.GetRepeatedFloat(message, &field, i)
-                                               : reflection.GetFloat(message, &field)))
-          return false;
-        break;
-      case pb::FieldDescriptor::CPPTYPE_MESSAGE:
-        if (!firstUnsound(field.is_repeated() ? reflection.GetRepeatedMessage(message, &field, i)
-                                              : reflection.GetMessage(message, &field))
-                 .empty())
-          return false;
-        break;
-      case pb::FieldDescriptor::CPPTYPE_STRING: {
-        const std::string text = field.is_repeated() ? reflection.GetRepeatedString(message, &field, i)
-                                                     : reflection.GetString(message, &field);
-        if (field.type() == pb::FieldDescriptor::TYPE_STRING && validUtf8(text) != text) return false;
-        break;
+    const bool sound = visitValue(message, field, field.is_repeated() ? i : -1, [&](const auto& value) {
+      using Value = std::decay_t<decltype(value)>;
+      if constexpr (std::is_floating_point_v<Value>) {
+        return std::isfinite(value);
+      } else if constexpr (std::is_same_v<Value, pb::Message>) {
+        return firstUnsound(value).empty();
+      } else if constexpr (std::is_same_v<Value, std::string>) {
+        return field.type() != pb::FieldDescriptor::TYPE_STRING || validUtf8(value) == value;
+      } else {
+        return true;
       }
-      default:
-        break;
-    }
+    });
+    if (!sound) return false;
   }
   return true;
 }

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <string_view>
+#include <type_traits>
 
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/packages/FieldValues.h"
 
 namespace robotlink {
 namespace {
@@ -20,10 +22,6 @@ using google::protobuf::Reflection;
 constexpr int kMaxDepth = 5;
 constexpr int kMaxElements = 32;
 constexpr std::size_t kMaxFields = 1000;
-
-bool isTime(const Descriptor& type) {
-  return type.full_name() == "google.protobuf.Timestamp" || type.full_name() == "google.protobuf.Duration";
-}
 
 bool isNumber(const FieldDescriptor& field) {
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) return isTime(*field.message_type());
@@ -82,68 +80,21 @@ void listMessage(const Message& message, const std::string& prefix, int depth,
   }
 }
 
-double secondsOf(const Message& time) {
-  const Reflection& reflection = *time.GetReflection();
-  const Descriptor& type = *time.GetDescriptor();
-  return static_cast<double>(reflection.GetInt64(time, type.FindFieldByName("seconds"))) +
-         static_cast<double>(reflection.GetInt32(time, type.FindFieldByName("nanos"))) * 1e-9;
-}
-
-std::optional<double> single(const Message& message, const FieldDescriptor& field) {
-  const Reflection& reflection = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_INT32:
-      return reflection.GetInt32(message, &field);
-    case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<double>(reflection.GetInt64(message, &field));
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return reflection.GetUInt32(message, &field);
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return static_cast<double>(reflection.GetUInt64(message, &field));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return reflection.GetDouble(message, &field);
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(reflection.GetFloat(message, &field));
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return reflection.GetBool(message, &field) ? 1 : 0;
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return reflection.GetEnumValue(message, &field);
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return isTime(*field.message_type()) ? std::optional(secondsOf(reflection.GetMessage(message, &field)))
-                                           : std::nullopt;
-    case FieldDescriptor::CPPTYPE_STRING:
-      break;
-  }
-  return std::nullopt;
-}
-
-std::optional<double> repeated(const Message& message, const FieldDescriptor& field, int index) {
-  const Reflection& reflection = *message.GetReflection();
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_INT32:
-      return reflection.GetRepeatedInt32(message, &field, index);
-    case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<double>(reflection.GetRepeatedInt64(message, &field, index));
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return reflection.GetRepeatedUInt32(message, &field, index);
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return static_cast<double>(reflection.GetRepeatedUInt64(message, &field, index));
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return reflection.GetRepeatedDouble(message, &field, index);
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(reflection.GetRepeatedFloat(message, &field, index));
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return reflection.GetRepeatedBool(message, &field, index) ? 1 : 0;
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return reflection.GetRepeatedEnumValue(message, &field, index);
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      return isTime(*field.message_type())
-                 ? std::optional(secondsOf(reflection.GetRepeatedMessage(message, &field, index)))
-                 : std::nullopt;
-    case FieldDescriptor::CPPTYPE_STRING:
-      break;
-  }
-  return std::nullopt;
+/// `element` is -1 for a field that is not repeated. Empty if the value is no number.
+std::optional<double> numberOf(const Message& message, const FieldDescriptor& field, int element) {
+  return visitValue(message, field, element, [](const auto& value) -> std::optional<double> {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_arithmetic_v<Value>) {
+      return static_cast<double>(value);
+    } else if constexpr (std::is_same_v<Value, EnumNumber>) {
+      return value.number;
+    } else if constexpr (std::is_same_v<Value, Message>) {
+      if (!isTime(*value.GetDescriptor())) return std::nullopt;
+      return static_cast<double>(wholeSeconds(value)) + nanoseconds(value) * 1e-9;
+    } else {
+      return std::nullopt;
+    }
+  });
 }
 
 // A step of a path: "joints[3]", "joints[head/pan]" or "position".
@@ -204,11 +155,11 @@ std::optional<double> numberAt(const Message& message, const std::string& path) 
     const FieldDescriptor* field = step ? at->GetDescriptor()->FindFieldByName(step->name) : nullptr;
     if (!field || field->is_repeated() != step->element.has_value()) return std::nullopt;
     const Reflection& reflection = *at->GetReflection();
-    const int index = field->is_repeated() ? elementIndex(*at, *field, *step->element) : 0;
-    if (index < 0) return std::nullopt;
+    const int index = field->is_repeated() ? elementIndex(*at, *field, *step->element) : -1;
+    if (field->is_repeated() && index < 0) return std::nullopt;
     if (!field->is_repeated() && field->has_presence() && !reflection.HasField(*at, field))
       return std::nullopt;
-    if (rest.empty()) return field->is_repeated() ? repeated(*at, *field, index) : single(*at, *field);
+    if (rest.empty()) return numberOf(*at, *field, index);
     if (!isPart(*field)) return std::nullopt;
     at = field->is_repeated() ? &reflection.GetRepeatedMessage(*at, field, index)
                               : &reflection.GetMessage(*at, field);

@@ -8,6 +8,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/robotlink/packages/ForeignTime.h"
 
 namespace logplayer {
 namespace {
@@ -63,6 +64,14 @@ TEST(MessageChange, aTimeThatCannotBeMovedStaysAsItIs) {
   image.mutable_timestamp()->set_seconds(std::numeric_limits<std::int64_t>::max());
   change.apply(image);
   EXPECT_EQ(image.timestamp().seconds(), std::numeric_limits<std::int64_t>::max());
+}
+
+TEST(MessageChange, aForeignTypeThatIsOnlyCalledTimestampIsNotMoved) {
+  robotlink::test::ForeignTime foreign;
+  MessageChange change(1s, {});
+  EXPECT_FALSE(change.concerns(*foreign.message().GetDescriptor()));
+  change.apply(foreign.message());
+  EXPECT_EQ(foreign.message().ShortDebugString(), "stamp { }");
 }
 
 }  // namespace

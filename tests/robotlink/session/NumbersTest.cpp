@@ -8,6 +8,7 @@
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
+#include "tests/robotlink/packages/ForeignTime.h"
 
 using namespace robotlink;
 using testing::Contains;
@@ -102,4 +103,10 @@ TEST(Numbers, aTypeOfManyFieldsIsListedUpToABound) {
   foxglove::ImageAnnotations huge;
   for (int i = 0; i < 5000; ++i) huge.add_circles()->set_diameter(i);
   EXPECT_EQ(numericFields(huge).size(), 1000U);
+}
+
+TEST(Numbers, aForeignTypeThatIsOnlyCalledTimestampIsNoTime) {
+  test::ForeignTime foreign;
+  EXPECT_FALSE(numberAt(foreign.message(), "stamp"));
+  EXPECT_THAT(numericFields(foreign.message()), testing::IsEmpty());
 }
