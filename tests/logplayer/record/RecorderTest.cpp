@@ -83,7 +83,7 @@ class RecorderTest : public ::testing::Test {
 };
 
 /// A recorder whose thread is held up by its first warning, as by a slow disk.
-class SlowRecorderTest : public RecorderTest {
+class HeldUpRecorderTest : public RecorderTest {
  protected:
   void SetUp() override {
     Recorder::Options given = options();
@@ -111,7 +111,7 @@ class SlowRecorderTest : public RecorderTest {
 
 }  // namespace
 
-TEST_F(SlowRecorderTest, whatWasDroppedIsCountedForItsOwnFile) {
+TEST_F(HeldUpRecorderTest, whatWasDroppedIsCountedForItsOwnFile) {
   start("a.mcap");
   holdUp();
   ASSERT_TRUE(act(ControlRecording::STOP).has_value());
@@ -122,7 +122,7 @@ TEST_F(SlowRecorderTest, whatWasDroppedIsCountedForItsOwnFile) {
   EXPECT_EQ(log("b.mcap").recording.at("dropped_messages"), "0");
 }
 
-TEST_F(SlowRecorderTest, theFileThatWasStartedLastIsTheOneThatIsShown) {
+TEST_F(HeldUpRecorderTest, theFileThatWasStartedLastIsTheOneThatIsShown) {
   start("a.mcap");
   addFrame(1);
   holdUp();
