@@ -27,7 +27,7 @@ TARGETS = {
     "robotlink/motions": ["robotlink/base"],
     "robotlink/arcos": ["robotlink/base"],
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
-    "robotlink/foxglove": ROBOTLINK,
+    "robotlink/foxglove": ["robotlink/base"],
     "simcore": ["robotlink/base"],
     "colortool": ["robotlink/base"],
     "logplayer/mcap": ["robotlink/base"],
@@ -43,6 +43,7 @@ TARGETS = {
 ROOMS = {
     "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
+    "robotlink/foxglove": ["protocol", "server"],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],

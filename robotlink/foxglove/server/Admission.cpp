@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/Admission.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "robotlink/foxglove/protocol/Codec.h"
+
+namespace robotlink::foxglove {
+namespace {
+
+/// Bounds what is remembered of machines; each is forgotten when its time is over.
+constexpr std::size_t kMaxWaiting = 1024;
+
+/// Takes the same time wherever the texts differ.
+bool isSame(std::string_view a, std::string_view b) {
+  unsigned difference = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
+  return difference == 0;
+}
+
+/// The value of ?token=... in the target of a request.
+std::string_view tokenIn(std::string_view target) {
+  constexpr std::string_view kName = "token=";
+  const std::size_t question = target.find('?');
+  if (question == std::string_view::npos) return {};
+  for (std::string_view query = target.substr(question + 1); !query.empty();) {
+    const std::string_view part = query.substr(0, query.find('&'));
+    if (part.starts_with(kName)) return part.substr(kName.size());
+    query.remove_prefix(std::min(part.size() + 1, query.size()));
+  }
+  return {};
+}
+
+/// Whether a comma-separated list has the word.
+bool lists(std::string_view list, std::string_view word) {
+  while (!list.empty()) {
+    std::string_view item = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(item.size() + 1, list.size()));
+    while (!item.empty() && item.front() == ' ') item.remove_prefix(1);
+    while (!item.empty() && item.back() == ' ') item.remove_suffix(1);
+    if (item == word) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Instant Admission::decidableAt(const std::string& address) const {
+  const auto found = waiting_.find(address);
+  return found == waiting_.end() ? Instant::min() : found->second;
+}
+
+bool Admission::isAuthorized(const Knock& knock) const {
+  constexpr std::string_view kBearer = "Bearer ";
+  const std::string_view header = knock.authorization;
+  const bool hasHeader = header.starts_with(kBearer) && isSame(header.substr(kBearer.size()), options_.token);
+  return options_.token.empty() || hasHeader || isSame(tokenIn(knock.target), options_.token);
+}
+
+std::variant<std::string, Refusal> Admission::decide(const Knock& knock, Instant now) {
+  if (!knock.isWebSocket)
+    return Refusal{426,
+                   "This is a robot's WebSocket port: connect with RobotControl or any other client of the "
+                   "Foxglove WebSocket protocol."};
+  const auto allowed = [&](const std::string& origin) { return origin == "*" || origin == knock.origin; };
+  if (!knock.origin.empty() && std::ranges::none_of(options_.origins, allowed))
+    return Refusal{403, "Web pages of " + knock.origin +
+                            " may not connect to this robot, unless it is told to allow them."};
+  std::erase_if(waiting_, [&](const auto& entry) { return entry.second <= now; });
+  if (!isAuthorized(knock)) {
+    if (waiting_.size() >= kMaxWaiting)
+      waiting_.erase(std::ranges::min_element(waiting_, {}, [](const auto& entry) { return entry.second; }));
+    waiting_[knock.address] = now + options_.wrongTokenDelay;
+    return Refusal{
+        401,
+        "This robot wants its token, as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' behind the URL; "
+        "it printed the token when it was made.",
+        true};
+  }
+  for (const char* protocol : {kSdkProtocol, kWebSocketProtocol})
+    if (lists(knock.protocols, protocol)) return protocol;
+  return Refusal{400, std::string("This robot speaks the sub-protocols ") + kSdkProtocol + " and " +
+                          kWebSocketProtocol + ": offer one of them as Sec-WebSocket-Protocol."};
+}
+
+}  // namespace robotlink::foxglove

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+
+namespace robotlink::foxglove {
+
+/// What an HTTP request to the port says that matters here. Fields that are not there are empty.
+struct Knock {
+  bool isWebSocket = false;
+  /// The machine that asks, without its port.
+  std::string address;
+  std::string protocols, origin, authorization, target;
+};
+
+/// Why a request is refused: the status of the HTTP answer, and its text.
+struct Refusal {
+  unsigned status = 400;
+  std::string sentence;
+  /// Whether it was a wrong token.
+  bool isWrongToken = false;
+};
+
+/// Decides who may connect. A wrong token makes its machine wait: until then nothing from it is decided,
+/// right or wrong, so that guessing is slow however many connections guess. Not thread-safe.
+class Admission {
+ public:
+  struct Options {
+    /// What a client has to show; empty: nothing. As "Authorization: Bearer TOKEN", or, where headers cannot
+    /// be set, as ?token=TOKEN behind the URL.
+    std::string token = {};
+    /// The origins ("https://example.org") whose web pages may connect, or "*" for all. Programs that are no
+    /// browsers state none.
+    std::vector<std::string> origins = {};
+    Duration wrongTokenDelay = std::chrono::seconds(1);
+  };
+
+  explicit Admission(Options options) : options_(std::move(options)) {}
+
+  /// When a request of this machine may be decided.
+  Instant decidableAt(const std::string& address) const;
+  /// Returns the sub-protocol to speak, or why not.
+  std::variant<std::string, Refusal> decide(const Knock& knock, Instant now);
+
+ private:
+  bool isAuthorized(const Knock& knock) const;
+
+  const Options options_;
+  /// Machines that showed a wrong token, and until when they wait.
+  std::map<std::string, Instant> waiting_;
+};
+
+}  // namespace robotlink::foxglove

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/ConnectionGraph.h"
+
+#include <algorithm>
+
+namespace robotlink::foxglove {
+namespace {
+
+using Ids = ConnectionGraphUpdate::Ids;
+
+/// The names whose ids have changed; those that are gone have none.
+Ids changes(const Ids& before, const Ids& now) {
+  Ids changed;
+  for (const auto& [name, ids] : now) {
+    const auto known = before.find(name);
+    if (known == before.end() || known->second != ids) changed.emplace(name, ids);
+  }
+  for (const auto& [name, ids] : before)
+    if (!now.contains(name)) changed.emplace(name, std::vector<std::string>());
+  return changed;
+}
+
+/// Removing a topic removes it from both lists, so it has to be in neither any more.
+void moveRemoved(Ids& changed, const Ids& now, const Ids& others, std::vector<std::string>& removed) {
+  std::erase_if(changed, [&](const auto& entry) {
+    const std::string& name = entry.first;
+    if (now.contains(name) || others.contains(name)) return false;
+    if (std::ranges::find(removed, name) == removed.end()) removed.push_back(name);
+    return true;
+  });
+}
+
+}  // namespace
+
+ConnectionGraphUpdate difference(const ConnectionGraph& before, const ConnectionGraph& now) {
+  ConnectionGraphUpdate update;
+  update.publishedTopics = changes(before.publishedTopics, now.publishedTopics);
+  update.subscribedTopics = changes(before.subscribedTopics, now.subscribedTopics);
+  update.advertisedServices = changes(before.advertisedServices, now.advertisedServices);
+  moveRemoved(update.publishedTopics, now.publishedTopics, now.subscribedTopics, update.removedTopics);
+  moveRemoved(update.subscribedTopics, now.subscribedTopics, now.publishedTopics, update.removedTopics);
+  moveRemoved(update.advertisedServices, now.advertisedServices, {}, update.removedServices);
+  return update;
+}
+
+}  // namespace robotlink::foxglove

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/foxglove/protocol/ServerMessages.h"
+
+namespace robotlink::foxglove {
+
+/// Who publishes, subscribes and provides what: the ids of processes by the names of topics and services.
+struct ConnectionGraph {
+  ConnectionGraphUpdate::Ids publishedTopics, subscribedTopics, advertisedServices;
+};
+
+/// What has to be sent to a client that knows `before`.
+ConnectionGraphUpdate difference(const ConnectionGraph& before, const ConnectionGraph& now);
+
+}  // namespace robotlink::foxglove

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/foxglove/server/Admission.h"
+#include "robotlink/foxglove/server/ListenAddress.h"
+#include "robotlink/foxglove/server/Server.h"
+
+namespace robotlink::foxglove {
+
+class ListenerPort;
+
+/// A TCP port at which clients reach a server by WebSocket. One thread of its own does all input and output,
+/// and calls the server's handlers; no client can make it wait. The destructor closes all connections; it
+/// must not run in a handler.
+class Listener {
+ public:
+  struct Options {
+    ListenAddress address = {"127.0.0.1", kDefaultPort};
+    Admission::Options admission = {};
+    /// The longest message of a client, and the longest of those that are JSON.
+    std::size_t messageBytes = 8U << 20U, textBytes = 1U << 20U;
+    /// Messages of one client a second. A client that sends more is read more slowly.
+    double messagesPerSecond = 2000;
+    /// Connections that have not asked for WebSocket yet; further ones are closed at once.
+    std::size_t handshakes = 16;
+    Duration handshakeTime = std::chrono::seconds(5);
+    /// What a message may take from its first to its last byte.
+    Duration messageTime = std::chrono::seconds(120);
+    /// A client that is silent so long is asked for a sign of life, and is given up after idleTime.
+    Duration pingInterval = std::chrono::seconds(5), idleTime = std::chrono::seconds(30);
+    /// How long a client that is told to go may take.
+    Duration closeTime = std::chrono::seconds(2);
+    /// Between the answer to the handshake and the first message. Some clients lose messages that come
+    /// together with that answer.
+    Duration greetingDelay = std::chrono::milliseconds(100);
+    /// What the system may hold of data that it has not sent, per client; the rest waits where newer messages
+    /// replace it.
+    int unsentBytes = 64 << 10;
+    /// For all these times and for budgets; real time if there is none.
+    std::shared_ptr<const Clock> clock = {};
+  };
+
+  /// The error says why one cannot listen there, and what to do.
+  static Result<std::unique_ptr<Listener>> open(std::shared_ptr<Server> server, Options options);
+  ~Listener();
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  /// With the port that was chosen.
+  const ListenAddress& address() const { return address_; }
+
+ private:
+  explicit Listener(std::unique_ptr<ListenerPort> port);
+
+  const std::unique_ptr<ListenerPort> port_;
+  const ListenAddress address_;
+};
+
+}  // namespace robotlink::foxglove

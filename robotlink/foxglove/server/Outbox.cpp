@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/Outbox.h"
+
+namespace robotlink::foxglove {
+
+bool Outbox::pushControl(FrameKind kind, SharedBytes bytes) {
+  const std::size_t size = bytes->size();
+  const bool fits = control_.empty() || controlBytes_ + size <= limits_.controlBytes;
+  if (!fits || control_.size() >= limits_.controlMessages) return false;
+  controlBytes_ += size;
+  control_.push_back({kind, {}, 0, std::move(bytes)});
+  return true;
+}
+
+void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t maxWaiting) {
+  Stream& stream = streams_[id];
+  stream.delivery = delivery;
+  streamBytes_ += message.size();
+  if (delivery == Delivery::kLatest && !stream.waiting.empty()) {
+    Outgoing& waiting = stream.waiting.front()->message;
+    streamBytes_ -= waiting.size();
+    waiting = std::move(message);
+    ++stream.counters.thinned;
+  } else {
+    if (stream.waiting.size() >= std::max<std::size_t>(maxWaiting, 1)) giveUpOldest(stream);
+    turns_.push_back({id, std::move(message)});
+    stream.waiting.push_back(std::prev(turns_.end()));
+  }
+  while (streamBytes_ > limits_.streamBytes && turns_.size() > 1)
+    giveUpOldest(streams_[turns_.front().stream]);
+}
+
+void Outbox::giveUpOldest(Stream& stream) {
+  ++(stream.delivery == Delivery::kLatest ? stream.counters.thinned : stream.counters.dropped);
+  streamBytes_ -= stream.waiting.front()->message.size();
+  turns_.erase(stream.waiting.front());
+  stream.waiting.pop_front();
+}
+
+void Outbox::clear(StreamId id) {
+  const auto found = streams_.find(id);
+  if (found == streams_.end()) return;
+  for (const auto turn : found->second.waiting) {
+    streamBytes_ -= turn->message.size();
+    turns_.erase(turn);
+  }
+  found->second.waiting.clear();
+}
+
+void Outbox::remove(StreamId id) {
+  clear(id);
+  streams_.erase(id);
+}
+
+void Outbox::clear() {
+  control_.clear();
+  controlBytes_ = 0;
+  for (auto& [id, stream] : streams_) stream.waiting.clear();
+  turns_.clear();
+  streamBytes_ = 0;
+}
+
+std::optional<Outgoing> Outbox::next(Instant now) {
+  std::optional<Outgoing> message;
+  const bool isReady =
+      budget_.isReady(now);  // also when control messages go first: time must not be saved up
+  if (!control_.empty()) {
+    message = std::move(control_.front());
+    control_.pop_front();
+    controlBytes_ -= message->size();
+  } else if (!turns_.empty() && isReady) {
+    Turn& turn = turns_.front();
+    Stream& stream = streams_[turn.stream];
+    message = std::move(turn.message);
+    stream.waiting.pop_front();
+    turns_.pop_front();
+    streamBytes_ -= message->size();
+    ++stream.counters.sent;
+    stream.counters.bytes += message->size();
+  }
+  if (!message) return message;
+  budget_.take(message->size());
+  sentBytes_ += message->size();
+  return message;
+}
+
+StreamCounters Outbox::counters(StreamId stream) const {
+  const auto found = streams_.find(stream);
+  return found == streams_.end() ? StreamCounters() : found->second.counters;
+}
+
+}  // namespace robotlink::foxglove

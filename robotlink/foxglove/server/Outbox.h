@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <deque>
+#include <list>
+#include <memory>
+#include <unordered_map>
+
+#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/server/Allowance.h"
+
+namespace robotlink::foxglove {
+
+/// Bytes that all clients share.
+using SharedBytes = std::shared_ptr<const std::string>;
+
+/// What happens to messages of a stream for which a client is too slow.
+enum class Delivery {
+  kLatest,    ///< A newer message replaces the one that waits: images, states, drawings.
+  kComplete,  ///< All are sent, in order; over a bound the oldest is dropped: texts, tables, results.
+};
+
+/// What became of the messages of a stream for one client.
+struct StreamCounters {
+  std::uint64_t sent = 0, bytes = 0;
+  /// Replaced by newer ones, or given up for other streams, as its delivery allows.
+  std::uint64_t thinned = 0;
+  /// Lost although all were to be sent.
+  std::uint64_t dropped = 0;
+  bool operator==(const StreamCounters&) const = default;
+};
+
+/// A WebSocket message in two parts: the head is the client's own, the payload is shared.
+struct Outgoing {
+  FrameKind kind = FrameKind::kText;
+  std::array<std::uint8_t, kMessageHeadSize> head{};
+  std::size_t headSize = 0;
+  SharedBytes payload;
+
+  std::size_t size() const { return headSize + (payload ? payload->size() : 0); }
+};
+
+/// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
+/// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
+/// Memory is bounded; payloads are shared. Not thread-safe.
+class Outbox {
+ public:
+  struct Limits {
+    /// Control messages that may wait, and their bytes.
+    std::size_t controlMessages = 1024, controlBytes = 16U << 20U;
+    /// Bytes that may wait of all streams; over it the oldest messages go. A message that waits alone may be
+    /// larger.
+    std::size_t streamBytes = 16U << 20U;
+  };
+  using StreamId = std::uint64_t;
+
+  explicit Outbox(const Limits& limits) : limits_(limits) {}
+
+  /// In bytes a second, 0 without limit: what all messages together may take on average.
+  Allowance& budget() { return budget_; }
+
+  /// Returns false, and does nothing, if the queue is full.
+  bool pushControl(FrameKind kind, SharedBytes bytes);
+  /// `maxWaiting` bounds what waits of a complete stream.
+  void push(StreamId stream, Outgoing message, Delivery delivery, std::size_t maxWaiting);
+  /// Forgets what waits of a stream; its counters stay.
+  void clear(StreamId stream);
+  /// Forgets a stream, and what waits of it.
+  void remove(StreamId stream);
+  /// Forgets everything that waits.
+  void clear();
+
+  /// The next message to send now, if there is one within the budget.
+  std::optional<Outgoing> next(Instant now);
+  bool isEmpty() const { return control_.empty() && turns_.empty(); }
+  std::size_t waitingBytes() const { return controlBytes_ + streamBytes_; }
+
+  StreamCounters counters(StreamId stream) const;
+  std::uint64_t sentBytes() const { return sentBytes_; }
+
+ private:
+  struct Turn {
+    StreamId stream = 0;
+    Outgoing message;
+  };
+  using Turns = std::list<Turn>;
+  struct Stream {
+    std::deque<Turns::iterator> waiting;
+    Delivery delivery = Delivery::kLatest;
+    StreamCounters counters;
+  };
+
+  void giveUpOldest(Stream& stream);
+
+  const Limits limits_;
+  Allowance budget_;
+  std::deque<Outgoing> control_;
+  std::size_t controlBytes_ = 0, streamBytes_ = 0;
+  Turns turns_;
+  std::unordered_map<StreamId, Stream> streams_;
+  std::uint64_t sentBytes_ = 0;
+};
+
+}  // namespace robotlink::foxglove

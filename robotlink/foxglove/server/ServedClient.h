@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <set>
+
+#include "robotlink/foxglove/server/ServerOptions.h"
+
+namespace robotlink::foxglove {
+
+/// What a server knows of a client. The server's mutex protects all but the information.
+struct ServedClient {
+  const ClientInfo info;
+  Outbox outbox;
+  /// Called with the server's mutex locked when something waits again after next() found nothing; must not
+  /// call the server. Empty when the client is gone.
+  std::function<void()> wake;
+  bool isIdle = true;
+  /// Why it is being closed; empty while it is not.
+  std::string closing = {};
+
+  std::map<std::uint32_t, ChannelPtr> subscriptions = {};
+  std::map<std::uint32_t, ClientChannel> channels = {};
+  std::set<std::string> parameterNames = {};
+  bool wantsAllParameters = false;
+  bool wantsGraph = false;
+  std::size_t calls = 0;
+};
+
+}  // namespace robotlink::foxglove

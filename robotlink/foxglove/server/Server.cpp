@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/Server.h"
+
+#include <algorithm>
+#include <random>
+
+#include "robotlink/base/LittleEndian.h"
+#include "robotlink/foxglove/server/ServedClient.h"
+
+namespace robotlink::foxglove {
+namespace {
+
+/// The stream of publishTime(); channels begin with 1.
+constexpr Outbox::StreamId kTimeStream = 0;
+
+ServerOptions withSession(ServerOptions options) {
+  if (!options.sessionId.empty()) return options;
+  std::random_device random;
+  for (int i = 0; i < 4; ++i) options.sessionId += std::to_string(random()) + (i < 3 ? "-" : "");
+  return options;
+}
+
+Channel channelOf(const ServerChannel& channel) {
+  const ChannelSetup& setup = channel.setup();
+  return {channel.id(), setup.topic, setup.encoding, setup.schemaName, setup.schema, setup.schemaEncoding};
+}
+
+}  // namespace
+
+void ServerChannel::publish(Instant time, SharedBytes payload) {
+  if (!isWanted() || !payload) return;
+  if (const auto server = server_.lock()) server->publish(*this, time, std::move(payload));
+}
+
+std::shared_ptr<Server> Server::make(ServerOptions options, ServerHandlers handlers) {
+  return std::shared_ptr<Server>(new Server(std::move(options), std::move(handlers)));
+}
+
+Server::Server(ServerOptions options, ServerHandlers handlers)
+    : options_(withSession(std::move(options))), handlers_(std::move(handlers)) {}
+
+std::vector<std::string> Server::capabilities() const {
+  std::vector<std::string> names{"parameters", "parametersSubscribe", "services", "connectionGraph"};
+  if (options_.publishesTime) names.emplace_back("time");
+  if (handlers_.clientMessage) names.emplace_back("clientPublish");
+  if (handlers_.fetchAsset) names.emplace_back("assets");
+  if (handlers_.playbackControl) names.emplace_back("playbackControl");
+  return names;
+}
+
+// Channels and what is published.
+
+std::vector<ChannelPtr> Server::addChannels(std::vector<ChannelSetup> setups) {
+  std::vector<ChannelPtr> added;
+  Advertise message;
+  const std::lock_guard lock(mutex_);
+  for (ChannelSetup& setup : setups) {
+    const std::size_t latching = setup.latched ? 1 : 0;
+    added.push_back(std::make_shared<ServerChannel>(weak_from_this(), nextChannelId_++, std::move(setup)));
+    added.back()->wanted_ = latching;
+    channels_.emplace(added.back()->id(), added.back());
+    message.channels.push_back(channelOf(*added.back()));
+  }
+  if (!added.empty()) sendAll(message);
+  return added;
+}
+
+void Server::removeChannels(std::span<const ChannelPtr> channels) {
+  Unadvertise message;
+  const std::lock_guard lock(mutex_);
+  for (const ChannelPtr& channel : channels) {
+    if (channels_.erase(channel->id()) == 0) continue;
+    message.channelIds.push_back(channel->id());
+    channel->wanted_ = 0;
+    for (const auto& subscriber : std::exchange(channel->subscribers_, {}))
+      subscriber.client->subscriptions.erase(subscriber.subscription);
+    for (const ClientPtr& client : clients_) client->outbox.remove(channel->id());
+    channel->latched_.reset();
+  }
+  if (!message.channelIds.empty()) sendAll(message);
+}
+
+void Server::publish(ServerChannel& channel, Instant time, SharedBytes payload) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& subscriber : channel.subscribers_) push(channel, subscriber, time, payload);
+  if (!channel.setup().latched) return;
+  channel.latchedTime_ = time;
+  channel.latched_ = std::move(payload);
+}
+
+void Server::push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
+                  const SharedBytes& payload) {
+  if (!to.client->closing.empty()) return;
+  Outgoing message{FrameKind::kBinary, {}, kMessageHeadSize, payload};
+  message.head[0] = 1;  // the opcode of MessageData
+  storeNumber(message.head.data() + 1, to.subscription);
+  storeNumber(message.head.data() + 5, static_cast<std::uint64_t>(time.time_since_epoch().count()));
+  to.client->outbox.push(channel.id(), std::move(message), channel.setup().delivery,
+                         channel.setup().maxWaiting);
+  wake(*to.client);
+}
+
+void Server::publishTime(Instant time) {
+  const auto bytes = std::make_shared<const std::string>(encode(Time{time}).bytes);
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_) {
+    if (!client->closing.empty()) continue;
+    client->outbox.push(kTimeStream, {FrameKind::kBinary, {}, 0, bytes}, Delivery::kLatest, 1);
+    wake(*client);
+  }
+}
+
+// What else the robot offers and tells.
+
+std::uint32_t Server::addService(Service service, ServiceHandler handler) {
+  const std::lock_guard lock(mutex_);
+  service.id = nextServiceId_++;
+  sendAll(AdvertiseServices{{service}});
+  const std::uint32_t id = service.id;
+  services_[id] = {std::move(service), std::make_shared<const ServiceHandler>(std::move(handler))};
+  return id;
+}
+
+void Server::removeService(std::uint32_t id) {
+  const std::lock_guard lock(mutex_);
+  if (services_.erase(id) > 0) sendAll(UnadvertiseServices{{id}});
+}
+
+void Server::updateParameters(const std::vector<Parameter>& parameters) {
+  std::vector<Parameter> changed;
+  const std::lock_guard lock(mutex_);
+  for (const Parameter& parameter : parameters) {
+    const auto known = parameters_.find(parameter.name);
+    if (parameter.value) {
+      if (known != parameters_.end() && known->second == *parameter.value) continue;
+      parameters_.insert_or_assign(parameter.name, *parameter.value);
+    } else {
+      if (known == parameters_.end()) continue;
+      parameters_.erase(known);
+    }
+    changed.push_back(parameter);
+  }
+  for (const ClientPtr& client : clients_) {
+    ParameterValues message{changed, ""};
+    if (!client->wantsAllParameters)
+      std::erase_if(message.parameters,
+                    [&](const Parameter& p) { return !client->parameterNames.contains(p.name); });
+    if (!message.parameters.empty()) send(*client, message);
+  }
+}
+
+void Server::setConnectionGraph(ConnectionGraph graph) {
+  const std::lock_guard lock(mutex_);
+  const ConnectionGraphUpdate update = difference(graph_, graph);
+  graph_ = std::move(graph);
+  if (update == ConnectionGraphUpdate()) return;
+  for (const ClientPtr& client : clients_)
+    if (client->wantsGraph) send(*client, update);
+}
+
+void Server::publishPlaybackState(const PlaybackState& state) {
+  const std::lock_guard lock(mutex_);
+  playback_ = state;
+  playback_->requestId.clear();
+  sendAll(state);
+}
+
+void Server::setAssets(std::set<std::string> names) {
+  const std::lock_guard lock(mutex_);
+  assets_ = std::move(names);
+}
+
+void Server::publishStatus(const Status& status) {
+  const std::lock_guard lock(mutex_);
+  if (!status.id.empty()) statuses_[status.id] = status;
+  sendAll(status);
+}
+
+void Server::removeStatus(const std::vector<std::string>& ids) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& id : ids) statuses_.erase(id);
+  sendAll(RemoveStatus{ids});
+}
+
+// Clients.
+
+std::vector<ClientState> Server::clients() const {
+  std::vector<ClientState> states;
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_) {
+    ClientState state{client->info,
+                      client->outbox.sentBytes(),
+                      client->outbox.waitingBytes(),
+                      client->outbox.budget().rate(),
+                      {}};
+    for (const auto& [id, channel] : channels_) {
+      const StreamCounters counters = client->outbox.counters(id);
+      if (counters != StreamCounters()) state.streams[channel->setup().topic] = counters;
+    }
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+void Server::disconnect(std::uint64_t clientId, const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_)
+    if (client->info.id == clientId) close(*client, reason);
+}
+
+Result<ClientPtr> Server::connect(ClientInfo info, std::function<void()> wake) {
+  Calls calls;
+  ClientPtr client;
+  {
+    const std::lock_guard lock(mutex_);
+    if (clients_.size() >= options_.limits.clients)
+      return failure("foxglove.full", "there are " + std::to_string(clients_.size()) +
+                                          " clients already, as many as this robot allows: disconnect one");
+    info.id = nextClientId_++;
+    client.reset(new ServedClient{std::move(info), Outbox(options_.limits.outbox), std::move(wake)});
+    client->outbox.budget().setRate(options_.budget);
+    clients_.push_back(client);
+    greet(*client);
+    tellClients(calls);
+  }
+  for (const auto& call : calls) call();
+  return client;
+}
+
+void Server::greet(ServedClient& client) {
+  send(client, ServerInfo{options_.name, capabilities(), options_.encodings, options_.metadata,
+                          options_.sessionId, options_.dataStart, options_.dataEnd});
+  Advertise channels;
+  for (const auto& [id, channel] : channels_) channels.channels.push_back(channelOf(*channel));
+  if (!channels.channels.empty()) send(client, channels);
+  AdvertiseServices services;
+  for (const auto& [id, offered] : services_) services.services.push_back(offered.service);
+  if (!services.services.empty()) send(client, services);
+  for (const auto& [id, status] : statuses_) send(client, status);
+  if (playback_) send(client, *playback_);
+}
+
+void Server::disconnected(const ClientPtr& client) {
+  Calls calls;
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::erase(clients_, client) == 0) return;
+    client->wake = nullptr;
+    while (!client->subscriptions.empty()) unsubscribe(client, client->subscriptions.begin()->first, calls);
+    while (!client->channels.empty()) unadvertise(client, client->channels.begin()->first, calls);
+    client->outbox.clear();
+    tellClients(calls);
+  }
+  for (const auto& call : calls) call();
+}
+
+std::optional<Outgoing> Server::next(ServedClient& client, Instant now) {
+  const std::lock_guard lock(mutex_);
+  auto message = client.outbox.next(now);
+  client.isIdle = !message && client.outbox.isEmpty();
+  return message;
+}
+
+std::string Server::closingReason(const ServedClient& client) const {
+  const std::lock_guard lock(mutex_);
+  return client.closing;
+}
+
+void Server::report(const std::string& sentence) const {
+  if (handlers_.report) handlers_.report(sentence);
+}
+
+void Server::tellClients(Calls& calls) const {
+  if (!handlers_.clientsChanged) return;
+  std::vector<ClientInfo> infos;
+  for (const ClientPtr& client : clients_) infos.push_back(client->info);
+  calls.push_back([this, infos = std::move(infos)] { handlers_.clientsChanged(infos); });
+}
+
+// Sending.
+
+void Server::send(ServedClient& client, const ServerMessage& message) {
+  Frame frame = encode(message);
+  sendShared(client, frame.kind, std::make_shared<const std::string>(std::move(frame.bytes)));
+}
+
+void Server::sendAll(const ServerMessage& message) {
+  if (clients_.empty()) return;
+  Frame frame = encode(message);
+  const auto bytes = std::make_shared<const std::string>(std::move(frame.bytes));
+  for (const ClientPtr& client : clients_) sendShared(*client, frame.kind, bytes);
+}
+
+void Server::sendShared(ServedClient& client, FrameKind kind, const SharedBytes& bytes) {
+  if (!client.closing.empty()) return;
+  if (!client.outbox.pushControl(kind, bytes))
+    return close(client, "you take what you asked for too slowly: connect again, and ask for less");
+  wake(client);
+}
+
+void Server::wake(ServedClient& client) {
+  if (client.isIdle && client.wake) client.wake();
+  client.isIdle = false;
+}
+
+void Server::close(ServedClient& client, const std::string& reason) {
+  if (!client.closing.empty()) return;
+  client.outbox.clear();
+  send(client, Status{StatusLevel::kError, reason, ""});
+  client.closing = reason;
+}
+
+void Server::complain(ServedClient& client, const std::string& problem) {
+  send(client, Status{StatusLevel::kError, problem, ""});
+}
+
+}  // namespace robotlink::foxglove

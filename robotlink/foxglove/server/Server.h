@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mutex>
+#include <set>
+#include <span>
+
+#include "robotlink/foxglove/server/ConnectionGraph.h"
+#include "robotlink/foxglove/server/ServerOptions.h"
+
+namespace robotlink::foxglove {
+
+/// The parameter by which a client reads and sets its own budget in bytes a second (0: no limit), and the one
+/// with its counters by topic. The second is only sent to those who name it.
+inline constexpr char kBudgetParameter[] = "link/budget";
+inline constexpr char kCountersParameter[] = "link/counters";
+
+/// The server's end of the Foxglove WebSocket protocol, without a transport: what is offered, who subscribed
+/// to what, and what waits to be sent to whom. A Listener connects it with TCP.
+///
+/// The robot's side may be called from any thread and never waits for a client. Channels and publishers may
+/// outlive the server.
+class Server : public std::enable_shared_from_this<Server> {
+ public:
+  static std::shared_ptr<Server> make(ServerOptions options, ServerHandlers handlers);
+
+  // The robot's side.
+
+  /// Announces channels to all clients in one message. Channels are made anew each time: ids are not used
+  /// again.
+  std::vector<ChannelPtr> addChannels(std::vector<ChannelSetup> setups);
+  void removeChannels(std::span<const ChannelPtr> channels);
+
+  /// The id is given by the server, and returned.
+  std::uint32_t addService(Service service, ServiceHandler handler);
+  void removeService(std::uint32_t id);
+
+  /// Sets or, without a value, removes parameters; changes go to clients that subscribed to them.
+  void updateParameters(const std::vector<Parameter>& parameters);
+  void setConnectionGraph(ConnectionGraph graph);
+  void publishTime(Instant time);
+  void publishPlaybackState(const PlaybackState& state);
+  /// The names of assets that clients may fetch.
+  void setAssets(std::set<std::string> names);
+  /// A status with an id is shown, to later clients too, until it is removed.
+  void publishStatus(const Status& status);
+  void removeStatus(const std::vector<std::string>& ids);
+
+  std::vector<ClientState> clients() const;
+  /// Tells a client why, and closes its connection.
+  void disconnect(std::uint64_t clientId, const std::string& reason);
+
+  // The link's side: one thread, in which handlers are called.
+
+  /// Fails if there are too many clients. `wake` is called from any thread when there is something to send
+  /// again after next() found nothing; it must not block or call the server. The id of `info` is given here.
+  Result<ClientPtr> connect(ClientInfo info, std::function<void()> wake);
+  /// After this, wake is not called any more.
+  void disconnected(const ClientPtr& client);
+  void received(const ClientPtr& client, FrameKind kind, std::string_view bytes);
+  std::optional<Outgoing> next(ServedClient& client, Instant now);
+  /// Why a client has to be closed once next() finds nothing more; empty if it need not.
+  std::string closingReason(const ServedClient& client) const;
+  /// Tells the robot's log.
+  void report(const std::string& sentence) const;
+
+ private:
+  friend class ServerChannel;
+  using Calls = std::vector<std::function<void()>>;
+  struct OfferedService {
+    Service service;
+    std::shared_ptr<const ServiceHandler> handler;
+  };
+
+  Server(ServerOptions options, ServerHandlers handlers);
+
+  void publish(ServerChannel& channel, Instant time, SharedBytes payload);
+
+  // With the mutex locked.
+  std::vector<std::string> capabilities() const;
+  void greet(ServedClient& client);
+  void push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
+            const SharedBytes& payload);
+  void send(ServedClient& client, const ServerMessage& message);
+  void sendAll(const ServerMessage& message);
+  void sendShared(ServedClient& client, FrameKind kind, const SharedBytes& bytes);
+  static void wake(ServedClient& client);
+  void close(ServedClient& client, const std::string& reason);
+  void complain(ServedClient& client, const std::string& problem);
+  std::vector<Parameter> valuesFor(ServedClient& client, const std::vector<std::string>& names) const;
+  Value countersOf(const ServedClient& client) const;
+  void unsubscribe(const ClientPtr& client, std::uint32_t subscription, Calls& calls);
+  void tellSubscribers(const ChannelPtr& channel, Calls& calls) const;
+  void tellClients(Calls& calls) const;
+  void unadvertise(const ClientPtr& client, std::uint32_t channel, Calls& calls);
+  std::string subscribe(const ClientPtr& client, const Subscription& wanted, Calls& calls);
+  std::string advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls);
+  std::string setBudget(ServedClient& client, const Parameter& parameter);
+  /// A reply that `send` turns into messages, with the mutex locked, if the client is still there.
+  Reply replyTo(const ClientPtr& client, std::function<void(ServedClient&, Result<Reply::Answer>)> send);
+
+  // What clients say.
+  void handle(const ClientPtr& client, const Subscribe& message, Calls& calls);
+  void handle(const ClientPtr& client, const Unsubscribe& message, Calls& calls);
+  void handle(const ClientPtr& client, const ClientAdvertise& message, Calls& calls);
+  void handle(const ClientPtr& client, const ClientUnadvertise& message, Calls& calls);
+  void handle(const ClientPtr& client, const GetParameters& message, Calls& calls);
+  void handle(const ClientPtr& client, const SetParameters& message, Calls& calls);
+  void handle(const ClientPtr& client, const SubscribeParameterUpdates& message, Calls& calls);
+  void handle(const ClientPtr& client, const UnsubscribeParameterUpdates& message, Calls& calls);
+  void handle(const ClientPtr& client, const SubscribeConnectionGraph& message, Calls& calls);
+  void handle(const ClientPtr& client, const UnsubscribeConnectionGraph& message, Calls& calls);
+  void handle(const ClientPtr& client, const FetchAsset& message, Calls& calls);
+  void handle(const ClientPtr& client, const ClientMessageData& message, Calls& calls);
+  void handle(const ClientPtr& client, const ServiceCallRequest& message, Calls& calls);
+  void handle(const ClientPtr& client, const PlaybackControl& message, Calls& calls);
+
+  const ServerOptions options_;
+  const ServerHandlers handlers_;
+
+  /// Protects everything below, and what it protects of channels and clients. Handlers are called without it.
+  mutable std::mutex mutex_;
+  std::vector<ClientPtr> clients_;
+  std::map<std::uint64_t, ChannelPtr> channels_;
+  std::map<std::uint32_t, OfferedService> services_;
+  std::map<std::string, Value> parameters_;
+  ConnectionGraph graph_;
+  std::set<std::string> assets_;
+  std::map<std::string, Status> statuses_;
+  std::optional<PlaybackState> playback_;
+  std::uint64_t nextClientId_ = 1, nextChannelId_ = 1;
+  std::uint32_t nextServiceId_ = 1;
+};
+
+}  // namespace robotlink::foxglove

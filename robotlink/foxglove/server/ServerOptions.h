@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/foxglove/server/Reply.h"
+#include "robotlink/foxglove/server/ServerChannel.h"
+
+namespace robotlink::foxglove {
+
+/// A client, as users see it.
+struct ClientInfo {
+  /// Never used again by this server.
+  std::uint64_t id = 0;
+  std::string address;
+  /// What it calls itself (the User-Agent of its HTTP request); may be empty.
+  std::string name;
+  bool operator==(const ClientInfo&) const = default;
+};
+
+/// A client with what was sent to it.
+struct ClientState {
+  ClientInfo info;
+  std::uint64_t sentBytes = 0;
+  std::size_t waitingBytes = 0;
+  /// In bytes a second; 0 without limit.
+  double budget = 0;
+  /// By topic, of what it subscribed to at some time.
+  std::map<std::string, StreamCounters> streams;
+};
+
+struct ServerLimits {
+  std::size_t clients = 16;
+  /// Of each client.
+  std::size_t subscriptions = 4096, channels = 64, parameterNames = 4096;
+  /// Calls of services, assets and parameters of each client that are not answered yet.
+  std::size_t calls = 32;
+  Outbox::Limits outbox = {};
+};
+
+struct ServerOptions {
+  std::string name = "RobotControl";
+  std::map<std::string, std::string> metadata = {};
+  /// Tells clients whether this is the server that they knew; made up if it is empty.
+  std::string sessionId = {};
+  /// Of client channels and services.
+  std::vector<std::string> encodings = {"json", "protobuf"};
+  /// Whether publishTime() will be called.
+  bool publishesTime = false;
+  /// The range of time of what is played, if it is a log.
+  std::optional<Instant> dataStart = {}, dataEnd = {};
+  /// A client's at first, in bytes a second; 0 without limit.
+  double budget = 0;
+  ServerLimits limits = {};
+};
+
+/// What clients ask for. All are called in the link's thread, one at a time, and must not block: what takes
+/// long is handed to another thread, which answers by the Reply. They may call the server. What has no
+/// handler is not offered to clients.
+struct ServerHandlers {
+  /// After each change of a channel's subscribers; with none when the last has gone. Not when the channel is
+  /// removed.
+  std::function<void(const ChannelPtr& channel, const std::vector<ClientInfo>& subscribers)>
+      subscribersChanged = {};
+  /// After a client came or went.
+  std::function<void(const std::vector<ClientInfo>&)> clientsChanged = {};
+
+  /// The new values are those that the robot reports by Server::updateParameters() before it replies.
+  std::function<void(const ClientInfo&, const std::vector<Parameter>&, Reply)> setParameters = {};
+
+  std::function<void(const ClientInfo&, const ClientChannel&, std::string_view payload)> clientMessage = {};
+  std::function<void(const ClientInfo&, const ClientChannel&)> clientAdvertised = {}, clientUnadvertised = {};
+
+  /// Only for names that Server::setAssets() was given.
+  std::function<void(const ClientInfo&, const std::string& name, Reply)> fetchAsset = {};
+  std::function<void(const ClientInfo&, const PlaybackControl&)> playbackControl = {};
+
+  /// Sentences for the robot's log: clients that were refused, and why.
+  std::function<void(const std::string&)> report = {};
+};
+
+/// Answers a call of a service.
+using ServiceHandler = std::function<void(const ClientInfo&, const ServiceCallRequest& call, Reply)>;
+
+}  // namespace robotlink::foxglove
