@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/Outbox.h"
+
+#include <gmock/gmock.h>
+
+namespace robotlink::foxglove::test {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+
+constexpr std::size_t kMany = 1000;
+
+class OutboxTest : public testing::Test {
+ protected:
+  static Outgoing message(const std::string& text) {
+    return {FrameKind::kBinary, {}, 0, std::make_shared<const std::string>(text)};
+  }
+  void push(Outbox::StreamId stream, const std::string& text, Delivery delivery,
+            std::size_t maxWaiting = kMany) {
+    outbox_.push(stream, message(text), delivery, maxWaiting);
+  }
+  bool pushControl(const std::string& text) {
+    return outbox_.pushControl(FrameKind::kText, std::make_shared<const std::string>(text));
+  }
+  std::vector<std::string> sent(Instant now = {}) {
+    std::vector<std::string> texts;
+    while (const auto next = outbox_.next(now)) texts.push_back(*next->payload);
+    return texts;
+  }
+
+  Outbox outbox_{{4, 100, 50}};
+};
+
+TEST_F(OutboxTest, aNewerMessageOfALatestStreamReplacesTheUnsentOneInItsTurn) {
+  push(1, "image 1", Delivery::kLatest);
+  push(2, "text", Delivery::kComplete);
+  push(1, "image 2", Delivery::kLatest);
+  push(1, "image 3", Delivery::kLatest);
+  EXPECT_THAT(sent(), ElementsAre("image 3", "text"));
+  EXPECT_EQ(outbox_.counters(1), (StreamCounters{1, 7, 2, 0}));
+  EXPECT_EQ(outbox_.counters(2), (StreamCounters{1, 4, 0, 0}));
+  EXPECT_TRUE(outbox_.isEmpty());
+  EXPECT_EQ(outbox_.waitingBytes(), 0U);
+}
+
+TEST_F(OutboxTest, aCompleteStreamDropsItsOldestOverItsBoundAndCountsIt) {
+  for (const char* text : {"a", "b", "c", "d"}) push(1, text, Delivery::kComplete, 2);
+  EXPECT_THAT(sent(), ElementsAre("c", "d"));
+  EXPECT_EQ(outbox_.counters(1), (StreamCounters{2, 2, 0, 2}));
+}
+
+TEST_F(OutboxTest, bytesOfAllStreamsTogetherAreBounded) {
+  push(1, std::string(30, 'a'), Delivery::kLatest);
+  push(2, std::string(15, 'b'), Delivery::kComplete);
+  push(3, std::string(20, 'c'), Delivery::kComplete);
+  EXPECT_EQ(outbox_.waitingBytes(), 35U);
+  EXPECT_EQ(outbox_.counters(1).thinned, 1U);
+  push(4, std::string(500, 'd'), Delivery::kLatest);
+  EXPECT_THAT(sent(), ElementsAre(std::string(500, 'd'))) << "what is larger than the bound waits alone";
+  EXPECT_EQ(outbox_.counters(2).dropped + outbox_.counters(3).dropped, 2U);
+}
+
+TEST_F(OutboxTest, controlMessagesGoFirstAndAreNeverDroppedSilently) {
+  push(1, "image", Delivery::kLatest);
+  EXPECT_TRUE(pushControl("one") && pushControl("two") && pushControl("three") && pushControl("four"));
+  EXPECT_FALSE(pushControl("five")) << "four messages are the bound";
+  EXPECT_THAT(sent(), ElementsAre("one", "two", "three", "four", "image"));
+  EXPECT_TRUE(pushControl(std::string(500, 'x'))) << "a large one may wait alone";
+  EXPECT_FALSE(pushControl("y"));
+}
+
+TEST_F(OutboxTest, whatIsNotWantedAnyMoreIsForgotten) {
+  push(1, "a", Delivery::kComplete);
+  push(2, "b", Delivery::kComplete);
+  push(1, "c", Delivery::kComplete);
+  outbox_.clear(1);
+  push(1, "d", Delivery::kComplete);
+  EXPECT_THAT(sent(), ElementsAre("b", "d"));
+  push(1, "e", Delivery::kComplete);
+  pushControl("f");
+  outbox_.clear();
+  EXPECT_TRUE(outbox_.isEmpty());
+  outbox_.remove(1);
+  EXPECT_EQ(outbox_.counters(1), StreamCounters());
+}
+
+TEST_F(OutboxTest, aBudgetHoldsBackStreamsButNotControl) {
+  outbox_.budget().setRate(1000);
+  const auto at = [](int ms) { return Instant(milliseconds(1000 + ms)); };
+  std::size_t bytes = 0;
+  for (int ms = 0; ms < 5000; ms += 10) {
+    push(1, std::string(40, 'a'), Delivery::kLatest);
+    for (const std::string& text : sent(at(ms))) bytes += text.size();
+  }
+  EXPECT_NEAR(static_cast<double>(bytes), 5000 + 100, 60) << "a tenth of a second may be saved up";
+  push(1, "image", Delivery::kLatest);
+  pushControl(std::string(200, 'c'));
+  EXPECT_THAT(sent(at(5000)), ElementsAre(std::string(200, 'c')));
+  EXPECT_THAT(sent(at(5100)), ElementsAre()) << "control messages are paid for, too";
+  EXPECT_THAT(sent(at(5400)), ElementsAre("image"));
+}
+
+TEST_F(OutboxTest, aSlowLineGetsTheNewestFrameWholeHoweverLargeItIs) {
+  Outbox line({10, 1000, 1U << 20U});
+  line.budget().setRate(10'000);
+  std::vector<int> ages;
+  for (int ms = 0; ms < 10'000; ms += 40) {  // 25 frames of 4 kB a second: ten times the budget
+    line.push(1, message(std::to_string(ms) + std::string(4000, ' ')), Delivery::kLatest, 1);
+    if (const auto next = line.next(Instant(milliseconds(ms))))
+      ages.push_back(ms - std::stoi(*next->payload));
+  }
+  EXPECT_NEAR(static_cast<double>(ages.size()), 25, 2);
+  EXPECT_THAT(ages, testing::Each(0)) << "no frame grows old";
+  EXPECT_GT(line.counters(1).thinned, 200U);
+}
+
+}  // namespace
+}  // namespace robotlink::foxglove::test
