@@ -128,6 +128,7 @@ void DebugKeysView::tick() {
   auto values = valuesOf(tables);
   if (robot == robot_ && values == shown_) return;
   const std::size_t before = robot == robot_ ? model_.keys().size() : 0;
+  if (robot != robot_) model_.forget();
   robot_ = robot;
   shown_ = std::move(values);
   model_.setKeys(robot.empty() ? std::vector<KeyEntry>() : mergeKeys(tables));
@@ -170,11 +171,12 @@ void DebugKeysView::request(const QString& key, const KeyValue& value) {
   robotcontrol::Request request;
   request.mutable_set_key()->set_name(key.toStdString());
   assign(*request.mutable_set_key()->mutable_mode(), value);
-  ask(session(), robot_, std::move(request), this, [this, key](bool accepted, const QString& reason) {
-    if (accepted) return;
-    model_.refuse(key.toStdString(), reason);
-    notify(tr("%1 was refused: %2").arg(key, reason));
-  });
+  ask(session(), robot_, std::move(request), this,
+      [this, robot = robot_, key](bool accepted, const QString& reason) {
+        if (accepted) return;
+        if (robot == robot_) model_.refuse(key.toStdString(), reason);
+        notify(tr("%1 was refused: %2").arg(key, reason));
+      });
   notify({});
 }
 

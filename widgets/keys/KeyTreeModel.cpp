@@ -97,6 +97,11 @@ void KeyTreeModel::choose(const std::string& key, KeyValue value) {
   Q_EMIT keyChosen(QString::fromStdString(key), value);
 }
 
+void KeyTreeModel::forget() {
+  pending_.clear();
+  refusals_.clear();
+}
+
 void KeyTreeModel::refuse(const std::string& key, const QString& reason) {
   pending_.erase(key);
   refusals_[key] = reason;

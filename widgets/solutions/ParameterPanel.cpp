@@ -140,20 +140,27 @@ void ParameterPanel::askForValues() {
   robotcontrol::Request request;
   request.mutable_get_parameters()->set_task(task_);
   request.mutable_get_parameters()->set_solution(solution_);
-  ask(session_, robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-    if (!accepted) say(tr("Not reported: %1").arg(reason), true);
-  });
+  ask(session_, robot_, std::move(request), this,
+      [this, isShown = whetherShown()](bool accepted, const QString& reason) {
+        if (!accepted && isShown()) say(tr("Not reported: %1").arg(reason), true);
+      });
+}
+
+std::function<bool()> ParameterPanel::whetherShown() const {
+  return [this, robot = robot_, task = task_, solution = solution_] {
+    return robot == robot_ && task == task_ && solution == solution_;
+  };
 }
 
 void ParameterPanel::tick() {
   if (solution_.empty()) return;
   for (const auto* message :
        latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues", session_.timeline().shown())) {
-    if (message == nullptr || message->value.get() == shown_) continue;
+    if (message == nullptr || message->value == shown_) continue;
     const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(message->value.get());
     if (values == nullptr || values->task() != task_ || values->solution() != solution_) continue;
     const bool first = shown_ == nullptr;
-    shown_ = message->value.get();
+    shown_ = message->value;
     if (!first && values->value().type() == model_.typeName()) {
       // Setting only the values keeps the tree, the undo stack and an open editor.
       model_.setValue(QByteArray::fromStdString(values->value().data()));
@@ -177,12 +184,18 @@ void ParameterPanel::apply(const QByteArray& value) {
   set.mutable_value()->set_type(model_.typeName());
   set.mutable_value()->set_data(value.toStdString());
   say(tr("Sending…"));
-  ask(session_, robot_, std::move(request), this, [this, before](bool accepted, const QString& reason) {
-    if (accepted) return say(tr("Set."));
-    model_.setValue(before);
-    undo_.clear();
-    say(tr("Refused: %1").arg(reason), true);
-  });
+  ask(session_, robot_, std::move(request), this,
+      [this, before, isShown = whetherShown(), name = QString::fromStdString(solution_)](
+          bool accepted, const QString& reason) {
+        if (!isShown()) {
+          if (!accepted) say(tr("The parameters of %1 were refused: %2").arg(name, reason), true);
+          return;
+        }
+        if (accepted) return say(tr("Set."));
+        model_.setValue(before);
+        undo_.clear();
+        say(tr("Refused: %1").arg(reason), true);
+      });
 }
 
 void ParameterPanel::say(const QString& text, bool bad) {

@@ -3,7 +3,9 @@
 
 #include <QUndoStack>
 #include <QWidget>
+#include <functional>
 
+#include "robotlink/process/Link.h"
 #include "widgets/solutions/ParameterModel.h"
 
 class QAction;
@@ -42,6 +44,9 @@ class ParameterPanel final : public QWidget {
   void connectSignals();
   /// Requests the parameters; they arrive as a ParameterValues message.
   void askForValues();
+  /// Returns a function that says whether the same solution is still shown as now, for answers that come
+  /// later.
+  std::function<bool()> whetherShown() const;
   /// Shows `value` (a serialized message) and sends it to the robot.
   void apply(const QByteArray& value);
   /// Shows a text below the tree; `bad`: in the color of an error.
@@ -63,8 +68,8 @@ class ParameterPanel final : public QWidget {
   std::string robot_;
   std::string task_;
   std::string solution_;
-  /// Address of the message that is shown; null: none has arrived.
-  const void* shown_ = nullptr;
+  /// The message that is shown; null: none has arrived.
+  robotlink::PackagePtr shown_;
 };
 
 }  // namespace widgets

@@ -65,6 +65,11 @@ void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
   for (const TaskEntry& task : tasks_) taskChanged(task.name);
 }
 
+void SolutionModel::forget() {
+  pending_.clear();
+  refusals_.clear();
+}
+
 void SolutionModel::setPending(const std::string& task, const std::string& solution) {
   pending_[task] = solution;
   refusals_.erase(task);

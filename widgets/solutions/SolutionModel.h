@@ -65,6 +65,8 @@ class SolutionModel final : public QAbstractItemModel {
   /// kept if the names are the same.
   void setTasks(std::vector<TaskEntry> tasks);
   const std::vector<TaskEntry>& tasks() const { return tasks_; }
+  /// Forgets what was requested and refused; to be called before the tasks of another robot are set.
+  void forget();
   /// The solution was requested.
   void setPending(const std::string& task, const std::string& solution);
   /// The request was refused.

@@ -105,6 +105,7 @@ void SolutionsView::tick() {
   auto values = valuesOf(tables);
   if (robot != robot_ || values != shown_) {
     const int before = robot == robot_ ? model_.rowCount() : 0;
+    if (robot != robot_) model_.forget();
     robot_ = robot;
     shown_ = std::move(values);
     model_.setTasks(robot.empty() ? std::vector<TaskEntry>() : tasksOf(tables));
@@ -143,10 +144,10 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
   request.mutable_select_solution()->set_task(task);
   request.mutable_select_solution()->set_solution(solution);
   ask(session(), robot_, std::move(request), this,
-      [this, task, solution](bool accepted, const QString& reason) {
+      [this, robot = robot_, task, solution](bool accepted, const QString& reason) {
         const QString name = QString::fromStdString(task + " / " + solution);
         if (accepted) return say(tr("%1 was accepted").arg(name), false);
-        model_.refuse(task, solution, reason);
+        if (robot == robot_) model_.refuse(task, solution, reason);
         say(tr("%1 was refused: %2").arg(name, reason), true);
       });
 }

@@ -173,6 +173,37 @@ class DebugKeysViewTest : public QObject {
     QVERIFY(child<QLabel>(*view, "keysState").text().contains(QStringLiteral("the process has failed")));
   }
 
+  void whatOneRobotRefusedIsNotShownAtAnother() {
+    Bench bench;
+    bench.session.setRobots({"red1", "red2"});
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.push("red2/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    const auto refused = [&] {
+      return find(tree, QStringLiteral("circle"))
+          .data(Qt::ToolTipRole)
+          .toString()
+          .contains(QStringLiteral("Refused"));
+    };
+    tree.setCurrentIndex(find(tree, QStringLiteral("circle")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    bench.answer(false, "the process has failed");
+    bench.tick(*view);
+    QVERIFY(refused());
+    bench.session.selectRobot("red2");
+    bench.tick(*view);
+    QVERIFY(!refused());
+    tree.setCurrentIndex(find(tree, QStringLiteral("circle")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    bench.session.selectRobot("red1");
+    bench.tick(*view);
+    bench.answer(false, "the process has failed");
+    bench.tick(*view);
+    QVERIFY(!refused());
+  }
+
   void theViewFollowsTheChosenRobot() {
     Bench bench;
     auto view = bench.open<widgets::DebugKeysView>();

@@ -118,6 +118,25 @@ class SolutionsViewTest : public QObject {
     QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("refused")));
   }
 
+  void whatOneRobotRefusedIsNotShownAtAnother() {
+    Bench bench;
+    bench.session.setRobots({"red1", "red2"});
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.push("red2/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    const auto state = [&] { return find(tree, QStringLiteral("regions"), 2).data().toString(); };
+    clickCell(tree, find(tree, QStringLiteral("regions")));
+    const auto asked = bench.requests.back();
+    bench.session.selectRobot("red2");
+    bench.tick(*view);
+    QCOMPARE(state(), QStringLiteral("Takes the largest orange region"));
+    bench.answer(asked, false, "its parameters cannot be read");
+    bench.tick(*view);
+    QCOMPARE(state(), QStringLiteral("Takes the largest orange region"));
+  }
+
   void defaultsSwitchesOnlyWhatIsNotDefault() {
     Bench bench;
     auto view = bench.open<widgets::SolutionsView>();
@@ -231,6 +250,33 @@ class SolutionsViewTest : public QObject {
     bench.tick(*view);
     QCOMPARE(find(fields, QStringLiteral("speed"), 1).data().toString(), QStringLiteral("2"));
     QVERIFY(child<QLabel>(*view, "parametersState").text().contains(QStringLiteral("must not be negative")));
+  }
+
+  void aRefusalThatComesLateChangesNothingOfWhatIsShownThen() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    clickCell(tree, find(tree, QStringLiteral("scan-lines")));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    fields.model()->setData(find(fields, QStringLiteral("speed"), 1), QStringLiteral("-3"));
+    const auto asked = bench.requests.back();
+    clickCell(tree, find(tree, QStringLiteral("regions")));
+    auto others = someParameters(5, 1);
+    others.set_solution("regions");
+    bench.push("red1/parameters/ball-percept/regions", others, 3);
+    bench.tick(*view);
+    QCOMPARE(find(fields, QStringLiteral("speed"), 1).data().toString(), QStringLiteral("5"));
+    bench.answer(asked, false, "speed must not be negative");
+    bench.tick(*view);
+    QCOMPARE(find(fields, QStringLiteral("speed"), 1).data().toString(), QStringLiteral("5"));
+    QVERIFY(child<QLabel>(*view, "parametersState")
+                .text()
+                .contains(QStringLiteral("of scan-lines were refused")));
   }
 };
 
