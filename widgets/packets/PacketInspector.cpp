@@ -224,6 +224,7 @@ void PacketInspector::tick() {
   if (!pause_->isChecked()) takeNew();
   replay_->tick(session().timeline().newest());
   const auto& timeline = session().timeline();
+  live_.setOrigin(timeline.origin());
   if (timeline.live() || timeline.shown() == shown_ || !file_.isEmpty()) return;
   shown_ = timeline.shown();
   const int row = live_.rowAt(shown_);

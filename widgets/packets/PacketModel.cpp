@@ -3,6 +3,7 @@
 
 #include <QGuiApplication>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/Theme.h"
 
@@ -61,11 +62,16 @@ int PacketModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : kColumns;
 }
 
-QString PacketModel::text(const PacketEntry& entry, int column) {
+void PacketModel::setOrigin(robotlink::Instant time) {
+  if (std::exchange(origin_, time) == time || entries_.empty()) return;
+  Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
+}
+
+QString PacketModel::text(const PacketEntry& entry, int column) const {
   const bool packet = entry.kind == PacketEntry::Kind::kPacket;
   switch (column) {
     case kTime:
-      return QString::number(robotlink::seconds(entry.time), 'f', 3);
+      return QString::number(robotlink::seconds(entry.time - origin_), 'f', 3);
     case kDirection:
       return !packet ? QString() : entry.fromRobot ? tr("← robot") : tr("→ robot");
     case kName:

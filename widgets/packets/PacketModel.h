@@ -24,6 +24,8 @@ class PacketModel final : public QAbstractTableModel {
 
   void append(std::vector<PacketEntry> entries);
   void clear();
+  /// The instant that the column of times displays as 0 s.
+  void setOrigin(robotlink::Instant time);
   const PacketEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
   /// The last row not later than `time`; -1 if there is none.
   int rowAt(robotlink::Instant time) const;
@@ -39,11 +41,12 @@ class PacketModel final : public QAbstractTableModel {
   /// Removes the oldest rows.
   void forgetFirst(std::size_t count);
   /// The text of a cell.
-  static QString text(const PacketEntry& entry, int column);
+  QString text(const PacketEntry& entry, int column) const;
 
   std::size_t capacity_;
   std::deque<PacketEntry> entries_;
   std::map<QString, int> names_;
+  robotlink::Instant origin_;
 };
 
 }  // namespace widgets

@@ -250,10 +250,12 @@ void RecordingToolBar::chooseFolder() {
 
 void RecordingToolBar::bookmark() {
   // The bookmark has the time of the key press; the dialog for its text may take longer.
-  const robotlink::Instant time = workbench_.session().timeline().shown();
+  const auto& timeline = workbench_.session().timeline();
+  const robotlink::Instant time = timeline.shown();
   bool accepted = false;
   const QString text = QInputDialog::getText(
-      this, tr("Mark this instant"), tr("What happens at %1 s:").arg(robotlink::seconds(time), 0, 'f', 3),
+      this, tr("Mark this instant"),
+      tr("What happens at %1 s:").arg(robotlink::seconds(timeline.sinceOrigin(time)), 0, 'f', 3),
       QLineEdit::Normal, {}, &accepted);
   if (!accepted) return;
   if (const auto done = workbench_.recording().bookmark(text.toStdString(), time); !done) {

@@ -145,6 +145,15 @@ class PacketInspectorTest : public QObject {
     QCOMPARE(s.cell(3, PacketModel::kBytes), QStringLiteral("6"));
   }
 
+  void timesCountFromTheOriginOfTheTimeline() {
+    ShownInspector shown;
+    shown.pushTalk();
+    QCOMPARE(shown.cell(2, 0), QStringLiteral("1.100"));
+    shown.session.timeline().setOrigin(robotlink::Instant(std::chrono::seconds(1)));
+    shown.tick(*shown.view);
+    QCOMPARE(shown.cell(2, 0), QStringLiteral("0.100"));
+  }
+
   void itAsksForThePacketsByTheirKey() {
     ShownInspector s;
     s.pushKeys({"link/packets"});
