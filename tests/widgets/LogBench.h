@@ -24,6 +24,7 @@ class FakeReading final : public LogReading {
   };
   std::shared_ptr<const LogOverview> overview() override { return published; }
   void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int) override {
+    if (stream != wanted.stream) thumbnails.clear();
     wanted = {stream, std::move(times)};
   }
   std::vector<Thumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }

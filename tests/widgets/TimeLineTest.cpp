@@ -287,6 +287,20 @@ class TimeLineTest : public QObject {
             strip.width() * strip.height() * 8 / 10);
   }
 
+  void imagesOfAnotherStreamAreNotMixedIn() {
+    LogBench bench;
+    bench.openLog(kFile);
+    auto& log = *bench.logs().logs().front();
+    auto& reading = *bench.readings.at(kFile);
+    bench.logs().wantThumbnails(log, {at(20)}, 60);
+    bench.logs().setImageStream(log, "nao/lower/image");
+    QCOMPARE(reading.wanted.stream, std::string("nao/lower/image"));
+    reading.thumbnails.push_back({at(20), QImage(80, 60, QImage::Format_RGB32)});
+    bench.logs().setImageStream(log, "nao/camera/image");
+    bench.logs().tick();
+    QVERIFY(log.thumbnails.empty());
+  }
+
   void toolTipsTellWhatWasSaid() {
     LogBench bench;
     bench.openLog(kFile);

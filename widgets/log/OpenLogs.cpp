@@ -231,6 +231,7 @@ void OpenLogs::setImageStream(Log& log, const std::string& stream) {
   if (log.imageStream == stream) return;
   log.imageStream = stream;
   log.thumbnails.clear();
+  log.reading->wantThumbnails(stream, {}, 1);  // drops those of the other stream that are on their way
   ++version_;
 }
 
