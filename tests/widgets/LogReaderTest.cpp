@@ -232,6 +232,15 @@ class LogReaderTest : public QObject {
              QStringLiteral("an older log"));
   }
 
+  void logsThatAreJoinedNameTheRobotsThatGotAnotherName() {
+    const auto one = writeLog("one.mcap"), two = writeLog("two.mcap");
+    const auto outcome = widgets::cutLogs({{one.string(), {}}, {two.string(), {}}}, {},
+                                          home() / "both.mcap")([](double) { return true; });
+    QVERIFY(outcome.done);
+    QVERIFY2(outcome.text.contains(QStringLiteral("two.mcap: nao is called nao-2")),
+             qPrintable(outcome.text));
+  }
+
   void aJobIsCanceled() {
     widgets::LogJobBar bar;
     bar.show();

@@ -30,8 +30,8 @@ Outcome failed(const robotlink::Error& error) {
   return {false, false, QString::fromStdString(error.describe()), {}};
 }
 
-QString withLosses(QString text, const std::vector<std::string>& losses) {
-  for (const std::string& loss : losses) text += QLatin1Char('\n') + QString::fromStdString(loss);
+QString withLines(QString text, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) text += QLatin1Char('\n') + QString::fromStdString(line);
   return text;
 }
 
@@ -58,7 +58,8 @@ Outcome exported(const std::string& path, const Progress& progress, const char* 
   if (!report) return failed(report.error());
   return {true,
           false,
-          withLosses(tr(text).arg(QString::fromStdString(to.string())).arg(report->written), report->losses),
+          withLines(tr(text).arg(QString::fromStdString(to.string()), QString::number(report->written)),
+                    report->losses),
           {}};
 }
 
@@ -81,7 +82,13 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
         tr("%1: %2 in %3, %4")
             .arg(fileNameOf(to), counted(report->messages, tr("1 message"), tr("%1 messages")),
                  counted(report->frames, tr("1 frame"), tr("%1 frames")), bytesText(report->bytes));
-    return {true, false, withLosses(text, report->losses), to};
+    std::vector<std::string> lines;
+    for (const auto& [robot, name] : report->renamed)
+      lines.push_back(tr("%1 is called %2")
+                          .arg(QString::fromStdString(robot), QString::fromStdString(name))
+                          .toStdString());
+    lines.insert(lines.end(), report->notes.begin(), report->notes.end());
+    return {true, false, withLines(withLines(text, lines), report->losses), to};
   };
 }
 
