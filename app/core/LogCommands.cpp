@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
-#include "app/core/program/CommandValues.h"
 #include "app/core/program/ShippedFiles.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
@@ -242,8 +242,8 @@ void addJumping(CommandTable& commands, const Logs& logs) {
 /// Returns a package's name with its robot; the selected robot's if the name has none.
 std::string packageNamed(const std::string& name, const ReplayStatus& status, const std::string& robot) {
   const auto known = [&](const std::string& path) {
-    return std::any_of(status.packages().begin(), status.packages().end(),
-                       [&](const auto& package) { return package.package() == path; });
+    return std::ranges::any_of(status.packages(),
+                               [&](const auto& package) { return package.package() == path; });
   };
   return !known(name) && known(robot + "/" + name) ? robot + "/" + name : name;
 }

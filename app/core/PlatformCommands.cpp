@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformCommands.h"
 
+#include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
-#include "app/core/program/CommandValues.h"
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
 
 namespace app {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/PacedThread.h"
-#include "app/core/program/PlatformFeed.h"
+#include "app/core/platform/PacedThread.h"
+#include "app/core/platform/PlatformFeed.h"
 
 namespace logplayer {
 class Recorder;

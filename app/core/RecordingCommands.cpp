@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RecordingCommands.h"
 
+#include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/Recording.h"
-#include "app/core/program/CommandValues.h"
+#include "app/core/platform/RecordOptions.h"
 #include "logplayer/base/RecordedStreams.h"
 
 namespace app {
@@ -60,33 +61,23 @@ void addActions(CommandTable& commands, OpenPlatform& open) {
                 }});
 }
 
-Result<void> chooseImages(Recording& recording, const std::string& coding) {
-  ControlRecording control;
-  if (coding == "as-is") {
-    control.set_image_coding(ControlRecording::AS_IS);
-  } else if (coding == "jpeg") {
-    control.set_image_coding(ControlRecording::JPEG);
-  } else if (coding == "png") {
-    control.set_image_coding(ControlRecording::PNG);
-  } else {
+Result<void> chooseImages(Recording& recording, const std::string& name) {
+  const auto coding = imageCodingNamed(name);
+  if (!coding)
     return failure("recording.images",
-                   "images are recorded as-is, as jpeg or as png, not as \"" + coding + "\"", {}, {coding});
-  }
+                   "images are recorded as-is, as jpeg or as png, not as \"" + name + "\"", {}, {name});
+  ControlRecording control;
+  control.set_image_coding(*coding);
   return recording.control(control);
 }
 
-Result<void> chooseCompression(Recording& recording, const std::string& compression) {
+Result<void> chooseCompression(Recording& recording, const std::string& name) {
+  const auto compression = compressionNamed(name);
+  if (!compression)
+    return failure("recording.compression", "compression is none, lz4 or zstd, not \"" + name + "\"", {},
+                   {name});
   ControlRecording control;
-  if (compression == "none") {
-    control.set_compression(ControlRecording::NONE);
-  } else if (compression == "lz4") {
-    control.set_compression(ControlRecording::LZ4);
-  } else if (compression == "zstd") {
-    control.set_compression(ControlRecording::ZSTD);
-  } else {
-    return failure("recording.compression", "compression is none, lz4 or zstd, not \"" + compression + "\"",
-                   {}, {compression});
-  }
+  control.set_compression(*compression);
   return recording.control(control);
 }
 

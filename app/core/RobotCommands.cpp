@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ColorTables.h"
-#include "app/core/program/CommandValues.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -32,7 +32,7 @@ Result<void> ask(OpenPlatform& open, Request request) {
 
 Result<void> select(OpenPlatform& open, const std::string& name) {
   const auto& robots = open.session().robots();
-  if (std::find(robots.begin(), robots.end(), name) == robots.end()) {
+  if (std::ranges::find(robots, name) == robots.end()) {
     return robotlink::failure("robot.unknown", "there is no robot " + name, {}, {name});
   }
   open.session().selectRobot(name);
@@ -52,7 +52,7 @@ std::optional<KeyMode> modeOf(const std::string& words) {
   const bool known = kind == "n" || kind == "every" || kind == "every-ms";
   const std::string count = space == std::string::npos ? "" : words.substr(space + 1);
   const bool digits = !count.empty() && count.size() < 8 &&
-                      std::all_of(count.begin(), count.end(), [](char c) { return c >= '0' && c <= '9'; });
+                      std::ranges::all_of(count, [](char c) { return c >= '0' && c <= '9'; });
   if (!known || !digits) return std::nullopt;
   mode.set_kind(kind == "n" ? KeyMode::N_TIMES : kind == "every" ? KeyMode::EVERY_N : KeyMode::EVERY_MS);
   mode.set_n(static_cast<std::uint32_t>(std::stoul(count)));

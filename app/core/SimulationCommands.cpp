@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulationCommands.h"
 
+#include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
-#include "app/core/program/CommandValues.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 

@@ -13,7 +13,7 @@
 #include <array>
 
 #include "app/core/Workbench.h"
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/UndoOrder.h"

@@ -11,7 +11,10 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/ExitStatus.h"
+#include "app/core/platform/FieldOptions.h"
+#include "app/core/platform/NumberRange.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
@@ -19,12 +22,12 @@
 
 namespace {
 
-enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
+using app::kDone, app::kFailed, app::kUsage;
 
 struct Arguments {
   std::vector<std::string> files;
-  /// Those of the platforms' forms, by the names of their fields.
-  app::FormValues platform;
+  /// Those of the platforms' forms.
+  app::FieldOptions platform;
   bool paused = false;
   std::string perspective;
   std::string screenshot;
@@ -41,38 +44,15 @@ std::string helpOnFiles() {
   return help + "; the field of 2002 if none is given";
 }
 
-/// Adds the option of a field, which only counts where it is given.
-void addOption(CLI::App& app, const app::PlatformField& field, app::FormValues& values) {
-  using Kind = app::PlatformField::Kind;
-  // Several kinds of platforms may have the same option.
-  if (app.get_option_no_throw(field.option) != nullptr) return;
-  if (field.kind == Kind::kFlag) {
-    app.add_flag_callback(
-        field.option, [&values, name = field.name] { values[name] = true; }, field.help);
-  } else if (field.kind == Kind::kNumber) {
-    app.add_option_function<double>(
-           field.option, [&values, name = field.name](double value) { values[name] = value; }, field.help)
-        ->check(CLI::Range(field.min, field.max));
-  } else {
-    CLI::Option* option = app.add_option_function<std::string>(
-        field.option, [&values, name = field.name](const std::string& value) { values[name] = value; },
-        field.help);
-    if (!field.items || field.editable) return;
-    std::vector<std::string> allowed;
-    for (const auto& item : field.items()) allowed.push_back(item.value);
-    option->check(CLI::IsMember(allowed));
-  }
-}
-
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.files, helpOnFiles());
   app.add_option_function<std::string>(
-      "--layout", [&arguments](const std::string& layout) { arguments.platform["layout"] = layout; },
+      "--layout", [&arguments](const std::string& layout) { arguments.platform.values["layout"] = layout; },
       "A process layout: a file, or the name of a shipped one");
   for (const app::PlatformAdapter& adapter : app::platformAdapters()) {
     for (const app::PlatformField& field : formOf(adapter).fields) {
-      if (!field.option.empty()) addOption(app, field, arguments.platform);
+      if (!field.option.empty()) arguments.platform.addTo(app, field);
     }
   }
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
@@ -85,7 +65,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--screenshot", arguments.screenshot,
                  "Save a picture of the window to this PNG file and quit; works without a display");
   app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(app::numberFrom(0, 3600))
       ->capture_default_str();
 }
 
@@ -120,7 +100,7 @@ std::string perspectiveOf(const Arguments& arguments) {
 
 /// Loads what the command line asks for. Returns false if that is invalid.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
-  auto opening = app::openingOf({sourcesOf(arguments), arguments.platform});
+  auto opening = app::openingOf({sourcesOf(arguments), arguments.platform.values});
   if (!opening) {
     std::cerr << "robotcontrol: " << opening.error().describe() << "\n";
     return false;

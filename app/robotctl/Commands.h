@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "app/core/platform/ExitStatus.h"
 #include "robotlink/base/Error.h"
 
 namespace CLI {
@@ -11,9 +12,6 @@ class App;
 }
 
 namespace app {
-
-/// The exit status of all programs of this project; kDoneWithLosses: done, but some input could not be read.
-enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kDoneWithLosses = 3 };
 
 // Each of these functions adds a subcommand to `app`. When it is chosen, its callback runs the command and
 // sets `status`, an ExitStatus, which must outlive the parsing.

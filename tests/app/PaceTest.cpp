@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/Pace.h"
+#include "app/core/platform/Pace.h"
 
 #include <gtest/gtest.h>
 

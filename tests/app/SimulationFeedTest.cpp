@@ -130,7 +130,7 @@ TEST_F(SimulationFeedTest, robotsAndPortsAreCountedInWholeNumbers) {
   EXPECT_EQ(reason("1.5", "0"), "the number of robots must be a whole number between 0 and 100");
   EXPECT_EQ(reason("101", "0"), "the number of robots must be a whole number between 0 and 100");
   EXPECT_EQ(reason("1", "8101.5"),
-            "the first port must be a whole number between 1024 and 65435, or 0 for none");
+            "the first port must be a whole number between 1 and 65435, or 0 for none");
   EXPECT_EQ(reason("0", "0"), "");
   EXPECT_TRUE(waitFor([this] { return !workbench.loading(); }));
 }

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "app/core/pioneer/PioneerFeed.h"
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/pioneer/PioneerHeadless.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
 #include "robotlink/arcos/stream/SerialPorts.h"
@@ -227,7 +228,8 @@ const PlatformRegistration kPioneerRegistration{
      .order = 2,
      .open = openPioneer,
      .perspective = [](const std::string&) { return "Drive"; },
-     .form = pioneerForm}};
+     .form = pioneerForm,
+     .headless = headlessPioneer}};
 
 }  // namespace
 }  // namespace app

@@ -44,23 +44,14 @@ PioneerRun::Listeners PioneerFeed::listeners() {
             gate_.publishTrouble(robot, process, text);
           },
           [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            publishPlatform(robot, time, text);
+            gate_.publishPlatform(robot, time, text);
           }};
 }
 
-void PioneerFeed::publishPlatform(const std::string& robot, robotlink::Instant time,
-                                  const std::string& text) {
-  if (ended_) {
-    ended_->push_back(robot + ": " + text);
-  } else {
-    gate_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
-  }
-}
-
 std::vector<std::string> PioneerFeed::end() {
-  ended_ = std::make_unique<std::vector<std::string>>();
+  gate_.keepReports();
   run_.reset();
-  return std::move(*ended_);
+  return gate_.keptReports();
 }
 
 void PioneerFeed::begin() {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/core/pioneer/PioneerRun.h"
-#include "app/core/program/PlatformFeed.h"
-#include "app/core/program/PublishGate.h"
+#include "app/core/platform/PlatformFeed.h"
+#include "app/core/platform/PublishGate.h"
 
 namespace app {
 
@@ -50,14 +50,9 @@ class PioneerFeed final : public PlatformFeed {
   /// Listeners that publish.
   PioneerRun::Listeners listeners();
 
-  /// Publishes a sentence about a robot's platform, or keeps it for end().
-  void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
-
   /// Publishes to the session from begin() on.
   PublishGate gate_;
   logplayer::Recorder& recorder_;
-  /// What was reported while the run ended; null before.
-  std::unique_ptr<std::vector<std::string>> ended_;
   std::unique_ptr<PioneerRun> run_;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;

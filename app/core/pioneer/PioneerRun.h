@@ -8,8 +8,8 @@
 #include <string>
 
 #include "app/core/pioneer/PioneerPlatform.h"
+#include "app/core/platform/StopSwitch.h"
 #include "app/core/program/RobotHost.h"
-#include "app/core/program/StopSwitch.h"
 
 namespace logplayer {
 class Recorder;

@@ -88,8 +88,8 @@ void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
   for (const auto& message : queue.messages) {
     const auto* result = message.as<robotcontrol::RequestResult>();
     if (result == nullptr) continue;
-    const auto found = std::find_if(open_.begin(), open_.end(),
-                                    [&](const Open& open) { return open.request.id() == result->id(); });
+    const auto found =
+        std::ranges::find_if(open_, [&](const Open& open) { return open.request.id() == result->id(); });
     if (found == open_.end()) continue;
     if (result->accepted() && !found->reported && !robotlink::isRepeated(found->request))
       note(found->request);
@@ -100,7 +100,7 @@ void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
 std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCome(
     robotlink::RobotProgram& program, robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
-  if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.reported; })) return nullptr;
+  if (std::ranges::all_of(open_, [](const Open& open) { return open.reported; })) return nullptr;
   if (!preview_) {
     preview_.emplace(program);
     for (Open& open : open_) open.previewed = false;

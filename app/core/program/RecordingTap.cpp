@@ -61,7 +61,7 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
 
 /// Whether a debug queue contains latched messages, which the recorder needs even while it does not record.
 bool recordsLatched(const SharedDebugQueue& queue) {
-  return std::any_of(queue.messages.begin(), queue.messages.end(), [](const SharedDebugMessage& message) {
+  return std::ranges::any_of(queue.messages, [](const SharedDebugMessage& message) {
     return message.content &&
            robotlink::isLatched(message.path, message.content->GetDescriptor()->full_name());
   });

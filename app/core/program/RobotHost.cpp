@@ -185,7 +185,7 @@ bool RobotHost::owns(const robotlink::Process& process) const {
   if (&process == platform_.get()) return true;
   if (!program_) return false;
   const auto& processes = program_->processes();
-  return std::find(processes.begin(), processes.end(), &process) != processes.end();
+  return std::ranges::find(processes, &process) != processes.end();
 }
 
 void RobotHost::reportTrouble(const robotlink::Process& process, const std::string& text) const {

@@ -21,7 +21,7 @@ std::vector<std::filesystem::path> filesIn(const char* folder, const char* exten
   for (const auto& entry : std::filesystem::directory_iterator(robotlink::resource(folder), error)) {
     if (robotlink::fileSuffix(entry.path()) == extension) files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

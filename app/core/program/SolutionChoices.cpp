@@ -53,6 +53,22 @@ Error noSolution(const TaskCatalog::Task& task, const std::string& solution) {
 
 }  // namespace
 
+std::optional<std::pair<std::string, std::string>> assignmentOf(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) return std::nullopt;
+  return std::pair(text.substr(0, equals), text.substr(equals + 1));
+}
+
+robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vector<std::string>& texts) {
+  std::map<std::string, std::string> solutions;
+  for (const std::string& text : texts) {
+    const auto choice = assignmentOf(text);
+    if (!choice) return robotlink::failure("usage", "--solution takes TASK=SOLUTION, not '" + text + "'");
+    solutions[choice->first] = choice->second;
+  }
+  return solutions;
+}
+
 Errors checkSolutions(const std::map<std::string, std::string>& solutions, const TaskCatalog& catalog,
                       const std::vector<const Layout*>& layouts) {
   Errors errors;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robotlink/base/Error.h"
@@ -13,6 +15,11 @@ struct TaskCatalog;
 }  // namespace robotlink
 
 namespace app {
+
+/// The two sides of "TASK=SOLUTION"; unset if one of them is missing.
+std::optional<std::pair<std::string, std::string>> assignmentOf(const std::string& text);
+/// The solutions that such texts choose, by task. Fails if one of them is no such text.
+robotlink::Result<std::map<std::string, std::string>> solutionsOf(const std::vector<std::string>& texts);
 
 /// Checks the solutions that the user chose (task to solution) for robots with these layouts. Returns an
 /// error for each task or solution that does not exist and for each task that none of the layouts has; empty

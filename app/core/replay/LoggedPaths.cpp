@@ -84,7 +84,7 @@ bool LoggedPaths::isRecomputedText(const std::string& source) const {
   const std::string publisher = slash == std::string::npos ? "" : source.substr(slash + 1);
   const auto& all = robotlink::SolutionRegistry::all();
   const bool isTask =
-      std::any_of(all.begin(), all.end(), [&](const auto& solution) { return solution.task == publisher; });
+      std::ranges::any_of(all, [&](const auto& solution) { return solution.task == publisher; });
   return isTask ? tasks_.contains(publisher) : runs(source.substr(0, slash));
 }
 

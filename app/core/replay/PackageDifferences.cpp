@@ -24,7 +24,7 @@ namespace {
 bool isDirection(std::string_view field) {
   constexpr std::array<std::string_view, 4> kDirections{"heading", "bearing", "compass", "yaw"};
   const std::string_view name = field.substr(field.rfind('.') + 1);
-  return std::find(kDirections.begin(), kDirections.end(), name) != kDirections.end();
+  return std::ranges::find(kDirections, name) != kDirections.end();
 }
 
 }  // namespace
@@ -110,8 +110,7 @@ void PackageDifferences::Summary::count(const Counts& counts, std::uint64_t sign
 }
 
 void PackageDifferences::Summary::add(Instant now, const Counts& counts, Largest largest) {
-  const auto at = std::lower_bound(entries_.begin(), entries_.end(), now,
-                                   [](const Entry& entry, Instant time) { return entry.time < time; });
+  const auto at = std::ranges::lower_bound(entries_, now, {}, &Entry::time);
   if (at != entries_.end() && at->time == now) {
     count(at->counts, ~std::uint64_t{0});
     at->counts = counts;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/core/program/Pace.h"
+#include "app/core/platform/Pace.h"
 
 namespace app {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The adapter of logs.
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/replay/ReplayFeed.h"
+#include "app/core/replay/ReplayHeadless.h"
 
 namespace app {
 namespace {
@@ -26,7 +27,8 @@ const PlatformRegistration kReplayRegistration{
      .open = openLogFiles,
      .command = "log.open",
      .commandHelp = "Opens a log file, paused at its first image; closes what was open",
-     .perspective = [](const std::string&) { return "Log"; }}};
+     .perspective = [](const std::string&) { return "Log"; },
+     .headless = headlessReplay}};
 
 }  // namespace
 }  // namespace app

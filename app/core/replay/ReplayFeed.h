@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "app/core/program/PlatformFeed.h"
-#include "app/core/program/PublishGate.h"
+#include "app/core/platform/PlatformFeed.h"
+#include "app/core/platform/PublishGate.h"
 #include "app/core/replay/Playback.h"
 #include "app/core/replay/ReplayRun.h"
 #include "robotcontrol/Requests.pb.h"

@@ -98,8 +98,7 @@ Result<void> ReplayFeed::change(const ControlReplay& control) {
   std::map<std::filesystem::path, robotlink::Duration> offsets;
   for (const auto& offset : control.offsets()) {
     const auto& logs = run_->options().logs;
-    const bool known =
-        std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return log.file == offset.log(); });
+    const bool known = std::ranges::any_of(logs, [&](const auto& log) { return log.file == offset.log(); });
     if (!known)
       return failure("replay.log", offset.log() + " is not open", {offset.log(), 0, 0}, {offset.log()});
     offsets[offset.log()] = robotlink::Duration(offset.offset());

@@ -27,8 +27,8 @@ std::uint64_t numberOf(const std::optional<robotlink::StreamMessage>& message) {
 
 /// Whether a process waits for images.
 bool blocksOnImages(const robotlink::Layout::Process& process) {
-  return std::any_of(process.blocking.begin(), process.blocking.end(),
-                     [](const auto& input) { return input.package == robotlink::kCameraImage.name; });
+  return std::ranges::any_of(process.blocking,
+                             [](const auto& input) { return input.package == robotlink::kCameraImage.name; });
 }
 
 }  // namespace
@@ -36,10 +36,9 @@ bool blocksOnImages(const robotlink::Layout::Process& process) {
 ReplayLogs::Source& ReplayLogs::add(const ReplayLog& log, std::shared_ptr<logplayer::LogFile> file) {
   const auto hasScene = [](const auto& source) {
     const auto& all = source->reader.file().streams();
-    return std::any_of(all.begin(), all.end(),
-                       [](const auto& stream) { return stream.path == streams::kScene; });
+    return std::ranges::any_of(all, [](const auto& stream) { return stream.path == streams::kScene; });
   };
-  const bool publishesWorld = std::none_of(sources_.begin(), sources_.end(), hasScene);
+  const bool publishesWorld = std::ranges::none_of(sources_, hasScene);
   return *sources_.emplace_back(new Source{log, ReplaySource(std::move(file)), publishesWorld});
 }
 
@@ -125,7 +124,7 @@ std::optional<Instant> ReplayLogs::countedTime(const std::string& stream, int co
   const auto& times = place.source->reader.times(place.stream);
   if (times.empty()) return std::nullopt;
   // Several messages at one instant count as one step.
-  auto at = std::upper_bound(times.begin(), times.end(), place.source->inLog(now));
+  auto at = std::ranges::upper_bound(times, place.source->inLog(now));
   for (int step = 1; step < count && at != times.end(); ++step) at = std::upper_bound(at, times.end(), *at);
   // Behind the last message, or at the present instant, is the message before.
   if (at == times.end() || (count <= 0 && at != times.begin())) --at;
@@ -161,8 +160,7 @@ std::string ReplayLogs::stepProcess() const {
         if (!stream.path.starts_with(prefix)) continue;
         const std::string process = stream.path.substr(prefix.size());
         const auto& all = robot->setup().layout.processes;
-        const auto known =
-            std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == process; });
+        const auto known = std::ranges::find_if(all, [&](const auto& p) { return p.name == process; });
         const bool takesImages = known != all.end() && blocksOnImages(*known);
         names.insert(takesImages ? names.end() : names.begin(), robot->name() + "/" + process);
       }
@@ -229,7 +227,7 @@ void ReplayLogs::describeFrame(const std::string& process, Instant now, ReplaySt
   if (place.source == nullptr) return;
   const Instant time = place.source->inLog(now);
   const auto& times = place.source->reader.times(place.stream);
-  const auto index = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+  const auto index = std::ranges::upper_bound(times, time) - times.begin();
   status.set_frame_index(static_cast<std::uint64_t>(index));
   if (index > 0) status.set_frame(numberOf(place.source->reader.latest(place.stream, time)));
 }

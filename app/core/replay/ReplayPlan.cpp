@@ -18,7 +18,7 @@ namespace {
 constexpr robotlink::Duration kEveryInstant = std::chrono::microseconds(1);
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
-  return std::find(list.begin(), list.end(), item) != list.end();
+  return std::ranges::find(list, item) != list.end();
 }
 
 /// The packages that any solution of a task yields; none for null.
@@ -118,8 +118,8 @@ void Planner::findObtainable() {
 }
 
 const std::string* Planner::missing(const TaskCatalog::Solution& solution) const {
-  const auto found = std::find_if(solution.required.begin(), solution.required.end(),
-                                  [&](const std::string& package) { return !obtainable_.contains(package); });
+  const auto found = std::ranges::find_if(
+      solution.required, [&](const std::string& package) { return !obtainable_.contains(package); });
   return found == solution.required.end() ? nullptr : &*found;
 }
 
@@ -286,20 +286,17 @@ void Planner::setPace(Layout::Process& process) const {
 
 bool Planner::isOffered(const std::string& package, const Layout::Process& to) const {
   if (contains(platform_.offers, package) || contains(platform_.debugOffers, package)) return true;
-  return std::any_of(
-      plan_.layout.processes.begin(), plan_.layout.processes.end(), [&](const Layout::Process& from) {
-        return &from != &to &&
-               std::any_of(from.tasks.begin(), from.tasks.end(), [&](const Layout::Task& task) {
-                 return outputsOf(catalog_.find(task.task)).contains(package);
-               });
-      });
+  return std::ranges::any_of(plan_.layout.processes, [&](const Layout::Process& from) {
+    return &from != &to && std::ranges::any_of(from.tasks, [&](const Layout::Task& task) {
+      return outputsOf(catalog_.find(task.task)).contains(package);
+    });
+  });
 }
 
 bool Planner::isRead(const std::string& package, const Layout::Process& by) const {
-  return std::any_of(by.tasks.begin(), by.tasks.end(), [&](const Layout::Task& task) {
+  return std::ranges::any_of(by.tasks, [&](const Layout::Task& task) {
     const TaskCatalog::Task* known = catalog_.find(task.task);
-    return known != nullptr &&
-           std::any_of(known->solutions.begin(), known->solutions.end(), [&](const auto& solution) {
+    return known != nullptr && std::ranges::any_of(known->solutions, [&](const auto& solution) {
              return contains(solution.required, package) || contains(solution.optional, package);
            });
   });
@@ -319,20 +316,13 @@ std::string Planner::paceOf(const Layout::Process& process) const {
 }  // namespace
 
 bool ReplayPlan::runs(const std::string& task) const {
-  return std::any_of(layout.processes.begin(), layout.processes.end(), [&](const Layout::Process& process) {
-    return std::any_of(process.tasks.begin(), process.tasks.end(),
-                       [&](const Layout::Task& entry) { return entry.task == task; });
+  return std::ranges::any_of(layout.processes, [&](const Layout::Process& process) {
+    return std::ranges::any_of(process.tasks, [&](const Layout::Task& entry) { return entry.task == task; });
   });
 }
 
-bool ReplayPlan::hasProcess(const std::string& process) const {
-  return std::any_of(layout.processes.begin(), layout.processes.end(),
-                     [&](const Layout::Process& entry) { return entry.name == process; });
-}
-
 const ReplayPlan::Package* ReplayPlan::find(const std::string& package) const {
-  const auto found = std::find_if(packages.begin(), packages.end(),
-                                  [&](const Package& entry) { return entry.name == package; });
+  const auto found = std::ranges::find(packages, package, &Package::name);
   return found == packages.end() ? nullptr : &*found;
 }
 

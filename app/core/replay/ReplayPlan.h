@@ -65,7 +65,6 @@ struct ReplayPlan {
 
   /// Whether a task of the layout is left.
   bool runs(const std::string& task) const;
-  bool hasProcess(const std::string& process) const;
   /// Returns null if there is no such package.
   const Package* find(const std::string& package) const;
   /// Whether a package comes from the log.

@@ -166,11 +166,11 @@ std::vector<std::string> ReplayRobot::lostChoices() const {
   std::vector<std::string> lost;
   for (const auto& [task, solution] : host_.overrides().solutions()) {
     const auto uses = [&wanted = task, &choice = solution](const auto& process) {
-      return std::any_of(process.tasks.begin(), process.tasks.end(),
-                         [&](const auto& own) { return own.task == wanted && own.solution == choice; });
+      return std::ranges::any_of(
+          process.tasks, [&](const auto& own) { return own.task == wanted && own.solution == choice; });
     };
     const auto& processes = setup().layout.processes;
-    if (std::any_of(processes.begin(), processes.end(), uses)) continue;
+    if (std::ranges::any_of(processes, uses)) continue;
     lost.push_back(name() + " could not keep solution " + solution + " of task " + task +
                    ": no process of this layout has " + task);
   }

@@ -23,7 +23,7 @@ using robotlink::StreamMessage;
 
 bool ReplayRobot::computes() const {
   const auto& all = plan().layout.processes;
-  return std::any_of(all.begin(), all.end(), [](const auto& process) { return !process.tasks.empty(); });
+  return std::ranges::any_of(all, [](const auto& process) { return !process.tasks.empty(); });
 }
 
 std::string ReplayRobot::whyNotDoneBy(const std::string& task, const std::string& solution) const {
@@ -76,8 +76,8 @@ bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) co
   for (const auto& process : setup().layout.processes) {
     const std::string frames = streams::kFrames + process.name;
     if (!process.debug || !streams_.contains(frames)) continue;
-    return std::any_of(messages.begin(), messages.end(),
-                       [&](const StreamMessage& message) { return below(message.path) == frames; });
+    return std::ranges::any_of(messages,
+                               [&](const StreamMessage& message) { return below(message.path) == frames; });
   }
   // The log does not say.
   return true;

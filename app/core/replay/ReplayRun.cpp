@@ -313,7 +313,7 @@ void ReplayRun::publishCollected() {
   newest_.clear();
   std::move(notes_.begin(), notes_.end(), std::back_inserter(messages));
   notes_.clear();
-  std::stable_sort(messages.begin(), messages.end(), isBefore);
+  std::ranges::stable_sort(messages, isBefore);
   if (listeners_.logged) listeners_.logged(std::move(messages));
   if (!answers_ || !listeners_.queue) return;
   // Results are matched by the id of their request, so any robot will do.
@@ -395,7 +395,7 @@ Errors ReplayRun::setOffsets(const std::map<std::filesystem::path, Duration>& of
   }
   Errors errors = jump(now_);
   // The sources refer to the elements, which stay where they are.
-  if (!errors.empty()) std::copy(before.begin(), before.end(), options_.logs.begin());
+  if (!errors.empty()) std::ranges::copy(before, options_.logs.begin());
   return errors;
 }
 

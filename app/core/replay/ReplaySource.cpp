@@ -24,8 +24,7 @@ constexpr std::size_t kMaxImageBytes = 64U << 20U;
 bool hasHistory(const std::string& path, const std::string& type) {
   constexpr std::array<std::string_view, 4> kPictures{"foxglove.RawImage", "foxglove.CompressedImage",
                                                       "foxglove.ImageAnnotations", "foxglove.SceneUpdate"};
-  return std::find(kPictures.begin(), kPictures.end(), type) == kPictures.end() &&
-         !robotlink::isLatched(path, type);
+  return std::ranges::find(kPictures, type) == kPictures.end() && !robotlink::isLatched(path, type);
 }
 
 ReplaySource::ReplaySource(std::shared_ptr<logplayer::LogFile> file)

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/program/Pace.h"
+#include "app/core/platform/Pace.h"
 #include "app/core/simulated/ArcosPorts.h"
 #include "app/core/simulated/SimulatedWorld.h"
 #include "simcore/Scene.h"

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "app/core/platform/PublishGate.h"
 #include "app/core/program/ProgramSetups.h"
-#include "app/core/program/PublishGate.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/SceneMessages.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fstream>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "simcore/SceneFileKind.h"
@@ -15,7 +15,7 @@ namespace {
 using Kind = PlatformField::Kind;
 using robotlink::Result;
 
-constexpr int kMaxRobots = 100, kFirstFreePort = 1024, kLastPort = 65535;
+constexpr int kMaxRobots = 100, kLastPort = 65535;
 constexpr char kBothTeams[] = "both";
 
 bool isMap(const std::string& scene) {
@@ -178,7 +178,7 @@ std::vector<PlatformField> portFields() {
                    "next robot has the next one",
            .initial = 8101.0,
            .noun = "first port",
-           .min = kFirstFreePort,
+           .min = 1,
            .max = kLastPort - kMaxRobots,
            .group = "External programs",
            .toggle = "Can drive the robots over ARCOS",
@@ -256,7 +256,8 @@ const PlatformRegistration kSimulationRegistration{
      .fileEntry = "&Open scene…",
      .fileFilter = "Worlds and maps (*.sdf *.world *.map)",
      .perspective = [](const std::string& source) { return isMap(source) ? "Drive" : ""; },
-     .form = simulationForm}};
+     .form = simulationForm,
+     .insteadOfHeadless = "'robotctl sim' runs simulated robots"}};
 
 }  // namespace
 }  // namespace app

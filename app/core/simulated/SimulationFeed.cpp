@@ -65,7 +65,7 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
           [this](const std::string& text) { publishPorts(text, foxglove::Log::INFO); },
           [this](robotlink::Instant, const std::string& text) { publishGame(text); },
           [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            publishPlatform(robot, time, text);
+            gate_.publishPlatform(robot, time, text);
           }};
 }
 
@@ -92,19 +92,10 @@ void SimulationFeed::inheritPlayback(const Going& before) {
   pace_.setSpeed(before.speed);
 }
 
-void SimulationFeed::publishPlatform(const std::string& robot, robotlink::Instant time,
-                                     const std::string& text) {
-  if (ended_) {
-    ended_->push_back(robot + ": " + text);
-  } else {
-    gate_.publishText(robot, "platform", time, foxglove::Log::INFO, text);
-  }
-}
-
 std::vector<std::string> SimulationFeed::end() {
-  ended_ = std::make_unique<std::vector<std::string>>();
+  gate_.keepReports();
   run_.reset();
-  return std::move(*ended_);
+  return gate_.keptReports();
 }
 
 void SimulationFeed::begin() {

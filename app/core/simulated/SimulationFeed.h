@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/program/Pace.h"
-#include "app/core/program/PlatformFeed.h"
-#include "app/core/program/PublishGate.h"
+#include "app/core/platform/Pace.h"
+#include "app/core/platform/PlatformFeed.h"
+#include "app/core/platform/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
 
 namespace app {
@@ -89,15 +89,10 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   void publishTransforms();
 
-  /// Publishes a sentence about a robot's platform, or keeps it for end().
-  void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
-
   /// Publishes to the session from begin() on.
   PublishGate gate_;
   logplayer::Recorder& recorder_;
   Choices choices_;
-  /// What was reported while the run ended; null before.
-  std::unique_ptr<std::vector<std::string>> ended_;
   std::unique_ptr<SimulatedRun> run_;
   bool running_ = false;
   /// Single steps that were requested and not made yet.

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 
 class QButtonGroup;
 class QCheckBox;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "robotlink/base/FileSuffix.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 
 class QBoxLayout;
 class QFormLayout;

@@ -4,7 +4,7 @@
 #include <QJsonArray>
 #include <optional>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 
 namespace app {
 namespace {

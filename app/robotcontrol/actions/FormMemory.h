@@ -4,7 +4,7 @@
 #include <QJsonObject>
 #include <QStringList>
 
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 
 namespace app {
 

@@ -8,7 +8,7 @@
 #include <QUrl>
 #include <utility>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/FileKind.h"
 #include "widgets/Icon.h"

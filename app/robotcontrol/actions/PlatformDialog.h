@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 #include "widgets/PackageSubscription.h"
 
 class QDialogButtonBox;

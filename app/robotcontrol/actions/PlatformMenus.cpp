@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/FieldEditor.h"
 #include "app/robotcontrol/actions/PlatformDialog.h"

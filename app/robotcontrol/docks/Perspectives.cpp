@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/core/program/PlatformFeed.h"
+#include "app/core/platform/PlatformFeed.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/RobotDescription.h"

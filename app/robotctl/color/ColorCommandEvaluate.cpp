@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/core/platform/JsonOutput.h"
 #include "app/core/simulated/TrueClasses.h"
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/scoring/Evaluation.h"

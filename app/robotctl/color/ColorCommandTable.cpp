@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/core/platform/JsonOutput.h"
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/color/ColorSubcommands.h"
 #include "colortool/table/TableDifference.h"
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/platform/NumberRange.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorImages.h"
 #include "app/robotctl/color/ColorSubcommands.h"
@@ -166,17 +167,17 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   number("--radius", settings.votes.radius,
          "How far a sample reaches in Cb and Cr: one standard deviation; farther along the saturation of "
          "strong colors, less far across it",
-         CLI::Range(Votes::kMinRadius, Votes::kMaxRadius));
+         numberFrom(Votes::kMinRadius, Votes::kMaxRadius));
   number("--y-weight", settings.votes.brightnessWeight, "Weight of a difference in Y, relative to Cb or Cr",
-         CLI::Range(Votes::kMinBrightnessWeight, 1.0));
+         numberFrom(Votes::kMinBrightnessWeight, 1));
   number("--rejection", settings.votes.rejection,
          "Votes that a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
          "Weight of a background sample, relative to one of a class",
-         CLI::Range(0.0, Votes::kMaxBackgroundWeight));
+         numberFrom(0, Votes::kMaxBackgroundWeight));
   number("--shading", settings.votes.shading,
          "Vote of a sample for its color in shadow and glare, as a share of its own vote",
-         CLI::Range(0.0, Votes::kMaxShading));
+         numberFrom(0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
          "Extra votes that colors of objects need where they are nearly gray, for each stroke of the class",
          CLI::NonNegativeNumber);
@@ -223,7 +224,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   command
       ->add_option("--several", arguments->several,
                    "kernel: a cell keeps all classes that have this share of the best one's votes")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(numberFrom(0, 1));
   addSettings(*command, arguments->settings);
   CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,
                                        "Uses the options in the samples file instead of those given here");

@@ -6,9 +6,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/RobotName.h"
 #include "app/core/program/ColorTables.h"
-#include "app/robotctl/JsonOutput.h"
-#include "app/robotctl/RobotName.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/DamageReport.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/robotctl/JsonOutput.h"
+#include "app/core/platform/JsonOutput.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"

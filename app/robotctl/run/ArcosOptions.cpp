@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotctl/run/ArcosOptions.h"
-#include "app/core/program/ShippedFiles.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/NumberRange.h"
+#include "app/core/platform/TextMessages.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
-#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/SimFigures.h"
-#include "app/robotctl/run/TextMessages.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneFileKind.h"
 
@@ -23,7 +24,7 @@ void ArcosOptions::addTo(CLI::App& command) {
       "The model of the robots that --robots adds, a folder of resources/scenes/models: ers210, p3at, "
       "burger (those of the scene, if it has any; else p3at)");
   robots_ = command.add_option("--robots", robots, "How many robots to add to the scene (to a map: 1)")
-                ->check(CLI::Range(0, 1000));
+                ->check(numberFrom(0, 1000));
   command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
       ->check(CLI::IsMember({"both", "red", "blue"}))
       ->capture_default_str();
@@ -81,7 +82,7 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
       ArcosSimulation::create(wanted, [](const std::string& text) { std::cerr << text << std::endl; });
   progress.erase();
   if (!simulation) return printErrors(simulation.error());
-  printMapNotes((*simulation)->world().simulation().scene().groundMap().get());
+  printMapNotes(std::cerr, (*simulation)->world().simulation().scene().groundMap().get());
   const ArcosPorts& ports = (*simulation)->ports();
   if (const std::string warning = ports.warning(); !warning.empty())
     std::cerr << "Warning: " << warning << "\n";

@@ -3,25 +3,27 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/core/platform/NumberRange.h"
+
 namespace app {
 
 void CameraOptions::addTo(CLI::App& command) {
   command.add_option("--light", lighting.brightness, "Brightness of all light, times that of the scene")
-      ->check(CLI::Range(0.0, simcore::Lighting::kMaxBrightness))
+      ->check(numberFrom(0, simcore::Lighting::kMaxBrightness))
       ->capture_default_str();
   command.add_option("--warmth", lighting.warmth, "Color of all light: above 0 reddish, below 0 bluish")
-      ->check(CLI::Range(-1.0, 1.0))
+      ->check(numberFrom(-1, 1))
       ->capture_default_str();
   command
       .add_option("--vignetting", vignetting,
                   "Share of light missing in the corners of images, and further share of red and green "
                   "missing there (0), instead of the cameras' own")
       ->expected(1, 2)
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(numberFrom(0, 1));
   command
       .add_option("--image-noise", imageNoise,
                   "Standard deviation of the images' noise, gray values, instead of the cameras' own")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(numberFrom(0, 100))
       ->excludes(command.get_option("--no-noise"));
   command.add_flag("--class-images", classImages,
                    "Publishes the true classes of all images, as oracle/classes, for recordings");
@@ -30,7 +32,7 @@ void CameraOptions::addTo(CLI::App& command) {
                          "Writes images into DIR/images and their true classes into DIR/labels, for "
                          "robotctl color evaluate");
   command.add_option("--images-every", labeledEvery, "At most one of these per robot in this many seconds")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0, 1e6))
       ->capture_default_str()
       ->needs(folder);
 }

@@ -13,19 +13,21 @@
 #include <optional>
 #include <thread>
 
-#include "app/core/program/Pace.h"
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/NumberRange.h"
+#include "app/core/platform/Pace.h"
+#include "app/core/platform/RecordOptions.h"
+#include "app/core/platform/TextMessages.h"
 #include "app/core/program/ShippedFiles.h"
+#include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
-#include "app/robotctl/JsonOutput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/ArcosOptions.h"
 #include "app/robotctl/run/CameraOptions.h"
-#include "app/robotctl/run/RecordOptions.h"
 #include "app/robotctl/run/SimFigures.h"
-#include "app/robotctl/run/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 
@@ -57,27 +59,18 @@ struct SimArguments {
   RecordOptions record;
 };
 
-/// Parses "task=solution" pairs; prints an error and returns false if one is invalid.
-bool takeSolutions(SimArguments& arguments) {
-  for (const std::string& text : arguments.solutions) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-      std::cerr << "robotctl sim: --solution takes TASK=SOLUTION, not '" << text << "'\n";
-      return false;
-    }
-    arguments.run.solutions[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return true;
-}
-
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImages* images) {
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
     std::cerr << robot << ": " << text << "\n";
   };
   if (arguments.texts) {
-    listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
-    listeners.game = [](robotlink::Instant time, const std::string& text) { printText(time, "game", text); };
+    listeners.queue = [](const std::string& robot, const auto& queue) {
+      printTexts(std::cerr, robot, *queue);
+    };
+    listeners.game = [](robotlink::Instant time, const std::string& text) {
+      printText(std::cerr, time, "game", text);
+    };
   }
   if (images != nullptr) {
     listeners.labeled = [images](const std::string& robot, const auto& image, const auto& classes) {
@@ -145,12 +138,12 @@ int runOnce(const SimArguments& arguments) {
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
     return printErrors(run.error());
   }
-  printMapNotes((*run)->map().get());
+  printMapNotes(std::cerr, (*run)->map().get());
   const auto start = std::chrono::steady_clock::now();
   unfinished.reset();
   const bool played = simulate(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  int status = *recorder ? finishRecording(**recorder) : kDone;
+  int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
   if (const int written = finishImages(images->get(), arguments.camera.labeledFolder); written != kDone)
     status = written;
   if (!played) status = kFailed;
@@ -187,8 +180,7 @@ int runTrials(const SimArguments& arguments) {
   if (!results) return printErrors(results.error());
   json report;
   report["trials"] = results->size();
-  report["touched"] =
-      std::count_if(results->begin(), results->end(), [](const auto& t) { return t.touched; });
+  report["touched"] = std::ranges::count_if(*results, [](const auto& t) { return t.touched; });
   report["radius"] = arguments.radius;
   report["seconds"] = arguments.seconds;
   report["blackout"] = arguments.run.world.blackout;
@@ -218,7 +210,12 @@ int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGi
 
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
-  if (!takeSolutions(arguments)) return kUsage;
+  const auto solutions = solutionsOf(arguments.solutions);
+  if (!solutions) {
+    std::cerr << "robotctl sim: " << solutions.error().text << "\n";
+    return kUsage;
+  }
+  arguments.run.solutions = *solutions;
   const bool threads = arguments.executor == "threads";
   if (arguments.trials > 0 && threads) {
     std::cerr << "robotctl sim: trials are played in lockstep only; omit --executor\n";
@@ -252,7 +249,7 @@ void addSimCommand(CLI::App& app, int& status) {
   auto* seconds =
       sim->add_option("--seconds", arguments->seconds,
                       "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
-          ->check(CLI::Range(0.0, 1e6));
+          ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
   sim->add_option("--layout", arguments->layout,
@@ -269,15 +266,15 @@ void addSimCommand(CLI::App& app, int& status) {
       sim->add_option(
              "--trials", arguments->trials,
              "Plays this many games with the ball at random places around the first robot; counts touches")
-          ->check(CLI::Range(1, 100000));
+          ->check(numberFrom(1, 100000));
   sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
-      ->check(CLI::Range(0.4, 10.0))
+      ->check(numberFrom(0.4, 10))
       ->capture_default_str();
   auto* speed =
       sim->add_option(
              "--speed", arguments->speed,
              "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
-          ->check(CLI::Range(0.0, 100.0))
+          ->check(numberFrom(0, 100))
           ->excludes(trials);
   sim->add_flag("--progress", arguments->progress,
                 "Prints the simulated time on stderr, ten times in each simulated second");

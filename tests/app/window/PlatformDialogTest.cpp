@@ -16,7 +16,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/robotcontrol/actions/FormMemory.h"
 #include "robotcontrol/Driving.pb.h"
 #include "tests/app/window/WindowTest.h"

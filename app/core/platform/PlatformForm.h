@@ -86,8 +86,12 @@ struct PlatformField {
   bool isArgument = true;
   /// Whether the dialog shows it.
   bool isShown = true;
-  /// The option of the command line of the window's program: "--robots"; empty: none.
+  /// The option of the command line: "--robots"; empty: none.
   std::string option = {};
+  /// Whether that option can be given several times.
+  bool several = false;
+  /// What is wrong with a text, as a sentence, which is empty if nothing is; unset: any text is right.
+  std::function<std::string(const std::string& text)> check = {};
   /// The place in the window's file where the last value is kept: "robot_map", or, in a list, "setup/2".
   /// Empty: it is not kept.
   std::string remembered = {};
@@ -146,6 +150,8 @@ struct PlatformForm {
 /// The values of a form that nobody has filled in yet; a field with a toggle does not count.
 FormValues initialValues(const PlatformForm& form);
 
+/// The range of a number: "0 to 100"; empty if it has none.
+std::string rangeOf(const PlatformField& field);
 /// What is wrong with a value of a field, as a sentence; empty if nothing is.
 std::string problemOf(const PlatformField& field, const FormValue& value);
 /// The same for all fields that have a value.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "app/core/platform/ExitStatus.h"
 #include "logplayer/record/Recorder.h"
 
 namespace CLI {
@@ -29,7 +32,12 @@ struct RecordOptions {
   robotlink::Result<std::unique_ptr<logplayer::Recorder>> start() const;
 };
 
-/// Ends the recording and reports the result on stderr. Returns an ExitStatus.
-int finishRecording(logplayer::Recorder& recorder);
+/// The coding of images, and the compression of a log file, by the name that users write; unset: there is
+/// none of that name.
+std::optional<robotcontrol::ControlRecording::ImageCoding> imageCodingNamed(const std::string& name);
+std::optional<robotcontrol::ControlRecording::Compression> compressionNamed(const std::string& name);
+
+/// Ends the recording and prints the result.
+ExitStatus finishRecording(logplayer::Recorder& recorder, std::ostream& out);
 
 }  // namespace app

@@ -63,6 +63,13 @@ class PublishGate {
   /// Publishes the notes of the robot's map in its log: as warnings if the map was read incompletely,
   /// otherwise as information.
   void publishMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
+  /// Publishes a sentence about a robot's platform in the robot's log, or keeps it for keptReports().
+  void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
+  /// To be called before the run ends: what the platforms report from now on is kept, since the session will
+  /// belong to another run.
+  void keepReports();
+  /// What was kept, as a sentence each. After the run has ended.
+  std::vector<std::string> keptReports() const { return *reports_; }
   /// Publishes a problem of a process as an error in the robot's log, at the time of the process.
   void publishTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 
@@ -82,6 +89,8 @@ class PublishGate {
   bool open_ = false;
   /// What open() will call.
   std::vector<std::function<void()>> kept_;
+  /// Null before keepReports().
+  std::unique_ptr<std::vector<std::string>> reports_;
 };
 
 }  // namespace app

@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotctl/run/RecordOptions.h"
+#include "app/core/platform/RecordOptions.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
 #include <iostream>
 
-#include "app/robotctl/Commands.h"
 #include "logplayer/base/RecordedStreams.h"
 
 namespace app {
 
 using robotcontrol::ControlRecording;
 
-namespace {
-
-ControlRecording::ImageCoding imageCoding(const std::string& name) {
+std::optional<ControlRecording::ImageCoding> imageCodingNamed(const std::string& name) {
+  if (name == "as-is") return ControlRecording::AS_IS;
   if (name == "jpeg") return ControlRecording::JPEG;
-  return name == "png" ? ControlRecording::PNG : ControlRecording::AS_IS;
+  return name == "png" ? std::optional(ControlRecording::PNG) : std::nullopt;
 }
 
-ControlRecording::Compression compressionNamed(const std::string& name) {
+std::optional<ControlRecording::Compression> compressionNamed(const std::string& name) {
+  if (name == "none") return ControlRecording::NONE;
   if (name == "lz4") return ControlRecording::LZ4;
-  return name == "zstd" ? ControlRecording::ZSTD : ControlRecording::NONE;
+  return name == "zstd" ? std::optional(ControlRecording::ZSTD) : std::nullopt;
 }
-
-}  // namespace
 
 void RecordOptions::addTo(CLI::App& command) {
   auto* record = command.add_option("--record", file, "Records into this log file, which must not exist");
@@ -59,25 +56,27 @@ robotlink::Result<std::unique_ptr<logplayer::Recorder>> RecordOptions::start() c
   control.set_action(ControlRecording::START);
   control.set_path(file);
   *control.mutable_selection() = std::move(*selection);
-  control.set_image_coding(imageCoding(images));
-  control.set_compression(compressionNamed(compression));
+  control.set_image_coding(*imageCodingNamed(images));
+  control.set_compression(*compressionNamed(compression));
   if (const auto started = recorder->control(control); !started) return tl::unexpected(started.error());
   return recorder;
 }
 
-int finishRecording(logplayer::Recorder& recorder) {
+ExitStatus finishRecording(logplayer::Recorder& recorder, std::ostream& out) {
   ControlRecording control;
   control.set_action(ControlRecording::STOP);
   const auto stopped = recorder.control(control);
   recorder.finish();
   const robotcontrol::RecordingStatus status = recorder.status();
   if (!status.failure().empty()) return kFailed;  // the failure was already printed by `warn`
-  if (!stopped) return printErrors({stopped.error()});
-  std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed
-            << std::setprecision(1) << 1e-6 * static_cast<double>(status.bytes()) << " MB";
-  if (status.dropped_messages() > 0)
-    std::cerr << ", " << status.dropped_messages() << " messages were dropped";
-  std::cerr << "\n";
+  if (!stopped) {
+    out << stopped.error().describe() << "\n";
+    return kFailed;
+  }
+  out << status.path() << ": " << status.messages() << " messages, " << std::fixed << std::setprecision(1)
+      << 1e-6 * static_cast<double>(status.bytes()) << " MB";
+  if (status.dropped_messages() > 0) out << ", " << status.dropped_messages() << " messages were dropped";
+  out << "\n";
   return status.dropped_messages() > 0 ? kDoneWithLosses : kDone;
 }
 

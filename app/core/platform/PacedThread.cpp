@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/PacedThread.h"
+#include "app/core/platform/PacedThread.h"
 
 #include <utility>
 

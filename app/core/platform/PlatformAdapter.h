@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 #include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Error.h"
 
@@ -23,6 +23,7 @@ class Session;
 namespace app {
 
 class PlatformFeed;
+struct HeadlessPlatform;
 
 /// The kind of time that a platform goes by. It decides how users can control the platform.
 enum class PlatformTime : std::uint8_t {
@@ -76,8 +77,8 @@ struct PlatformChoices {
 };
 
 /// A kind of platform that the workbench can open, such as "simulation". It registers itself with one static
-/// PlatformRegistration; nothing else has to know that the kind exists: menus, dialogs, commands, and options
-/// of the command line are made from what it declares. A plain value.
+/// PlatformRegistration; nothing else has to know that the kind exists: menus, dialogs, commands,
+/// options of the command line and `robotctl run` are made from what it declares. A plain value.
 struct PlatformAdapter {
   /// A unique name: "simulation".
   const char* name;
@@ -104,6 +105,10 @@ struct PlatformAdapter {
   const char* (*perspective)(const std::string& source) = nullptr;
   /// What the user is asked for before a platform is opened; null: nothing.
   PlatformForm (*form)() = nullptr;
+  /// How `robotctl run` runs it; null: it does not.
+  HeadlessPlatform (*headless)() = nullptr;
+  /// What runs it instead, as a sentence; null: nothing.
+  const char* insteadOfHeadless = nullptr;
 };
 
 /// Returns all adapters, sorted by their order. They are registered before main() and do not change later.

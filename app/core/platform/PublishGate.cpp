@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/PublishGate.h"
+#include "app/core/platform/PublishGate.h"
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
@@ -113,6 +113,19 @@ void PublishGate::publishMapNotes(const std::string& robot, robotlink::Instant t
                                   const robotlink::GroundMap& map) {
   const int level = map.incomplete ? foxglove::Log::WARNING : foxglove::Log::INFO;
   for (const std::string& note : map.notes) publishText(robot, "map", time, level, note);
+}
+
+void PublishGate::publishPlatform(const std::string& robot, robotlink::Instant time,
+                                  const std::string& text) {
+  if (reports_) {
+    reports_->push_back(robot + ": " + text);
+  } else {
+    publishText(robot, "platform", time, foxglove::Log::INFO, text);
+  }
+}
+
+void PublishGate::keepReports() {
+  reports_ = std::make_unique<std::vector<std::string>>();
 }
 
 void PublishGate::publishTrouble(const std::string& robot, const robotlink::Process& process,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/PlatformAdapter.h"
+#include "app/core/platform/PlatformAdapter.h"
 
 #include <algorithm>
 

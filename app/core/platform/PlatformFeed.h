@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "app/core/program/PacedThread.h"
-#include "app/core/program/PlatformAdapter.h"
-#include "app/core/program/StopSwitch.h"
+#include "app/core/platform/PacedThread.h"
+#include "app/core/platform/PlatformAdapter.h"
+#include "app/core/platform/StopSwitch.h"
 #include "logplayer/file/LogFile.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"

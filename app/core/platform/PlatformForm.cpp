@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/PlatformForm.h"
+#include "app/core/platform/PlatformForm.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace app {
@@ -23,17 +24,28 @@ std::string listed(const PlatformField::Items& items) {
   return list;
 }
 
+/// A number as people write it: "9000000000000000", "0.5".
+std::string written(double number) {
+  std::ostringstream text;
+  if (number == std::floor(number)) text << std::fixed << std::setprecision(0);
+  text << number;
+  return text.str();
+}
+
+bool hasRange(const PlatformField& field) {
+  return field.min < field.max;
+}
+
 std::string problemOfNumber(const PlatformField& field, double number) {
   // Written so that a NaN is out of range, too. 0 says that a field with a toggle does not count.
   const bool whole = field.decimals > 0 || number == std::floor(number);
-  const bool inRange = number >= field.min && number <= field.max;
+  const bool inRange = hasRange(field) ? number >= field.min && number <= field.max : std::isfinite(number);
   if ((whole && inRange) || (!field.toggle.empty() && number == 0)) return {};
-  std::ostringstream text;
-  text << "the " << field.noun << " must be " << (field.decimals > 0 ? "" : "a whole number ") << "between "
-       << field.min << " and " << field.max;
-  if (!field.unit.empty()) text << " " << field.unit;
-  if (!field.toggle.empty()) text << ", or 0 for none";
-  return text.str();
+  std::string text = "the " + field.noun + " must be a " + (field.decimals > 0 ? "" : "whole ") + "number";
+  if (hasRange(field)) text += " between " + written(field.min) + " and " + written(field.max);
+  if (!field.unit.empty()) text += " " + field.unit;
+  if (!field.toggle.empty()) text += ", or 0 for none";
+  return text;
 }
 
 }  // namespace
@@ -75,10 +87,15 @@ FormValues initialValues(const PlatformForm& form) {
   return values;
 }
 
+std::string rangeOf(const PlatformField& field) {
+  return hasRange(field) ? written(field.min) + " to " + written(field.max) : "";
+}
+
 std::string problemOf(const PlatformField& field, const FormValue& value) {
   if (value.index() != field.initial.index()) return "the " + field.noun + " has a value of another type";
   if (const auto* number = std::get_if<double>(&value)) return problemOfNumber(field, *number);
   const auto* text = std::get_if<std::string>(&value);
+  if (text != nullptr && field.check) return field.check(*text);
   if (text == nullptr || text->empty() || field.kind != PlatformField::Kind::kChoice || field.editable)
     return {};
   const PlatformField::Items items = field.items ? field.items() : PlatformField::Items{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/PlatformFeed.h"
+#include "app/core/platform/PlatformFeed.h"
 
 #include "robotlink/debugging/RequestKinds.h"
 

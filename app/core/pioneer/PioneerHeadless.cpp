@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerHeadless.h"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/RobotName.h"
+#include "app/core/platform/TextMessages.h"
+#include "app/core/program/ShippedFiles.h"
+#include "robotcontrol/Debugging.pb.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using Kind = PlatformField::Kind;
+
+constexpr std::chrono::milliseconds kHeadlessStep{10};
+constexpr char kMap[] = "map", kRobot[] = "robot", kSeconds[] = "seconds", kMotors[] = "motors",
+               kTexts[] = "texts";
+
+PioneerRun::Listeners robotListeners(std::ostream& errors, bool texts) {
+  PioneerRun::Listeners listeners;
+  listeners.trouble = [&errors](const std::string& robot, const robotlink::Process&,
+                                const std::string& text) { errors << robot << ": " << text << "\n"; };
+  if (texts) {
+    listeners.queue = [&errors](const std::string& robot, const auto& queue) {
+      printTexts(errors, robot, *queue);
+    };
+    listeners.platform = [&errors](const std::string& robot, robotlink::Instant, const std::string& text) {
+      errors << robot << ": " << text << "\n";
+    };
+  }
+  return listeners;
+}
+
+/// Steps the run until its end and prints changes of the connection. Returns whether the robot was ever
+/// connected.
+bool drive(PioneerRun& run, double seconds, const HeadlessConsole& console) {
+  const robotlink::Instant end = run.clock().now() + robotlink::fromSeconds(seconds);
+  std::string reported;
+  bool connected = false;
+  auto due = std::chrono::steady_clock::now();
+  while (!console.interrupted() && (seconds == 0 || run.clock().now() < end)) {
+    run.step();
+    const auto& session = run.platform().driver().session();
+    connected = connected || session.isConnected();
+    if (const std::string text = session.describe(); text != reported) {
+      console.errors << std::fixed << std::setprecision(3) << robotlink::seconds(run.clock().now()) << "  "
+                     << text << "\n";
+      reported = text;
+    }
+    due += kHeadlessStep;
+    std::this_thread::sleep_until(due);
+  }
+  return connected;
+}
+
+json pioneerFigures(const PioneerRun& run, bool connected) {
+  const auto& statistics = run.platform().driver().session().statistics();
+  return {{"address", run.options().url},
+          {"layout", run.layout().string()},
+          {"connected", connected},
+          {"real_seconds", robotlink::seconds(run.clock().now())},
+          {"packets", statistics.packets},
+          {"standard_informations", statistics.information},
+          {"undecodable_packets", statistics.undecodable},
+          {"scans", statistics.scans},
+          {"connections", statistics.connections},
+          {"losses", statistics.losses},
+          {"round_trip_s", robotlink::seconds(statistics.roundTrip)},
+          {"longest_gap_s", robotlink::seconds(statistics.longestGap)}};
+}
+
+std::string figuresText(const json& figures) {
+  std::ostringstream text;
+  for (const auto& [name, value] : figures.items()) {
+    text << std::left << std::setw(24) << name
+         << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+  }
+  return text.str();
+}
+
+tl::expected<HeadlessSummary, robotlink::Errors> runPioneer(const PioneerOptions& options,
+                                                            const HeadlessChoices& choices,
+                                                            const HeadlessConsole& console) {
+  const FormValues& values = choices.options.values;
+  const auto recorder = choices.record.start();
+  if (!recorder) return tl::unexpected(robotlink::Errors{recorder.error()});
+  auto run =
+      PioneerRun::create(options, robotListeners(console.errors, flagOf(values, kTexts)), recorder->get());
+  if (!run) {
+    std::error_code ignored;
+    if (*recorder) std::filesystem::remove(choices.record.file, ignored);
+    return tl::unexpected(run.error());
+  }
+  printMapNotes(console.errors, (*run)->map().get());
+  const bool connected = drive(**run, numberOf(values, kSeconds), console);
+  const json figures = pioneerFigures(**run, connected);
+  run->reset();
+  const ExitStatus recorded = *recorder ? finishRecording(**recorder, console.errors) : kDone;
+  return HeadlessSummary{jsonOutput(figures), figuresText(figures), connected ? recorded : kFailed};
+}
+
+robotlink::Result<HeadlessPlatform::Run> preparePioneer(const HeadlessChoices& choices) {
+  const FormValues& values = choices.options.values;
+  PioneerOptions options{.url = choices.platform};
+  options.robot = textOf(values, kRobot, options.robot);
+  if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
+  options.map = textOf(values, kMap);
+  options.solutions = choices.solutions;
+  options.motorsOn = flagOf(values, kMotors);
+  return [options, choices](const HeadlessConsole& console) { return runPioneer(options, choices, console); };
+}
+
+}  // namespace
+
+HeadlessPlatform headlessPioneer() {
+  return {.help = "a Pioneer: tcp://HOST[:PORT], serial://DEVICE[?baud=RATE]",
+          .usage = "a robot's address: tcp://HOST:PORT or serial://DEVICE?baud=RATE",
+          .options = {{.name = kMap, .help = "Robots: a map (.map) of where it drives", .option = "--map"},
+                      {.name = kRobot,
+                       .help = "Robots: its name (" + PioneerOptions{}.robot + ")",
+                       .option = "--robot",
+                       .check = robotName},
+                      {.name = kSeconds,
+                       .kind = Kind::kNumber,
+                       .help = "Robots: how long it runs (until Ctrl-C)",
+                       .initial = 0.0,
+                       .noun = "duration",
+                       .max = 1e6,
+                       .decimals = 3,
+                       .unit = "s",
+                       .option = "--seconds"},
+                      {.name = kMotors,
+                       .kind = Kind::kFlag,
+                       .help = "Robots: switches the motors on as soon as it is connected",
+                       .initial = false,
+                       .option = "--motors"},
+                      {.name = kTexts,
+                       .kind = Kind::kFlag,
+                       .help = "Robots: prints the program's text messages on stderr",
+                       .initial = false,
+                       .option = "--texts"}},
+          .prepare = preparePioneer};
+}
+
+}  // namespace app

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace app {
+
+/// The exit status of all programs of this project; kDoneWithLosses: done, but some input could not be read.
+enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kDoneWithLosses = 3 };
+
+}  // namespace app

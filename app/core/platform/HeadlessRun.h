@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/core/platform/ExitStatus.h"
+#include "app/core/platform/FieldOptions.h"
+#include "app/core/platform/RecordOptions.h"
+#include "robotlink/base/Error.h"
+
+namespace app {
+
+/// What a user wants to run without a window. A plain value.
+struct HeadlessChoices {
+  /// "log:game.mcap" or "tcp://localhost:8101".
+  std::string platform;
+  /// A process layout, by its path or the name of a shipped one; empty: that of the platform.
+  std::string layout = {};
+  /// Maps tasks to solutions, instead of the layout's.
+  std::map<std::string, std::string> solutions = {};
+  RecordOptions record = {};
+  /// The options that only some kinds of platforms have.
+  FieldOptions options = {};
+};
+
+/// The program that runs it; all functions are set.
+struct HeadlessConsole {
+  /// Where lines for the user are printed that are not the result.
+  std::ostream& errors;
+  /// Whether the user wants it to end.
+  std::function<bool()> interrupted;
+  /// Shows which share is done; returns false if the user wants it to end.
+  std::function<bool(double share)> progress;
+  /// The file of a source: that file, or for "-" a copy of standard input, which exists until the run ends.
+  std::function<robotlink::Result<std::filesystem::path>(const std::string& source)> input;
+};
+
+/// The result of a run: a summary for other programs, the same for users, and the exit status of the program.
+struct HeadlessSummary {
+  std::string json, text;
+  ExitStatus status = kDone;
+};
+
+/// How platforms of one kind run without a window. A plain value.
+struct HeadlessPlatform {
+  /// Blocks until the run has ended by itself or was interrupted. Fails with all reasons why it cannot begin
+  /// or had to end.
+  using Run = std::function<tl::expected<HeadlessSummary, robotlink::Errors>(const HeadlessConsole& console)>;
+
+  /// What users write for such a platform: in the help, and in the sentence about something that nothing
+  /// runs.
+  const char* help;
+  const char* usage;
+  /// Whether it is one of them; null: whatever the adapter opens is.
+  bool (*runs)(const std::string& platform) = nullptr;
+  /// The options that belong to this kind; problemOf() has found nothing wrong with their single values.
+  std::vector<PlatformField> options;
+  /// The sentence about these options with another kind of platform, which is refused; null: they are
+  /// ignored there.
+  const char* optionsAreMine = nullptr;
+  /// Prepares the run. Fails if the choices are wrong in themselves.
+  robotlink::Result<Run> (*prepare)(const HeadlessChoices& choices);
+};
+
+/// How the platforms of all adapters run that can. The adapter comes first that is asked last, since it takes
+/// the most.
+std::vector<HeadlessPlatform> headlessPlatforms();
+/// The one that runs what was chosen. Fails if none does, or if an option was given that belongs to another.
+robotlink::Result<HeadlessPlatform> headlessPlatformFor(const HeadlessChoices& choices);
+
+}  // namespace app

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/replay/ReplayHeadless.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "app/core/platform/JsonOutput.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/program/SolutionChoices.h"
+#include "app/core/replay/ReplayRun.h"
+#include "logplayer/base/LogWriter.h"
+#include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/process/Process.h"
+#include "robotlink/session/QueueMessages.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using robotcontrol::ControlReplay;
+using robotcontrol::ReplayStatus;
+using robotlink::Errors;
+using robotlink::Result;
+using Kind = PlatformField::Kind;
+
+constexpr std::string_view kLogPlatform = "log:";
+constexpr std::string_view kAllPackages = "all";
+constexpr char kOffset[] = "offset", kPackage[] = "package", kColorTable[] = "color-table";
+
+/// The log that is written during the replay, and its first error.
+class HeadlessRecording {
+ public:
+  explicit HeadlessRecording(std::ostream& errors) : errors_(errors) {}
+
+  /// Without a file nothing is written.
+  Result<void> open(const RecordOptions& record) {
+    if (record.file.empty()) return {};
+    logplayer::mcap::Writer::Options options;
+    options.compression = record.compression == "none"  ? logplayer::mcap::Compression::kNone
+                          : record.compression == "lz4" ? logplayer::mcap::Compression::kLz4
+                                                        : logplayer::mcap::Compression::kZstd;
+    options.library = std::string("robotctl ") + ROBOTCONTROL_VERSION;
+    options.clock = &still_;  // the end of chunks must not depend on real time
+    auto writer = logplayer::LogWriter::create(record.file, std::move(options));
+    if (!writer) return tl::unexpected(writer.error());
+    writer_ = std::move(*writer);
+    unfinished_.emplace(record.file);
+    return {};
+  }
+
+  ReplayRun::Listeners listeners() {
+    ReplayRun::Listeners listeners;
+    listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) { write(messages); };
+    listeners.queue = [this](const std::string& robot, const auto& queue) {
+      write(messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder).messages);
+    };
+    listeners.trouble = [this](const std::string& robot, const robotlink::Process& process,
+                               const std::string& text) {
+      errors_ << robot << ": " << text << "\n";
+      failed_ = failed_ || !process.failure().empty();
+    };
+    return listeners;
+  }
+
+  Result<void> close() {
+    if (writer_ && result_) result_ = writer_->container().close();
+    unfinished_.reset();
+    return result_;
+  }
+  bool good() const { return result_.has_value(); }
+  bool processFailed() const { return failed_; }
+
+ private:
+  void write(const std::vector<robotlink::StreamMessage>& messages) {
+    if (writer_ && result_) result_ = writer_->write(messages);
+  }
+
+  std::ostream& errors_;
+  robotlink::ManualClock still_;
+  std::unique_ptr<logplayer::LogWriter> writer_;
+  std::optional<robotlink::UnfinishedFile> unfinished_;
+  Result<void> result_;
+  bool failed_ = false;
+};
+
+/// Adds the logs that a text like "log:a.mcap,log:b.mcap" names. Returns what is wrong with it; empty if
+/// nothing is.
+std::string addLogs(const HeadlessChoices& choices, ReplayOptions& options) {
+  std::vector<FormValue> offsets;
+  if (const auto given = choices.options.lists.find(kOffset); given != choices.options.lists.end())
+    offsets = given->second;
+  for (const FormValue& offset : offsets) {
+    if (!(std::abs(std::get<double>(offset)) <= robotlink::kMaxLogOffset))
+      return "--offset takes a number of seconds, and at most 100 years";
+  }
+  std::string_view rest = choices.platform;
+  while (rest.starts_with(kLogPlatform)) {
+    rest.remove_prefix(kLogPlatform.size());
+    const std::size_t end = std::min(rest.find(",log:"), rest.size());
+    if (end == 0) return "--platform names no file after 'log:'";
+    ReplayLog log{std::string(rest.substr(0, end))};
+    if (options.logs.size() < offsets.size()) {
+      log.offset = robotlink::fromSeconds(std::get<double>(offsets[options.logs.size()]));
+      log.offsetChosen = true;
+    }
+    options.logs.push_back(std::move(log));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return offsets.size() > options.logs.size() ? "there are more --offset than logs" : "";
+}
+
+/// Adds the chosen source of a package, or of all of them; false if the text is no such choice.
+bool addPackage(const std::string& text, ReplayOptions& options) {
+  const auto choice = assignmentOf(text);
+  if (!choice || (choice->second != "logged" && choice->second != "recomputed")) return false;
+  const auto& [package, name] = *choice;
+  const auto source = name == "logged" ? ControlReplay::AS_LOGGED : ControlReplay::RECOMPUTED;
+  if (package == kAllPackages) {
+    options.recomputeAll = source == ControlReplay::RECOMPUTED;
+    return true;
+  }
+  // Packages have names like "models/ball"; a prefix selects a single robot.
+  const bool ofOneRobot = std::ranges::count(package, '/') > 1;
+  options.packages[ofOneRobot ? package : "*/" + package] = source;
+  return true;
+}
+
+json differenceJson(const ReplayStatus::Difference& difference) {
+  json row{{"package", difference.package()},
+           {"compared", difference.compared()},
+           {"different", difference.different()},
+           {"only_logged", difference.only_logged()},
+           {"only_recomputed", difference.only_recomputed()}};
+  const bool differs = difference.different() + difference.only_logged() + difference.only_recomputed() > 0;
+  row["first_s"] = differs ? json(1e-9 * static_cast<double>(difference.first_time())) : json();
+  if (difference.largest() > 0) {
+    row["largest"] = {{"field", difference.largest_field()},
+                      {"difference", difference.largest()},
+                      {"time_s", 1e-9 * static_cast<double>(difference.largest_time())}};
+  }
+  return row;
+}
+
+json summaryOf(const ReplayStatus& status, std::uint64_t instants, double realSeconds) {
+  const double seconds = 1e-9 * static_cast<double>(status.end() - status.begin());
+  json summary;
+  for (const auto& log : status.logs()) {
+    summary["logs"].push_back({{"path", log.path()},
+                               {"robots", log.robots()},
+                               {"offset_s", 1e-9 * static_cast<double>(log.offset())},
+                               {"damage", log.damage()}});
+  }
+  summary["begin_s"] = 1e-9 * static_cast<double>(status.begin());
+  summary["seconds"] = seconds;
+  summary["instants"] = instants;
+  summary["real_seconds"] = realSeconds;
+  summary["real_time_factor"] = realSeconds > 0 ? seconds / realSeconds : 0;
+  summary["packages"] = json::array();
+  for (const auto& package : status.packages()) {
+    const bool logged = package.source() == ControlReplay::AS_LOGGED;
+    summary["packages"].push_back({{"package", package.package()},
+                                   {"source", logged                    ? json("logged")
+                                              : package.can_recompute() ? json("recomputed")
+                                                                        : json()},
+                                   {"why_not", package.why_not()}});
+  }
+  summary["differences"] = json::array();
+  for (const auto& difference : status.differences())
+    summary["differences"].push_back(differenceJson(difference));
+  summary["unavailable_tasks"] = status.unavailable_tasks();
+  return summary;
+}
+
+void printDifference(std::ostream& out, const ReplayStatus::Difference& difference) {
+  out << difference.package() << ": " << difference.different() << " of " << difference.compared()
+      << " differ";
+  if (difference.only_logged() > 0) out << ", " << difference.only_logged() << " only logged";
+  if (difference.only_recomputed() > 0) out << ", " << difference.only_recomputed() << " only recomputed";
+  if (difference.largest() > 0) {
+    const double largest = difference.largest();
+    out << fmt::format("; largest: {} by {} at {:.3f} s", difference.largest_field(),
+                       largest < 1000 ? fmt::format("{:.4g}", largest) : fmt::format("{:.0f}", largest),
+                       1e-9 * static_cast<double>(difference.largest_time()));
+  }
+  out << "\n";
+}
+
+std::string summaryText(const ReplayStatus& status, const json& summary) {
+  std::ostringstream out;
+  out << fmt::format("{:.1f} s in {:.1f} s ({:.1f} times real time), {} instants\n",
+                     summary["seconds"].get<double>(), summary["real_seconds"].get<double>(),
+                     summary["real_time_factor"].get<double>(), summary["instants"].get<std::uint64_t>());
+  for (const auto& log : status.logs()) {
+    if (!log.damage().empty()) out << log.path() << ": " << log.damage() << "\n";
+  }
+  for (const auto& task : status.unavailable_tasks()) out << "not available: " << task << "\n";
+  for (const auto& package : summary["packages"]) {
+    if (package["source"] == "recomputed")
+      out << "recomputed: " << package["package"].get<std::string>() << "\n";
+  }
+  for (const auto& difference : status.differences()) printDifference(out, difference);
+  return out.str();
+}
+
+bool recomputesAnything(const ReplayRun& run) {
+  ReplayStatus status;
+  run.describe(status);
+  return std::ranges::any_of(status.packages(), [](const auto& package) {
+    return package.source() == ControlReplay::RECOMPUTED && package.can_recompute();
+  });
+}
+
+/// Reports options that have no effect, and what would have one.
+void warnOfUnusedChoices(const ReplayRun& run, std::ostream& errors) {
+  if (run.robots().empty()) {
+    errors << "warning: the log names no robot known here, so nothing runs on it; 'robotctl log info' "
+              "shows what it holds\n";
+    return;
+  }
+  std::vector<std::string> unused = run.unusedSolutions();
+  if ((!run.options().colorTable.empty() || !run.options().layout.empty()) && !recomputesAnything(run)) {
+    unused.emplace_back("nothing is recomputed, so --color-table and --layout change nothing");
+  }
+  for (const std::string& sentence : unused) errors << "warning: " << sentence << "\n";
+  if (unused.empty()) return;
+  errors
+      << "warning: a task runs if what it yields is recomputed: --package PACKAGE=recomputed, or --package "
+         "all=recomputed\n";
+}
+
+/// Steps to the end; how many instants there were. A signal ends it before.
+std::uint64_t playLog(ReplayRun& run, const HeadlessRecording& recording, const HeadlessConsole& console) {
+  std::uint64_t instants = 1;
+  const double length = robotlink::seconds(run.end() - run.begin());
+  while (recording.good() && run.step()) {
+    ++instants;
+    if (!console.progress(length > 0 ? robotlink::seconds(run.now() - run.begin()) / length : 1)) break;
+  }
+  return instants;
+}
+
+/// Replaces "-" by a copy of standard input.
+Result<void> readInputs(ReplayOptions& options, const HeadlessConsole& console) {
+  for (ReplayLog& log : options.logs) {
+    auto file = console.input(log.file.string());
+    if (!file) return tl::unexpected(file.error());
+    log.file = std::move(*file);
+  }
+  return {};
+}
+
+ExitStatus statusOf(const HeadlessRecording& recording, const ReplayStatus& status, bool interrupted) {
+  if (recording.processFailed() || interrupted) return kFailed;
+  const bool damaged =
+      std::ranges::any_of(status.logs(), [](const auto& log) { return !log.damage().empty(); });
+  return damaged ? kDoneWithLosses : kDone;
+}
+
+tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const RecordOptions& record,
+                                             const HeadlessConsole& console) {
+  if (const auto read = readInputs(options, console); !read) return tl::unexpected(Errors{read.error()});
+  options.progress = console.progress;
+  HeadlessRecording recording(console.errors);
+  auto run = ReplayRun::create(std::move(options), recording.listeners());
+  if (!run) return tl::unexpected(run.error());
+  warnOfUnusedChoices(**run, console.errors);
+  if (const auto opened = recording.open(record); !opened) return tl::unexpected(Errors{opened.error()});
+  const auto start = std::chrono::steady_clock::now();
+  // A jump to the beginning publishes the latched messages from before the log's first instant.
+  if (Errors errors = (*run)->jump((*run)->begin()); !errors.empty())
+    return tl::unexpected(std::move(errors));
+  const std::uint64_t instants = playLog(**run, recording, console);
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (const auto closed = recording.close(); !closed) return tl::unexpected(Errors{closed.error()});
+  ReplayStatus status;
+  (*run)->describe(status);
+  const json summary = summaryOf(status, instants, real);
+  return HeadlessSummary{jsonOutput(summary), summaryText(status, summary),
+                         statusOf(recording, status, console.interrupted())};
+}
+
+Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
+  ReplayOptions options;
+  if (const std::string wrong = addLogs(choices, options); !wrong.empty())
+    return robotlink::failure("usage", wrong);
+  if (const auto packages = choices.options.lists.find(kPackage); packages != choices.options.lists.end()) {
+    for (const FormValue& value : packages->second) {
+      const auto& text = std::get<std::string>(value);
+      if (!addPackage(text, options))
+        return robotlink::failure("usage",
+                                  "--package takes PACKAGE=logged or PACKAGE=recomputed, not '" + text + "'");
+    }
+  }
+  if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
+  options.solutions = choices.solutions;
+  options.colorTable = textOf(choices.options.values, kColorTable);
+  options.publishAllPackages = !choices.record.file.empty();
+  return [options, record = choices.record](const HeadlessConsole& console) {
+    return replay(options, record, console);
+  };
+}
+
+}  // namespace
+
+HeadlessPlatform headlessReplay() {
+  return {
+      .help = "log:FILE (log:- is standard input), or several logs: log:FILE,log:FILE...",
+      .usage = "log:FILE or log:FILE,log:FILE...",
+      .runs = [](const std::string& platform) { return platform.starts_with(kLogPlatform); },
+      .options = {{.name = kOffset,
+                   .kind = Kind::kNumber,
+                   .help = "Seconds added to the times of a log; one for each, in their order",
+                   .initial = 0.0,
+                   .noun = "offset",
+                   .decimals = 3,
+                   .option = "--offset",
+                   .several = true},
+                  {.name = kPackage,
+                   .help = "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
+                           "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else "
+                           "everything logged is used as logged",
+                   .option = "--package",
+                   .several = true},
+                  {.name = kColorTable,
+                   .help = "A color table (.c64) instead of the log's",
+                   .option = "--color-table"}},
+      .optionsAreMine = "--offset, --package and --color-table are for logs",
+      .prepare = prepareReplay};
+}
+
+}  // namespace app

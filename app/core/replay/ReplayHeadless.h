@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/platform/HeadlessRun.h"
+
+namespace app {
+
+/// How logs are replayed without a window: the programs of their robots run from the first instant to the
+/// last, as fast as possible. What was logged and what was recomputed is recorded, if that is wanted; the
+/// same logs and choices give the same bytes. The summary compares both.
+HeadlessPlatform headlessReplay();
+
+}  // namespace app
