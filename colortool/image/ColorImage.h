@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "robotlink/base/Image.h"
@@ -31,11 +30,5 @@ struct ColorImage {
                   static_cast<std::size_t>(x)];
   }
 };
-
-/// Calls `use(x, y)`, row by row, for each pixel of an image of this size whose center lies in a disc. Center
-/// and radius are in pixels, pixel centers at whole numbers; a radius of 3 around a pixel center covers 29
-/// pixels.
-void visitDisc(int width, int height, double x, double y, double radius,
-               const std::function<void(int, int)>& use);
 
 }  // namespace colortool

@@ -41,8 +41,6 @@ class Wanderer {
   /// `points` are obstacles in the robot's frame, m; `time` in s of any clock.
   DriveVelocity decide(std::span<const robotlink::Vector2> points, const robotlink::Pose2& robotInOdometry,
                        double time);
-  /// Call it when the odometry was reset.
-  void forgetPlaces() { visits_.clear(); }
   /// The direction that it drives to, in the robot's frame, rad; for drawings.
   double direction() const { return direction_; }
 

@@ -18,8 +18,7 @@ robotlink::Result<JointLayout> JointLayout::of(
   layout.joints_ = joints;
   std::string missing;
   const auto find = [&](const std::string& name) {
-    const auto found =
-        std::find_if(joints.begin(), joints.end(), [&](const auto& joint) { return joint.name == name; });
+    const auto found = std::ranges::find_if(joints, [&](const auto& joint) { return joint.name == name; });
     if (found == joints.end()) missing = name;
     return static_cast<std::size_t>(found - joints.begin());
   };

@@ -150,7 +150,7 @@ void MotionEngine::runGait(const MotionCommand& desired, Duration time) {
 void MotionEngine::setFreeJoints(double seconds) {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const auto& head = joints_.headJoints();
-    bool others = std::find(head.begin(), head.end(), i) != head.end();
+    bool others = std::ranges::find(head, i) != head.end();
     for (const Leg leg : kLegs) {
       for (std::size_t j = 0; j < 3; ++j) others = others || joints_.legJoint(leg, j) == i;
     }

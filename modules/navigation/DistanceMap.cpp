@@ -111,8 +111,7 @@ void DistanceMap::transform() {
     const auto row = distances_.begin() + static_cast<std::ptrdiff_t>(y * width);
     std::copy_n(row, width, from.begin());
     transformLine(from, to, peaks, bounds);
-    std::transform(to.begin(), to.end(), row,
-                   [&](float squares) { return std::min(kFar, cell * std::sqrt(squares)); });
+    std::ranges::transform(to, row, [&](float squares) { return std::min(kFar, cell * std::sqrt(squares)); });
   }
 }
 

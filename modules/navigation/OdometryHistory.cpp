@@ -37,8 +37,7 @@ bool OdometryHistory::add(Instant time, const Pose2& robotInOdometry) {
 std::optional<Pose2> OdometryHistory::at(Instant time) const {
   if (entries_.empty() || time + kBeyond < entries_.front().time || time > entries_.back().time + kBeyond)
     return std::nullopt;
-  const auto after = std::lower_bound(entries_.begin(), entries_.end(), time,
-                                      [](const Entry& entry, Instant t) { return entry.time < t; });
+  const auto after = std::ranges::lower_bound(entries_, time, {}, &Entry::time);
   if (after == entries_.end()) return entries_.back().pose;
   if (after == entries_.begin() || after->time == time) return after->pose;
   const Entry& before = *(after - 1);

@@ -20,6 +20,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "simcore/Scene.h"
 #include "tests/TestFolder.h"
+#include "tests/colortool/Disc.h"
 
 using namespace app;
 using colortool::ColorTable;
@@ -120,9 +121,9 @@ std::vector<std::vector<Place>> placesIn(const std::vector<LabeledImage>& images
       for (int x = kRadius; x < image.width - kRadius; ++x) {
         bool fits = row[x] < classes && row[x - kRadius] == row[x] && row[x + kRadius] == row[x];
         if (!fits) continue;
-        colortool::visitDisc(image.width, image.height, x, y, kRadius, [&, label = row[x]](int atX, int atY) {
-          fits = fits && labels.row(atY)[atX] == label;
-        });
+        colortool::test::visitDisc(
+            image.width, image.height, x, y, kRadius,
+            [&, label = row[x]](int atX, int atY) { fits = fits && labels.row(atY)[atX] == label; });
         if (fits) places[row[x]].push_back({&one, x, y});
       }
     }

@@ -12,6 +12,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/colortool/AiboPatches.h"
+#include "tests/colortool/Disc.h"
 #include "tests/game/Data.h"
 #include "tests/game/Tables.h"
 #include "tests/game/View.h"
@@ -113,12 +114,13 @@ TEST_F(ImportedTables, ofTekkotsuSortsTheImagesOfARealAibo) {
         logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
     ASSERT_TRUE(image);
     int all = 0, found = 0;
-    colortool::visitDisc(image->width, image->height, thing.x, thing.y, thing.radius, [&](int x, int y) {
-      // The three channels of the file are Y, Cb and Cr.
-      const std::uint8_t* pixel = image->row(y) + std::ptrdiff_t{3} * x;
-      ++all;
-      if (classOf(imported, {pixel[0], pixel[1], pixel[2]}) == thing.name) ++found;
-    });
+    colortool::test::visitDisc(image->width, image->height, thing.x, thing.y, thing.radius,
+                               [&](int x, int y) {
+                                 // The three channels of the file are Y, Cb and Cr.
+                                 const std::uint8_t* pixel = image->row(y) + std::ptrdiff_t{3} * x;
+                                 ++all;
+                                 if (classOf(imported, {pixel[0], pixel[1], pixel[2]}) == thing.name) ++found;
+                               });
     EXPECT_GE(found, 0.9 * all) << thing.image << " at " << thing.x << ", " << thing.y << ": " << thing.name;
   }
 }

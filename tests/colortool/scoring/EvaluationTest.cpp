@@ -49,15 +49,5 @@ TEST(ColorImage, takesTheChromaOfItsPair) {
   EXPECT_EQ(image.at(1, 0), (robotlink::YCbCr{30, 20, 40}));
 }
 
-TEST(ColorImage, aDiscOfRadiusThreeHas29Pixels) {
-  int count = 0;
-  visitDisc(100, 100, 50, 50, 3, [&](int, int) { ++count; });
-  EXPECT_EQ(count, 29);
-  count = 0;
-  visitDisc(100, 100, 0, 0, 3, [&](int x, int y) { count += x >= 0 && y >= 0 ? 1 : 1000; });
-  EXPECT_EQ(count, 11) << "a quarter of it";
-  visitDisc(100, 100, 1e300, -1e300, 1e299, [&](int, int) { FAIL(); });
-}
-
 }  // namespace
 }  // namespace colortool
