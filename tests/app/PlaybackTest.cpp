@@ -16,14 +16,14 @@ namespace {
 using robotlink::Instant;
 using Real = Playback::RealTime;
 
-Instant at(double seconds) {
+Instant playbackAt(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
 }
 
 /// A log of which only the times of its messages are known, played in a real time that a test turns.
 struct Player {
   explicit Player(std::vector<double> times) {
-    for (const double time : times) log.push_back(at(time));
+    for (const double time : times) log.push_back(playbackAt(time));
   }
   Playback::Place place() const {
     Playback::Place place{log[index], log.front(), log.back(), std::nullopt};
@@ -98,7 +98,7 @@ TEST(Playback, theSpeedChangesFromWhereOneIs) {
   player.play();
   player.run(500ms);
   player.playback.setSpeed(0.5, player.real, player.place());
-  EXPECT_EQ(player.playback.reached(player.real, player.place()), at(0.5));
+  EXPECT_EQ(player.playback.reached(player.real, player.place()), playbackAt(0.5));
   EXPECT_EQ(player.run(2s), (Done{"1500 step 1", "1500 pause"}));
 }
 
@@ -142,8 +142,8 @@ TEST(Playback, allIsPlayedInALoop) {
 TEST(Playback, aRangeIsPlayedInALoopToItsEnd) {
   Player player({0, 0.2, 0.4, 0.6, 0.8});
   player.playback.setLoop(true);
-  player.playback.setRange(Playback::Range{at(0.2), at(0.5)});
-  player.jump(at(0.2));
+  player.playback.setRange(Playback::Range{playbackAt(0.2), playbackAt(0.5)});
+  player.jump(playbackAt(0.2));
   player.play();
   EXPECT_EQ(player.run(700ms), (Done{"200 step 2", "300 jump 1", "500 step 2", "600 jump 1"}));
 }
@@ -152,8 +152,8 @@ TEST(Playback, fromOutsideARangeTheLoopGoesToItsStart) {
   for (const double from : {0.0, 0.8}) {
     Player player({0, 0.2, 0.4, 0.6, 0.8});
     player.playback.setLoop(true);
-    player.playback.setRange(Playback::Range{at(0.2), at(0.4)});
-    player.jump(at(from));
+    player.playback.setRange(Playback::Range{playbackAt(0.2), playbackAt(0.4)});
+    player.jump(playbackAt(from));
     player.play();
     const Done done = player.run(150ms);
     ASSERT_EQ(done.size(), 1U);
@@ -164,8 +164,8 @@ TEST(Playback, fromOutsideARangeTheLoopGoesToItsStart) {
 TEST(Playback, aRangeMayBeginBetweenMessages) {
   Player player({0, 0.2, 0.4, 0.6, 0.8});
   player.playback.setLoop(true);
-  player.playback.setRange(Playback::Range{at(0.3), at(0.6)});
-  player.jump(at(0.3));
+  player.playback.setRange(Playback::Range{playbackAt(0.3), playbackAt(0.6)});
+  player.jump(playbackAt(0.3));
   player.play();
   EXPECT_EQ(player.run(900ms),
             (Done{"200 step 2", "400 step 3", "400 jump 1", "600 step 2", "800 step 3", "800 jump 1"}));
@@ -173,7 +173,7 @@ TEST(Playback, aRangeMayBeginBetweenMessages) {
 
 TEST(Playback, aRangeWithoutALoopChangesNothing) {
   Player player({0, 0.2, 0.4});
-  player.playback.setRange(Playback::Range{at(0), at(0.2)});
+  player.playback.setRange(Playback::Range{playbackAt(0), playbackAt(0.2)});
   player.play();
   EXPECT_EQ(player.run(1s), (Done{"200 step 1", "400 step 2", "400 pause"}));
 }
@@ -185,7 +185,7 @@ TEST(Playback, aLoopOfNoLengthDoesNotSpin) {
   EXPECT_LE(player.run(1s).size(), 11U);
   Player between({0, 10});
   between.playback.setLoop(true);
-  between.playback.setRange(Playback::Range{at(5), at(5.001)});
+  between.playback.setRange(Playback::Range{playbackAt(5), playbackAt(5.001)});
   between.play();
   EXPECT_LE(between.run(1s).size(), 11U);
 }
@@ -193,8 +193,8 @@ TEST(Playback, aLoopOfNoLengthDoesNotSpin) {
 TEST(Playback, betweenStepsTimeGoesOnButNotPastTheNext) {
   Player player({0, 1, 5});
   player.play();
-  EXPECT_EQ(player.playback.reached(player.start + 400ms, player.place()), at(0.4));
-  EXPECT_EQ(player.playback.reached(player.start + 5s, player.place()), at(1));
+  EXPECT_EQ(player.playback.reached(player.start + 400ms, player.place()), playbackAt(0.4));
+  EXPECT_EQ(player.playback.reached(player.start + 5s, player.place()), playbackAt(1));
   player.playback.pause();
-  EXPECT_EQ(player.playback.reached(player.start + 400ms, player.place()), at(0));
+  EXPECT_EQ(player.playback.reached(player.start + 400ms, player.place()), playbackAt(0));
 }
