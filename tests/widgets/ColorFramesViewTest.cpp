@@ -19,6 +19,8 @@
 #include "tests/game/View.h"
 #include "tests/widgets/CameraBench.h"
 #include "tests/widgets/LogBench.h"
+#include "widgets/color/LogImages.h"
+#include "widgets/color/quality/ColorQualityView.h"
 #include "widgets/log/LogReader.h"
 
 namespace widgets::test {
@@ -134,6 +136,40 @@ struct ShownFrames : LogBench {
 class ColorFramesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void someImagesSpreadOverALogAreRead() {
+    const TestFolder folder;
+    writeLog(folder / "game.mcap", std::vector<int>(60, 0));
+    LogImages reading({folder / "game.mcap", kStream, std::chrono::seconds(100)}, "red1-2/camera/image");
+    std::optional<std::vector<ColorFramePtr>> images;
+    QTRY_VERIFY_WITH_TIMEOUT((images = reading.take()).has_value(), kSearchMs);
+    QCOMPARE(images->size(), LogImages::kCount);
+    QCOMPARE(images->front()->stream(), std::string("red1-2/camera/image"));
+    QCOMPARE(images->front()->time(), at(110.2));
+    QCOMPARE(images->back()->time(), at(115.7));
+    QCOMPARE(images->front()->width(), kWidth);
+  }
+
+  void ofALogThatCannotBeReadThereAreNoImages() {
+    const TestFolder folder;
+    LogImages reading({folder / "missing.mcap", kStream}, kStream);
+    std::optional<std::vector<ColorFramePtr>> images;
+    QTRY_VERIFY_WITH_TIMEOUT((images = reading.take()).has_value(), kSearchMs);
+    QVERIFY(images->empty());
+  }
+
+  void theQualityTriesTheTableOnTheLogOfTheImage() {
+    const TestFolder folder;
+    writeLog(folder / "game.mcap", std::vector<int>(30, 0));
+    ShownFrames s;
+    s.openLog(folder / "game.mcap");
+    ColorQualityView quality(s.context);
+    quality.show();
+    const auto& note = test::child<QLabel>(quality, "strokesNote");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (quality.tick(), note.text().contains(QStringLiteral("In 12 images spread over the log"))),
+        kSearchMs);
+  }
+
   void theImagesOfALogAreListedWorstFirst() {
     const TestFolder folder;
     writeLog(folder / "game.mcap", {0, 3, 0, 40, 1, 0, 12});

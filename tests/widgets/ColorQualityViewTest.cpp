@@ -200,6 +200,25 @@ class ColorQualityViewTest : public QObject {
              qPrintable(note()));
   }
 
+  void twoHugeStrokesThatVouchForEachOtherAreSeenThroughInTheImagesOfTheLog() {
+    goodStrokes();
+    bench_->setLogImages({world_->frame(40, 30, 1), world_->frame(40, 30, 2)});
+    QTRY_VERIFY2(note().contains(QStringLiteral("In 2 images spread over the log")), qPrintable(note()));
+    QVERIFY2(!note().contains(QStringLiteral("background's colors")), qPrintable(note()));
+    bench_->setCurrentClass(2);
+    bench_->addStroke(colortool::rectangleArea(40, 30, {21, 16}, {39, 22}), "rectangle");
+    bench_->addStroke(colortool::rectangleArea(40, 30, {21, 23}, {39, 29}), "rectangle");
+    // Each of both has a recall of 100 %, since the other one has the same colors.
+    QTRY_VERIFY2(
+        note().contains(QStringLiteral("Of the background's colors there it takes for a class: 100 % "
+                                       "green.")),
+        qPrintable(note()));
+    QVERIFY2(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")),
+             qPrintable(summary("strokes")));
+    bench_->setLogImages({});
+    QTRY_VERIFY(!note().contains(QStringLiteral("spread over the log")));
+  }
+
   void oneStrokeIsNotCalledStrokes() {
     colortool::Samples one = colortool::quarterSamples();
     one.strokes.resize(1);

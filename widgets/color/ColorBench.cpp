@@ -165,6 +165,12 @@ void ColorBench::rememberFrame() {
   others_.push_back(frame_);
 }
 
+void ColorBench::setLogImages(std::vector<ColorFramePtr> images) {
+  if (images.empty() && logImages_.empty()) return;
+  logImages_ = std::move(images);
+  ask();
+}
+
 void ColorBench::collect() {
   if (!frame_) return;
   const bool there = std::ranges::any_of(
@@ -254,7 +260,9 @@ void ColorBench::setPointed(const std::optional<robotlink::YCbCr>& color) {
 }
 
 void ColorBench::ask() {
-  learner_->ask({++asked_, document_.samples(), frame_, labeled_, reference_, others_});
+  const bool ofLog = !logImages_.empty();
+  learner_->ask(
+      {++asked_, document_.samples(), frame_, labeled_, reference_, ofLog ? logImages_ : others_, ofLog});
 }
 
 void ColorBench::takeNews() {

@@ -124,6 +124,10 @@ class ColorBench final : public QObject {
   const std::vector<LabeledFrame>& labeled() const { return *labeled_; }
   void setLabeled(std::vector<LabeledFrame> labeled);
 
+  /// Images spread over a log, on which tables are tried instead of on those that were seen; none: there is
+  /// no log.
+  void setLogImages(std::vector<ColorFramePtr> images);
+
   /// The selection: cells of the table. Image views highlight pixels of these colors, the color space view
   /// the cells.
   const colortool::CellSet& selection() const { return selection_; }
@@ -192,6 +196,8 @@ class ColorBench final : public QObject {
   std::vector<CollectedFrame> collected_;
   /// Images that were seen, at least a second apart, at most twelve; the table is tried on them.
   std::vector<ColorFramePtr> others_;
+  /// See setLogImages().
+  std::vector<ColorFramePtr> logImages_;
   ReferenceTable givenReference_;
   std::shared_ptr<const colortool::ColorTable> reference_;
   /// The classes by which reference_ is numbered.

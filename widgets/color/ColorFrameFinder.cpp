@@ -53,6 +53,11 @@ std::optional<ColorFrameFinder::Place> ColorFrameFinder::placeInLogs(const std::
   return std::nullopt;
 }
 
+std::optional<LoggedImages> ColorFrameFinder::loggedImages() const {
+  const auto place = placeInLogs(streamToSearch());
+  return place ? std::optional(std::get<LoggedImages>(place->images)) : std::nullopt;
+}
+
 robotlink::Result<ColorFrameFinder::Place> ColorFrameFinder::findPlace() const {
   const std::string stream = streamToSearch();
   if (stream.empty()) {

@@ -43,6 +43,10 @@ class ColorFrameFinder final : public QObject {
 
   /// The frames that were found.
   SuspiciousFrameModel& model() { return model_; }
+  /// Where the images that it would search are in a log; unset if they are in none.
+  std::optional<LoggedImages> loggedImages() const;
+  /// The stream of the current image, else the first image stream of the log; empty if there is none.
+  std::string streamToSearch() const;
   /// Moves the timeline, or the play head of the replay, to a frame of the model.
   void show(int row);
 
@@ -77,8 +81,6 @@ class ColorFrameFinder final : public QObject {
   robotlink::Result<Place> findPlace() const;
   /// The open log that contains a stream; unset if none does.
   std::optional<Place> placeInLogs(const std::string& stream) const;
-  /// The stream of the current image, else the first image stream of the log; empty if there is none.
-  std::string streamToSearch() const;
   /// Begins the search if the table and its margins are ready.
   void start();
   /// Takes results and progress from the search.

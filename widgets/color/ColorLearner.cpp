@@ -79,7 +79,8 @@ void ColorLearner::askForScore(const ColorTask& task) {
   work_->scoredImages = task.labeled;
   work_->scoredReference = task.reference;
   work_->scoredOthers = task.others;
-  scorer_.ask({task.number, task.samples, work_->table, task.labeled, task.reference, task.others});
+  scorer_.ask(
+      {task.number, task.samples, work_->table, task.labeled, task.reference, task.others, task.othersOfLog});
 }
 
 }  // namespace widgets

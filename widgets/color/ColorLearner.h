@@ -28,6 +28,7 @@ struct ColorTask {
   std::shared_ptr<const std::vector<LabeledFrame>> labeled = {};
   std::shared_ptr<const colortool::ColorTable> reference = {};
   std::vector<ColorFramePtr> others = {};
+  bool othersOfLog = false;
 };
 
 /// A trained table and the segmentation of an image with it. Immutable.

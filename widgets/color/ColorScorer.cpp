@@ -45,14 +45,20 @@ void add(Evaluation& evaluation, const LabeledFrame& labeled, const ColorScorer:
   evaluation.add(table, seen(*labeled.frame, task.samples), labels);
 }
 
-/// Counts the suspicious pixels of images, which the table sees with their cameras' corrections.
-class SuspicionCount {
+/// Counts the suspicious pixels of images, and those with colors of the background. The table sees them with
+/// their cameras' corrections.
+class UnlabeledCount {
  public:
-  explicit SuspicionCount(const ColorScorer::Task& task)
-      : samples_(task.samples), meter_(*task.table, {}, colortool::objectClasses(task.samples.classes)) {}
+  explicit UnlabeledCount(const ColorScorer::Task& task)
+      : samples_(task.samples),
+        meter_(*task.table, {}, colortool::objectClasses(task.samples.classes)),
+        background_(task.samples, *task.table) {}
 
   void add(const ColorFrame& frame, ColorQuality::Others& others) {
-    const colortool::Suspicion suspicion = meter_.measure(corrected(frame));
+    const robotlink::ImageView image = corrected(frame);
+    const colortool::Suspicion suspicion = meter_.measure(image);
+    background_.add(image);
+    others.background = background_.counts();
     others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
     for (std::size_t i = 0; i < suspicion.byClass.size(); ++i)
       others.suspicious[i] +=
@@ -72,6 +78,7 @@ class SuspicionCount {
 
   const colortool::Samples& samples_;
   colortool::SuspicionMeter meter_;
+  colortool::BackgroundColors background_;
   std::optional<colortool::ImageCorrector> corrector_;
   /// The image that was corrected last.
   robotlink::Image image_;
@@ -89,7 +96,8 @@ bool scoreImages(const ColorScorer::Task& task, const std::stop_token& stop, Col
     quality.labeled.emplace(std::move(evaluation));
     if (task.reference) quality.referenceLabeled.emplace(std::move(reference));
   }
-  SuspicionCount count(task);
+  quality.others.ofLog = task.othersOfLog;
+  UnlabeledCount count(task);
   for (const ColorFramePtr& frame : task.others) {
     if (stop.stop_requested()) return false;
     count.add(*frame, quality.others);

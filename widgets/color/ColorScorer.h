@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "colortool/scoring/BackgroundColors.h"
 #include "colortool/scoring/CrossValidation.h"
 #include "colortool/table/ColorTable.h"
 #include "robotlink/base/Worker.h"
@@ -47,6 +48,10 @@ struct ColorQuality {
     std::uint64_t pixels = 0;
     /// Suspicious pixels by class.
     std::vector<std::uint64_t> suspicious;
+    /// What the classes take of the background's colors there.
+    colortool::BackgroundColors::Counts background;
+    /// Whether the images are spread over a log, rather than those that the user has seen.
+    bool ofLog = false;
   };
   Others others;
 };
@@ -65,8 +70,9 @@ class ColorScorer {
     std::shared_ptr<const std::vector<LabeledFrame>> labeled;
     /// Numbered by the samples' classes; null: none.
     std::shared_ptr<const colortool::ColorTable> reference;
-    /// Unlabeled images in which suspicious pixels are counted.
+    /// Unlabeled images in which suspicious pixels and colors of the background are counted.
     std::vector<ColorFramePtr> others;
+    bool othersOfLog = false;
   };
   /// `news` is called in the scorer's thread whenever there is a score to take; it must not block.
   explicit ColorScorer(std::function<void()> news);

@@ -17,6 +17,8 @@ namespace {
 constexpr int kFoundThumbnailHeight = 54;
 constexpr std::size_t kFrameCacheBytes = 16U << 20U;  // each image is read once
 
+}  // namespace
+
 std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMessage& message) {
   if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(message.value)) {
     auto image = logplayer::rawImage(*compressed);
@@ -24,8 +26,6 @@ std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMess
   }
   return std::dynamic_pointer_cast<const foxglove::RawImage>(message.value);
 }
-
-}  // namespace
 
 /// What the thread needs to examine images.
 struct FrameSearch::Eye {

@@ -16,6 +16,10 @@
 #include "robotlink/base/Worker.h"
 #include "robotlink/session/StreamMessage.h"
 
+namespace foxglove {
+class RawImage;
+}
+
 namespace widgets {
 
 /// An image with suspicious pixels.
@@ -35,7 +39,11 @@ struct LoggedImages {
   std::string stream;
   /// Added to the log's times to get times of the timeline.
   robotlink::Duration offset{0};
+  bool operator==(const LoggedImages&) const = default;
 };
+/// The image of a message, decoded if it is compressed; null if it has none that can be decoded.
+std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMessage& message);
+
 /// Images in the session's history.
 using KeptImages = std::vector<robotlink::StreamMessage>;
 

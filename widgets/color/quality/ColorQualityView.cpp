@@ -15,6 +15,7 @@
 #include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFrameFinder.h"
 #include "widgets/color/LabeledFolder.h"
 #include "widgets/color/quality/ConfusionModel.h"
 #include "widgets/color/quality/ConfusionPanel.h"
@@ -34,6 +35,8 @@ constexpr int kFewStrokes = 5;
 
 /// A smaller share of the background that a class takes is not told.
 constexpr double kMinTaken = 0.01;
+/// A larger share of all pixels of one class is reported.
+constexpr double kMostOfAll = 0.5;
 
 /// The camera of the strokes' images if they all have the same one.
 std::string onlyCamera(const colortool::Samples& samples) {
@@ -157,9 +160,24 @@ void ColorQualityView::takeRead() {
 
 void ColorQualityView::tick() {
   trueClasses_.tick();
+  followLog();
   if (reading_) takeRead();
   if (simulated_->isChecked()) say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
   close_->setEnabled(!bench_.labeled().empty() || reading_ != nullptr);
+}
+
+void ColorQualityView::followLog() {
+  const ColorFrameFinder& finder = colorFrameFinder(context());
+  if (auto log = finder.loggedImages(); log != log_) {
+    logImages_ = log ? std::make_unique<LogImages>(*log, finder.streamToSearch()) : nullptr;
+    log_ = std::move(log);
+    bench_.setLogImages({});
+  }
+  if (!logImages_) return;
+  auto images = logImages_->take();
+  if (!images) return;
+  logImages_.reset();
+  bench_.setLogImages(*std::move(images));
 }
 
 void ColorQualityView::showQuality() {
@@ -215,29 +233,50 @@ QString ColorQualityView::othersNote() const {
   const auto share = [&](std::uint64_t pixels) {
     return QString::number(100 * static_cast<double>(pixels) / static_cast<double>(others.pixels), 'f', 2);
   };
-  if (all == 0) return tr("In the %1 images seen no color is where it cannot be.").arg(others.images);
-  const auto most = std::ranges::max_element(others.suspicious);
-  const auto colorClass = static_cast<int>(most - others.suspicious.begin());
-  return tr("In the %1 images seen %2 % of the pixels have the color of a thing where none can be, mostly %3 "
-            "(%4 %); the view Suspicious frames shows where.")
-      .arg(others.images)
-      .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));
+  const QString where = (others.ofLog ? tr("In %1 images spread over the log") : tr("In the %1 images seen"))
+                            .arg(others.images);
+  QString text = tr("%1 no color is where it cannot be.").arg(where);
+  if (all > 0) {
+    const auto most = std::ranges::max_element(others.suspicious);
+    const auto colorClass = static_cast<int>(most - others.suspicious.begin());
+    text = tr("%1 %2 % of the pixels have the color of a thing where none can be, mostly %3 (%4 %); the view "
+              "Suspicious frames shows where.")
+               .arg(where, share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)),
+                    share(*most));
+  }
+  return text + othersBackgroundNote();
+}
+
+QString ColorQualityView::sharesOf(std::span<const std::uint64_t> pixels, std::uint64_t all, double min,
+                                   std::vector<bool> leftOut) const {
+  QStringList shares;
+  leftOut.resize(pixels.size());
+  for (std::size_t i = 1; i < pixels.size() && all > 0; ++i) {
+    const double share = static_cast<double>(pixels[i]) / static_cast<double>(all);
+    if (share >= min && !leftOut[i])
+      shares << tr("%1 % %2")
+                    .arg(qRound(100 * share))
+                    .arg(QString::fromStdString(bench_.quality()->classes.name(static_cast<int>(i))));
+  }
+  return shares.join(QStringLiteral(", "));
+}
+
+QString ColorQualityView::othersBackgroundNote() const {
+  const auto& counts = bench_.quality()->others.background;
+  QString text;
+  if (const QString taken = sharesOf(counts.taken, counts.background, kMinTaken); !taken.isEmpty())
+    text += tr(" Of the background's colors there it takes for a class: %1.").arg(taken);
+  if (const QString most = sharesOf(counts.covered, counts.pixels, kMostOfAll); !most.isEmpty())
+    text += tr(" Most of their pixels are of one class: %1.").arg(most);
+  return text;
 }
 
 QString ColorQualityView::backgroundNote(const colortool::Evaluation& evaluation) const {
-  const std::uint64_t all = evaluation.labeled(0);
-  const auto things = colortool::objectClasses(bench_.quality()->classes);
-  QStringList taken;
-  for (int found = 1; found < evaluation.classes() && all > 0; ++found) {
-    const double share = static_cast<double>(evaluation.count(0, found)) / static_cast<double>(all);
-    if (share >= kMinTaken && !things[static_cast<std::size_t>(found)])
-      taken << tr("%1 % %2")
-                   .arg(qRound(100 * share))
-                   .arg(QString::fromStdString(bench_.quality()->classes.name(found)));
-  }
-  return taken.isEmpty()
-             ? QString()
-             : tr("Of the background it takes for a class: %1.").arg(taken.join(QStringLiteral(", ")));
+  std::vector<std::uint64_t> found;
+  for (int i = 0; i < evaluation.classes(); ++i) found.push_back(evaluation.count(0, i));
+  const QString taken =
+      sharesOf(found, evaluation.labeled(0), kMinTaken, colortool::objectClasses(bench_.quality()->classes));
+  return taken.isEmpty() ? QString() : tr("Of the background it takes for a class: %1.").arg(taken);
 }
 
 QString ColorQualityView::strokesNote() const {

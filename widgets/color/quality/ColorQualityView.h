@@ -3,12 +3,14 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "colortool/scoring/Evaluation.h"
 
 #include "widgets/View.h"
 #include "widgets/color/ColorActions.h"
+#include "widgets/color/LogImages.h"
 #include "widgets/color/TrueClassFrames.h"
 
 class QAction;
@@ -56,8 +58,16 @@ class ColorQualityView final : public View {
   QString strokesNote() const;
   /// Number of labeled images and where they are from.
   QString countNote() const;
-  /// Suspicious pixels in other images.
+  /// Suspicious pixels in other images, and what is taken there of the background.
   QString othersNote() const;
+  /// "83 % green, 2 % white": the classes with at least this share of all pixels, but for those left out.
+  QString sharesOf(std::span<const std::uint64_t> pixels, std::uint64_t all, double min,
+                   std::vector<bool> leftOut = {}) const;
+  /// Which part of the pixels in other images a class covers, if that is most of them, and what classes take
+  /// of the background's colors there; empty if there is nothing to report.
+  QString othersBackgroundNote() const;
+  /// Tries the table on images spread over the log from which the current image is.
+  void followLog();
   /// What of the background is taken for a class that is no color of things, such as a wall for green; empty
   /// if that is next to nothing.
   QString backgroundNote(const colortool::Evaluation& evaluation) const;
@@ -70,6 +80,10 @@ class ColorQualityView final : public View {
   ColorBench& bench_;
   ColorActions history_;
   TrueClassFrames trueClasses_;
+  /// The log whose images the table is tried on; unset: none.
+  std::optional<LoggedImages> log_;
+  /// Null: no images of a log are being read.
+  std::unique_ptr<LogImages> logImages_;
   /// Null: no folder is being read.
   std::unique_ptr<LabeledFolder> reading_;
   /// Where labeled images were opened last.
