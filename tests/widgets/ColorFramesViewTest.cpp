@@ -141,7 +141,7 @@ class ColorFramesViewTest : public QObject {
     writeLog(folder / "game.mcap", std::vector<int>(60, 0));
     LogImages reading({folder / "game.mcap", kStream, std::chrono::seconds(100)}, "red1-2/camera/image");
     std::optional<std::vector<ColorFramePtr>> images;
-    QTRY_VERIFY_WITH_TIMEOUT((images = reading.take()).has_value(), kSearchMs);
+    QTRY_VERIFY_WITH_TIMEOUT((images = images ? std::move(images) : reading.take()).has_value(), kSearchMs);
     QCOMPARE(images->size(), LogImages::kCount);
     QCOMPARE(images->front()->stream(), std::string("red1-2/camera/image"));
     QCOMPARE(images->front()->time(), at(110.2));
@@ -153,7 +153,7 @@ class ColorFramesViewTest : public QObject {
     const TestFolder folder;
     LogImages reading({folder / "missing.mcap", kStream}, kStream);
     std::optional<std::vector<ColorFramePtr>> images;
-    QTRY_VERIFY_WITH_TIMEOUT((images = reading.take()).has_value(), kSearchMs);
+    QTRY_VERIFY_WITH_TIMEOUT((images = images ? std::move(images) : reading.take()).has_value(), kSearchMs);
     QVERIFY(images->empty());
   }
 
