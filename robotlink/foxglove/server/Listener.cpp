@@ -163,6 +163,7 @@ class StreamConnection final : public Connection,
   void read();
   void onRead(error_code error, std::size_t bytes);
   void send();
+  void cork(bool isOn);
   void onSent(error_code error, std::size_t bytes);
   void lookAtSilence(Instant now);
   void close(const std::string& reason);
@@ -184,7 +185,7 @@ class StreamConnection final : public Connection,
   ClientPtr client_;
   Allowance messages_;
   std::optional<Outgoing> sending_;
-  bool isGreeted_ = false, isPinging_ = false, isReading_ = false;
+  bool isGreeted_ = false, isPinging_ = false, isReading_ = false, isCorked_ = false;
   /// When the handshake or, later, the conversation began; something was heard; the message that is being
   /// read began; the client was told to go; and was asked for a sign of life.
   Instant beganAt_, heardAt_, messageAt_, closingAt_, pingedAt_;
@@ -295,6 +296,7 @@ template <typename Stream>
 void StreamConnection<Stream>::send() {
   if (!isGreeted_ || sending_ || state_ != State::kOpen) return;
   sending_ = port_.server->next(*client_, port_.now());
+  cork(sending_ && sending_->hasMore);
   if (!sending_) {
     if (const std::string reason = port_.server->closingReason(*client_); !reason.empty()) close(reason);
     return;
@@ -303,6 +305,15 @@ void StreamConnection<Stream>::send() {
   const std::array<asio::const_buffer, 2> parts{asio::buffer(sending_->head.data(), sending_->headSize),
                                                 asio::buffer(*sending_->payload)};
   socket_.async_write(parts, handler(&StreamConnection::onSent));
+}
+
+/// While there is more to send, the system fills its packets, which makes small messages twice as fast.
+template <typename Stream>
+void StreamConnection<Stream>::cork(bool isOn) {
+  if (isCorked_ == isOn) return;
+  isCorked_ = isOn;
+  const int value = isOn ? 1 : 0;
+  ::setsockopt(beast::get_lowest_layer(socket_).native_handle(), IPPROTO_TCP, TCP_CORK, &value, sizeof value);
 }
 
 template <typename Stream>

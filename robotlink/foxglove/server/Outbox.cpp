@@ -79,6 +79,7 @@ std::optional<Outgoing> Outbox::next(Instant now) {
     stream.counters.bytes += message->size();
   }
   if (!message) return message;
+  message->hasMore = !isEmpty();
   budget_.take(message->size());
   sentBytes_ += message->size();
   return message;

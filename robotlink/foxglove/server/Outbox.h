@@ -37,6 +37,8 @@ struct Outgoing {
   std::array<std::uint8_t, kMessageHeadSize> head{};
   std::size_t headSize = 0;
   SharedBytes payload;
+  /// Whether another message waited when this one was taken.
+  bool hasMore = false;
 
   std::size_t size() const { return headSize + (payload ? payload->size() : 0); }
 };
