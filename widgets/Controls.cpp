@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
+#include <QSplitter>
+#include <QTableView>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -39,6 +41,13 @@ QAction* makeAction(QWidget* owner, const char* iconName, const ControlText& tex
   return action;
 }
 
+QAction* makeToggle(QWidget* owner, const char* iconName, const ControlText& text, bool on) {
+  QAction* action = makeAction(owner, iconName, text);
+  action->setCheckable(true);
+  action->setChecked(on);
+  return action;
+}
+
 QToolButton* makeButton(QWidget* parent, QAction* action) {
   auto* button = new QToolButton(parent);
   button->setDefaultAction(action);
@@ -51,6 +60,22 @@ QToolButton* makeButton(QWidget* parent, QAction* action) {
   return button;
 }
 
+QToolButton* makeLabeledButton(QWidget* parent, QAction* action) {
+  QToolButton* button = makeButton(parent, action);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  return button;
+}
+
+QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu) {
+  auto* button = new QToolButton(parent);
+  describe(*button, text);
+  button->setText(text.text);
+  button->setAutoRaise(true);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setMenu(menu);
+  return button;
+}
+
 QHBoxLayout* makeToolRow(QWidget* parent) {
   auto* layout = new QHBoxLayout(new QWidget(parent));
   layout->setContentsMargins(2, 2, 2, 2);
@@ -60,6 +85,24 @@ QHBoxLayout* makeToolRow(QWidget* parent) {
 
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions) {
   for (QAction* action : actions) row->addWidget(makeButton(row->parentWidget(), action));
+}
+
+QVBoxLayout* makeColumn(QWidget* widget, const QMargins& margins, int spacing) {
+  auto* layout = new QVBoxLayout(widget);
+  layout->setContentsMargins(margins);
+  layout->setSpacing(spacing);
+  return layout;
+}
+
+QSplitter* makeSplitter(QWidget* parent, const char* name, Qt::Orientation orientation,
+                        std::initializer_list<SplitterPart> parts) {
+  auto* splitter = new QSplitter(orientation, parent);
+  splitter->setObjectName(QString::fromLatin1(name));
+  for (const SplitterPart& part : parts) {
+    splitter->addWidget(part.widget);
+    splitter->setStretchFactor(splitter->count() - 1, part.stretch);
+  }
+  return splitter;
 }
 
 QHBoxLayout* makeFooter(QWidget* parent) {
@@ -77,6 +120,25 @@ QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text) {
   return label;
 }
 
+QLabel* makeNote(QWidget* parent, const char* name, const QString& text) {
+  auto* label = new QLabel(parent);
+  describe(*label, {name, text, {}});
+  label->setWordWrap(true);
+  return label;
+}
+
+void setMeaning(QLabel& label, std::optional<Meaning> meaning) {
+  const QPalette usual = label.parentWidget()->palette();
+  QPalette colors;
+  if (meaning) colors.setColor(QPalette::WindowText, colorOf(*meaning, usual));
+  label.setPalette(colors);
+}
+
+void showOutcome(QLabel& label, const QString& text, bool bad) {
+  setMeaning(label, bad ? std::optional(Meaning::kBad) : std::nullopt);
+  label.setText(text);
+}
+
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {
   auto* field = new QLineEdit(parent);
   describe(*field, text);
@@ -91,6 +153,19 @@ QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {
 
 int textWidth(const QWidget& widget, const QString& text) {
   return widget.fontMetrics().horizontalAdvance(text) + 14;
+}
+
+QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model) {
+  auto* table = new QTableView(parent);
+  describe(*table, text);
+  table->setToolTip({});
+  table->setModel(model);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setAlternatingRowColors(true);
+  table->setShowGrid(false);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
+  return table;
 }
 
 void styleTree(QTreeView& tree) {

@@ -2,15 +2,24 @@
 #pragma once
 
 #include <QKeySequence>
+#include <QMargins>
 #include <QString>
 #include <initializer_list>
+#include <optional>
 
+#include "widgets/Theme.h"
+
+class QAbstractItemModel;
 class QAction;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
+class QMenu;
+class QSplitter;
+class QTableView;
 class QToolButton;
 class QTreeView;
+class QVBoxLayout;
 class QWidget;
 
 // Factory functions for the controls that all views have in common: actions, buttons, tool rows, footers,
@@ -35,19 +44,42 @@ void describe(QWidget& widget, const ControlText& text);
 /// Creates an action of `owner`, named as describe() names a widget. `icon` is a name for widgets::icon().
 /// The shortcut works while the focus is anywhere within `owner`.
 QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
+/// The same for something that is on or off; `on`: how it begins.
+QAction* makeToggle(QWidget* owner, const char* icon, const ControlText& text, bool on = false);
 /// Returns a flat button that triggers the action.
 QToolButton* makeButton(QWidget* parent, QAction* action);
+/// The same with the action's text beside the icon.
+QToolButton* makeLabeledButton(QWidget* parent, QAction* action);
+/// Returns a flat button with the text that opens a menu.
+QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu);
 /// Creates a row for tools above a picture, with the margins of a toolbar. Returns its layout; the row itself
 /// is the layout's parentWidget().
 QHBoxLayout* makeToolRow(QWidget* parent);
 /// Appends a flat button for each action.
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions);
+/// Gives a widget a layout in which its parts lie one below the other.
+QVBoxLayout* makeColumn(QWidget* widget, const QMargins& margins = {}, int spacing = 0);
+/// A part of a splitter, and which share of the room it gets, compared with the others.
+struct SplitterPart {
+  QWidget* widget;
+  int stretch = 0;
+};
+/// Creates a splitter. `name` is its object name.
+QSplitter* makeSplitter(QWidget* parent, const char* name, Qt::Orientation orientation,
+                        std::initializer_list<SplitterPart> parts);
 /// Creates a row for short texts below a picture. Returns its layout; the row itself is the layout's
 /// parentWidget().
 QHBoxLayout* makeFooter(QWidget* parent);
 /// Appends a label to the footer. `name` is its object name, `text` its accessible name; the label starts
 /// empty.
 QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text);
+/// Creates a label that starts empty and wraps its lines. `name` is its object name, `text` its accessible
+/// name.
+QLabel* makeNote(QWidget* parent, const char* name, const QString& text);
+/// Shows the label in the color of a meaning; unset: in the usual color.
+void setMeaning(QLabel& label, std::optional<Meaning> meaning);
+/// Shows what came of a request; `bad`: in the color of an error.
+void showOutcome(QLabel& label, const QString& text, bool bad);
 /// Creates a search field with an icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);
 /// Width in pixels that a column needs for this text, in the widget's font.
@@ -55,5 +87,8 @@ int textWidth(const QWidget& widget, const QString& text);
 /// Applies the look that all trees share: alternating rows of equal height, no focus frame, no editing on a
 /// single click.
 void styleTree(QTreeView& tree);
+/// Creates a table with the look that all tables share: alternating rows as high as a line, which are
+/// selected as a whole; no grid, no row numbers, nothing in bold. `text` has no tool tip: cells have theirs.
+QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
 
 }  // namespace widgets

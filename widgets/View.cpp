@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/View.h"
 
+#include <QAction>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSplitter>
 #include <algorithm>
+
+#include "widgets/HeaderState.h"
+#include "widgets/SplitterState.h"
 
 namespace widgets {
 namespace {
@@ -14,6 +22,54 @@ std::vector<ViewType>& registeredViews() {
 }  // namespace
 
 View::View(ViewContext& context, QWidget* parent) : QWidget(parent), context_(context) {}
+
+QJsonObject View::saveState() const {
+  QJsonObject state;
+  for (const Kept& kept : kept_) state.insert(kept.name, kept.save());
+  return state;
+}
+
+void View::restoreState(const QJsonObject& state) {
+  for (const Kept& kept : kept_) kept.restore(state.value(kept.name));
+}
+
+void View::keep(const char* name, Save save, Restore restore) {
+  kept_.push_back({QString::fromLatin1(name), std::move(save), std::move(restore)});
+}
+
+void View::keep(const char* name, QAction* toggle) {
+  keep(
+      name, [toggle] { return QJsonValue(toggle->isChecked()); },
+      [toggle, usual = toggle->isChecked()](const QJsonValue& value) {
+        toggle->setChecked(value.toBool(usual));
+      });
+}
+
+void View::keep(const char* name, QLineEdit* text) {
+  keep(
+      name, [text] { return QJsonValue(text->text()); },
+      [text](const QJsonValue& value) { text->setText(value.toString()); });
+}
+
+void View::keep(const char* name, QComboBox* choice) {
+  keep(
+      name, [choice] { return QJsonValue(choice->currentIndex()); },
+      [choice, usual = choice->currentIndex()](const QJsonValue& value) {
+        choice->setCurrentIndex(std::clamp(value.toInt(usual), 0, choice->count() - 1));
+      });
+}
+
+void View::keep(const char* name, QSplitter* splitter) {
+  keep(
+      name, [splitter] { return splitterState(*splitter); },
+      [splitter](const QJsonValue& value) { restoreSplitter(*splitter, value); });
+}
+
+void View::keep(const char* name, QHeaderView* columns) {
+  keep(
+      name, [columns] { return headerState(*columns); },
+      [columns](const QJsonValue& value) { restoreHeader(*columns, value); });
+}
 
 const std::vector<ViewType>& ViewRegistry::all() {
   return registeredViews();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QIcon>
 #include <QJsonObject>
 #include <QString>
 #include <QWidget>
@@ -10,6 +9,12 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+class QAction;
+class QComboBox;
+class QHeaderView;
+class QLineEdit;
+class QSplitter;
 
 namespace robotlink {
 class CommandTable;
@@ -52,11 +57,12 @@ class View : public QWidget {
 
   /// Updates what is shown. Must not block.
   virtual void tick() = 0;
-  /// The user's choices, to be kept over restarts and in perspectives (saved window layouts).
-  virtual QJsonObject saveState() const { return {}; }
+  /// The user's choices, to be kept over restarts and in perspectives (saved window layouts): what keep() has
+  /// added.
+  virtual QJsonObject saveState() const;
   /// Applies what saveState() returned, possibly in another version: unknown or missing entries must be
   /// harmless.
-  virtual void restoreState(const QJsonObject& state) { (void)state; }
+  virtual void restoreState(const QJsonObject& state);
 
  Q_SIGNALS:
   /// The title of the dock changed: "Image: red1/camera".
@@ -66,8 +72,41 @@ class View : public QWidget {
   ViewContext& context() const { return context_; }
   robotlink::Session& session() const { return context_.session; }
 
+  using Save = std::function<QJsonValue()>;
+  using Restore = std::function<void(const QJsonValue&)>;
+  /// Adds an entry to the saved state. `restore` gets an undefined value if a state has no such entry.
+  /// Entries are restored in the order in which they were added.
+  void keep(const char* name, Save save, Restore restore);
+  /// The same for a control, which must live as long as the view. Where a state has no such entry the control
+  /// gets what it has now.
+  void keep(const char* name, QAction* toggle);
+  void keep(const char* name, QLineEdit* text);
+  /// By the index of the entry, which must mean the same in all versions.
+  void keep(const char* name, QComboBox* choice);
+  /// What the user did with a splitter or with the columns of a table; nothing changes without an entry.
+  void keep(const char* name, QSplitter* splitter);
+  void keep(const char* name, QHeaderView* columns);
+  /// A control with a choice of its own, such as RobotChoice.
+  template <typename Control>
+  requires requires(Control& control) { control.setChoice(control.choice()); }
+  void keep(const char* name, Control* control) {
+    keep(
+        name, [control] { return QJsonValue(control->choice()); },
+        [control, usual = control->choice()](const QJsonValue& value) {
+          control->setChoice(value.toString(usual));
+        });
+  }
+
  private:
+  /// An entry of the saved state.
+  struct Kept {
+    QString name;
+    Save save;
+    Restore restore;
+  };
+
   ViewContext& context_;
+  std::vector<Kept> kept_;
 };
 
 /// A kind of view, as menus and saved window layouts know it.

@@ -131,13 +131,11 @@ void ColorFileActions::connectSignals() {
 
 void ColorFileActions::addTo(QHBoxLayout* row) const {
   addButtons(row, {new_, open_, save_});
-  auto* more = new QToolButton(row->parentWidget());
-  describe(*more, {"colorFiles", tr("More with files"),
-                   tr("Save as, merge, export the table, read a table to compare with")});
+  auto* more = makeMenuButton(row->parentWidget(),
+                              {"colorFiles", tr("More with files"),
+                               tr("Save as, merge, export the table, read a table to compare with")},
+                              menu_);
   more->setText(tr("More"));
-  more->setAutoRaise(true);
-  more->setPopupMode(QToolButton::InstantPopup);
-  more->setMenu(menu_);
   row->addWidget(more);
 }
 

@@ -66,7 +66,10 @@ class ColorFiles final : public QObject {
 
   /// The folder of the last file that was read or written; where dialogs start.
   const QString& folder() const { return folder_; }
-  void setFolder(const QString& folder) { folder_ = folder; }
+  /// Where dialogs start as long as no file was read or written.
+  void proposeFolder(const QString& folder) {
+    if (folder_.isEmpty()) folder_ = folder;
+  }
 
   /// The last text of told() or of the bench's failed(), for views that are opened later; empty at first.
   struct Message {

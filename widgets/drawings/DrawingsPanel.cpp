@@ -49,9 +49,7 @@ void DrawingsPanel::createViews() {
   connect(filtered_, &QAbstractItemModel::modelReset, hint, update);
   update();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 0, 0, 0);
-  layout->setSpacing(2);
+  auto* layout = makeColumn(this, {4, 0, 0, 0}, 2);
   layout->addWidget(search);
   layout->addWidget(list_, 1);
   layout->addWidget(createButtons());

@@ -81,19 +81,19 @@ BaseStateView::BaseStateView(ViewContext& context, QWidget* parent) : View(conte
   createRows();
   createViews();
   connectSignals();
+  keep("robot", robots_);
   tick();
 }
 
 void BaseStateView::createActions() {
-  motors_ = makeAction(
+  motors_ = makeToggle(
       this, "motors",
       {"baseMotors", tr("Motors"), tr("Switches the motors on and off, at the base"), tr("Ctrl+M")});
-  sonar_ = makeAction(this, "sonar",
+  sonar_ = makeToggle(this, "sonar",
                       {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+N")});
   resetOdometry_ =
       makeAction(this, "reset",
                  {"baseResetOdometry", tr("Reset odometry"), tr("Makes this place the odometry's origin")});
-  for (QAction* action : {motors_, sonar_}) action->setCheckable(true);
 }
 
 void BaseStateView::createRows() {
@@ -143,11 +143,7 @@ QWidget* BaseStateView::createToolRow() {
   robots_ = new RobotChoice("baseRobot", row->parentWidget(), RobotChoice::Offer::kOne);
   row->addWidget(robots_);
   row->addStretch(1);
-  for (QAction* action : {motors_, sonar_}) {
-    QToolButton* button = makeButton(row->parentWidget(), action);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    row->addWidget(button);
-  }
+  for (QAction* action : {motors_, sonar_}) row->addWidget(makeLabeledButton(row->parentWidget(), action));
   addButtons(row, {resetOdometry_});
   return row->parentWidget();
 }
@@ -164,14 +160,10 @@ void BaseStateView::createViews() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(body_);
   hint_ = new EmptyHint(scroll);
-  problem_ = new QLabel(this);
-  describe(*problem_, {"baseProblem", tr("What was refused"), {}});
-  problem_->setWordWrap(true);
+  problem_ = makeNote(this, "baseProblem", tr("What was refused"));
   problem_->setMargin(6);
   problem_->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeColumn(this);
   layout->addWidget(createToolRow());
   layout->addWidget(problem_);
   layout->addWidget(scroll, 1);
@@ -201,10 +193,7 @@ void BaseStateView::send(const robotcontrol::ControlDrive& control) {
   robotcontrol::Request request;
   *request.mutable_control_drive() = control;
   ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-    problem_->setPalette(colors);
-    problem_->setText(tr("Refused: %1").arg(reason));
+    showOutcome(*problem_, tr("Refused: %1").arg(reason), true);
     problem_->setVisible(!accepted);
   });
   tick();  // the buttons show what the base reports, not what was clicked
@@ -386,14 +375,6 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
 QString BaseStateView::timesText(std::uint64_t count) {
   if (count == 0) return tr("never");
   return count == 2 ? tr("twice") : counted(count, tr("once"), tr("%1 times"));
-}
-
-QJsonObject BaseStateView::saveState() const {
-  return {{QStringLiteral("robot"), robots_->choice()}};
-}
-
-void BaseStateView::restoreState(const QJsonObject& state) {
-  robots_->setChoice(state[QStringLiteral("robot")].toString());
 }
 
 }  // namespace widgets

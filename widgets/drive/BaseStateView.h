@@ -35,8 +35,6 @@ class BaseStateView final : public View {
 
   /// Shows the newest DriveState, DriveRequest and LinkStatus at the shown instant.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   /// Motors, sonars, reset of the odometry.

@@ -31,16 +31,20 @@ RadarView::RadarView(ViewContext& context, QWidget* parent)
     : PictureView(context, "radar", "radar.png", parent) {
   createViews();
   connectSignals();
+  keep("northUp", northUp_);
+  keep(
+      "range", [this] { return canvas_->look().range; },
+      [this](const QJsonValue& value) { canvas_->setRange(value.toDouble(RadarLook{}.range)); });
+  keep("robot", robots_);
   tick();
 }
 
 RadarView::~RadarView() = default;
 
 void RadarView::createViews() {
-  northUp_ = makeAction(this, "north",
+  northUp_ = makeToggle(this, "north",
                         {"radarNorthUp", tr("Align with map"),
                          tr("Up is the map's y-axis; otherwise the robot's heading"), Qt::Key_N});
-  northUp_->setCheckable(true);
   canvas_ = new RadarCanvas(this);
   addToContextMenu(canvas_);
   const Side side = makeDrawings({QStringLiteral("robot")});
@@ -138,18 +142,6 @@ void RadarView::updateStatus() {
   nearest_->setText(nearest.isEmpty() ? QString()
                                       : tr("nearest: %1").arg(nearest.join(QStringLiteral(", "))));
   range_->setText(tr("%1 m around").arg(canvas_->look().range, 0, 'f', canvas_->look().range < 10 ? 1 : 0));
-}
-
-QJsonObject RadarView::saveContent() const {
-  return {{QStringLiteral("robot"), robots_->choice()},
-          {QStringLiteral("range"), canvas_->look().range},
-          {QStringLiteral("northUp"), northUp_->isChecked()}};
-}
-
-void RadarView::restoreContent(const QJsonObject& state) {
-  northUp_->setChecked(state[QStringLiteral("northUp")].toBool());
-  canvas_->setRange(state[QStringLiteral("range")].toDouble(RadarLook{}.range));
-  robots_->setChoice(state[QStringLiteral("robot")].toString());
 }
 
 }  // namespace widgets

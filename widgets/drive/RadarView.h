@@ -26,10 +26,6 @@ class RadarView final : public PictureView {
   /// Shows the readings and drawings at the shown instant.
   void tick() override;
 
- protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
-
  private:
   void createViews();
   /// Time, nearest echoes, position of the cursor, and range.

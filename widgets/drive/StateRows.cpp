@@ -24,7 +24,7 @@ QLabel* StateRows::addTitle(const QString& title, const QString& toolTip) {
   label->setToolTip(toolTip);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   titles_.push_back(label);
-  mute(*label);
+  setMeaning(*label, Meaning::kMuted);
   grid_->addWidget(label, grid_->rowCount(), 0);
   return label;
 }
@@ -71,12 +71,6 @@ void StateRows::set(const char* name, const QString& text, Meaning meaning, bool
   color(value);
 }
 
-void StateRows::mute(QLabel& title) const {
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, colorOf(Meaning::kMuted, palette()));
-  title.setPalette(colors);
-}
-
 void StateRows::setStale(bool stale) {
   if (stale == stale_) return;
   stale_ = stale;
@@ -84,13 +78,10 @@ void StateRows::setStale(bool stale) {
 }
 
 void StateRows::color(const Value& value) const {
-  QPalette colors = palette();
-  if (stale_ && !value.wide) {
-    colors.setColor(QPalette::WindowText, colorOf(Meaning::kMuted, palette()));
-  } else if (value.colored) {
-    colors.setColor(QPalette::WindowText, colorOf(value.meaning, palette()));
-  }
-  value.label->setPalette(colors);
+  if (stale_ && !value.wide)
+    setMeaning(*value.label, Meaning::kMuted);
+  else
+    setMeaning(*value.label, value.colored ? std::optional(value.meaning) : std::nullopt);
   QFont font = value.label->font();
   font.setBold(value.colored && (!stale_ || value.wide) &&
                (value.meaning == Meaning::kBad || value.meaning == Meaning::kWarning));
@@ -100,7 +91,7 @@ void StateRows::color(const Value& value) const {
 void StateRows::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
     for (const auto& [name, value] : values_) color(value);
-    for (QLabel* title : titles_) mute(*title);
+    for (QLabel* title : titles_) setMeaning(*title, Meaning::kMuted);
   }
   QGroupBox::changeEvent(event);
 }

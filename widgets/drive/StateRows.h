@@ -55,8 +55,6 @@ class StateRows final : public QGroupBox {
   void set(const char* name, const QString& text, Meaning meaning, bool colored);
   /// Applies the color of a value.
   void color(const Value& value) const;
-  /// Applies the color of titles.
-  void mute(QLabel& title) const;
 
   QGridLayout* grid_;
   /// Keyed by the names of the rows.

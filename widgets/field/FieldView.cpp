@@ -46,6 +46,10 @@ FieldView::FieldView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   connectDrag();
+  keep("move", move_);
+  keep("trails", showTrails_);
+  keep("send", goals_->send());
+  keep("robot", robots_);
   tick();
   title_.clear();  // no one is connected to titleChanged() yet, so it must be emitted again
 }
@@ -56,17 +60,16 @@ void FieldView::createActions() {
   fit_ = makeFit(tr("Shows all of the field or map, as large as it fits"));
   turn_ =
       makeAction(this, "rotate", {"fieldTurn", tr("Turn"), tr("Turns the field by 90 degrees"), Qt::Key_R});
-  move_ = makeAction(this, "grab",
+  move_ = makeToggle(this, "grab",
                      {"fieldMove", tr("Move robots and ball"),
                       tr("Dragging a robot or the ball places it; otherwise only with Shift. The wheel turns "
                          "what is dragged"),
-                      Qt::Key_M});
-  showTrails_ = makeAction(
+                      Qt::Key_M},
+                     true);
+  showTrails_ = makeToggle(
       this, "trail",
       {"fieldTrails", tr("Trails"),
        tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
-  for (QAction* action : {move_, showTrails_}) action->setCheckable(true);
-  move_->setChecked(true);
 }
 
 void FieldView::createViews() {
@@ -283,22 +286,18 @@ void FieldView::turn() {
   canvas_->setViewport(viewport);
 }
 
-QJsonObject FieldView::saveContent() const {
+QJsonObject FieldView::saveState() const {
   const FieldViewport& viewport = canvas_->viewport();
-  return {{QStringLiteral("robot"), robots_->choice()},
-          {QStringLiteral("send"), goals_->send()->isChecked()},
-          {QStringLiteral("move"), move_->isChecked()},
-          {QStringLiteral("trails"), showTrails_->isChecked()},
-          {QStringLiteral("fit"), viewport.fit},
-          {QStringLiteral("scale"), viewport.scale},
-          {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}},
-          {QStringLiteral("quarterTurns"), viewport.quarterTurns}};
+  QJsonObject state = PictureView::saveState();
+  state[QStringLiteral("fit")] = viewport.fit;
+  state[QStringLiteral("scale")] = viewport.scale;
+  state[QStringLiteral("center")] = QJsonArray{viewport.center.x(), viewport.center.y()};
+  state[QStringLiteral("quarterTurns")] = viewport.quarterTurns;
+  return state;
 }
 
-void FieldView::restoreContent(const QJsonObject& state) {
-  move_->setChecked(state[QStringLiteral("move")].toBool(true));
-  showTrails_->setChecked(state[QStringLiteral("trails")].toBool());
-  goals_->send()->setChecked(state[QStringLiteral("send")].toBool());
+void FieldView::restoreState(const QJsonObject& state) {
+  PictureView::restoreState(state);
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   FieldViewport viewport;
   viewport.fit = state[QStringLiteral("fit")].toBool(true);
@@ -307,7 +306,6 @@ void FieldView::restoreContent(const QJsonObject& state) {
   viewport.center = {center.at(0).toDouble(), center.at(1).toDouble()};
   viewport.quarterTurns = std::clamp(state[QStringLiteral("quarterTurns")].toInt(), 0, 3);
   canvas_->setViewport(viewport);
-  robots_->setChoice(state[QStringLiteral("robot")].toString());
 }
 
 }  // namespace widgets

@@ -31,10 +31,8 @@ class FieldView final : public PictureView {
 
   /// Shows the state of the world at the shown instant.
   void tick() override;
-
- protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
 
  private:
   /// Fit, rotation, trails and placing.

@@ -26,12 +26,11 @@ GoalSender::Aim aimAt(const FieldCanvas& canvas, double x, double y, int place) 
 
 GoalTool::GoalTool(QWidget& owner, FieldCanvas& canvas, robotlink::Session& session)
     : QObject(&owner), canvas_(canvas), session_(session) {
-  send_ = makeAction(
+  send_ = makeToggle(
       &owner, "goal",
       {"fieldSend", tr("Send the robot"),
        tr("A click sends the robot there, dragging sets its final heading; otherwise only with Control"),
        Qt::Key_G});
-  send_->setCheckable(true);
   cancel_ =
       makeAction(&owner, "cancel-goal",
                  {"fieldCancelGoal", tr("Cancel the goal"), tr("Cancels the robot's goal"), Qt::Key_Escape});

@@ -36,6 +36,7 @@ ImageView::ImageView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep("stream", streams_);
   tick();
 }
 
@@ -171,21 +172,22 @@ std::vector<std::string> ImageView::classes() const {
                 : std::vector<std::string>();
 }
 
-QJsonObject ImageView::saveContent() const {
+QJsonObject ImageView::saveState() const {
   const ImageViewport& viewport = canvas_->viewport();
-  return {{QStringLiteral("stream"), streams_->choice()},
-          {QStringLiteral("fit"), viewport.fit},
-          {QStringLiteral("zoom"), viewport.zoom},
-          {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}}};
+  QJsonObject state = PictureView::saveState();
+  state[QStringLiteral("fit")] = viewport.fit;
+  state[QStringLiteral("zoom")] = viewport.zoom;
+  state[QStringLiteral("center")] = QJsonArray{viewport.center.x(), viewport.center.y()};
+  return state;
 }
 
-void ImageView::restoreContent(const QJsonObject& state) {
+void ImageView::restoreState(const QJsonObject& state) {
+  PictureView::restoreState(state);
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),
                         std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,
                                    ImageViewport::kMaxZoom),
                         {center.at(0).toDouble(), center.at(1).toDouble()}});
-  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
 }
 
 }  // namespace widgets

@@ -36,10 +36,8 @@ class ImageView final : public PictureView {
 
   /// Shows the newest image not later than the shown instant, and its drawings.
   void tick() override;
-
- protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
 
  private:
   /// Fit, freeze, and copying and saving without drawings.

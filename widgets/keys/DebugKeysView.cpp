@@ -37,15 +37,16 @@ DebugKeysView::DebugKeysView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep("search", search_);
+  keep("activeOnly", activeOnly_);
   listPresets();
   showState();
 }
 
 void DebugKeysView::createActions() {
-  activeOnly_ = makeAction(this, "filter",
+  activeOnly_ = makeToggle(this, "filter",
                            {"keysActiveOnly", tr("Only keys that are on"),
                             tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
-  activeOnly_->setCheckable(true);
   allOff_ = makeAction(this, "clear",
                        {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
   savePreset_ =
@@ -76,9 +77,7 @@ void DebugKeysView::createViews() {
   auto* fit = new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber});
   fit->expect(KeyTreeModel::kMode, tr("every n-th"));
   hint_ = new EmptyHint(tree_);
-  state_ = new QLabel(this);
-  describe(*state_, {"keysState", tr("State of the debug keys"), {}});
-  state_->setWordWrap(true);
+  state_ = makeNote(this, "keysState", tr("State of the debug keys"));
 
   auto* top = new QHBoxLayout;
   top->addWidget(search_, 1);
@@ -88,9 +87,7 @@ void DebugKeysView::createViews() {
   middle->addWidget(presets_, 1);
   middle->addWidget(makeButton(this, savePreset_));
   middle->addWidget(makeButton(this, removePreset_));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   layout->addLayout(middle);
   layout->addWidget(tree_, 1);
@@ -212,16 +209,6 @@ bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
   search_->setFocus();
   search_->setText(search_->text() + text);
   return true;
-}
-
-QJsonObject DebugKeysView::saveState() const {
-  return {{QStringLiteral("search"), search_->text()},
-          {QStringLiteral("activeOnly"), activeOnly_->isChecked()}};
-}
-
-void DebugKeysView::restoreState(const QJsonObject& state) {
-  search_->setText(state.value(QStringLiteral("search")).toString());
-  activeOnly_->setChecked(state.value(QStringLiteral("activeOnly")).toBool());
 }
 
 }  // namespace widgets

@@ -27,8 +27,6 @@ class DebugKeysView final : public View {
   explicit DebugKeysView(ViewContext& context, QWidget* parent = nullptr);
   /// Rebuilds the tree if the robot or its key tables changed since the last tick.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
   /// Handles the keys typed in the tree.

@@ -53,20 +53,14 @@ void BookmarksView::createViews() {
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(BookmarkModel::kSortRole);
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
-  table_ = new QTableView(this);
-  describe(*table_, {"bookmarksTable", tr("Bookmarks"), tr("Enter jumps to a bookmark, F2 edits its text")});
-  table_->setToolTip({});
-  table_->setModel(filtered_);
+  table_ =
+      makeTable(this, {"bookmarksTable", tr("Bookmarks"), tr("Enter jumps to a bookmark, F2 edits its text")},
+                filtered_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(BookmarkModel::kTime, Qt::AscendingOrder);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kName});
   hint_ = new EmptyHint(table_);
 
@@ -74,9 +68,7 @@ void BookmarksView::createViews() {
   row->setSpacing(2);
   row->addWidget(search, 1);
   for (QAction* action : {add_, remove_, undo_, redo_}) row->addWidget(makeButton(this, action));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
   layout->addLayout(row);
   layout->addWidget(table_, 1);
 }

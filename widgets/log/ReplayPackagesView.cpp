@@ -42,23 +42,17 @@ void ReplayPackagesView::createViews() {
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(ReplayPackageModel::kSortRole);
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
-  table_ = new QTableView(this);
-  describe(*table_, {"packagesTable", tr("Packages of the replay"),
-                     tr("F2 or a double click chooses where a package comes from")});
-  table_->setToolTip({});
-  table_->setModel(filtered_);
+  table_ = makeTable(this,
+                     {"packagesTable", tr("Packages of the replay"),
+                      tr("F2 or a double click chooses where a package comes from")},
+                     filtered_);
   table_->setItemDelegateForColumn(ReplayPackageModel::kSource, new PackageSourceDelegate(table_));
   table_->setSortingEnabled(true);
   table_->sortByColumn(ReplayPackageModel::kPackage, Qt::AscendingOrder);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setTextElideMode(Qt::ElideMiddle);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber,
                           ColumnKind::kNumber, ColumnKind::kText});
   hint_ = new EmptyHint(table_);
@@ -69,9 +63,7 @@ void ReplayPackagesView::createViews() {
   tasks_->setTextFormat(Qt::PlainText);
   tasks_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
   layout->addWidget(search);
   layout->addWidget(table_, 1);
   layout->addWidget(tasks_);

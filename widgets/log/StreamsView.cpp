@@ -28,6 +28,7 @@ StreamsView::StreamsView(ViewContext& context, QWidget* parent)
   setObjectName(QStringLiteral("streamsView"));
   createViews();
   connectSignals();
+  keep("columns", table_->horizontalHeader());
   tick();
 }
 
@@ -40,22 +41,15 @@ void StreamsView::createViews() {
   filtered_->setSortRole(StreamListModel::kSortRole);
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
 
-  table_ = new QTableView(this);
-  describe(*table_, {"streamsTable", tr("Streams of the logs"),
-                     tr("The check shows a stream in the timeline; a double click steps its messages")});
-  table_->setToolTip({});
-  table_->setModel(filtered_);
+  table_ = makeTable(this,
+                     {"streamsTable", tr("Streams of the logs"),
+                      tr("The check shows a stream in the timeline; a double click steps its messages")},
+                     filtered_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(StreamListModel::kPath, Qt::AscendingOrder);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->setWordWrap(false);
   table_->setTextElideMode(Qt::ElideMiddle);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber,
                           ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(table_);
@@ -63,9 +57,7 @@ void StreamsView::createViews() {
   summary_->setObjectName(QStringLiteral("streamsSummary"));
   summary_->setMargin(4);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
   layout->addWidget(search);
   layout->addWidget(table_, 1);
   layout->addWidget(summary_);
@@ -112,14 +104,6 @@ void StreamsView::showSummary() {
   summary_->setVisible(model_.rowCount() > 0);
   const QString all = tr("streams: %1, messages: %2").arg(model_.rowCount()).arg(messages);
   summary_->setText(bytes > 0 ? tr("%1, size: %2").arg(all, bytesText(bytes)) : all);
-}
-
-QJsonObject StreamsView::saveState() const {
-  return {{QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
-}
-
-void StreamsView::restoreState(const QJsonObject& state) {
-  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

@@ -23,8 +23,6 @@ class StreamsView final : public View {
   explicit StreamsView(ViewContext& context, QWidget* parent = nullptr);
   /// Lists the streams if the logs changed.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createViews();

@@ -63,30 +63,32 @@ MessagesView::MessagesView(ViewContext& context, QWidget* parent)
   createFilters();
   createViews();
   connectSignals();
+  keep("level", level_);  // an entry for each level, in their order
+  keep("regex", regex_);
+  keep("filter", pattern_);
+  keep("follow", follow_);
+  keep("columns", table_->horizontalHeader());
   showState();
 }
 
 void MessagesView::createActions() {
-  regex_ = makeAction(this, "debug",
+  regex_ = makeToggle(this, "debug",
                       {"messagesRegex", tr("Regular expression"),
                        tr("Reads the filter as a regular expression"), tr("Ctrl+G")});
   regex_->setIcon({});
   regex_->setIconText(QStringLiteral(".*"));
-  regex_->setCheckable(true);
   previous_ = makeAction(
       this, "previous",
       {"messagesPrevious", tr("Previous match"), tr("Goes to the match above"), QKeySequence::FindPrevious});
   next_ =
       makeAction(this, "next",
                  {"messagesNext", tr("Next match"), tr("Goes to the match below"), QKeySequence::FindNext});
-  follow_ = makeAction(
-      this, "follow", {"messagesFollow", tr("Follow"), tr("Keeps the newest message in view"), tr("Ctrl+E")});
-  follow_->setCheckable(true);
-  follow_->setChecked(true);
-  pause_ = makeAction(this, "pause",
+  follow_ = makeToggle(this, "follow",
+                       {"messagesFollow", tr("Follow"), tr("Keeps the newest message in view"), tr("Ctrl+E")},
+                       true);
+  pause_ = makeToggle(this, "pause",
                       {"messagesPause", tr("Pause"),
                        tr("Stops adding messages; they arrive when it continues"), tr("Ctrl+T")});
-  pause_->setCheckable(true);
   copy_ = makeAction(this, "copy",
                      {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
   clear_ =
@@ -130,18 +132,10 @@ QWidget* MessagesView::createBar() {
 }
 
 void MessagesView::createViews() {
-  table_ = new QTableView(this);
-  describe(*table_, {"messagesTable", tr("Messages"), {}});
   filter_->setSourceModel(&model_);
-  table_->setModel(filter_);
+  table_ = makeTable(this, {"messagesTable", tr("Messages"), {}}, filter_);
   table_->setItemDelegateForColumn(LogModel::kLevel, new LevelDelegate(table_));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
-  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -157,9 +151,7 @@ void MessagesView::createViews() {
   bottom->addWidget(state_);
   bottom->addWidget(problem_, 1);
   bottom->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(createBar());
   layout->addWidget(table_, 1);
   layout->addLayout(bottom);
@@ -289,10 +281,7 @@ void MessagesView::listRobots() {
 
 void MessagesView::setPattern() {
   const QString problem = filter_->setPattern(pattern_->text(), regex_->isChecked());
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  problem_->setPalette(colors);
-  problem_->setText(problem);
+  showOutcome(*problem_, problem, true);
   problem_->setVisible(!problem.isEmpty());
   showState();
 }
@@ -339,22 +328,6 @@ void MessagesView::showState() {
     hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.")
                               : QString());
   }
-}
-
-QJsonObject MessagesView::saveState() const {
-  return {{QStringLiteral("level"), level_->currentData().toInt()},
-          {QStringLiteral("filter"), pattern_->text()},
-          {QStringLiteral("regex"), regex_->isChecked()},
-          {QStringLiteral("follow"), follow_->isChecked()},
-          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
-}
-
-void MessagesView::restoreState(const QJsonObject& state) {
-  level_->setCurrentIndex(std::max(0, level_->findData(state.value(QStringLiteral("level")).toInt())));
-  regex_->setChecked(state.value(QStringLiteral("regex")).toBool());
-  pattern_->setText(state.value(QStringLiteral("filter")).toString());
-  follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
-  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

@@ -34,8 +34,6 @@ class MessagesView final : public View {
   explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
   /// Appends new messages (unless paused) and moves the current row to the shown instant.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   /// Actions of the toolbar, among them regular expression, previous and next match, follow, pause.

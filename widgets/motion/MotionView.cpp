@@ -49,20 +49,17 @@ MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, pa
 
 void MotionView::createActions() {
   take_ = makeButton(this,
-                     makeAction(this, "take-over",
+                     makeToggle(this, "take-over",
                                 {"motionTakeOver", tr("Take over"),
                                  tr("Switches the behavior to obeying you, and back"), tr("Ctrl+Shift+T")}));
-  take_->defaultAction()->setCheckable(true);
-  take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  take_->setAutoRaise(false);
-  take_->setFocusPolicy(Qt::TabFocus);
-  motors_ = makeButton(this, makeAction(this, "motors",
+  motors_ = makeButton(this, makeToggle(this, "motors",
                                         {"motionMotors", tr("Motors"),
                                          tr("Switches the motors on and off, at the base"), tr("Ctrl+M")}));
-  motors_->defaultAction()->setCheckable(true);
-  motors_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  motors_->setAutoRaise(false);
-  motors_->setFocusPolicy(Qt::TabFocus);
+  for (QToolButton* button : {take_, motors_}) {
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setAutoRaise(false);
+    button->setFocusPolicy(Qt::TabFocus);
+  }
   stop_ = new QPushButton(tr("STOP"), this);
   describe(*stop_, {"motionStop", tr("Emergency stop"),
                     tr("Stops the robot at its platform, whatever its program does; stays until released")});
@@ -78,9 +75,7 @@ QWidget* MotionView::createTop() {
   QFont bold = robotName_->font();
   bold.setBold(true);
   robotName_->setFont(bold);
-  state_ = new QLabel(top);
-  describe(*state_, {"motionState", tr("Who steers"), {}});
-  state_->setWordWrap(true);
+  state_ = makeNote(top, "motionState", tr("Who steers"));
   auto* layout = new QHBoxLayout(top);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(robotName_);
@@ -128,9 +123,7 @@ void MotionView::createViews() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(createTop());
   scroll->setWidget(createBody());
   layout->addWidget(scroll, 1);

@@ -50,20 +50,20 @@ PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   connectFilters();
+  keepChoices();
   showState();
 }
 
 void PacketInspector::createActions() {
-  damaged_ = makeAction(
+  damaged_ = makeToggle(
       this, "warning",
       {"packetsDamaged", tr("Damaged only"), tr("Shows only damaged packets"), tr("Ctrl+Shift+D")});
-  follow_ = makeAction(this, "follow",
-                       {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
-  pause_ = makeAction(
+  follow_ =
+      makeToggle(this, "follow",
+                 {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")}, true);
+  pause_ = makeToggle(
       this, "pause",
       {"packetsPause", tr("Pause"), tr("Stops adding packets; they arrive when it continues"), tr("Ctrl+T")});
-  for (QAction* action : {damaged_, follow_, pause_}) action->setCheckable(true);
-  follow_->setChecked(true);
   copy_ = makeAction(
       this, "copy",
       {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
@@ -84,17 +84,12 @@ void PacketInspector::createActions() {
 void PacketInspector::createFilters() {
   from_ = new QComboBox(this);
   describe(*from_, {"packetsFrom", tr("Direction"), tr("Shows packets from the robot, to it, or both")});
-  from_->addItem(tr("both ways"));
-  from_->addItem(tr("from the robot"));
-  from_->addItem(tr("to the robot"));
-  names_ = new QToolButton(this);
-  describe(*names_, {"packetsNames", tr("Names"), tr("Which packets are shown, by their names")});
-  names_->setText(tr("all names"));
-  names_->setPopupMode(QToolButton::InstantPopup);
-  names_->setAutoRaise(true);
-  namesMenu_ = new QMenu(names_);
+  from_->addItems({tr("both ways"), tr("from the robot"), tr("to the robot")});
+  namesMenu_ = new QMenu(this);
   namesMenu_->setObjectName(QStringLiteral("packetsNamesMenu"));
-  names_->setMenu(namesMenu_);
+  names_ = makeMenuButton(this, {"packetsNames", tr("Names"), tr("Which packets are shown, by their names")},
+                          namesMenu_);
+  names_->setText(tr("all names"));
   text_ = makeSearchField(
       this, {"packetsText", tr("Filter"),
              tr("Shows only packets whose name, text or bytes (as hexadecimal digits) contain this")});
@@ -123,29 +118,19 @@ QWidget* PacketInspector::createFileBar() {
   bold.setBold(true);
   fileName_->setFont(bold);
   replay_ = new PacketReplayBar(fileBar_);
-  QToolButton* live = makeButton(fileBar_, goLive_);
-  live->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   auto* layout = new QHBoxLayout(fileBar_);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(fileName_);
   layout->addWidget(replay_, 1);
-  layout->addWidget(live);
+  layout->addWidget(makeLabeledButton(fileBar_, goLive_));
   fileBar_->hide();
   return fileBar_;
 }
 
 void PacketInspector::createTable() {
-  table_ = new QTableView(this);
-  describe(*table_, {"packetsTable", tr("Packets"), {}});
   filter_->setSourceModel(&live_);
-  table_->setModel(filter_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setWordWrap(false);
+  table_ = makeTable(this, {"packetsTable", tr("Packets"), {}}, filter_);
   table_->setTabKeyNavigation(false);
-  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -157,17 +142,11 @@ void PacketInspector::createTable() {
 void PacketInspector::createViews() {
   createTable();
   details_ = new PacketDetails(this);
-  auto* splitter = new QSplitter(this);
-  splitter->addWidget(table_);
-  splitter->addWidget(details_);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 2);
+  auto* splitter = makeSplitter(this, "packetsSplitter", Qt::Horizontal, {{table_, 3}, {details_, 2}});
   splitter->setSizes({680, 270});
   state_ = new QLabel(this);
   describe(*state_, {"packetsState", tr("Number of packets"), {}});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(createBar());
   layout->addWidget(createFileBar());
   layout->addWidget(splitter, 1);
@@ -399,24 +378,23 @@ void PacketInspector::showState() {
   }
 }
 
-QJsonObject PacketInspector::saveState() const {
-  QStringList hidden = filter_->hiddenNames().values();
-  hidden.sort();
-  return {{QStringLiteral("from"), from_->currentIndex()},
-          {QStringLiteral("text"), text_->text()},
-          {QStringLiteral("damaged"), damaged_->isChecked()},
-          {QStringLiteral("follow"), follow_->isChecked()},
-          {QStringLiteral("hiddenNames"), QJsonArray::fromStringList(hidden)}};
-}
-
-void PacketInspector::restoreState(const QJsonObject& state) {
-  from_->setCurrentIndex(std::clamp(state[QStringLiteral("from")].toInt(), 0, from_->count() - 1));
-  text_->setText(state[QStringLiteral("text")].toString());
-  damaged_->setChecked(state[QStringLiteral("damaged")].toBool());
-  follow_->setChecked(state[QStringLiteral("follow")].toBool(true));
-  const QStringList hidden = state[QStringLiteral("hiddenNames")].toVariant().toStringList();
-  filter_->setHiddenNames(QSet<QString>(hidden.begin(), hidden.end()));
-  showState();
+void PacketInspector::keepChoices() {
+  keep("from", from_);
+  keep("text", text_);
+  keep("damaged", damaged_);
+  keep("follow", follow_);
+  keep(
+      "hiddenNames",
+      [this] {
+        QStringList hidden = filter_->hiddenNames().values();
+        hidden.sort();
+        return QJsonArray::fromStringList(hidden);
+      },
+      [this](const QJsonValue& value) {
+        const QStringList hidden = value.toVariant().toStringList();
+        filter_->setHiddenNames(QSet<QString>(hidden.begin(), hidden.end()));
+        showState();
+      });
 }
 
 }  // namespace widgets

@@ -33,8 +33,6 @@ class PacketInspector final : public View {
 
   /// Appends new packets (unless paused) and sends what a replay has due.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
   /// Saves all packets of the list, whatever the filters. False, with a message shown, if that fails.
   bool saveConversation(const QString& file);
@@ -56,6 +54,8 @@ class PacketInspector final : public View {
   void connectSignals();
   /// Connects the controls of the filters with the proxy.
   void connectFilters();
+  /// Adds the filters and follow to the saved state.
+  void keepChoices();
 
   /// Starts over when another robot is selected.
   void followRobot();

@@ -50,46 +50,39 @@ QAction* PictureView::makeFit(const QString& toolTip) {
 }
 
 QAction* PictureView::makeFreeze() {
-  QAction* freeze = makeAction(this, "lock",
-                               {named("Freeze").constData(), tr("Freeze"),
-                                tr("Freezes this image while the robot continues"), Qt::Key_H});
-  freeze->setCheckable(true);
-  return freeze;
+  return makeToggle(this, "lock",
+                    {named("Freeze").constData(), tr("Freeze"),
+                     tr("Freezes this image while the robot continues"), Qt::Key_H});
 }
 
 PictureView::Side PictureView::makeDrawings(const QStringList& kinds) {
   drawings_ = new DrawingsModel(kinds, this);
-  QAction* toggle = makeAction(
+  keep(
+      "drawings", [this] { return drawings_->saveState(); },
+      [this](const QJsonValue& value) { drawings_->restoreState(value.toObject()); });
+  QAction* toggle = makeToggle(
       this, "layers",
       {named("Drawings").constData(), tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
-  toggle->setCheckable(true);
   return {new DrawingsPanel(*drawings_, this), toggle, kDrawingsWidth};
 }
 
 void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, const Side& side,
                         std::initializer_list<QWidget*> below) {
-  splitter_ = new QSplitter(this);
-  splitter_->setObjectName(QString::fromLatin1(named("Splitter")));
-  splitter_->addWidget(canvas);
-  splitter_->addWidget(side.widget);
-  splitter_->setCollapsible(0, false);
-  splitter_->setStretchFactor(0, 1);
-  if (side.width == 0) {
-    splitter_->setCollapsible(1, false);
-    splitter_->setStretchFactor(1, 1);
+  const bool halves = side.width == 0;
+  QSplitter* splitter = makeSplitter(this, named("Splitter").constData(), Qt::Horizontal,
+                                     {{canvas, 1}, {side.widget, halves ? 1 : 0}});
+  splitter->setCollapsible(0, false);
+  if (halves) splitter->setCollapsible(1, false);
+  splitter->setSizes({kPictureWidth, halves ? kPictureWidth : side.width});
+  keep("splitter", splitter);
+  if (side.toggle != nullptr) {
+    side.widget->setVisible(side.toggle->isChecked());
+    connect(side.toggle, &QAction::toggled, side.widget, &QWidget::setVisible);
+    keep("panel", side.toggle);
   }
-  splitter_->setSizes({kPictureWidth, side.width == 0 ? kPictureWidth : side.width});
-  showSide_ = side.toggle;
-  if (showSide_ != nullptr) {
-    sideShown_ = showSide_->isChecked();
-    if (!sideShown_) side.widget->hide();
-    connect(showSide_, &QAction::toggled, side.widget, &QWidget::setVisible);
-  }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeColumn(this);
   for (QWidget* row : above) layout->addWidget(row);
-  layout->addWidget(splitter_, 1);
+  layout->addWidget(splitter, 1);
   for (QWidget* row : below) layout->addWidget(row);
 }
 
@@ -119,21 +112,6 @@ QLabel* PictureView::addFiguresLabel(QHBoxLayout* row, const char* name, const Q
 
 bool PictureView::savePicture(const QString& file) {
   return widgets::savePicture(this, rendered_(), file);
-}
-
-QJsonObject PictureView::saveState() const {
-  QJsonObject state = saveContent();
-  state[QStringLiteral("splitter")] = splitterState(*splitter_);
-  if (showSide_ != nullptr) state[QStringLiteral("panel")] = showSide_->isChecked();
-  if (drawings_ != nullptr) state[QStringLiteral("drawings")] = drawings_->saveState();
-  return state;
-}
-
-void PictureView::restoreState(const QJsonObject& state) {
-  if (drawings_ != nullptr) drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
-  restoreSplitter(*splitter_, state[QStringLiteral("splitter")]);
-  if (showSide_ != nullptr) showSide_->setChecked(state[QStringLiteral("panel")].toBool(sideShown_));
-  restoreContent(state);
 }
 
 }  // namespace widgets

@@ -28,11 +28,6 @@ class DrawingsModel;
 class PictureView : public View {
   Q_OBJECT
  public:
-  /// What the shell keeps is in "splitter", and, if there is a panel that can be hidden, in "panel" and
-  /// "drawings"; everything else is the derived view's.
-  QJsonObject saveState() const final;
-  void restoreState(const QJsonObject& state) final;
-
   /// Writes the picture as PNG. False, with a message box that names the file, if that fails.
   bool savePicture(const QString& file);
 
@@ -49,11 +44,6 @@ class PictureView : public View {
   /// `name`: see above. `file`: name that is proposed for a saved picture.
   PictureView(ViewContext& context, const char* name, const char* file, QWidget* parent);
 
-  /// The derived view's part of the state, without the keys of the shell.
-  virtual QJsonObject saveContent() const = 0;
-  /// Applies a state, after the shell has done so.
-  virtual void restoreContent(const QJsonObject& state) = 0;
-
   /// Creates an action that shows the whole picture (F), and one that freezes it (H, checkable).
   QAction* makeFit(const QString& toolTip);
   QAction* makeFreeze();
@@ -64,7 +54,8 @@ class PictureView : public View {
   DrawingsModel* drawings() const { return drawings_; }
 
   /// Puts the rows, the canvas with what is beside it, and the rows below together. To be called once. The
-  /// canvas is what is saved, copied and zoomed: it has rendered() and zoomBy().
+  /// state keeps "splitter" and, if there is a panel that can be hidden, "panel" and "drawings". The canvas
+  /// is what is saved, copied and zoomed: it has rendered() and zoomBy().
   template <typename Canvas>
   void assemble(std::initializer_list<QWidget*> above, Canvas* canvas, const Side& side,
                 std::initializer_list<QWidget*> below) {
@@ -98,11 +89,6 @@ class PictureView : public View {
   std::function<void(double)> zoomBy_;
   QAction *copy_ = nullptr, *save_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
   DrawingsModel* drawings_ = nullptr;
-  QSplitter* splitter_ = nullptr;
-  /// Shows what is beside the picture; null: nobody can hide it, or the derived view does it.
-  QAction* showSide_ = nullptr;
-  /// Whether that is shown where a state does not say.
-  bool sideShown_ = false;
 };
 
 }  // namespace widgets

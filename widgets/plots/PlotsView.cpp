@@ -62,23 +62,19 @@ PlotsView::PlotsView(ViewContext& context, QWidget* parent)
 }
 
 void PlotsView::createActions() {
-  showTree_ = makeAction(
+  showTree_ = makeToggle(
       this, "filter",
-      {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")});
+      {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")}, true);
   showTree_->setIcon({});
-  showTree_->setCheckable(true);
-  showTree_->setChecked(true);
   add_ = makeAction(this, "add",
                     {"plotsAdd", tr("Add"), tr("Adds the selected values as curves"), tr("Ctrl+Return")});
   remove_ = makeAction(
       this, "remove", {"plotsRemove", tr("Remove"), tr("Removes the selected curves"), QKeySequence::Delete});
-  follow_ = makeAction(this, "follow",
-                       {"plotsFollow", tr("Follow"), tr("Keeps the newest values in view"), tr("Ctrl+E")});
-  follow_->setCheckable(true);
-  follow_->setChecked(true);
-  pause_ = makeAction(this, "pause",
+  follow_ =
+      makeToggle(this, "follow",
+                 {"plotsFollow", tr("Follow"), tr("Keeps the newest values in view"), tr("Ctrl+E")}, true);
+  pause_ = makeToggle(this, "pause",
                       {"plotsPause", tr("Pause"), tr("Freezes the plot; nothing is lost"), tr("Ctrl+T")});
-  pause_->setCheckable(true);
   fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all points of the curves"), tr("Ctrl+0")});
   csv_ = makeAction(this, "save",
                     {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
@@ -105,9 +101,7 @@ void PlotsView::createTree() {
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setDragEnabled(true);
   tree_->setDragDropMode(QAbstractItemView::DragOnly);
-  auto* layout = new QVBoxLayout(treePanel_);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(treePanel_, {}, 4);
   layout->addWidget(search_);
   layout->addWidget(tree_, 1);
 }
@@ -142,22 +136,11 @@ void PlotsView::createViews() {
   for (QAction* action : {follow_, pause_, fit_}) top->addWidget(makeButton(this, action));
   top->addWidget(state_, 1);
   for (QAction* action : {csv_, png_}) top->addWidget(makeButton(this, action));
-  auto* right = new QSplitter(Qt::Vertical, this);
-  right->addWidget(canvas_);
-  right->addWidget(legend_);
-  right->setStretchFactor(0, 4);
-  right->setStretchFactor(1, 1);
+  auto* right = makeSplitter(this, "plotsLegendSplitter", Qt::Vertical, {{canvas_, 4}, {legend_, 1}});
   right->setSizes({400, 100});
-  splitter_ = new QSplitter(Qt::Horizontal, this);
-  splitter_->setObjectName(QStringLiteral("plotsSplitter"));
-  splitter_->addWidget(treePanel_);
-  splitter_->addWidget(right);
-  splitter_->setStretchFactor(0, 1);
-  splitter_->setStretchFactor(1, 3);
+  splitter_ = makeSplitter(this, "plotsSplitter", Qt::Horizontal, {{treePanel_, 1}, {right, 3}});
   splitter_->setSizes({260, 640});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   layout->addWidget(splitter_, 1);
 }

@@ -34,6 +34,9 @@ ProcessesView::ProcessesView(ViewContext& context, QWidget* parent) : View(conte
   createActions();
   createViews();
   connectSignals();
+  keep("details", details_);
+  keep("debugLinks", debugLinks_);
+  keep("splitter", splitter_);
 }
 
 void ProcessesView::createActions() {
@@ -44,15 +47,12 @@ void ProcessesView::createActions() {
   zoomOut_ =
       makeAction(this, "zoom-out",
                  {"processesZoomOut", tr("Zoom out"), tr("Makes the graph smaller"), QKeySequence::ZoomOut});
-  debugLinks_ = makeAction(this, "debug",
+  debugLinks_ = makeToggle(this, "debug",
                            {"processesDebugLinks", tr("Debug links"),
                             tr("Shows the links of the debug process with all others, too")});
-  debugLinks_->setCheckable(true);
-  details_ =
-      makeAction(this, "info",
-                 {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")});
-  details_->setCheckable(true);
-  details_->setChecked(true);
+  details_ = makeToggle(
+      this, "info", {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")},
+      true);
   refresh_ = makeAction(
       this, "refresh",
       {"processesRefresh", tr("Refresh"), tr("Requests the robot's tables again"), tr("Shift+F5")});
@@ -62,32 +62,18 @@ void ProcessesView::createViews() {
   graph_ = new ProcessGraphWidget(this);
   hint_ = new EmptyHint(graph_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
-  table_ = new QTableView(this);
-  describe(*table_, {"processesTable", tr("Processes"), {}});
-  table_->setModel(&model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_ = makeTable(this, {"processesTable", tr("Processes"), {}}, &model_);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   using enum ColumnKind;
   new ColumnFit(*table_, {kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kText});
-  splitter_ = new QSplitter(Qt::Vertical, this);
-  splitter_->setObjectName(QStringLiteral("processesSplitter"));
-  splitter_->addWidget(graph_);
-  splitter_->addWidget(table_);
-  splitter_->setStretchFactor(0, 3);
-  splitter_->setStretchFactor(1, 1);
+  splitter_ = makeSplitter(this, "processesSplitter", Qt::Vertical, {{graph_, 3}, {table_, 1}});
   splitter_->setChildrenCollapsible(false);
   auto* top = new QHBoxLayout;
   for (QAction* action : {fit_, zoomIn_, zoomOut_, debugLinks_, details_, refresh_})
     top->addWidget(makeButton(this, action));
   top->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   layout->addWidget(splitter_, 1);
 }
@@ -148,18 +134,6 @@ void ProcessesView::showTables() {
   hint_->setHint({});
   model_.setGraph(graph);
   graph_->setGraph(std::move(graph));
-}
-
-QJsonObject ProcessesView::saveState() const {
-  return {{QStringLiteral("details"), details_->isChecked()},
-          {QStringLiteral("debugLinks"), debugLinks_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)}};
-}
-
-void ProcessesView::restoreState(const QJsonObject& state) {
-  details_->setChecked(state.value(QStringLiteral("details")).toBool(true));
-  debugLinks_->setChecked(state.value(QStringLiteral("debugLinks")).toBool());
-  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -24,8 +24,6 @@ class ProcessesView final : public View {
   explicit ProcessesView(ViewContext& context, QWidget* parent = nullptr);
   /// Updates graph and table if the robot or its ProcessTable changed.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createActions();

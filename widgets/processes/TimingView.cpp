@@ -37,15 +37,15 @@ TimingView::TimingView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep("measure", measure_);
+  keep("columns", table_->horizontalHeader());
 }
 
 void TimingView::createActions() {
-  measure_ =
-      makeAction(this, "timing",
-                 {"timingMeasure", tr("Measure"),
-                  tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+Shift+M")});
-  measure_->setCheckable(true);
-  measure_->setChecked(true);
+  measure_ = makeToggle(this, "timing",
+                        {"timingMeasure", tr("Measure"),
+                         tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+Shift+M")},
+                        true);
   reset_ = makeAction(this, "reset",
                       {"timingReset", tr("Reset"), tr("Restarts the statistics"), tr("Ctrl+Backspace")});
   copy_ =
@@ -54,20 +54,13 @@ void TimingView::createActions() {
 }
 
 void TimingView::createViews() {
-  table_ = new QTableView(this);
-  describe(*table_, {"timingTable", tr("Times of the tasks"), {}});
   sorted_->setSourceModel(&model_);
   sorted_->setSortRole(TimingModel::kNumberRole);
   sorted_->setDynamicSortFilter(true);
-  table_->setModel(sorted_);
+  table_ = makeTable(this, {"timingTable", tr("Times of the tasks"), {}}, sorted_);
   table_->setItemDelegateForColumn(TimingModel::kShare, new BarDelegate(TimingModel::kNumberRole, table_));
   table_->setSortingEnabled(true);
   table_->sortByColumn(TimingModel::kProcess, Qt::AscendingOrder);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   using enum ColumnKind;
   new ColumnFit(*table_, {kName, kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber});
@@ -75,26 +68,18 @@ void TimingView::createViews() {
   state_ = new QLabel(this);
   describe(*state_, {"timingState", tr("State of the measuring"), {}});
   auto* top = new QHBoxLayout;
-  auto* measureButton = makeButton(this, measure_);
-  measureButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  top->addWidget(measureButton);
+  top->addWidget(makeLabeledButton(this, measure_));
   top->addWidget(state_, 1);
   for (QAction* action : {reset_, copy_}) top->addWidget(makeButton(this, action));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   layout->addWidget(table_, 1);
 }
 
 void TimingView::connectSignals() {
   connect(measure_, &QAction::triggered, this, &TimingView::measure);
-  connect(reset_, &QAction::triggered, this, &TimingView::reset);
+  connect(reset_, &QAction::triggered, &model_, &TimingModel::reset);
   connect(copy_, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(model_.csv()); });
-}
-
-void TimingView::reset() {
-  model_.reset();
 }
 
 void TimingView::measure(bool on) {
@@ -114,7 +99,7 @@ void TimingView::followRobot() {
   robot_ = robot;
   program_.clear();
   cursors_.clear();
-  reset();
+  model_.reset();
   if (measure_->isChecked()) measure(true);
 }
 
@@ -153,16 +138,6 @@ void TimingView::tick() {
       robot_.empty() ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
       : measure_->isChecked() ? tr("Waiting for the robot's times. They come while its program runs.")
                               : tr("The robot does not measure. Press “Measure”."));
-}
-
-QJsonObject TimingView::saveState() const {
-  return {{QStringLiteral("measure"), measure_->isChecked()},
-          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
-}
-
-void TimingView::restoreState(const QJsonObject& state) {
-  measure_->setChecked(state.value(QStringLiteral("measure")).toBool(true));
-  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

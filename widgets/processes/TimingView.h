@@ -27,8 +27,6 @@ class TimingView final : public View {
   explicit TimingView(ViewContext& context, QWidget* parent = nullptr);
   /// Adds the StopwatchTimes that arrived since the last tick.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createActions();
@@ -41,8 +39,6 @@ class TimingView final : public View {
   bool forgetDead();
   /// Requests the debug key on or off.
   void measure(bool on);
-  /// Clears the statistics.
-  void reset();
 
   TimingModel model_;
   /// The model sorted by TimingModel::kNumberRole.

@@ -44,6 +44,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent)
   connectSignals();
   connectCamera();
   connectDrag();
+  keepChoices();
   canvas_->setOverview(box());
   tick();
 }
@@ -52,21 +53,21 @@ SceneView::~SceneView() = default;
 
 void SceneView::createActions() {
   wireFrame_ =
-      makeAction(this, "wireframe",
+      makeToggle(this, "wireframe",
                  {"sceneWireFrame", tr("Wire frame"), tr("Shows the edges of all triangles"), Qt::Key_W});
-  grid_ =
-      makeAction(this, "grid",
-                 {"sceneGrid", tr("Grid"), tr("Shows lines every half meter beside the field"), Qt::Key_G});
-  labels_ = makeAction(
+  grid_ = makeToggle(
+      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines every half meter beside the field"), Qt::Key_G},
+      true);
+  labels_ = makeToggle(
       this, "labels",
-      {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L});
-  move_ = makeAction(this, "grab",
+      {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L},
+      true);
+  move_ = makeToggle(this, "grab",
                      {"sceneMove", tr("Move robots and ball"),
                       tr("Dragging a robot or the ball places it; otherwise only with Control. The wheel "
                          "turns what is dragged"),
-                      Qt::Key_M});
-  for (QAction* action : {wireFrame_, grid_, labels_, move_}) action->setCheckable(true);
-  for (QAction* action : {grid_, labels_, move_}) action->setChecked(true);
+                      Qt::Key_M},
+                     true);
 }
 
 void SceneView::createCameraActions() {
@@ -75,14 +76,12 @@ void SceneView::createCameraActions() {
       {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
   fromAbove_ = makeAction(this, "top-view",
                           {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_A});
-  behind_ = makeAction(this, "behind",
+  behind_ = makeToggle(this, "behind",
                        {"sceneBehind", tr("Over the shoulder"),
                         tr("Looks over the robot's shoulder and follows it"), Qt::Key_B});
-  follow_ =
-      makeAction(this, "follow",
-                 {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F});
-  for (QAction* action : {behind_, follow_}) action->setCheckable(true);
-  follow_->setChecked(true);
+  follow_ = makeToggle(
+      this, "follow",
+      {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F}, true);
   ride_.setMode(CameraRide::Mode::kBeside);
 }
 
@@ -282,30 +281,28 @@ void SceneView::showContextMenu(const QPoint& at) {
   menu->popup(canvas_->mapToGlobal(at));
 }
 
-QJsonObject SceneView::saveContent() const {
-  return {{QStringLiteral("robot"), robots_->choice()},
-          {QStringLiteral("overview"), canvas_->overview()},
-          {QStringLiteral("camera"), stateOf(canvas_->camera())},
-          {QStringLiteral("follow"), follow_->isChecked()},
-          {QStringLiteral("behind"), behind_->isChecked()},
-          {QStringLiteral("wireFrame"), wireFrame_->isChecked()},
-          {QStringLiteral("grid"), grid_->isChecked()},
-          {QStringLiteral("labels"), labels_->isChecked()},
-          {QStringLiteral("move"), move_->isChecked()}};
-}
-
-void SceneView::restoreContent(const QJsonObject& state) {
-  wireFrame_->setChecked(state[QStringLiteral("wireFrame")].toBool());
-  grid_->setChecked(state[QStringLiteral("grid")].toBool(true));
-  labels_->setChecked(state[QStringLiteral("labels")].toBool(true));
-  move_->setChecked(state[QStringLiteral("move")].toBool(true));
-  robots_->setChoice(state[QStringLiteral("robot")].toString());
-  canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
-  if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(box());
+void SceneView::keepChoices() {
+  keep("wireFrame", wireFrame_);
+  keep("grid", grid_);
+  keep("labels", labels_);
+  keep("move", move_);
+  keep("robot", robots_);
+  keep(
+      "camera", [this] { return stateOf(canvas_->camera()); },
+      [this](const QJsonValue& value) { canvas_->setCamera(cameraOf(value.toObject())); });
+  keep(
+      "overview", [this] { return canvas_->overview(); },
+      [this](const QJsonValue& value) {
+        if (value.toBool(true)) canvas_->setOverview(box());
+      });
   // The camera keeps its pose relative to the robot.
-  behind_->setChecked(state[QStringLiteral("behind")].toBool());
-  follow_->setChecked(state[QStringLiteral("follow")].toBool(!behind_->isChecked()));
-  ride_.forget();
+  keep("behind", behind_);
+  keep(
+      "follow", [this] { return follow_->isChecked(); },
+      [this](const QJsonValue& value) {
+        follow_->setChecked(value.toBool(!behind_->isChecked()));
+        ride_.forget();
+      });
 }
 
 }  // namespace widgets

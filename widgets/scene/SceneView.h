@@ -38,15 +38,13 @@ class SceneView final : public PictureView {
   /// Shows the world at the shown instant and moves the camera along with a robot.
   void tick() override;
 
- protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
-
  private:
   void createActions();
   /// Actions for the camera: reset, from above, behind, follow.
   void createCameraActions();
   void createViews();
+  /// Adds the user's choices to the saved state.
+  void keepChoices();
   /// `showDrawings` is its last button.
   QWidget* createToolRow(QAction* showDrawings);
   void connectSignals();

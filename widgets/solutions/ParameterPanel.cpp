@@ -73,16 +73,12 @@ void ParameterPanel::createViews() {
                          QAbstractItemView::AnyKeyPressed);
   new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(tree_);
-  state_ = new QLabel(this);
-  describe(*state_, {"parametersState", tr("State of the parameters"), {}});
-  state_->setWordWrap(true);
+  state_ = makeNote(this, "parametersState", tr("State of the parameters"));
   auto* top = new QHBoxLayout;
   top->addWidget(title_, 1);
   for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_})
     top->addWidget(makeButton(this, action));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {}, 4);
   layout->addLayout(top);
   layout->addWidget(tree_, 1);
   layout->addWidget(state_);
@@ -118,7 +114,7 @@ void ParameterPanel::show(const std::string& robot, const std::string& task, con
   shown_ = nullptr;
   model_.clear();
   undo_.clear();
-  say({});
+  showOutcome(*state_, {}, false);
   undoAction_->setEnabled(false);
   redoAction_->setEnabled(false);
   for (QAction* action : {reset_, resetAll_, refresh_}) action->setEnabled(!solution_.empty());
@@ -142,7 +138,7 @@ void ParameterPanel::askForValues() {
   request.mutable_get_parameters()->set_solution(solution_);
   ask(session_, robot_, std::move(request), this,
       [this, isShown = whetherShown()](bool accepted, const QString& reason) {
-        if (!accepted && isShown()) say(tr("Not reported: %1").arg(reason), true);
+        if (!accepted && isShown()) showOutcome(*state_, tr("Not reported: %1").arg(reason), true);
       });
 }
 
@@ -183,26 +179,20 @@ void ParameterPanel::apply(const QByteArray& value) {
   set.set_solution(solution_);
   set.mutable_value()->set_type(model_.typeName());
   set.mutable_value()->set_data(value.toStdString());
-  say(tr("Sending…"));
+  showOutcome(*state_, tr("Sending…"), false);
   ask(session_, robot_, std::move(request), this,
       [this, before, isShown = whetherShown(), name = QString::fromStdString(solution_)](
           bool accepted, const QString& reason) {
         if (!isShown()) {
-          if (!accepted) say(tr("The parameters of %1 were refused: %2").arg(name, reason), true);
+          if (!accepted)
+            showOutcome(*state_, tr("The parameters of %1 were refused: %2").arg(name, reason), true);
           return;
         }
-        if (accepted) return say(tr("Set."));
+        if (accepted) return showOutcome(*state_, tr("Set."), false);
         model_.setValue(before);
         undo_.clear();
-        say(tr("Refused: %1").arg(reason), true);
+        showOutcome(*state_, tr("Refused: %1").arg(reason), true);
       });
-}
-
-void ParameterPanel::say(const QString& text, bool bad) {
-  QPalette colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  state_->setPalette(bad ? colors : QPalette());
-  state_->setText(text);
 }
 
 }  // namespace widgets

@@ -49,8 +49,6 @@ class ParameterPanel final : public QWidget {
   std::function<bool()> whetherShown() const;
   /// Shows `value` (a serialized message) and sends it to the robot.
   void apply(const QByteArray& value);
-  /// Shows a text below the tree; `bad`: in the color of an error.
-  void say(const QString& text, bool bad = false);
 
   robotlink::Session& session_;
   ParameterModel model_;

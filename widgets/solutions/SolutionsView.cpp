@@ -35,6 +35,8 @@ SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(conte
   createActions();
   createViews();
   connectSignals();
+  keep("parameters", showParameters_);
+  keep("splitter", splitter_);
 }
 
 void SolutionsView::createActions() {
@@ -42,10 +44,9 @@ void SolutionsView::createActions() {
       makeAction(this, "reset",
                  {"solutionsDefaults", tr("Defaults"),
                   tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
-  showParameters_ = makeAction(this, "settings",
+  showParameters_ = makeToggle(this, "settings",
                                {"solutionsParameters", tr("Parameters"),
                                 tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
-  showParameters_->setCheckable(true);
 }
 
 void SolutionsView::createViews() {
@@ -60,26 +61,15 @@ void SolutionsView::createViews() {
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   parameters_ = new ParameterPanel(session(), this);
-  splitter_ = new QSplitter(Qt::Vertical, this);
-  splitter_->setObjectName(QStringLiteral("solutionsSplitter"));
-  splitter_->addWidget(tree_);
-  splitter_->addWidget(parameters_);
-  splitter_->setStretchFactor(0, 2);
-  splitter_->setStretchFactor(1, 1);
+  splitter_ = makeSplitter(this, "solutionsSplitter", Qt::Vertical, {{tree_, 2}, {parameters_, 1}});
   splitter_->setChildrenCollapsible(false);
   parameters_->hide();
-  state_ = new QLabel(this);
-  describe(*state_, {"solutionsState", tr("Last answer"), {}});
-  state_->setWordWrap(true);
+  state_ = makeNote(this, "solutionsState", tr("Last answer"));
   auto* top = new QHBoxLayout;
   top->addWidget(state_, 1);
   top->addWidget(makeButton(this, defaults_));
-  auto* parametersButton = makeButton(this, showParameters_);
-  parametersButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  top->addWidget(parametersButton);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
+  top->addWidget(makeLabeledButton(this, showParameters_));
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   layout->addWidget(splitter_, 1);
 }
@@ -130,9 +120,10 @@ void SolutionsView::choose(const QModelIndex& index) {
   if (!solution.isValid()) return;
   const auto choice = static_cast<SolutionModel::Choice>(index.data(SolutionModel::kChoiceRole).toInt());
   if (choice == SolutionModel::Choice::kUnavailable) {
-    say(tr("%1 cannot be chosen: %2")
-            .arg(solution.toString(), index.siblingAtColumn(SolutionModel::kState).data().toString()),
-        true);
+    showOutcome(*state_,
+                tr("%1 cannot be chosen: %2")
+                    .arg(solution.toString(), index.siblingAtColumn(SolutionModel::kState).data().toString()),
+                true);
   } else if (choice == SolutionModel::Choice::kFree) {
     select(index.data(SolutionModel::kTaskRole).toString().toStdString(), solution.toString().toStdString());
   }
@@ -146,9 +137,9 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
   ask(session(), robot_, std::move(request), this,
       [this, robot = robot_, task, solution](bool accepted, const QString& reason) {
         const QString name = QString::fromStdString(task + " / " + solution);
-        if (accepted) return say(tr("%1 was accepted").arg(name), false);
+        if (accepted) return showOutcome(*state_, tr("%1 was accepted").arg(name), false);
         if (robot == robot_) model_.refuse(task, solution, reason);
-        say(tr("%1 was refused: %2").arg(name, reason), true);
+        showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
       });
 }
 
@@ -167,13 +158,6 @@ void SolutionsView::showCurrent(const QModelIndex& index) {
                     solution.toString().toStdString(), index.data(SolutionModel::kParametersRole).toBool());
 }
 
-void SolutionsView::say(const QString& text, bool bad) {
-  QPalette colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  state_->setPalette(bad ? colors : QPalette());
-  state_->setText(text);
-}
-
 bool SolutionsView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == tree_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
@@ -185,16 +169,6 @@ bool SolutionsView::eventFilter(QObject* watched, QEvent* event) {
     }
   }
   return View::eventFilter(watched, event);
-}
-
-QJsonObject SolutionsView::saveState() const {
-  return {{QStringLiteral("parameters"), showParameters_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)}};
-}
-
-void SolutionsView::restoreState(const QJsonObject& state) {
-  showParameters_->setChecked(state.value(QStringLiteral("parameters")).toBool());
-  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

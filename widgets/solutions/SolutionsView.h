@@ -25,8 +25,6 @@ class SolutionsView final : public View {
   explicit SolutionsView(ViewContext& context, QWidget* parent = nullptr);
   /// Updates the tree if the robot or its SolutionTables changed.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
   /// Handles Space and Return in the tree.
@@ -44,8 +42,6 @@ class SolutionsView final : public View {
   void selectDefaults();
   /// Shows the parameters of the solution at `index` if the panel is visible.
   void showCurrent(const QModelIndex& index);
-  /// Shows a text in the state line; `bad`: in the color of an error.
-  void say(const QString& text, bool bad);
 
   SolutionModel model_;
   QTreeView* tree_ = nullptr;

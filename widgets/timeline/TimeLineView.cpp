@@ -47,6 +47,7 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   connectBookmarks();
+  keep("follow", follow_);
   tick();
 }
 
@@ -67,9 +68,8 @@ void TimeLineView::createActions() {
       this, "zoom-in",
       {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
   fit_ = makeAction(this, "fit", {"timeLineFit", tr("Fit"), tr("Shows all of the logs"), Qt::Key_F});
-  follow_ = makeAction(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the playhead in sight")});
-  follow_->setCheckable(true);
-  follow_->setChecked(true);
+  follow_ =
+      makeToggle(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the playhead in sight")}, true);
 }
 
 void TimeLineView::createRangeActions() {
@@ -121,9 +121,7 @@ void TimeLineView::createViews() {
   hint_ = new EmptyHint(canvas_->viewport());
   job_ = new LogJobBar(this);
   damage_ = new LogDamageBar(this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeColumn(this);
   layout->addWidget(createBar());
   layout->addWidget(damage_);
   layout->addWidget(job_);
@@ -360,14 +358,6 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
     });
   }
   menu->popup(event->globalPos());
-}
-
-QJsonObject TimeLineView::saveState() const {
-  return {{QStringLiteral("follow"), follow_->isChecked()}};
-}
-
-void TimeLineView::restoreState(const QJsonObject& state) {
-  follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
 }
 
 }  // namespace widgets

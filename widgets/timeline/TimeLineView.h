@@ -32,8 +32,6 @@ class TimeLineView final : public View {
   explicit TimeLineView(ViewContext& context, QWidget* parent = nullptr);
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
   /// Handles the keys of the replay, see ReplayKey.

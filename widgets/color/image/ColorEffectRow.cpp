@@ -122,10 +122,7 @@ void ColorEffectRow::update() {
     text += counted(static_cast<qulonglong>(count), tr("1 of its pixels was of another class"),
                     tr("%1 of its pixels were of other classes"));
   }
-  QPalette colors = palette();
-  if (large) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  text_->setPalette(large ? colors : QPalette());
-  text_->setText(large ? QStringLiteral("⚠ ") + text : text);
+  showOutcome(*text_, large ? QStringLiteral("⚠ ") + text : text, large);
   text_->setToolTip(text);
   drop_->setVisible(count > 0 && !drawing_);
   setVisible(!text.isEmpty());

@@ -35,12 +35,6 @@ constexpr QSize kThumbnail(72, 54);
 constexpr int kProgressSteps = 1000;
 constexpr int kMaxChoices = 256;  // there are no more classes
 
-void setTextColor(QWidget& widget, Meaning meaning, const QPalette& palette) {
-  QPalette colors = palette;
-  colors.setColor(QPalette::WindowText, colorOf(meaning, palette));
-  widget.setPalette(colors);
-}
-
 }  // namespace
 
 ColorFramesView::ColorFramesView(ViewContext& context, QWidget* parent)
@@ -52,6 +46,12 @@ ColorFramesView::ColorFramesView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep(
+      "classes", [this] { return QJsonArray::fromStringList(finder_.choices()); },
+      [this](const QJsonValue& value) {
+        finder_.setChoices(value.toVariant().toStringList().mid(0, kMaxChoices));
+      });
+  keep("columns", table_->horizontalHeader());
   tick();
 }
 
@@ -73,27 +73,23 @@ void ColorFramesView::createActions() {
 
 QWidget* ColorFramesView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
-  classes_ = new QToolButton(row->parentWidget());
-  describe(*classes_, {"colorFramesClasses", tr("Classes"),
-                       tr("Which classes are searched: those of objects, not ground and walls")});
-  classes_->setText(tr("Classes"));
-  classes_->setIcon(icon(QStringLiteral("filter")));
-  classes_->setAutoRaise(true);
-  classes_->setPopupMode(QToolButton::InstantPopup);
-  classMenu_ = new QMenu(classes_);
+  classMenu_ = new QMenu(this);
   classMenu_->setObjectName(QStringLiteral("colorFramesClassMenu"));
-  classes_->setMenu(classMenu_);
-  liveButton_ = makeButton(row->parentWidget(), live_);
-  for (QToolButton* button : {makeButton(row->parentWidget(), search_),
-                              makeButton(row->parentWidget(), cancel_), classes_, liveButton_}) {
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* classes = makeMenuButton(row->parentWidget(),
+                                 {"colorFramesClasses", tr("Classes"),
+                                  tr("Which classes are searched: those of objects, not ground and walls")},
+                                 classMenu_);
+  classes->setIcon(icon("filter"));
+  classes->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  liveButton_ = makeLabeledButton(row->parentWidget(), live_);
+  for (QToolButton* button : {makeLabeledButton(row->parentWidget(), search_),
+                              makeLabeledButton(row->parentWidget(), cancel_), classes, liveButton_})
     row->addWidget(button);
-  }
   row->addStretch(1);
   stale_ = new QLabel(tr("⚠ The table has changed"), row->parentWidget());
   stale_->setObjectName(QStringLiteral("colorFramesStale"));
   stale_->setToolTip(tr("These frames were found with an older table; search again (F5)"));
-  setTextColor(*stale_, Meaning::kWarning, palette());
+  setMeaning(*stale_, Meaning::kWarning);
   row->addWidget(stale_);
   return row->parentWidget();
 }
@@ -115,35 +111,23 @@ QWidget* ColorFramesView::createFooter() {
 void ColorFramesView::createViews() {
   sorted_->setSourceModel(&finder_.model());
   sorted_->setSortRole(SuspiciousFrameModel::kSortRole);
-  table_ = new QTableView(this);
-  describe(*table_, {"colorFramesTable", tr("Suspicious images"), tr("A click or Enter shows an image")});
-  table_->setToolTip({});
-  table_->setModel(sorted_);
+  table_ = makeTable(
+      this, {"colorFramesTable", tr("Suspicious images"), tr("A click or Enter shows an image")}, sorted_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(SuspiciousFrameModel::kScore, Qt::DescendingOrder);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setIconSize(kThumbnail);
-  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kThumbnail.height() + 4);
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
                           ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
-  problem_ = new QLabel(this);
-  problem_->setObjectName(QStringLiteral("colorFramesProblem"));
+  problem_ = makeNote(this, "colorFramesProblem", tr("What went wrong"));
   problem_->setMargin(4);
-  problem_->setWordWrap(true);
-  setTextColor(*problem_, Meaning::kBad, palette());
+  setMeaning(*problem_, Meaning::kBad);
   problem_->hide();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeColumn(this);
   layout->addWidget(createToolRow());
   layout->addWidget(problem_);
   layout->addWidget(table_, 1);
@@ -233,18 +217,6 @@ void ColorFramesView::tick() {
   liveButton_->setVisible(!session().timeline().live());
   finder_.model().setOrigin(session().timeline().origin());
   showState();
-}
-
-QJsonObject ColorFramesView::saveState() const {
-  return {{QStringLiteral("classes"), QJsonArray::fromStringList(finder_.choices())},
-          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
-}
-
-void ColorFramesView::restoreState(const QJsonObject& state) {
-  QStringList choices;
-  for (const QJsonValue& choice : state[QStringLiteral("classes")].toArray()) choices << choice.toString();
-  finder_.setChoices(choices.mid(0, kMaxChoices));
-  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

@@ -29,8 +29,6 @@ class ColorFramesView final : public View {
 
   /// Updates the origin of the times and the state line.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createActions();
@@ -59,7 +57,7 @@ class ColorFramesView final : public View {
   QLabel *state_ = nullptr, *stale_ = nullptr, *problem_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QAction *search_ = nullptr, *cancel_ = nullptr, *live_ = nullptr;
-  QToolButton *classes_ = nullptr, *liveButton_ = nullptr;
+  QToolButton* liveButton_ = nullptr;
   QMenu* classMenu_ = nullptr;
 };
 

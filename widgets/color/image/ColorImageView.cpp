@@ -44,6 +44,7 @@ ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keepChoices();
   applyTool();
   // A picture of a file is in no stream, so it has to be pinned to be shown again.
   if (bench_.frame() && !bench_.frame()->file().empty()) {
@@ -66,11 +67,12 @@ void ColorImageView::createActions() {
   collect_ = makeAction(
       this, "add",
       {"colorCollect", tr("Collect"), tr("Collects this image in the strip, to come back to it"), Qt::Key_C});
-  twoPictures_ = makeAction(
+  twoPictures_ = makeToggle(
       this, "two-pictures",
-      {"colorTwoPictures", tr("Two pictures"), tr("Shows the classified image beside it"), Qt::Key_T});
-  showStrokes_ = makeAction(
-      this, "eye", {"colorShowStrokes", tr("Strokes"), tr("Shows the strokes in the image"), Qt::Key_V});
+      {"colorTwoPictures", tr("Two pictures"), tr("Shows the classified image beside it"), Qt::Key_T}, true);
+  showStrokes_ =
+      makeToggle(this, "eye",
+                 {"colorShowStrokes", tr("Strokes"), tr("Shows the strokes in the image"), Qt::Key_V}, true);
   cancel_ =
       makeAction(this, "close",
                  {"colorCancel", tr("Cancel"), tr("Cancels the stroke or the selection"), Qt::Key_Escape});
@@ -78,16 +80,14 @@ void ColorImageView::createActions() {
                      {"colorSend", tr("Send"), tr("Sends the table to the selected robot's program"),
                       QKeySequence(QStringLiteral("Ctrl+Return"))});
   autoSend_ =
-      makeAction(this, "auto-send",
+      makeToggle(this, "auto-send",
                  {"colorAutoSend", tr("Send always"), tr("Sends each new table to the robot at once")});
   createPictureActions();
-  for (QAction* action : {twoPictures_, showStrokes_, showStrip_, autoSend_}) action->setCheckable(true);
-  for (QAction* action : {twoPictures_, showStrokes_, showStrip_}) action->setChecked(true);
 }
 
 void ColorImageView::createPictureActions() {
-  showStrip_ = makeAction(this, "down",
-                          {"colorShowStrip", tr("Strip"), tr("Shows the collected images below this one")});
+  showStrip_ = makeToggle(
+      this, "down", {"colorShowStrip", tr("Strip"), tr("Shows the collected images below this one")}, true);
   openPictures_ = makeAction(this, "image",
                              {"colorOpenPictures", tr("Open pictures…"),
                               tr("Adds pictures to the strip, to paint in: PNG, JPEG, .yuyv")});
@@ -339,10 +339,7 @@ void ColorImageView::showSending() {
   const bool bad = sender.state() == ColorSender::State::kFailed;
   QLabel* note = toolRow_->note();
   note->setText(good ? QStringLiteral("✓ %1").arg(sender.text()) : sender.text());
-  QPalette colors = palette();
-  if (good || bad)
-    colors.setColor(QPalette::WindowText, colorOf(good ? Meaning::kGood : Meaning::kBad, palette()));
-  note->setPalette(colors);
+  setMeaning(*note, good ? std::optional(Meaning::kGood) : bad ? std::optional(Meaning::kBad) : std::nullopt);
   note->setToolTip(sender.text());
   autoSend_->setChecked(sender.autoSend());
 }
@@ -389,23 +386,15 @@ void ColorImageView::updatePixel() {
   pixel_->setText(text);
 }
 
-QJsonObject ColorImageView::saveContent() const {
-  return {{QStringLiteral("stream"), streams_->choice()},
-          {QStringLiteral("tools"), toolRow_->saveState()},
-          {QStringLiteral("two"), twoPictures_->isChecked()},
-          {QStringLiteral("strokes"), showStrokes_->isChecked()},
-          {QStringLiteral("strip"), showStrip_->isChecked()},
-          {QStringLiteral("right"), rightLayer_->currentIndex()}};
-}
-
-void ColorImageView::restoreContent(const QJsonObject& state) {
-  toolRow_->restoreState(state[QStringLiteral("tools")].toObject());
-  twoPictures_->setChecked(state[QStringLiteral("two")].toBool(true));
-  showStrokes_->setChecked(state[QStringLiteral("strokes")].toBool(true));
-  showStrip_->setChecked(state[QStringLiteral("strip")].toBool(true));
-  rightLayer_->setCurrentIndex(
-      std::clamp(state[QStringLiteral("right")].toInt(), 0, rightLayer_->count() - 1));
-  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultColorChoice)));
+void ColorImageView::keepChoices() {
+  keep(
+      "tools", [this] { return toolRow_->saveState(); },
+      [this](const QJsonValue& value) { toolRow_->restoreState(value.toObject()); });
+  keep("two", twoPictures_);
+  keep("strokes", showStrokes_);
+  keep("strip", showStrip_);
+  keep("right", rightLayer_);
+  keep("stream", streams_);
 }
 
 }  // namespace widgets

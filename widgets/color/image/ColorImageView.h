@@ -38,8 +38,6 @@ class ColorImageView final : public PictureView {
   void tick() override;
 
  protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -54,6 +52,8 @@ class ColorImageView final : public PictureView {
   void openPictures(bool folder);
   QWidget* createStreamRow();
   QWidget* createFooter();
+  /// Adds the user's choices to the saved state.
+  void keepChoices();
   void connectSignals();
   /// Connects the signals of one canvas; the other one gets its viewport and cursor.
   void connectCanvas(ColorCanvas* canvas, ColorCanvas* other);

@@ -84,18 +84,16 @@ ColorToolRow::ColorToolRow(ColorBench& bench, QWidget* owner) : QWidget(owner), 
 void ColorToolRow::createTools(QWidget* owner) {
   tools_ = new QActionGroup(this);
   for (const ToolText& text : kTools) {
-    QAction* action = makeAction(owner, text.icon, {text.name, tr(text.text), tr(text.toolTip), text.key});
-    action->setCheckable(true);
+    QAction* action = makeToggle(owner, text.icon, {text.name, tr(text.text), tr(text.toolTip), text.key},
+                                 text.tool == ColorTool::kBrush);
     action->setData(static_cast<int>(text.tool));
     tools_->addAction(action);
-    if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
-  careful_ = makeAction(
+  careful_ = makeToggle(
       owner, "filter",
       {"colorCareful", tr("Careful brush"),
-       tr("The brush snaps to thin lines and leaves out other colors, such as the field beside a line")});
-  careful_->setCheckable(true);
-  careful_->setChecked(true);
+       tr("The brush snaps to thin lines and leaves out other colors, such as the field beside a line")},
+      true);
   const ColorActions common = addColorActions(*owner, "color", bench_);
   undo_ = common.undo;
   redo_ = common.redo;

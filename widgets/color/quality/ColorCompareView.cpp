@@ -46,6 +46,10 @@ ColorCompareView::ColorCompareView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep(
+      "folder", [this] { return files_.folder(); },
+      [this](const QJsonValue& value) { files_.proposeFolder(value.toString()); });
+  keep("columns", table_->horizontalHeader());
   tick();
 }
 
@@ -70,58 +74,40 @@ void ColorCompareView::createActions() {
 
 QWidget* ColorCompareView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
-  steps_ = new QToolButton(row->parentWidget());
-  describe(*steps_,
-           {"colorCompareSteps", tr("Step"), tr("Compares with the table as it was some steps ago")});
-  steps_->setText(tr("Step"));
-  steps_->setIcon(icon(QStringLiteral("undo")));
-  steps_->setAutoRaise(true);
-  steps_->setPopupMode(QToolButton::InstantPopup);
-  stepMenu_ = new QMenu(steps_);
+  stepMenu_ = new QMenu(this);
   stepMenu_->setObjectName(QStringLiteral("colorCompareStepMenu"));
-  steps_->setMenu(stepMenu_);
-  QToolButton* buttons[] = {makeButton(row->parentWidget(), open_), makeButton(row->parentWidget(), now_),
-                            steps_};
-  for (QToolButton* button : buttons) {
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    row->addWidget(button);
-  }
+  auto* steps = makeMenuButton(
+      row->parentWidget(),
+      {"colorCompareSteps", tr("Step"), tr("Compares with the table as it was some steps ago")}, stepMenu_);
+  steps->setIcon(icon("undo"));
+  steps->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (QAction* action : {open_, now_}) row->addWidget(makeLabeledButton(row->parentWidget(), action));
+  row->addWidget(steps);
   row->addStretch(1);
   addButtons(row, {showInImage_, deselect_, none_});
   return row->parentWidget();
 }
 
 void ColorCompareView::createViews() {
-  table_ = new QTableView(this);
-  describe(*table_, {"colorCompareTable", tr("What each class gained and lost, in cells"),
-                     tr("A click selects the cells that changed")});
-  table_->setToolTip({});
-  table_->setModel(&model_);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_ = makeTable(this,
+                     {"colorCompareTable", tr("What each class gained and lost, in cells"),
+                      tr("A click selects the cells that changed")},
+                     &model_);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
   table_->setFrameShape(QFrame::NoFrame);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   // What came from where, and went where, takes the room there is.
   new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
                           ColumnKind::kText, ColumnKind::kNumber, ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = makeColumn(this);
   layout->addWidget(createToolRow());
   name_ = new QLabel(this);
   name_->setObjectName(QStringLiteral("colorCompareName"));
   name_->setMargin(4);
   layout->addWidget(name_);
-  problem_ = new QLabel(this);
-  problem_->setObjectName(QStringLiteral("colorCompareProblem"));
+  problem_ = makeNote(this, "colorCompareProblem", tr("What went wrong"));
   problem_->setMargin(4);
-  problem_->setWordWrap(true);
   layout->addWidget(problem_);
   layout->addWidget(table_, 1);
   QHBoxLayout* footer = makeFooter(this);
@@ -150,10 +136,7 @@ void ColorCompareView::connectSignals() {
 }
 
 void ColorCompareView::report(const QString& problem) {
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  problem_->setPalette(colors);
-  problem_->setText(problem);
+  showOutcome(*problem_, problem, true);
   problem_->setToolTip(problem);
   problem_->setVisible(!problem.isEmpty());
   // The label may have no room for all of it.
@@ -273,16 +256,6 @@ void ColorCompareView::selectCells(const QModelIndex& index) {
   const colortool::CellSet cells = model_.cellsOf(index);
   selected_ = cells;
   if (!bench_.hasSelection() || !(bench_.selection() == cells)) bench_.select(cells);
-}
-
-QJsonObject ColorCompareView::saveState() const {
-  return {{QStringLiteral("folder"), files_.folder()},
-          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
-}
-
-void ColorCompareView::restoreState(const QJsonObject& state) {
-  if (files_.folder().isEmpty()) files_.setFolder(state[QStringLiteral("folder")].toString());
-  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

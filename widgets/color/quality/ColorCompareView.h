@@ -15,7 +15,6 @@ class QAction;
 class QLabel;
 class QMenu;
 class QTableView;
-class QToolButton;
 
 namespace widgets {
 
@@ -36,8 +35,6 @@ class ColorCompareView final : public View {
 
   /// Compares again if a table changed, and takes over a table that was trained.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createActions();
@@ -74,7 +71,6 @@ class ColorCompareView final : public View {
   EmptyHint* hint_ = nullptr;
   QLabel *name_ = nullptr, *sums_ = nullptr, *problem_ = nullptr;
   QAction *open_ = nullptr, *now_ = nullptr, *none_ = nullptr, *showInImage_ = nullptr, *deselect_ = nullptr;
-  QToolButton* steps_ = nullptr;
   QMenu* stepMenu_ = nullptr;
 
   /// The table after a step, which is to be trained.

@@ -56,6 +56,9 @@ ColorQualityView::ColorQualityView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep(
+      "folder", [this] { return folder_; }, [this](const QJsonValue& value) { folder_ = value.toString(); });
+  keep("splitter", splitter_);
   showQuality();
 }
 
@@ -66,10 +69,9 @@ void ColorQualityView::createActions() {
                      {"qualityOpen", tr("Labeled images…"),
                       tr("Scores the table over a folder of images with labels: gray PNGs of the same name "
                          "with the numbers of the classes")});
-  simulated_ = makeAction(this, "simulation",
+  simulated_ = makeToggle(this, "simulation",
                           {"qualitySimulated", tr("Simulator's classes"),
                            tr("Scores the table against the simulated camera's true classes")});
-  simulated_->setCheckable(true);
   close_ =
       makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Removes the labeled images")});
 }
@@ -78,11 +80,7 @@ void ColorQualityView::createViews() {
   QHBoxLayout* row = makeToolRow(this);
   addButtons(row, {history_.undo, history_.redo});
   row->addSpacing(6);
-  for (QAction* action : {open_, simulated_}) {
-    auto* button = makeButton(row->parentWidget(), action);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    row->addWidget(button);
-  }
+  for (QAction* action : {open_, simulated_}) row->addWidget(makeLabeledButton(row->parentWidget(), action));
   addButtons(row, {close_});
   state_ = new QLabel(row->parentWidget());
   describe(*state_, {"qualityState", tr("State of the labeled images"), {}});
@@ -90,13 +88,8 @@ void ColorQualityView::createViews() {
   row->addWidget(state_, 1);
   strokes_ = new ConfusionPanel("strokes", tr("Your strokes"), this);
   labeled_ = new ConfusionPanel("labeled", tr("Labeled images"), this);
-  splitter_ = new QSplitter(Qt::Horizontal, this);
-  splitter_->setObjectName(QStringLiteral("qualitySplitter"));
-  splitter_->addWidget(strokes_);
-  splitter_->addWidget(labeled_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 2, 4, 4);
-  layout->setSpacing(3);
+  splitter_ = makeSplitter(this, "qualitySplitter", Qt::Horizontal, {{strokes_}, {labeled_}});
+  auto* layout = makeColumn(this, {4, 2, 4, 4}, 3);
   layout->addWidget(row->parentWidget());
   layout->addWidget(splitter_, 1);
 }
@@ -333,20 +326,8 @@ void ColorQualityView::showLabeled() {
 }
 
 void ColorQualityView::say(const QString& text, bool bad) {
-  QPalette colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  state_->setPalette(bad ? colors : QPalette());
-  state_->setText(text);
+  showOutcome(*state_, text, bad);
   state_->setToolTip({});
-}
-
-QJsonObject ColorQualityView::saveState() const {
-  return {{QStringLiteral("folder"), folder_}, {QStringLiteral("splitter"), splitterState(*splitter_)}};
-}
-
-void ColorQualityView::restoreState(const QJsonObject& state) {
-  folder_ = state.value(QStringLiteral("folder")).toString();
-  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -35,8 +35,6 @@ class ColorQualityView final : public View {
   ~ColorQualityView() override;
   /// Takes over images that were read, and asks the simulator for more.
   void tick() override;
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  private:
   void createActions();

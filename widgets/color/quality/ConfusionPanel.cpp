@@ -42,14 +42,11 @@ class HeatDelegate final : public QStyledItemDelegate {
 ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* parent) : QWidget(parent) {
   const QByteArray prefix(name);
   auto* heading = new QLabel(QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped()), this);
-  summary_ = new QLabel(this);
-  describe(*summary_, {(prefix + "Summary").constData(), title, {}});
-  summary_->setWordWrap(true);  // so that it does not determine the dock's width
+  // It wraps, so that it does not determine the dock's width.
+  summary_ = makeNote(this, (prefix + "Summary").constData(), title);
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   noteArea_ = new QScrollArea(this);
-  note_ = new QLabel(noteArea_);
-  describe(*note_, {(prefix + "Note").constData(), tr("What to know about these figures"), {}});
-  note_->setWordWrap(true);
+  note_ = makeNote(noteArea_, (prefix + "Note").constData(), tr("What to know about these figures"));
   note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   // A long note must not take the room of other views.
   noteArea_->setWidget(note_);
@@ -77,9 +74,7 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   auto* top = new QHBoxLayout;
   top->addWidget(heading);
   top->addWidget(summary_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(3);
+  auto* layout = makeColumn(this, {}, 3);
   layout->addLayout(top);
   layout->addWidget(table_, 1);
   layout->addWidget(noteArea_);

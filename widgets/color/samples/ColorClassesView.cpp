@@ -46,6 +46,15 @@ ColorClassesView::ColorClassesView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep(
+      "training", [this] { return more_->isChecked(); },
+      [this](const QJsonValue& value) { more_->setChecked(value.toBool()); });
+  keep(
+      "folder", [this] { return files_.folder(); },
+      [this](const QJsonValue& value) {
+        files_.proposeFolder(value.toString());
+        showTitle();
+      });
   showSamples();
   showMeaning();
   showQuality();
@@ -64,10 +73,9 @@ void ColorClassesView::createActions() {
   down_ = makeAction(this, "down",
                      {"classDown", tr("Down"),
                       tr("Moves the chosen class down; its key and its number follow"), tr("Alt+Down")});
-  mustNotBe_ = makeAction(this, "must-not",
+  mustNotBe_ = makeToggle(this, "must-not",
                           {"mustNotBe", tr("Must not be"),
                            tr("The pixels of the next stroke must not be of the chosen class (N)")});
-  mustNotBe_->setCheckable(true);
   presets_ = new QMenu(tr("Preset"), this);
   presets_->setObjectName(QStringLiteral("classPresets"));
   fillPresetMenu();
@@ -85,9 +93,7 @@ void ColorClassesView::fillPresetMenu() {
 
 void ColorClassesView::createViews() {
   createTree();
-  message_ = new QLabel(this);
-  describe(*message_, {"colorMessage", tr("Last message"), {}});
-  message_->setWordWrap(true);
+  message_ = makeNote(this, "colorMessage", tr("Last message"));
   message_->setTextFormat(Qt::PlainText);
   message_->hide();
   more_ = new QToolButton(this);
@@ -99,9 +105,7 @@ void ColorClassesView::createViews() {
   more_->setAutoRaise(true);
   training_ = new TrainingPanel(bench_, this);
   training_->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 2, 4, 4);
-  layout->setSpacing(3);
+  auto* layout = makeColumn(this, {4, 2, 4, 4}, 3);
   layout->addWidget(createTools());
   layout->addWidget(tree_, 1);
   layout->addWidget(createMeaning());
@@ -132,23 +136,17 @@ QWidget* ColorClassesView::createTools() {
   addButtons(row, {history_.undo, history_.redo});
   row->addStretch(1);
   addButtons(row, {add_, remove_, up_, down_});
-  auto* preset = new QToolButton(row->parentWidget());
-  describe(*preset,
-           {"classPreset", tr("Preset"), tr("Classes to start with; strokes keep the class of their name")});
-  preset->setText(tr("Preset"));
-  preset->setAutoRaise(true);
-  preset->setPopupMode(QToolButton::InstantPopup);
-  preset->setMenu(presets_);
-  row->addWidget(preset);
+  row->addWidget(makeMenuButton(
+      row->parentWidget(),
+      {"classPreset", tr("Preset"), tr("Classes to start with; strokes keep the class of their name")},
+      presets_));
   return row->parentWidget();
 }
 
 QWidget* ColorClassesView::createMeaning() {
   QHBoxLayout* row = makeToolRow(this);
   row->addWidget(new QLabel(tr("Next stroke:"), row->parentWidget()));
-  auto* mustNotBe = makeButton(row->parentWidget(), mustNotBe_);
-  mustNotBe->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  row->addWidget(mustNotBe);
+  row->addWidget(makeLabeledButton(row->parentWidget(), mustNotBe_));
   row->addStretch(1);
   auto* label = new QLabel(tr("Weight"), row->parentWidget());
   weight_ = new QDoubleSpinBox(row->parentWidget());
@@ -233,16 +231,13 @@ void ColorClassesView::showTitle() {
 }
 
 void ColorClassesView::say(const QString& text, bool bad) {
-  QPalette colors = palette();
-  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
-  message_->setPalette(bad ? colors : QPalette());
   QStringList lines = text.split(QLatin1Char('\n'));
   message_->setToolTip(lines.size() > kMaxMessageLines ? text : QString());
   if (lines.size() > kMaxMessageLines) {
     lines = lines.mid(0, kMaxMessageLines);
     lines.last() += QStringLiteral(" …");
   }
-  message_->setText(lines.join(QLatin1Char('\n')));
+  showOutcome(*message_, lines.join(QLatin1Char('\n')), bad);
   message_->setVisible(!text.isEmpty());
 }
 
@@ -312,16 +307,6 @@ bool ColorClassesView::eventFilter(QObject* watched, QEvent* event) {
     return false;
   pickColor(index.row());
   return true;
-}
-
-QJsonObject ColorClassesView::saveState() const {
-  return {{QStringLiteral("training"), more_->isChecked()}, {QStringLiteral("folder"), files_.folder()}};
-}
-
-void ColorClassesView::restoreState(const QJsonObject& state) {
-  more_->setChecked(state.value(QStringLiteral("training")).toBool());
-  if (files_.folder().isEmpty()) files_.setFolder(state.value(QStringLiteral("folder")).toString());
-  showTitle();
 }
 
 }  // namespace widgets

@@ -35,8 +35,6 @@ class ColorClassesView final : public View {
   explicit ColorClassesView(ViewContext& context, QWidget* parent = nullptr);
   /// Nothing to do: the bench signals all changes.
   void tick() override {}
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
   /// Opens the color dialog at a click on the swatch of the current class.

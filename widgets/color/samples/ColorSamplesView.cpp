@@ -59,6 +59,8 @@ ColorSamplesView::ColorSamplesView(ViewContext& context, QWidget* parent)
   createActions();
   createViews();
   connectSignals();
+  keep("splitter", splitter_);
+  keep("header", tree_->header());
   showSamples();
   showQuality();
 }
@@ -102,12 +104,7 @@ void ColorSamplesView::createHistory() {
 void ColorSamplesView::createViews() {
   createTree();
   createHistory();
-  splitter_ = new QSplitter(Qt::Horizontal, this);
-  splitter_->setObjectName(QStringLiteral("samplesSplitter"));
-  splitter_->addWidget(tree_);
-  splitter_->addWidget(steps_);
-  splitter_->setStretchFactor(0, 4);
-  splitter_->setStretchFactor(1, 1);
+  splitter_ = makeSplitter(this, "samplesSplitter", Qt::Horizontal, {{tree_, 4}, {steps_, 1}});
   splitter_->setSizes({760, 190});
   QHBoxLayout* row = makeToolRow(this);
   addButtons(row, {history_.undo, history_.redo});
@@ -115,9 +112,7 @@ void ColorSamplesView::createViews() {
   addButtons(row, {remove_, lighting_});
   row->addStretch(1);
   count_ = addLabel(row, "samplesCount", tr("Number of strokes"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 2, 4, 0);
-  layout->setSpacing(3);
+  auto* layout = makeColumn(this, {4, 2, 4, 0}, 3);
   layout->addWidget(row->parentWidget());
   layout->addWidget(splitter_, 1);
 }
@@ -327,17 +322,6 @@ void ColorSamplesView::openMenu(const QPoint& at) {
   menu->addAction(lighting_);
   menu->addAction(remove_);
   menu->popup(tree_->viewport()->mapToGlobal(at));
-}
-
-QJsonObject ColorSamplesView::saveState() const {
-  return {{QStringLiteral("splitter"), splitterState(*splitter_)},
-          {QStringLiteral("header"), headerState(*tree_->header())}};
-}
-
-void ColorSamplesView::restoreState(const QJsonObject& state) {
-  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
-  if (state.contains(QStringLiteral("header")))
-    restoreHeader(*tree_->header(), state.value(QStringLiteral("header")));
 }
 
 }  // namespace widgets

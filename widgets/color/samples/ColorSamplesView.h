@@ -32,8 +32,6 @@ class ColorSamplesView final : public View {
   explicit ColorSamplesView(ViewContext& context, QWidget* parent = nullptr);
   /// Nothing to do: the bench signals all changes.
   void tick() override {}
-  QJsonObject saveState() const override;
-  void restoreState(const QJsonObject& state) override;
 
  protected:
   /// While the mouse is over the strokes their order is frozen, so that the one that is changed stays under

@@ -146,9 +146,7 @@ void TrainingPanel::createViews() {
   switches->addWidget(estimate, 1, 2);
   switches->setColumnStretch(0, 1);
   switches->setColumnStretch(1, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {}, 4);
   layout->addLayout(top);
   layout->addLayout(grid);
   layout->addLayout(switches);

@@ -41,9 +41,7 @@ ColorSpacePanel::ColorSpacePanel(QWidget* parent) : QWidget(parent) {
 }
 
 void ColorSpacePanel::createViews() {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 2, 4, 4);
-  layout->setSpacing(3);
+  auto* layout = makeColumn(this, {4, 2, 4, 4}, 3);
   layout->addWidget(createButtons());
   list_ = new QListWidget(this);
   describe(*list_,

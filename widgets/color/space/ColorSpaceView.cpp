@@ -52,32 +52,29 @@ ColorSpaceView::ColorSpaceView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   connectBench();
+  keep("pixels", pixels_);
+  keep("samples", samplesShown_);
+  keep("table", tableShown_);
   tick();
 }
 
 ColorSpaceView::~ColorSpaceView() = default;
 
 void ColorSpaceView::createActions() {
-  const auto toggle = [this](const char* icon, const ControlText& text, bool checked) {
-    QAction* action = makeAction(this, icon, text);
-    action->setCheckable(true);
-    action->setChecked(checked);
-    return action;
-  };
-  pixels_ = toggle(
-      "color-pixels",
+  pixels_ = makeToggle(
+      this, "color-pixels",
       {"colorSpacePixels", tr("Pixels"), tr("Shows the colors of the image's pixels"), Qt::Key_P}, true);
-  samplesShown_ = toggle("color-samples",
-                         {"colorSpaceSamples", tr("Samples"),
-                          tr("Shows the colors that strokes touched, in their class's color"), Qt::Key_S},
-                         true);
-  tableShown_ = toggle(
-      "color-surfaces",
+  samplesShown_ = makeToggle(this, "color-samples",
+                             {"colorSpaceSamples", tr("Samples"),
+                              tr("Shows the colors that strokes touched, in their class's color"), Qt::Key_S},
+                             true);
+  tableShown_ = makeToggle(
+      this, "color-surfaces",
       {"colorSpaceTable", tr("Table"), tr("Shows the surfaces of the table's classes"), Qt::Key_T}, true);
-  showPanel_ = toggle("settings",
-                      {"colorSpaceSettings", tr("Classes and cut"),
-                       tr("Chooses which classes are shown, and where the space is cut"), Qt::Key_D},
-                      true);
+  showPanel_ = makeToggle(this, "settings",
+                          {"colorSpaceSettings", tr("Classes and cut"),
+                           tr("Chooses which classes are shown, and where the space is cut"), Qt::Key_D},
+                          true);
   reset_ = makeAction(this, "reset", {"colorSpaceReset", tr("Reset"), tr("Resets the view"), Qt::Key_R});
   clear_ = makeAction(
       this, "clear",
@@ -271,24 +268,24 @@ void ColorSpaceView::select(const colortool::CellSet& cells, SelectionChange cha
   selection.empty() ? bench_.clearSelection() : bench_.select(selection);
 }
 
-QJsonObject ColorSpaceView::saveContent() const {
+QJsonObject ColorSpaceView::saveState() const {
   const ColorSpaceLook shown = look();
   QJsonArray hidden;
   for (const std::string& name : shown.hidden) hidden.append(QString::fromStdString(name));
-  return {{QStringLiteral("space"), QLatin1String(colortool::nameOf(shown.space))},
-          {QStringLiteral("pixels"), shown.pixels},
-          {QStringLiteral("samples"), shown.samples},
-          {QStringLiteral("table"), shown.table},
-          {QStringLiteral("surfaces"), static_cast<int>(shown.surfaces)},
-          {QStringLiteral("opacity"), shown.opacity},
-          {QStringLiteral("hidden"), hidden},
-          {QStringLiteral("cut"), static_cast<int>(shown.cut.along)},
-          {QStringLiteral("cutAt"), shown.cut.at},
-          {QStringLiteral("cutOther"), shown.cut.other},
-          {QStringLiteral("camera"), stateOf(canvas_->camera())}};
+  QJsonObject state = PictureView::saveState();
+  state[QStringLiteral("space")] = QLatin1String(colortool::nameOf(shown.space));
+  state[QStringLiteral("surfaces")] = static_cast<int>(shown.surfaces);
+  state[QStringLiteral("opacity")] = shown.opacity;
+  state[QStringLiteral("hidden")] = hidden;
+  state[QStringLiteral("cut")] = static_cast<int>(shown.cut.along);
+  state[QStringLiteral("cutAt")] = shown.cut.at;
+  state[QStringLiteral("cutOther")] = shown.cut.other;
+  state[QStringLiteral("camera")] = stateOf(canvas_->camera());
+  return state;
 }
 
-void ColorSpaceView::restoreContent(const QJsonObject& state) {
+void ColorSpaceView::restoreState(const QJsonObject& state) {
+  PictureView::restoreState(state);
   ColorSpaceLook wanted;
   space_->setCurrentIndex(std::max(0, space_->findText(state[QStringLiteral("space")].toString())));
   wanted.space = look().space;
@@ -305,9 +302,6 @@ void ColorSpaceView::restoreContent(const QJsonObject& state) {
   wanted.cut.at = std::clamp(state[QStringLiteral("cutAt")].toDouble(wanted.cut.at), 0.0, 1.0);
   wanted.cut.other = state[QStringLiteral("cutOther")].toBool();
   panel_->setLook(wanted);
-  pixels_->setChecked(state[QStringLiteral("pixels")].toBool(true));
-  samplesShown_->setChecked(state[QStringLiteral("samples")].toBool(true));
-  tableShown_->setChecked(state[QStringLiteral("table")].toBool(true));
   canvas_->setCamera(colorSpaceCameraOf(state[QStringLiteral("camera")].toObject()));
   updateLook();
 }

@@ -28,10 +28,8 @@ class ColorSpaceView final : public PictureView {
 
   /// Updates the canvas if something changed.
   void tick() override;
-
- protected:
-  QJsonObject saveContent() const override;
-  void restoreContent(const QJsonObject& state) override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
 
  private:
   /// How soon a change must be shown: what the user did at once, images of a camera ten times a second.
