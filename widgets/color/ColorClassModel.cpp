@@ -37,8 +37,11 @@ QIcon swatch(const QColor& color) {
   return untinted(pixmap);
 }
 
+ColorClassModel::ColorClassModel(QObject* parent)
+    : RowModel({tr("Class"), tr("Key"), tr("Strokes"), tr("Pixels"), tr("Recall")}, parent) {}
+
 void ColorClassModel::setSamples(const colortool::Samples& samples) {
-  std::vector<Row> rows(static_cast<std::size_t>(samples.classes.size()));
+  std::vector<ColorClassRow> rows(static_cast<std::size_t>(samples.classes.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto number = static_cast<int>(i);
     const robotlink::Rgb rgb = samples.classes.shownColor(number);
@@ -47,7 +50,7 @@ void ColorClassModel::setSamples(const colortool::Samples& samples) {
     if (rows.size() == rows_.size()) rows[i].recall = rows_[i].recall;
   }
   for (const colortool::StrokePtr& stroke : samples.strokes) {
-    Row& row = rows[stroke->colorClass];
+    ColorClassRow& row = rows[stroke->colorClass];
     ++row.strokes;
     row.pixels += static_cast<qint64>(stroke->colors.size());
   }
@@ -55,33 +58,17 @@ void ColorClassModel::setSamples(const colortool::Samples& samples) {
 }
 
 void ColorClassModel::setRecalls(const std::vector<std::optional<double>>& recalls) {
-  std::vector<Row> rows = rows_;
+  std::vector<ColorClassRow> rows = rows_;
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows[i].recall = i < recalls.size() ? recalls[i] : std::nullopt;
   setRows(std::move(rows));
 }
 
-void ColorClassModel::setRows(std::vector<Row> rows) {
-  if (rows == rows_) return;
-  if (rows.size() != rows_.size()) {
-    beginResetModel();
-    rows_ = std::move(rows);
-    endResetModel();
-    return;
-  }
-  rows_ = std::move(rows);
-  Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+void ColorClassModel::setRows(std::vector<ColorClassRow> rows) {
+  if (rows != rows_) replaceRows(std::move(rows), [](const auto&, const auto&) { return true; });
 }
 
-int ColorClassModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ColorClassModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
-}
-
-QVariant ColorClassModel::text(const Row& row, int column, int number) const {
+QVariant ColorClassModel::text(const ColorClassRow& row, int column, int number) const {
   switch (column) {
     case kName:
       return row.name;
@@ -97,7 +84,7 @@ QVariant ColorClassModel::text(const Row& row, int column, int number) const {
 }
 
 QVariant ColorClassModel::toolTip(const QModelIndex& index) const {
-  const Row& at = row(index.row());
+  const ColorClassRow& at = row(index.row());
   switch (index.column()) {
     case kName:
       return index.row() == 0
@@ -113,7 +100,7 @@ QVariant ColorClassModel::toolTip(const QModelIndex& index) const {
 
 QVariant ColorClassModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Row& at = row(index.row());
+  const ColorClassRow& at = row(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return text(at, index.column(), index.row());
@@ -143,15 +130,8 @@ bool ColorClassModel::setData(const QModelIndex& index, const QVariant& value, i
   return true;
 }
 
-QVariant ColorClassModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Class"), tr("Key"), tr("Strokes"), tr("Pixels"), tr("Recall")};
-  return titles[section];
-}
-
 Qt::ItemFlags ColorClassModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  const auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  const auto flags = QAbstractTableModel::flags(index);
   return index.column() == kName && index.row() > 0 ? flags | Qt::ItemIsEditable : flags;
 }
 

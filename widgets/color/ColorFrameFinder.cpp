@@ -138,7 +138,7 @@ bool ColorFrameFinder::stale() const {
 
 void ColorFrameFinder::show(int row) {
   if (row < 0 || row >= model_.rowCount()) return;
-  const robotlink::Instant time = model_.frame(row).time;
+  const robotlink::Instant time = model_.row(row).time;
   Q_EMIT bench_.followWanted();
   if (searched_.logged) {
     bench_.session().timeline().goLive();

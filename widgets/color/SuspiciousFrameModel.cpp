@@ -8,10 +8,15 @@
 
 namespace widgets {
 
+SuspiciousFrameModel::SuspiciousFrameModel(QObject* parent)
+    : RowModel({tr("Image"), tr("Suspicion"), tr("Classes"), tr("Specks"), tr("Enclosed"), tr("Ambiguous"),
+                tr("Vast")},
+               parent) {}
+
 void SuspiciousFrameModel::clear(colortool::ColorClasses classes) {
   beginResetModel();
   classes_ = std::move(classes);
-  frames_.clear();
+  rows_.clear();
   endResetModel();
 }
 
@@ -19,32 +24,24 @@ void SuspiciousFrameModel::add(std::vector<SuspiciousFrame> frames) {
   if (frames.empty()) return;
   const int first = rowCount();
   beginInsertRows({}, first, first + static_cast<int>(frames.size()) - 1);
-  std::ranges::move(frames, std::back_inserter(frames_));
+  std::ranges::move(frames, std::back_inserter(rows_));
   endInsertRows();
-  if (frames_.size() > FrameSearch::kMaxKept) removeMildest(frames_.size() - FrameSearch::kMaxKept);
+  if (rows_.size() > FrameSearch::kMaxKept) removeMildest(rows_.size() - FrameSearch::kMaxKept);
 }
 
 void SuspiciousFrameModel::removeMildest(std::size_t count) {
   for (; count > 0; --count) {
     const auto mildest =
-        std::ranges::min_element(frames_, {}, [](const SuspiciousFrame& frame) { return frame.found.score; });
-    const int row = static_cast<int>(mildest - frames_.begin());
+        std::ranges::min_element(rows_, {}, [](const SuspiciousFrame& frame) { return frame.found.score; });
+    const int row = static_cast<int>(mildest - rows_.begin());
     beginRemoveRows({}, row, row);
-    frames_.erase(mildest);
+    rows_.erase(mildest);
     endRemoveRows();
   }
 }
 
-int SuspiciousFrameModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(frames_.size());
-}
-
-int SuspiciousFrameModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
-}
-
 void SuspiciousFrameModel::setOrigin(robotlink::Instant time) {
-  if (std::exchange(origin_, time) == time || frames_.empty()) return;
+  if (std::exchange(origin_, time) == time || rows_.empty()) return;
   Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
 }
 
@@ -84,7 +81,7 @@ QString SuspiciousFrameModel::classesOf(const SuspiciousFrame& frame) const {
 
 QVariant SuspiciousFrameModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const SuspiciousFrame& one = frame(index.row());
+  const SuspiciousFrame& one = row(index.row());
   const int column = index.column();
   switch (role) {
     case Qt::DisplayRole:
@@ -111,8 +108,6 @@ QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientati
     return QVariant::fromValue<int>(
         Qt::AlignVCenter | (section == kTime || section == kClasses ? Qt::AlignLeft : Qt::AlignRight));
   }
-  const QString titles[] = {tr("Image"),    tr("Suspicion"), tr("Classes"), tr("Specks"),
-                            tr("Enclosed"), tr("Ambiguous"), tr("Vast")};
   const QString tips[] = {
       tr("Its time"),
       tr("Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones "
@@ -122,8 +117,8 @@ QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientati
       tr("Pixels of small areas inside an object of another color"),
       tr("Pixels of colored classes that are nearly of another class, or of none"),
       tr("Pixels of areas of one color that cover more of the image than objects do")};
-  if (role == Qt::DisplayRole) return titles[section];
-  return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
+  return role == Qt::ToolTipRole ? QVariant(tips[section])
+                                 : TitledModel::headerData(section, orientation, role);
 }
 
 }  // namespace widgets

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <vector>
 
 #include "colortool/image/ColorClasses.h"
 #include "widgets/color/FrameSearch.h"
 
+#include "widgets/RowModel.h"
+
 namespace widgets {
 
 /// Frames in which a color table does something suspicious, in the order in which they were found. Keeps the
 /// worst FrameSearch::kMaxKept. GUI thread.
-class SuspiciousFrameModel final : public QAbstractTableModel {
+class SuspiciousFrameModel final : public RowModel<SuspiciousFrame> {
   Q_OBJECT
  public:
   /// Time with thumbnail, score, classes, and numbers of suspicious pixels by kind (see
@@ -20,17 +21,14 @@ class SuspiciousFrameModel final : public QAbstractTableModel {
   /// Numbers as numbers.
   static constexpr int kSortRole = Qt::UserRole + 1;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit SuspiciousFrameModel(QObject* parent = nullptr);
   /// Removes all frames; the next ones have these classes.
   void clear(colortool::ColorClasses classes);
   /// Appends frames; removes the mildest if there are too many.
   void add(std::vector<SuspiciousFrame> frames);
   /// The instant shown as 0 s.
   void setOrigin(robotlink::Instant time);
-  const SuspiciousFrame& frame(int row) const { return frames_[static_cast<std::size_t>(row)]; }
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
@@ -43,7 +41,6 @@ class SuspiciousFrameModel final : public QAbstractTableModel {
   void removeMildest(std::size_t count);
 
   colortool::ColorClasses classes_;
-  std::vector<SuspiciousFrame> frames_;
   robotlink::Instant origin_;
 };
 

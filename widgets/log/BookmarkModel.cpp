@@ -7,36 +7,22 @@
 
 namespace widgets {
 
-void BookmarkModel::setRows(std::vector<Row> rows, robotlink::Instant origin) {
+BookmarkModel::BookmarkModel(QObject* parent)
+    : RowModel({tr("Time [s]"), tr("Length [s]"), tr("Bookmark"), tr("Log")}, parent) {}
+
+void BookmarkModel::setRows(std::vector<BookmarkRow> rows, robotlink::Instant origin) {
   if (rows == rows_ && origin == origin_) return;
   origin_ = origin;
-  const auto sameOne = [](const Row& a, const Row& b) {
+  replaceRows(std::move(rows), [](const BookmarkRow& a, const BookmarkRow& b) {
     return a.log == b.log && a.bookmark.id == b.bookmark.id;
-  };
-  if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), sameOne)) {
-    beginResetModel();
-    rows_ = std::move(rows);
-    endResetModel();
-    return;
-  }
-  rows_ = std::move(rows);
-  if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-}
-
-int BookmarkModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int BookmarkModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
+  });
 }
 
 QVariant BookmarkModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Row& at = row(index.row());
+  const BookmarkRow& at = row(index.row());
   const robotlink::Duration length = at.bookmark.to - at.bookmark.from;
-  if (role == Qt::TextAlignmentRole && index.column() <= kLength)
-    return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && index.column() <= kLength) return kNumberAlignment;
   if (role == kSortRole && index.column() == kTime)
     return qlonglong{(at.bookmark.from + at.offset).time_since_epoch().count()};
   if (role == kSortRole && index.column() == kLength) return qlonglong{length.count()};
@@ -63,15 +49,8 @@ bool BookmarkModel::setData(const QModelIndex& index, const QVariant& value, int
   return true;
 }
 
-QVariant BookmarkModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Time [s]"), tr("Length [s]"), tr("Bookmark"), tr("Log")};
-  return titles[section];
-}
-
 Qt::ItemFlags BookmarkModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  const auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  const auto flags = QAbstractTableModel::flags(index);
   return index.column() == kText ? flags | Qt::ItemIsEditable : flags;
 }
 

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <string>
 #include <vector>
 
 #include "logplayer/bookmarks/Bookmarks.h"
 
+#include "widgets/RowModel.h"
+
 namespace widgets {
+
+/// A bookmark and the log that contains it.
+struct BookmarkRow {
+  /// Path of the log; with the bookmark's id it identifies the row.
+  std::string log;
+  /// Added to the log's times to get times of the timeline.
+  robotlink::Duration offset{0};
+  /// In the log's own times.
+  logplayer::Bookmark bookmark;
+
+  bool operator==(const BookmarkRow&) const = default;
+};
 
 /// The bookmarks of all open logs as a table. The texts can be edited; an edit is a signal to the owner, who
 /// changes the bookmark and sets the rows again. Times are shown in seconds from the origin that all views
 /// count from. GUI thread.
-class BookmarkModel final : public QAbstractTableModel {
+class BookmarkModel final : public RowModel<BookmarkRow> {
   Q_OBJECT
  public:
   /// Beginning, length, text, and the file name of the log.
@@ -20,29 +33,14 @@ class BookmarkModel final : public QAbstractTableModel {
   /// Times and lengths as integers in ns, everything else as its text.
   static constexpr int kSortRole = Qt::UserRole + 1;
 
-  /// A bookmark and the log that contains it.
-  struct Row {
-    /// Path of the log; with the bookmark's id it identifies the row.
-    std::string log;
-    /// Added to the log's times to get times of the timeline.
-    robotlink::Duration offset{0};
-    /// In the log's own times.
-    logplayer::Bookmark bookmark;
-    bool operator==(const Row&) const = default;
-  };
-
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit BookmarkModel(QObject* parent = nullptr);
   /// Replaces the rows. `origin` is the instant shown as 0 s. Selections survive unless bookmarks were added,
   /// removed or reordered.
-  void setRows(std::vector<Row> rows, robotlink::Instant origin);
-  const Row& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  void setRows(std::vector<BookmarkRow> rows, robotlink::Instant origin);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   /// Emits changeWanted() if the text differs; the model itself is not changed.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:
@@ -50,7 +48,6 @@ class BookmarkModel final : public QAbstractTableModel {
   void changeWanted(const std::string& log, const logplayer::Bookmark& bookmark);
 
  private:
-  std::vector<Row> rows_;
   robotlink::Instant origin_{};
 };
 

@@ -73,7 +73,7 @@ void BookmarksView::createViews() {
   layout->addWidget(table_, 1);
 }
 
-const BookmarkModel::Row* BookmarksView::chosen() const {
+const BookmarkRow* BookmarksView::chosen() const {
   const QModelIndex index = table_->currentIndex();
   return index.isValid() ? &model_.row(filtered_->mapToSource(index).row()) : nullptr;
 }
@@ -98,7 +98,7 @@ void BookmarksView::connectSignals() {
 }
 
 void BookmarksView::tick() {
-  std::vector<BookmarkModel::Row> rows;
+  std::vector<BookmarkRow> rows;
   bool there = false;
   for (const auto& log : logs_.logs()) {
     if (!log->bookmarks) continue;

@@ -29,7 +29,7 @@ class BookmarksView final : public View {
   void createViews();
   void connectSignals();
   /// The current bookmark; null: none. Valid until the next tick.
-  const BookmarkModel::Row* chosen() const;
+  const BookmarkRow* chosen() const;
 
   /// The logs of the window, which own the bookmarks.
   OpenLogs& logs_;

@@ -10,7 +10,8 @@
 namespace widgets {
 
 LogModel::LogModel(std::size_t capacity, QObject* parent)
-    : QAbstractTableModel(parent), capacity_(capacity) {}
+    : TitledModel({tr("Time [s]"), tr("Level"), tr("Robot"), tr("Source"), tr("Text")}, parent),
+      capacity_(capacity) {}
 
 void LogModel::append(std::vector<LogEntry> entries) {
   if (entries.size() > capacity_)
@@ -106,15 +107,11 @@ int LogModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
-int LogModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
-}
-
 QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const LogEntry& said = entry(index.row());
   if (role == kLevelRole) return static_cast<int>(said.level);
-  if (role == Qt::TextAlignmentRole && index.column() == kTime) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && index.column() == kTime) return kNumberAlignment;
   if (role == Qt::ToolTipRole && index.column() == kText) return said.text;
   if (role == Qt::ForegroundRole) {
     const QPalette palette = QGuiApplication::palette();
@@ -135,22 +132,6 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
       return said.source;
     default:
       return said.text;
-  }
-}
-
-QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kTime:
-      return tr("Time [s]");
-    case kLevel:
-      return tr("Level");
-    case kRobot:
-      return tr("Robot");
-    case kSource:
-      return tr("Source");
-    default:
-      return tr("Text");
   }
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <deque>
 
 #include "robotlink/base/Clock.h"
+
+#include "widgets/TitledModel.h"
 
 namespace widgets {
 
@@ -25,7 +26,7 @@ struct LogEntry {
 /// The text messages of all robots as a table, sorted by time. Memory is bounded: beyond `capacity` rows the
 /// oldest are removed, a hundredth of the capacity at a time, so that a full table costs no more than an
 /// empty one. GUI thread.
-class LogModel final : public QAbstractTableModel {
+class LogModel final : public TitledModel {
   Q_OBJECT
  public:
   /// Time in s, level, robot, source, text.
@@ -56,9 +57,7 @@ class LogModel final : public QAbstractTableModel {
   void setOrigin(robotlink::Instant time);
 
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
   std::size_t capacity_;

@@ -20,6 +20,11 @@ bool differs(const robotcontrol::ReplayStatus::Difference& difference) {
 
 }  // namespace
 
+ReplayPackageModel::ReplayPackageModel(QObject* parent)
+    : TitledModel(
+          {tr("Package"), tr("Source"), tr("Compared"), tr("Different"), tr("First [s]"), tr("Largest")},
+          parent) {}
+
 void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status, robotlink::Instant origin) {
   const bool sameOrigin = std::exchange(origin_, origin) == origin;
   std::vector<Row> rows;
@@ -79,10 +84,6 @@ QString ReplayPackageModel::sourceName(Source source) {
 
 int ReplayPackageModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ReplayPackageModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
 }
 
 QString ReplayPackageModel::shownTime(std::int64_t ns) const {
@@ -180,9 +181,8 @@ QVariant ReplayPackageModel::data(const QModelIndex& index, int role) const {
       return row.difference.largest_field().empty() ? QVariant()
                                                     : QVariant(qlonglong{row.difference.largest_time()});
     case Qt::TextAlignmentRole:
-      return index.column() >= kCompared && index.column() <= kFirst
-                 ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter))
-                 : QVariant();
+      return index.column() >= kCompared && index.column() <= kFirst ? QVariant(kNumberAlignment)
+                                                                     : QVariant();
     case Qt::ForegroundRole: {
       const QPalette palette = QGuiApplication::palette();
       if (index.column() == kDifferent && differs(row.difference)) return colorOf(Meaning::kWarning, palette);
@@ -209,16 +209,8 @@ bool ReplayPackageModel::setData(const QModelIndex& index, const QVariant& value
   return true;
 }
 
-QVariant ReplayPackageModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Package"),   tr("Source"),    tr("Compared"),
-                            tr("Different"), tr("First [s]"), tr("Largest")};
-  return titles[section];
-}
-
 Qt::ItemFlags ReplayPackageModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  const auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  const auto flags = QAbstractTableModel::flags(index);
   return index.column() == kSource ? flags | Qt::ItemIsEditable : flags;
 }
 

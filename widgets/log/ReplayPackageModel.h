@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <vector>
 
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/base/Clock.h"
+
+#include "widgets/TitledModel.h"
 
 namespace widgets {
 
 /// The packages of a replay: the source of each (as logged or recomputed), and how the recomputed packages
 /// differ from the logged ones. The source can be edited; an edit is a signal to the owner, who requests it.
 /// GUI thread.
-class ReplayPackageModel final : public QAbstractTableModel {
+class ReplayPackageModel final : public TitledModel {
   Q_OBJECT
  public:
   /// Name, source, number of compared messages, number of different ones, time of the first difference, and
@@ -29,7 +30,7 @@ class ReplayPackageModel final : public QAbstractTableModel {
 
   using Source = robotcontrol::ControlReplay::PackageSource;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit ReplayPackageModel(QObject* parent = nullptr);
   /// Replaces the rows; selections survive unless the packages changed. `origin` is the instant shown as 0 s.
   void setStatus(const robotcontrol::ReplayStatus& status, robotlink::Instant origin);
   QString packageName(int row) const;
@@ -41,11 +42,9 @@ class ReplayPackageModel final : public QAbstractTableModel {
   static QString sourceName(Source source);
 
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   /// Emits sourceWanted() if the source is possible.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:

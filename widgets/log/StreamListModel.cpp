@@ -14,9 +14,12 @@ QString bytesText(std::uint64_t bytes) {
   return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
-std::vector<StreamListModel::Row> StreamListModel::rowsOf(const std::string& log, const LogOverview& overview,
-                                                          const std::set<std::string>& hidden) {
-  std::vector<Row> rows;
+StreamListModel::StreamListModel(QObject* parent)
+    : RowModel({tr("Stream"), tr("Messages"), tr("Size"), tr("Hz"), tr("Schema"), tr("Log")}, parent) {}
+
+std::vector<StreamRow> StreamListModel::rowsOf(const std::string& log, const LogOverview& overview,
+                                               const std::set<std::string>& hidden) {
+  std::vector<StreamRow> rows;
   for (const auto& stream : overview.streams) {
     rows.push_back({log, stream.path, stream.type, stream.count, stream.bytes, stream.rate(),
                     !hidden.contains(stream.path)});
@@ -24,32 +27,17 @@ std::vector<StreamListModel::Row> StreamListModel::rowsOf(const std::string& log
   return rows;
 }
 
-void StreamListModel::setRows(std::vector<Row> rows) {
+void StreamListModel::setRows(std::vector<StreamRow> rows) {
   if (rows == rows_) return;
-  const auto sameStream = [](const Row& a, const Row& b) { return a.log == b.log && a.path == b.path; };
-  if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), sameStream)) {
-    beginResetModel();
-    rows_ = std::move(rows);
-    endResetModel();
-    return;
-  }
-  rows_ = std::move(rows);
-  if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-}
-
-int StreamListModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int StreamListModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
+  replaceRows(std::move(rows),
+              [](const StreamRow& a, const StreamRow& b) { return a.log == b.log && a.path == b.path; });
 }
 
 QVariant StreamListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Row& at = row(index.row());
+  const StreamRow& at = row(index.row());
   const bool isNumber = index.column() >= kCount && index.column() <= kRate;
-  if (role == Qt::TextAlignmentRole && isNumber) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && isNumber) return kNumberAlignment;
   if (role == Qt::CheckStateRole && index.column() == kPath) return at.shown ? Qt::Checked : Qt::Unchecked;
   if (role == kFilterRole) return QString::fromStdString(at.path + ' ' + at.type);
   if (role == Qt::FontRole && at.stepped) {
@@ -81,22 +69,15 @@ QVariant StreamListModel::data(const QModelIndex& index, int role) const {
 
 bool StreamListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::CheckStateRole || index.column() != kPath) return false;
-  Row& at = rows_[static_cast<std::size_t>(index.row())];
+  StreamRow& at = rows_[static_cast<std::size_t>(index.row())];
   at.shown = value.toInt() == Qt::Checked;
   Q_EMIT dataChanged(index, index, {Qt::CheckStateRole});
   Q_EMIT shownChanged(at.log, at.path, at.shown);
   return true;
 }
 
-QVariant StreamListModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Stream"), tr("Messages"), tr("Size"), tr("Hz"), tr("Schema"), tr("Log")};
-  return titles[section];
-}
-
 Qt::ItemFlags StreamListModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  const auto flags = QAbstractTableModel::flags(index);
   return index.column() == kPath ? flags | Qt::ItemIsUserCheckable : flags;
 }
 

@@ -1,18 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "widgets/RowModel.h"
 
 namespace widgets {
 
 struct LogOverview;
 
+/// A stream of a log.
+struct StreamRow {
+  /// Path of the log.
+  std::string log;
+  /// Path and schema of the stream.
+  std::string path, type;
+  /// Number of messages, and the sum of their sizes (0: not counted yet).
+  std::uint64_t count = 0, bytes = 0;
+  /// Hz; 0: unknown.
+  double rate = 0;
+  /// Whether it has a row in the timeline.
+  bool shown = true;
+  /// Whether its messages are stepped; shown bold.
+  bool stepped = false;
+
+  bool operator==(const StreamRow&) const = default;
+};
+
 /// The streams of all open logs as a table. The check box of a row says whether the stream has a row in the
 /// timeline. GUI thread.
-class StreamListModel final : public QAbstractTableModel {
+class StreamListModel final : public RowModel<StreamRow> {
   Q_OBJECT
  public:
   /// Path, number of messages, their size, rate in Hz, schema, and file name of the log.
@@ -22,45 +41,21 @@ class StreamListModel final : public QAbstractTableModel {
   /// Path and schema in one text.
   static constexpr int kFilterRole = Qt::UserRole + 2;
 
-  /// A stream of a log.
-  struct Row {
-    /// Path of the log.
-    std::string log;
-    /// Path and schema of the stream.
-    std::string path, type;
-    /// Number of messages, and the sum of their sizes (0: not counted yet).
-    std::uint64_t count = 0, bytes = 0;
-    /// Hz; 0: unknown.
-    double rate = 0;
-    /// Whether it has a row in the timeline.
-    bool shown = true;
-    /// Whether its messages are stepped; shown bold.
-    bool stepped = false;
-    bool operator==(const Row&) const = default;
-  };
-
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit StreamListModel(QObject* parent = nullptr);
   /// Replaces the rows. Selections survive unless streams were added or removed.
-  void setRows(std::vector<Row> rows);
-  const Row& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
+  void setRows(std::vector<StreamRow> rows);
   /// The rows of one log; `hidden` are the paths of streams without a row in the timeline.
-  static std::vector<Row> rowsOf(const std::string& log, const LogOverview& overview,
-                                 const std::set<std::string>& hidden);
+  static std::vector<StreamRow> rowsOf(const std::string& log, const LogOverview& overview,
+                                       const std::set<std::string>& hidden);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   /// Changes the check and emits shownChanged().
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:
   /// The user checked or unchecked a stream.
   void shownChanged(const std::string& log, const std::string& stream, bool shown);
-
- private:
-  std::vector<Row> rows_;
 };
 
 /// "1.4 MB"

@@ -79,7 +79,7 @@ void StreamsView::connectSignals() {
 void StreamsView::tick() {
   if (shownVersion_ == logs_.version()) return;
   shownVersion_ = logs_.version();
-  std::vector<StreamListModel::Row> rows;
+  std::vector<StreamRow> rows;
   for (const auto& log : logs_.logs()) {
     for (auto& row : StreamListModel::rowsOf(log->path, *log->overview, log->hidden)) {
       row.stepped = OpenLogs::sessionPath(*log, row.path) == logs_.replay().steppedStream();

@@ -10,7 +10,8 @@
 namespace widgets {
 
 PacketModel::PacketModel(std::size_t capacity, QObject* parent)
-    : QAbstractTableModel(parent), capacity_(capacity) {}
+    : TitledModel({tr("Time [s]"), tr("Direction"), tr("Name"), tr("Contents"), tr("Bytes")}, parent),
+      capacity_(capacity) {}
 
 void PacketModel::append(std::vector<PacketEntry> entries) {
   if (entries.size() > capacity_)
@@ -58,10 +59,6 @@ int PacketModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
-int PacketModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
-}
-
 void PacketModel::setOrigin(robotlink::Instant time) {
   if (std::exchange(origin_, time) == time || entries_.empty()) return;
   Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
@@ -88,29 +85,13 @@ QVariant PacketModel::data(const QModelIndex& index, int role) const {
   const PacketEntry& shown = entry(index.row());
   if (role == Qt::DisplayRole) return text(shown, index.column());
   if (role == Qt::TextAlignmentRole && (index.column() == kTime || index.column() == kBytes))
-    return int(Qt::AlignRight | Qt::AlignVCenter);
+    return kNumberAlignment;
   if (role == Qt::ToolTipRole && index.column() >= kSummary) return hexText(shown.bytes);
   if (role != Qt::ForegroundRole) return {};
   const QPalette palette = QGuiApplication::palette();
   if (shown.damaged) return colorOf(Meaning::kBad, palette);
   if (shown.kind != PacketEntry::Kind::kPacket) return colorOf(Meaning::kMuted, palette);
   return shown.fromRobot ? QVariant() : colorOf(Meaning::kNote, palette);
-}
-
-QVariant PacketModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  switch (section) {
-    case kTime:
-      return tr("Time [s]");
-    case kDirection:
-      return tr("Direction");
-    case kName:
-      return tr("Name");
-    case kSummary:
-      return tr("Contents");
-    default:
-      return tr("Bytes");
-  }
 }
 
 }  // namespace widgets

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <deque>
 #include <map>
 #include <vector>
 
 #include "widgets/packets/PacketEntry.h"
 
+#include "widgets/TitledModel.h"
+
 namespace widgets {
 
 /// The packets of one robot, or of a file, as a table. Memory is bounded: beyond `capacity` rows the oldest
 /// are removed, a hundredth of the capacity at a time, so that a full table costs no more than an empty one.
 /// A batch is one insertion. GUI thread.
-class PacketModel final : public QAbstractTableModel {
+class PacketModel final : public TitledModel {
   Q_OBJECT
  public:
   /// Time in s, direction, name, contents in one line, number of bytes.
@@ -33,9 +34,7 @@ class PacketModel final : public QAbstractTableModel {
   const std::map<QString, int>& names() const { return names_; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
   /// Removes the oldest rows.

@@ -8,31 +8,20 @@
 
 namespace widgets {
 
+ProcessTableModel::ProcessTableModel(QObject* parent)
+    : RowModel({tr("Process"), tr("State"), tr("Hz"), tr("Frames"), tr("Period"), tr("Nice"), tr("Missed"),
+                tr("Dropped"), tr("Tasks")},
+               parent) {}
+
 void ProcessTableModel::setGraph(const ProcessGraph& graph) {
-  const bool same = std::equal(rows_.begin(), rows_.end(), graph.nodes.begin(), graph.nodes.end(),
-                               [](const auto& a, const auto& b) { return a.name == b.name; });
-  if (!same) beginResetModel();
-  rows_ = graph.nodes;
-  if (!same) {
-    endResetModel();
-  } else if (!rows_.empty()) {
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-  }
-}
-
-int ProcessTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int ProcessTableModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
+  replaceRows(graph.nodes, [](const auto& a, const auto& b) { return a.name == b.name; });
 }
 
 QVariant ProcessTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const ProcessGraph::Node& node = rows_[static_cast<std::size_t>(index.row())];
+  const ProcessGraph::Node& node = row(index.row());
   const bool number = index.column() >= kRate && index.column() <= kDropped;
-  if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && number) return kNumberAlignment;
   if (role == Qt::ToolTipRole && index.column() == kState) return node.state;
   if (role == Qt::ToolTipRole && index.column() == kMissed && node.missed() > 0) {
     return node.fallsBehind() ? tr("The process does not keep up: it waits for each package, and loses some")
@@ -65,13 +54,6 @@ QVariant ProcessTableModel::data(const QModelIndex& index, int role) const {
     default:
       return node.tasks.join(QStringLiteral(", "));
   }
-}
-
-QVariant ProcessTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Process"), tr("State"),  tr("Hz"),      tr("Frames"), tr("Period"),
-                            tr("Nice"),    tr("Missed"), tr("Dropped"), tr("Tasks")};
-  return titles[section];
 }
 
 }  // namespace widgets

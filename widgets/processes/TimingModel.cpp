@@ -21,6 +21,11 @@ bool has(const robotcontrol::ProcessTable& program, const std::string& process, 
 
 }  // namespace
 
+TimingModel::TimingModel(QObject* parent)
+    : TitledModel({tr("Process"), tr("Task"), tr("Solution"), tr("Last ms"), tr("Mean ms"), tr("Min ms"),
+                   tr("Max ms"), tr("Hz"), tr("Share of period")},
+                  parent) {}
+
 void TimingModel::Frames::add(Frame frame) {
   if (frame.number == 0) frame.number = recent.empty() ? 1 : recent.back().number + 1;
   // If the clock or the frame number went back (a reset, a jump, another program), start over.
@@ -127,16 +132,12 @@ int TimingModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : shown_;
 }
 
-int TimingModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
-}
-
 QVariant TimingModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   const bool isText = index.column() <= kSolution;
   if (role == kNumberRole && !isText) return number(row, index.column());
-  if (role == Qt::TextAlignmentRole && !isText) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::TextAlignmentRole && !isText) return kNumberAlignment;
   if (role == Qt::FontRole && row.task.empty()) {
     QFont font;
     font.setBold(true);
@@ -160,14 +161,9 @@ QVariant TimingModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
-  if (role == Qt::ToolTipRole && section == kShare) {
+  if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == kShare)
     return tr("Mean time of the task, as a share of the time from one frame of its process to the next");
-  }
-  if (role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Process"), tr("Task"),   tr("Solution"), tr("Last ms"),        tr("Mean ms"),
-                            tr("Min ms"),  tr("Max ms"), tr("Hz"),       tr("Share of period")};
-  return titles[section];
+  return TitledModel::headerData(section, orientation, role);
 }
 
 QString TimingModel::csv() const {

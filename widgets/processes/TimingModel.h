@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <deque>
 #include <map>
 #include <string>
@@ -14,6 +13,8 @@ class ProcessTable;
 class StopwatchTimes;
 }  // namespace robotcontrol
 
+#include "widgets/TitledModel.h"
+
 namespace widgets {
 
 /// Run times of the tasks of a robot's processes since the last reset, by process, task and solution. Times
@@ -21,7 +22,7 @@ namespace widgets {
 /// seconds. The share is that of a task's mean time in its process's period; the row "frame" stands for whole
 /// frames, and at 100 % the process cannot keep its rate in real time. A solution that no longer runs has
 /// neither rate nor share. add() collects; update() announces the changes once per tick. GUI thread.
-class TimingModel final : public QAbstractTableModel {
+class TimingModel final : public TitledModel {
   Q_OBJECT
  public:
   /// Times in ms, kRate in Hz, kShare as a share of 1.
@@ -29,7 +30,7 @@ class TimingModel final : public QAbstractTableModel {
   /// The number of a cell, for sorting; the text in columns of texts.
   static constexpr int kNumberRole = Qt::UserRole + 1;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit TimingModel(QObject* parent = nullptr);
   /// Adds the times of one frame. `frame` is its number; 0: unknown, then it is counted.
   void add(const std::string& process, std::uint64_t frame, robotlink::Instant time,
            const robotcontrol::StopwatchTimes& times);
@@ -43,7 +44,6 @@ class TimingModel final : public QAbstractTableModel {
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 

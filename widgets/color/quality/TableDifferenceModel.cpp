@@ -19,14 +19,15 @@ bool isNumber(int column) {
 
 }  // namespace
 
+TableDifferenceModel::TableDifferenceModel(QObject* parent)
+    : TitledModel({tr("Class"), tr("Gained"), tr("from"), tr("Lost"), tr("to"), tr("Before"), tr("Now")},
+                  parent) {}
+
 void TableDifferenceModel::setDifference(std::shared_ptr<const colortool::TableDifference> difference) {
   const bool same = difference && difference_ && difference->classes() == difference_->classes();
   if (!same) beginResetModel();
   difference_ = std::move(difference);
-  if (same)
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
-  else
-    endResetModel();
+  same ? announceRows() : endResetModel();
 }
 
 std::optional<int> TableDifferenceModel::classOf(int row) const {
@@ -48,10 +49,6 @@ colortool::CellSet TableDifferenceModel::cellsOf(const QModelIndex& index) const
 
 int TableDifferenceModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() || !difference_ ? 0 : difference_->classes().size() + 1;
-}
-
-int TableDifferenceModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
 }
 
 QString TableDifferenceModel::partners(int colorClass, bool gained, int atMost) const {
@@ -135,19 +132,16 @@ QVariant TableDifferenceModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant TableDifferenceModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
+  if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
   if (role == Qt::TextAlignmentRole)
     return QVariant::fromValue<int>(Qt::AlignVCenter | (isNumber(section) ? Qt::AlignRight : Qt::AlignLeft));
-  const QString titles[] = {tr("Class"), tr("Gained"), tr("from"), tr("Lost"),
-                            tr("to"),    tr("Before"), tr("Now")};
   const QString tips[] = {
       tr("Class of colors"),         tr("Cells that are of it now and were not"),
       tr("What they were"),          tr("Cells that were of it and are not now"),
       tr("What they are"),           tr("Cells that are of it in the table that is compared with"),
       tr("Cells that are of it now")};
-  if (section < 0 || section >= kColumns) return {};
-  if (role == Qt::DisplayRole) return titles[section];
-  return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
+  return role == Qt::ToolTipRole ? QVariant(tips[section])
+                                 : TitledModel::headerData(section, orientation, role);
 }
 
 }  // namespace widgets

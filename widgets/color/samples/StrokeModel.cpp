@@ -36,6 +36,11 @@ bool sameIds(const std::vector<colortool::StrokePtr>& a, const std::vector<color
 
 }  // namespace
 
+StrokeModel::StrokeModel(QObject* parent)
+    : TitledModel({tr("Class"), tr("Not"), tr("Weight"), tr("Right"), tr("Tool"), tr("Pixels"), tr("Image"),
+                   tr("Camera"), tr("Lighting")},
+                  parent) {}
+
 void StrokeModel::setSamples(const colortool::Samples& samples) {
   const std::size_t before = samples_.strokes.size(), after = samples.strokes.size(),
                     same = std::min(before, after);
@@ -67,10 +72,6 @@ void StrokeModel::setRight(std::unordered_map<std::uint64_t, double> right) {
 
 int StrokeModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(samples_.strokes.size());
-}
-
-int StrokeModel::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : kColumns;
 }
 
 std::optional<double> StrokeModel::right(const colortool::Stroke& stroke) const {
@@ -182,16 +183,9 @@ bool StrokeModel::setData(const QModelIndex& index, const QVariant& value, int r
   return true;
 }
 
-QVariant StrokeModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Class"),  tr("Not"),   tr("Weight"), tr("Right"),   tr("Tool"),
-                            tr("Pixels"), tr("Image"), tr("Camera"), tr("Lighting")};
-  return titles[section];
-}
-
 Qt::ItemFlags StrokeModel::flags(const QModelIndex& index) const {
-  if (!index.isValid()) return Qt::NoItemFlags;
-  auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  auto flags = QAbstractTableModel::flags(index);
+  if (!index.isValid()) return flags;
   if (index.column() == kWeight || index.column() == kLighting) flags |= Qt::ItemIsEditable;
   if (index.column() == kMustNotBe && stroke(index.row()).colorClass != colortool::ColorClasses::kNone)
     flags |= Qt::ItemIsUserCheckable;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "colortool/samples/Samples.h"
 
+#include "widgets/TitledModel.h"
+
 namespace widgets {
 
 /// The strokes of a set of samples as a table, in the order of the samples. "Not" (must not be of the class),
 /// weight and lighting can be edited; an edit is a signal to the owner, who changes the samples. GUI thread.
-class StrokeModel final : public QAbstractTableModel {
+class StrokeModel final : public TitledModel {
   Q_OBJECT
  public:
   /// Class with thumbnail, "must not be", weight, share of pixels that the other strokes' table finds, tool,
@@ -23,7 +24,7 @@ class StrokeModel final : public QAbstractTableModel {
   /// The share in the column kRight, 0 to 1; invalid if it is unknown.
   static constexpr int kShareRole = Qt::UserRole + 2;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit StrokeModel(QObject* parent = nullptr);
   /// Replaces the strokes. If strokes were only appended to or removed from the end, rows are inserted or
   /// removed; any other change resets the model.
   void setSamples(const colortool::Samples& samples);
@@ -35,11 +36,9 @@ class StrokeModel final : public QAbstractTableModel {
   const colortool::SampleImage* image(int row) const { return samples_.image(stroke(row).image); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   /// Emits a signal if the value differs; the model itself is not changed.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:
