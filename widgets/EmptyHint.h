@@ -19,14 +19,22 @@ class EmptyHint final : public QLabel {
   explicit EmptyHint(QAbstractItemView* over);
   /// Shows the text; an empty text hides the label.
   void setHint(const QString& text);
+  /// What there is room for: the text, or, in a low view, its beginning with an ellipsis; a tool tip has all
+  /// of it then.
+  QString shownText() const;
 
  protected:
-  /// Follows resize events of the covered widget.
+  /// Follows resize events of the covered widget, and shows its tool tip.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   /// Takes the size of the covered widget.
   void fit();
+  /// Where the text is painted; the margin is narrower where there is little room.
+  QRect room() const;
+  /// Whether a text fits into a place.
+  bool fits(const QString& text, const QRect& place) const;
 };
 
 }  // namespace widgets
