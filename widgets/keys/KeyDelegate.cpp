@@ -4,14 +4,14 @@
 #include <QComboBox>
 #include <QSpinBox>
 
+#include "widgets/Controls.h"
 #include "widgets/keys/KeyTreeModel.h"
 
 namespace widgets {
 
 QWidget* KeyDelegate::createModeEditor(QWidget* parent) const {
   auto* box = new QComboBox(parent);
-  box->setObjectName(QStringLiteral("keyModeEditor"));
-  box->setAccessibleName(tr("Mode of the debug key"));
+  describe(*box, {"keyModeEditor", tr("Mode of the debug key"), {}});
   box->setFrame(false);
   for (int kind = 0; kind <= static_cast<int>(KeyValue::Kind::kEveryMs); ++kind) {
     box->addItem(kindName(static_cast<KeyValue::Kind>(kind)));
@@ -28,8 +28,7 @@ QWidget* KeyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                    const QModelIndex& index) const {
   if (index.column() == KeyTreeModel::kMode) return createModeEditor(parent);
   auto* spin = new QSpinBox(parent);
-  spin->setObjectName(QStringLiteral("keyNumberEditor"));
-  spin->setAccessibleName(tr("Number of the debug key's mode"));
+  describe(*spin, {"keyNumberEditor", tr("Number of the debug key's mode"), {}});
   spin->setFrame(false);
   spin->setRange(1, 1'000'000);
   return spin;

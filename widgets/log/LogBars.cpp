@@ -46,8 +46,7 @@ LogJobBar::LogJobBar(QWidget* parent)
       open_(makeTextButton(this, {"logJobOpen", tr("Open"), tr("Opens the new log instead of this one")})),
       dismiss_(makeTextButton(this, {"logJobDismiss", tr("Dismiss"), tr("Hides this line")})) {
   setObjectName(QStringLiteral("logJobBar"));
-  progress_->setObjectName(QStringLiteral("logJobProgress"));
-  progress_->setAccessibleName(tr("Progress"));
+  describe(*progress_, {"logJobProgress", tr("Progress"), {}});
   progress_->setRange(0, 1000);
   progress_->setMaximumWidth(260);
   auto* layout = new QHBoxLayout(this);

@@ -73,8 +73,7 @@ ShortcutsDialog::ShortcutsDialog(const WindowKeys& keys, QWidget* window) : QDia
   auto* search = widgets::makeSearchField(
       this, {"shortcutsSearch", tr("Search"), tr("Shows only entries that contain these words")});
   list_ = new QTreeWidget(this);
-  list_->setObjectName(QStringLiteral("shortcutsList"));
-  list_->setAccessibleName(tr("Keyboard shortcuts"));
+  widgets::describe(*list_, {"shortcutsList", tr("Keyboard shortcuts"), {}});
   list_->setHeaderLabels({tr("What it does"), tr("Key")});
   list_->setSelectionMode(QAbstractItemView::NoSelection);
   widgets::styleTree(*list_);

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "logplayer/base/RecordedStreams.h"
+#include "widgets/Controls.h"
 
 namespace app {
 
@@ -72,8 +73,7 @@ void StreamChooser::createWidgets() {
   help->setWordWrap(true);
   layout->addWidget(help);
   patterns_ = new QLineEdit(this);
-  patterns_->setObjectName(QStringLiteral("streamPatterns"));
-  patterns_->setAccessibleName(tr("Patterns"));
+  widgets::describe(*patterns_, {"streamPatterns", tr("Patterns"), {}});
   patterns_->setPlaceholderText(tr("all that a replay needs"));
   patterns_->setToolTip(tr("For example red1/*,-*/transforms"));
   patterns_->setClearButtonEnabled(true);
@@ -83,9 +83,7 @@ void StreamChooser::createWidgets() {
   problem_->setWordWrap(true);
   layout->addWidget(problem_);
   list_ = new QListWidget(this);
-  list_->setObjectName(QStringLiteral("streamList"));
-  list_->setAccessibleName(tr("Streams"));
-  list_->setToolTip(tr("Current streams; checked ones are recorded"));
+  widgets::describe(*list_, {"streamList", tr("Streams"), tr("Current streams; checked ones are recorded")});
   for (const std::string& path : streams_) list_->addItem(QString::fromStdString(path));
   layout->addWidget(list_, 1);
   buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);

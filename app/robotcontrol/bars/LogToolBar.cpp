@@ -11,6 +11,7 @@
 
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/TimeScale.h"
@@ -142,11 +143,6 @@ void LogToolBar::createOptions() {
 }
 
 void LogToolBar::createFields() {
-  const auto describe = [](QWidget* widget, const char* name, const QString& accessible, const QString& tip) {
-    widget->setObjectName(QLatin1String(name));
-    widget->setAccessibleName(accessible);
-    widget->setToolTip(tip);
-  };
   const int digit = fontMetrics().horizontalAdvance(QLatin1Char('0'));
   const auto field = [&](int digits) {
     auto* edit = new QLineEdit(this);
@@ -155,21 +151,23 @@ void LogToolBar::createFields() {
     return edit;
   };
   time_ = field(11);
-  describe(
-      time_, "logTime", tr("Time in seconds"),
-      tr("The shown time in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and -2 from here"));
+  widgets::describe(*time_, {"logTime", tr("Time in seconds"),
+                             tr("The shown time in seconds. Type another one to jump there: 12.5, 1:02.5, or "
+                                "+2 and -2 from here")});
   frame_ = field(7);
-  describe(frame_, "logFrame", tr("Frame"), tr("The shown frame's number. Type another one to jump there"));
+  widgets::describe(
+      *frame_, {"logFrame", tr("Frame"), tr("The shown frame's number. Type another one to jump there")});
   end_ = new QLabel(this);
-  describe(end_, "logEnd", tr("End of the log"), tr("The time of the log's end"));
+  widgets::describe(*end_, {"logEnd", tr("End of the log"), tr("The time of the log's end")});
   frames_ = new QLabel(this);
-  describe(frames_, "logFrames", tr("Frames"),
-           tr("The shown frame, and how many frames of the process the log holds"));
+  widgets::describe(*frames_, {"logFrames", tr("Frames"),
+                               tr("The shown frame, and how many frames of the process the log holds")});
   process_ = new QComboBox(this);
-  describe(process_, "logProcess", tr("Process"), tr("The process whose frames are stepped and counted"));
+  widgets::describe(*process_,
+                    {"logProcess", tr("Process"), tr("The process whose frames are stepped and counted")});
   process_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   speed_ = new QComboBox(this);
-  describe(speed_, "logSpeed", tr("Speed"), tr("How many times real time the log is played"));
+  widgets::describe(*speed_, {"logSpeed", tr("Speed"), tr("How many times real time the log is played")});
   for (const double speed : speeds()) speed_->addItem(SimulationToolBar::speedText(speed), speed);
   connect(time_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedTime);
   connect(frame_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedFrame);

@@ -16,6 +16,7 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/StreamChooser.h"
 #include "logplayer/base/RecordedStreams.h"
+#include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/Icon.h"
 
@@ -145,13 +146,11 @@ void RecordingToolBar::createWidgets() {
   addAction(saveLast_);
   addAction(bookmark_);
   file_ = new QLabel(this);
-  file_->setObjectName(QStringLiteral("recordingFile"));
-  file_->setAccessibleName(tr("File of the recording"));
+  widgets::describe(*file_, {"recordingFile", tr("File of the recording"), {}});
   file_->setMargin(4);
   fileAction_ = addWidget(file_);
   status_ = new QLabel(this);
-  status_->setObjectName(QStringLiteral("recordingStatus"));
-  status_->setAccessibleName(tr("State of the recording"));
+  widgets::describe(*status_, {"recordingStatus", tr("State of the recording"), {}});
   status_->setMargin(4);
   status_->setMinimumWidth(status_->fontMetrics().horizontalAdvance(tr("0:00  00.0 MB  keeps 30 s")));
   addWidget(status_);

@@ -14,6 +14,7 @@
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/RobotDescription.h"
+#include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/StopStyle.h"
 
@@ -22,9 +23,7 @@ namespace {
 
 QComboBox* makeBox(QToolBar* bar, const char* name, const QString& accessible, const QString& tip) {
   auto* box = new QComboBox(bar);
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(accessible);
-  box->setToolTip(tip);
+  widgets::describe(*box, {name, accessible, tip});
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   return box;
 }

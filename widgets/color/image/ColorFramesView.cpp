@@ -100,8 +100,7 @@ QWidget* ColorFramesView::createFooter() {
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   footer->setStretchFactor(state_, 1);
   progress_ = new QProgressBar(footer->parentWidget());
-  progress_->setObjectName(QStringLiteral("colorFramesProgress"));
-  progress_->setAccessibleName(tr("Progress"));
+  describe(*progress_, {"colorFramesProgress", tr("Progress"), {}});
   progress_->setRange(0, kProgressSteps);
   progress_->setMaximumWidth(200);
   footer->addWidget(progress_);
