@@ -213,13 +213,17 @@ function(robotcontrol_test name)
   robotcontrol_add_test(${name} COMMAND ${ARG_PROGRAM} --gtest_filter=${filter} LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT})
 endfunction()
 
-# robotcontrol_gui_test(NAME PROGRAM file [TIMEOUT seconds]): adds the class in a file, which has its name, to a program of tests
-# whose main() is that of tests/widgets/GuiTestMain.cpp. ctest runs each class by itself.
+# robotcontrol_gui_test(NAME PROGRAM file [NO_OPENGL] [TIMEOUT seconds]): adds the class in a file, which has its name, to a
+# program of tests whose main() is that of tests/widgets/GuiTestMain.cpp. ctest runs each class by itself; NO_OPENGL: as on a
+# computer without it.
 function(robotcontrol_gui_test name program file)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "" ${ARGN})
+  cmake_parse_arguments(ARG "NO_OPENGL" "TIMEOUT" "" ${ARGN})
   cmake_path(GET file STEM class)
   target_sources(${program} PRIVATE ${file})
   robotcontrol_add_test(${name} COMMAND ${program} ${class} LABELS gui TIMEOUT ${ARG_TIMEOUT})
+  if(ARG_NO_OPENGL)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null)
+  endif()
 endfunction()
 
 # robotcontrol_benchmark(NAME SOURCES file... LIBS lib...): a Google Benchmark program; never a timed test.
