@@ -59,8 +59,8 @@ class MotionCommander {
   /// Commands standing still: no deflection and no motion. The head keeps its mode.
   void halt();
 
-  /// Only an active commander commands, that is, while the user has manual control. Becoming active resets
-  /// all inputs and makes a command due.
+  /// Only an active commander commands, that is, while the user has manual control. A change of it
+  /// halts and makes a command due.
   void setActive(bool active);
   bool active() const { return active_; }
 

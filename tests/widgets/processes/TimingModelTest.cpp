@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/processes/TimingModel.h"
+
+#include <gtest/gtest.h>
+
+#include "robotcontrol/Debugging.pb.h"
+
+namespace widgets {
+namespace {
+
+class TimingModelTest : public testing::Test {
+ protected:
+  /// A frame of the process "cognition" that takes 4 ms, and the task "ball" in it.
+  void frame(std::uint64_t number, double time, double ball, const char* solution = "lines") {
+    robotcontrol::StopwatchTimes times;
+    auto& whole = *times.add_entries();
+    whole.set_seconds(0.004);
+    auto& task = *times.add_entries();
+    task.set_task("ball");
+    task.set_solution(solution);
+    task.set_seconds(ball);
+    model.add("cognition", number, robotlink::Instant(robotlink::fromSeconds(time)), times);
+    model.update();
+  }
+  double number(int row, TimingModel::Column column) const {
+    return model.data(model.index(row, column), TimingModel::kNumberRole).toDouble();
+  }
+  std::string text(int row, TimingModel::Column column) const {
+    return model.data(model.index(row, column), Qt::DisplayRole).toString().toStdString();
+  }
+
+  TimingModel model;
+};
+
+TEST_F(TimingModelTest, sumsUpTheTimesOfATask) {
+  frame(1, 0.00, 0.001);
+  frame(2, 0.04, 0.003);
+  ASSERT_EQ(model.rowCount(), 2);
+  EXPECT_EQ(text(0, TimingModel::kTask), "frame");
+  EXPECT_EQ(text(1, TimingModel::kTask), "ball");
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kLast), 3);
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kMean), 2);
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kMinimum), 1);
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kMax), 3);
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kRate), 25);
+  EXPECT_DOUBLE_EQ(number(1, TimingModel::kShare), 0.002 * 25);
+  EXPECT_EQ(text(1, TimingModel::kShare), "5.00 %");
+}
+
+TEST_F(TimingModelTest, theRateCountsFramesThatWereNotPublished) {
+  frame(1, 0.0, 0.001);
+  frame(51, 2.0, 0.001);
+  EXPECT_DOUBLE_EQ(number(0, TimingModel::kRate), 25);
+}
+
+TEST_F(TimingModelTest, aSolutionThatNoLongerRunsHasNeitherRateNorShare) {
+  frame(1, 0.00, 0.001, "lines");
+  frame(2, 0.04, 0.001, "regions");
+  frame(3, 0.08, 0.001, "regions");
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(text(1, TimingModel::kRate), "");
+  EXPECT_EQ(text(1, TimingModel::kShare), "");
+  EXPECT_EQ(text(2, TimingModel::kRate), "25.0");
+}
+
+TEST_F(TimingModelTest, theRateStartsOverWhenTheClockGoesBack) {
+  frame(100, 9.0, 0.001);
+  frame(101, 9.04, 0.001);
+  frame(1, 0.0, 0.001);
+  EXPECT_DOUBLE_EQ(number(0, TimingModel::kRate), 0);
+  frame(2, 0.1, 0.001);
+  EXPECT_DOUBLE_EQ(number(0, TimingModel::kRate), 10);
+}
+
+TEST_F(TimingModelTest, tasksThatALayoutNoLongerHasAreRemoved) {
+  frame(1, 0, 0.001);
+  robotcontrol::ProcessTable program;
+  program.add_processes()->set_name("cognition");
+  model.keepOnly(program);
+  ASSERT_EQ(model.rowCount(), 1);
+  EXPECT_EQ(text(0, TimingModel::kTask), "frame");
+  model.keepOnly({});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST_F(TimingModelTest, theTableIsWrittenWithItsUnits) {
+  frame(1, 0.00, 0.001);
+  frame(2, 0.04, 0.001);
+  EXPECT_EQ(model.csv().toStdString(),
+            "process,task,solution,last_ms,mean_ms,min_ms,max_ms,hz,share\n"
+            "cognition,frame,,4,4,4,4,25,0.1\n"
+            "cognition,ball,lines,1,1,1,1,25,0.025\n");
+  model.reset();
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace widgets
