@@ -175,7 +175,7 @@ class BookmarksTest : public QObject {
     QCOMPARE(bench.saved()[1].to, at(26));
   }
 
-  void whatCannotBeSavedIsToldOnce() {
+  void whatCannotBeSavedIsReportedOnce() {
     QStringList failures;
     BookmarkBench bench;
     connect(&bench.logs(), &widgets::OpenLogs::failed, this, [&](const QString& text) { failures << text; });

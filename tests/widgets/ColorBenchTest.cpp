@@ -66,7 +66,7 @@ class ColorBenchTest : public QObject {
     stroke("orange", 8, 7);
     waitForColors();
     QTRY_VERIFY(bench_->quality() != nullptr && bench_->quality()->task == bench_->colors()->task);
-    QVERIFY(bench_->colors()->margins != nullptr);
+    QTRY_VERIFY(bench_->colors()->margins != nullptr);
     QVERIFY(bench_->quality()->labeled);
     QCOMPARE(bench_->quality()->labeled->recall(bench_->samples().classes.index("orange")), 1.0);
   }

@@ -211,7 +211,7 @@ class ColorFilesTest : public QObject {
     QVERIFY(std::ranges::count_if(several->cells, isSeveral) > 100);
   }
 
-  void classesThatAMaskHasNoRoomForAreTold() {
+  void classesThatAMaskHasNoRoomForAreReported() {
     Sitting at;
     auto samples = colortool::quarterSamples();
     std::vector<colortool::NamedColor> many;
@@ -318,7 +318,7 @@ class ColorFilesTest : public QObject {
     QCOMPARE(read(path("colors/recovery-damaged-1.samples")), damaged);
   }
 
-  void whatCannotBeKeptIsTold() {
+  void whatCannotBeKeptIsReported() {
     std::ofstream(path("colors")) << "a file where the folder should be";
     Sitting at;
     at.files.startRecovery(path("colors"));

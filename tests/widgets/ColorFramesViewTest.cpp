@@ -322,7 +322,7 @@ class ColorFramesViewTest : public QObject {
       if (frames.size() == 70) model.add(std::exchange(frames, {}));
     }
     QCOMPARE(model.rowCount(), static_cast<int>(FrameSearch::kMaxKept));
-    for (int row = 0; row < model.rowCount(); ++row) QVERIFY(model.frame(row).found.score >= 200);
+    for (int row = 0; row < model.rowCount(); ++row) QVERIFY(model.row(row).found.score >= 200);
   }
 
   void aWholeLogIsSearched_data() {

@@ -386,7 +386,7 @@ class ColorImageViewTest : public QObject {
     QVERIFY(strip->isVisible() && strip->height() < 60);
   }
 
-  void aFolderWithoutPicturesIsToldByItsName() {
+  void aFolderWithoutPicturesIsReportedByItsName() {
     ShownColorImage s;
     QTemporaryDir folder;
     ColorFiles& files = colorFiles(s.world.context);

@@ -145,7 +145,7 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(hint("labeledMatrix").contains(QStringLiteral("No labeled images")));
   }
 
-  void aFolderWithoutLabelsIsToldAndChangesNothing() {
+  void aFolderWithoutLabelsIsReportedAndChangesNothing() {
     QTemporaryDir folder;
     std::ofstream(folder.filePath(QStringLiteral("a.png")).toStdString()) << "no picture";
     const auto name = DialogAnswer::file(folder.path());
@@ -233,7 +233,7 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(note().contains(QStringLiteral("yours is better")));
   }
 
-  void damagedImagesAreLeftOutAndTold() {
+  void damagedImagesAreLeftOutAndReported() {
     QTemporaryDir folder;
     QDir(folder.path()).mkpath(QStringLiteral("labels"));
     const auto put = [&folder](const char* name, QSize size, QImage::Format format) {

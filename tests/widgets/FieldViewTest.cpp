@@ -137,7 +137,7 @@ class FieldViewTest : public QObject {
     QVERIFY(!isNear(s.colorAt(0.3 + 0.06, 0.1), s.named("green"), 10));
   }
 
-  void theCursorsPlaceIsTold() {
+  void theCursorsPlaceIsShown() {
     ShownField s;
     moveMouse(*s.canvas, s.at(1, -0.5));
     const QStringList parts = s.text("fieldCursor").split(QLatin1Char(' '), Qt::SkipEmptyParts);

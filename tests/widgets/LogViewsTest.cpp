@@ -110,7 +110,7 @@ class LogViewsTest : public QObject {
              static_cast<int>(Qt::Unchecked));
   }
 
-  void packagesTellTheirSourceAndHowTheyDiffer() {
+  void packagesShowTheirSourceAndHowTheyDiffer() {
     LogBench bench;
     addPackages(bench.status);
     bench.openLog(kFile);

@@ -301,7 +301,7 @@ class TimeLineTest : public QObject {
     QVERIFY(log.thumbnails.empty());
   }
 
-  void toolTipsTellWhatWasSaid() {
+  void toolTipsShowWhatWasLogged() {
     LogBench bench;
     bench.openLog(kFile);
     auto view = bench.openView<TimeLineView>();

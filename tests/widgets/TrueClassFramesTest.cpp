@@ -51,7 +51,7 @@ class TrueClassFramesTest : public QObject {
     QCOMPARE(bench_->labeled().size(), TrueClassFrames::kMax);
   }
 
-  void aRefusalIsTold() {
+  void aRefusalIsReported() {
     QSignalSpy failures(bench_, &ColorBench::failed);
     world_->refusal = "this robot has no oracle";
     frames_->setOn(true);

@@ -216,7 +216,7 @@ class MenusGuiTest : public WindowTest {
   }
 
   void aRefusalNamesTheFileAndGoesWhenItIsNoLongerTrue() {
-    Desk desk(home_);
+    EmptyDesk desk(home_);
     bool fails = true;
     desk.workbench.commands().add(
         {"test.load", "", {}, [&fails](const auto&) -> robotlink::Result<void> {
@@ -269,7 +269,7 @@ class MenusGuiTest : public WindowTest {
     QVERIFY(desk.find<QAction>("appearance.system").isChecked());
   }
 
-  void helpTellsTheKeysAndWhatThisIs() {
+  void helpShowsTheKeysAndWhatThisIs() {
     EmptyDesk desk(home_);
     QString said;
     const auto read = [&said](QDialog& dialog) {
@@ -304,7 +304,7 @@ class MenusGuiTest : public WindowTest {
     QCOMPARE(desk.find<QLabel>("errorText").text(), QStringLiteral("there is no robot nobody"));
   }
 
-  void aRequestThatIsRefusedIsToldInTheStatusLineWhenNobodyElseDoes() {
+  void aRequestThatIsRefusedIsReportedInTheStatusLineIfNobodyElseDoes() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     robotcontrol::Request request;

@@ -166,7 +166,7 @@ class PlatformDialogTest : public WindowTest {
     QVERIFY(s.find<QComboBox>("Device").findText(QStringLiteral("/dev/ttyUSB7")) >= 0);
   }
 
-  void connectingRunsTheCommandAndTellsHowItGoes() {
+  void connectingRunsTheCommandAndShowsItsProgress() {
     ShownDialog s({QStringLiteral("tcp://localhost:8105"), QStringLiteral("tcp://robot:8101")});
     QCOMPARE(s.address->text(), QStringLiteral("tcp://localhost:8105"));
     s.type(QStringLiteral("tcp://robot"));
@@ -205,7 +205,7 @@ class PlatformDialogTest : public WindowTest {
     QCOMPARE(s.asked().first(), QStringLiteral("tcp://localhost:8291"));
   }
 
-  void whileItWaitsItCanBeToldToTryAtOnce() {
+  void whileItWaitsTheUserCanLetItTryAtOnce() {
     ShownDialog s;
     int now = 0;
     s.commands.add({"robot.connect-now", "", {}, [&](const auto&) -> robotlink::Result<void> {

@@ -76,7 +76,7 @@ class BaseStateViewTest : public QObject {
     QVERIFY(battery.level().state == BatteryLevel::State::kEmpty);
   }
 
-  void theStateIsTold() {
+  void theStateIsShown() {
     DriveBench world;
     auto state = DriveBench::state();
     robotlink::assign(*state.mutable_odometry(), {1.25, -0.5, robotlink::kPi / 2});
@@ -134,7 +134,7 @@ class BaseStateViewTest : public QObject {
     QVERIFY(world.requests.back().control_drive().reset_odometry());
   }
 
-  void theLineIsToldInWords() {
+  void theLineIsDescribedInWords() {
     DriveBench world;
     auto status = connected();
     world.push("p3at1/link/status", status, 1);

@@ -70,7 +70,7 @@ class MapTest : public QObject {
     QVERIFY(!s.isGround(4, 1.5) && s.isGround(4.05, 1.5) && !s.isGround(4, 1.61));
   }
 
-  void aSilentRobotIsGrayAndItsAgeIsTold() {
+  void aSilentRobotIsGrayAndItsAgeIsShown() {
     ShownMapView s;
     s.push("p3at1/drive/state", DriveBench::state(), 1);
     robotcontrol::RobotPose pose;

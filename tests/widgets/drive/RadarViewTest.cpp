@@ -121,7 +121,7 @@ class RadarViewTest : public QObject {
     QCOMPARE(child<QLabel>(*view, "radarNearest").text(), QStringLiteral("nearest: sonar 1.50 m"));
   }
 
-  void aSilentRobotIsPaleAndItsAgeIsTold() {
+  void aSilentRobotIsPaleAndItsAgeIsShown() {
     DriveBench world;
     auto state = DriveBench::state();
     state.mutable_velocity()->set_x(0.4);

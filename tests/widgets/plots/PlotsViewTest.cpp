@@ -160,7 +160,7 @@ class PlotsViewTest : public QObject {
              QStringLiteral("0.9"));
   }
 
-  void aPackageThatIsNotToldYetIsAskedForAndThatIsSaid() {
+  void aPackageThatIsNotPublishedYetIsRequestedAndTheViewSaysSo() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
     robotcontrol::ProcessTable processes;

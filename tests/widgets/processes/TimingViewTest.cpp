@@ -71,7 +71,7 @@ class TimingViewTest : public QObject {
     QCOMPARE(shownCell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
   }
 
-  void theRateIsThatOfTheLastSecondsThoughTimesWereNotToldOrTheClockWentBack() {
+  void theRateIsThatOfTheLastSecondsThoughTimesWereNotPublishedOrTheClockWentBack() {
     using Model = widgets::TimingModel;
     Model model;
     const auto at = [](double time) { return robotlink::Instant(robotlink::fromSeconds(time)); };
