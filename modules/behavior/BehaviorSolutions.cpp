@@ -18,15 +18,16 @@ namespace {
 
 using robotcontrol::HeadMode;
 using robotcontrol::MotionRequest;
-using robotlink::DebugKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
-const DebugKey kStateKey{"behavior/state",
-                         "The state of the behavior, beside the robot (drawn around the robot)"};
-const DebugKey kTargetKey{
+const RobotDrawingKey kStateKey{"behavior/state",
+                                "The state of the behavior, beside the robot (drawn around the robot)"};
+const RobotDrawingKey kTargetKey{
     "behavior/target",
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
-const DebugKey kSpeedKey{"behavior/speed", "The requested walking speeds"};
+const PlotKey kSpeedKey{"behavior/speed", "The requested walking speeds"};
 
 /// Sends the requests for body and head.
 class Behavior : public robotlink::Solution {

@@ -15,19 +15,23 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
-const DebugKey kPointsKey{"obstacle-avoidance/points",
-                          "What is remembered around the robot, and its outline (drawn around the robot)"};
-const DebugKey kHistogramKey{"obstacle-avoidance/histogram",
-                             "How far it could drive in each direction, those that are open (green), and the "
-                             "chosen one (drawn around the robot)"};
-const DebugKey kWindowKey{"obstacle-avoidance/window",
-                          "The arcs of the velocities that it could choose (green, red where it could not "
-                          "brake) (drawn around the robot)"};
-const DebugKey kSpeedKey{"obstacle-avoidance/speed",
-                         "The desired, requested and driven speeds and rotations (plots)"};
+const RobotDrawingKey kPointsKey{
+    "obstacle-avoidance/points",
+    "What is remembered around the robot, and its outline (drawn around the robot)"};
+const RobotDrawingKey kHistogramKey{
+    "obstacle-avoidance/histogram",
+    "How far it could drive in each direction, those that are open (green), and the "
+    "chosen one (drawn around the robot)"};
+const RobotDrawingKey kWindowKey{
+    "obstacle-avoidance/window",
+    "The arcs of the velocities that it could choose (green, red where it could not "
+    "brake) (drawn around the robot)"};
+const PlotKey kSpeedKey{"obstacle-avoidance/speed",
+                        "The desired, requested and driven speeds and rotations (plots)"};
 
 using robotlink::kAboveZero;
 using robotlink::kAtLeastZero;

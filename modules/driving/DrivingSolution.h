@@ -12,8 +12,8 @@
 namespace modules {
 
 // Inline, so that it is defined in every file that registers a solution of the task.
-inline const robotlink::DebugKey kDrivingSpeedKey{"driving/speed",
-                                                  "The speed and rotation that the behavior desires (plots)"};
+inline const robotlink::PlotKey kDrivingSpeedKey{"driving/speed",
+                                                 "The speed and rotation that the behavior desires (plots)"};
 
 /// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
 /// plots it. Obstacle avoidance treats a request older than a second as 0. Used by its process's thread; the

@@ -18,14 +18,15 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::FieldDrawingKey;
 using robotlink::Level;
 using robotlink::Pose2;
+using robotlink::RobotDrawingKey;
 using robotlink::Vector2;
 
-const DebugKey kDirectionKey{"driving/direction",
-                             "Where wandering wants to go, beside the robot (drawn around the robot)"};
-const DebugKey kTargetKey{
+const RobotDrawingKey kDirectionKey{"driving/direction",
+                                    "Where wandering wants to go, beside the robot (drawn around the robot)"};
+const FieldDrawingKey kTargetKey{
     "driving/target",
     "The point of the path that is steered for, and what following it does (drawn on the field)"};
 

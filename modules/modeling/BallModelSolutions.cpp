@@ -15,15 +15,16 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::PlotKey;
 using robotlink::Pose2;
+using robotlink::RobotDrawingKey;
 
-const DebugKey kBallKey{
+const RobotDrawingKey kBallKey{
     "ball-model/ball",
     "The ball's estimated position, its certainty, and where it rolls (drawn around the robot)"};
-const DebugKey kPositionKey{"ball-model/position",
-                            "Place of the ball in the robot's frame, and its deviation"};
-const DebugKey kAgeKey{"ball-model/age", "Seconds since the ball was seen"};
+const PlotKey kPositionKey{"ball-model/position",
+                           "Place of the ball in the robot's frame, and its deviation"};
+const PlotKey kAgeKey{"ball-model/age", "Seconds since the ball was seen"};
 
 /// Sends an estimate, and draws and plots it.
 class BallModeler : public robotlink::Solution {

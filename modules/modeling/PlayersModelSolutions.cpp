@@ -11,11 +11,12 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::FieldDrawingKey;
+using robotlink::PlotKey;
 
-const DebugKey kPlayersKey{"players-model/players",
-                           "The estimated positions of the other robots (drawn on the field)"};
-const DebugKey kCountKey{"players-model/count", "How many other robots are known"};
+const FieldDrawingKey kPlayersKey{"players-model/players",
+                                  "The estimated positions of the other robots (drawn on the field)"};
+const PlotKey kCountKey{"players-model/count", "How many other robots are known"};
 
 /// Sends the players, and draws them.
 class PlayersModeler : public robotlink::Solution {

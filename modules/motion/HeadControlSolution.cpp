@@ -12,11 +12,11 @@
 namespace modules {
 namespace {
 
-const robotlink::DebugKey kAnglesKey{"head-control/angles",
-                                     "Tilt and pan, requested and reached (plots, rad)"};
-const robotlink::DebugKey kStateKey{"head-control/state",
-                                    "0 still, 1 at the ball, 2 searching for it, 3 looking around (plot)"};
-const robotlink::DebugKey kGazeKey{
+const robotlink::PlotKey kAnglesKey{"head-control/angles",
+                                    "Tilt and pan, requested and reached (plots, rad)"};
+const robotlink::PlotKey kStateKey{"head-control/state",
+                                   "0 still, 1 at the ball, 2 searching for it, 3 looking around (plot)"};
+const robotlink::RobotDrawingKey kGazeKey{
     "head-control/gaze",
     "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
 

@@ -18,17 +18,17 @@ using robotlink::Level;
 
 namespace {
 
-const robotlink::DebugKey kSpeedKey{"motion/speed",
-                                    "The requested speed and that of the gait (plots x, y, rotation)"};
-const robotlink::DebugKey kPhaseKey{"motion/phase", "The phase of the gait's cycle, 0 to 1 (plot)"};
-const robotlink::DebugKey kUprightKey{"motion/upright", "How upright the robot feels, 1 is level (plot)"};
-const robotlink::DebugKey kJointsKey{"motion/joint-errors",
-                                     "How far each leg's joints are from what was requested (plots, rad)"};
-const robotlink::DebugKey kPawsKey{
+const robotlink::PlotKey kSpeedKey{"motion/speed",
+                                   "The requested speed and that of the gait (plots x, y, rotation)"};
+const robotlink::PlotKey kPhaseKey{"motion/phase", "The phase of the gait's cycle, 0 to 1 (plot)"};
+const robotlink::PlotKey kUprightKey{"motion/upright", "How upright the robot feels, 1 is level (plot)"};
+const robotlink::PlotKey kJointsKey{"motion/joint-errors",
+                                    "How far each leg's joints are from what was requested (plots, rad)"};
+const robotlink::RobotDrawingKey kPawsKey{
     "motion/paws",
     "Where the paws should be, those on the ground filled, with their step vectors (drawn around the robot)"};
-const robotlink::DebugKey kOdometryKey{"motion/odometry",
-                                       "Dead reckoning since the program started (plots x, y, heading)"};
+const robotlink::PlotKey kOdometryKey{"motion/odometry",
+                                      "Dead reckoning since the program started (plots x, y, heading)"};
 
 constexpr robotlink::Duration kFrame = std::chrono::milliseconds(8);
 constexpr int kMaxFrames = 5;

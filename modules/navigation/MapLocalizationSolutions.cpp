@@ -16,15 +16,16 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::FieldDrawingKey;
 using robotlink::Instant;
 using robotlink::Level;
+using robotlink::PlotKey;
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-const DebugKey kRaysKey{"self-localisation/rays",
-                        "Measurements, as seen from the robot's estimated pose (drawn on the field)"};
-const DebugKey kFilterKey{
+const FieldDrawingKey kRaysKey{"self-localisation/rays",
+                               "Measurements, as seen from the robot's estimated pose (drawn on the field)"};
+const PlotKey kFilterKey{
     "self-localisation/filter",
     "Share of the measurements that the pose explains, and the number of particles (plots)"};
 

@@ -16,12 +16,13 @@ namespace modules {
 namespace {
 
 using robotcontrol::DrivePath;
-using robotlink::DebugKey;
+using robotlink::FieldDrawingKey;
 using robotlink::Level;
 using robotlink::Vector2;
 
-const DebugKey kPathKey{"path-planning/path", "The way to the goal, and the goal (drawn on the field)"};
-const DebugKey kWaveKey{
+const FieldDrawingKey kPathKey{"path-planning/path",
+                               "The way to the goal, and the goal (drawn on the field)"};
+const FieldDrawingKey kWaveKey{
     "path-planning/wave",
     "How far each place is from the goal, from near (green) to far (blue) (drawn on the field)"};
 

@@ -14,13 +14,16 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::ImageDrawingKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 
-const DebugKey kDiscKey{"ball-percept/disc",
-                        "The disc in the image that was taken for the ball (drawn in the image)"};
-const DebugKey kPlaceKey{"ball-percept/place", "Where the ball is on the ground (drawn around the robot)"};
-const DebugKey kDistanceKey{"ball-percept/distance", "Distance of the ball, and confidence in it"};
-const DebugKey kEdgeKey{
+const ImageDrawingKey kDiscKey{"ball-percept/disc",
+                               "The disc in the image that was taken for the ball (drawn in the image)"};
+const RobotDrawingKey kPlaceKey{"ball-percept/place",
+                                "Where the ball is on the ground (drawn around the robot)"};
+const PlotKey kDistanceKey{"ball-percept/distance", "Distance of the ball, and confidence in it"};
+const ImageDrawingKey kEdgeKey{
     "ball-percept/edge",
     "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
 

@@ -17,13 +17,15 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::ImageDrawingKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 
-const DebugKey kHorizonKey{"camera-pose/horizon",
-                           "The horizon, where the camera's pose puts it in the image (drawn in the image)"};
-const DebugKey kViewKey{"camera-pose/view",
-                        "The camera, and the part of the ground that it sees (drawn around the robot)"};
-const DebugKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
+const ImageDrawingKey kHorizonKey{
+    "camera-pose/horizon", "The horizon, where the camera's pose puts it in the image (drawn in the image)"};
+const RobotDrawingKey kViewKey{
+    "camera-pose/view", "The camera, and the part of the ground that it sees (drawn around the robot)"};
+const PlotKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
 
 /// The common part of both solutions: the neck's joints, the package, and drawings.
 class CameraPoseEstimator : public robotlink::Solution {

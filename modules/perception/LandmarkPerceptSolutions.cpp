@@ -15,14 +15,16 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::ImageDrawingKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 
-const DebugKey kBoxesKey{
+const ImageDrawingKey kBoxesKey{
     "landmark-percepts/boxes",
     "The boxes of beacons and goals in the image, with their names (drawn in the image)"};
-const DebugKey kLandmarkPlacesKey{
+const RobotDrawingKey kLandmarkPlacesKey{
     "landmark-percepts/places", "Where beacons and goals are, seen from the robot (drawn around the robot)"};
-const DebugKey kLandmarkCountKey{"landmark-percepts/count", "How many landmarks were seen"};
+const PlotKey kLandmarkCountKey{"landmark-percepts/count", "How many landmarks were seen"};
 
 /// The common part of both solutions: the landmarks of the field, the package, and drawings.
 class LandmarkPerceptor : public robotlink::Solution {

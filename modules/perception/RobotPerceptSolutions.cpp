@@ -12,11 +12,12 @@
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
+using robotlink::PlotKey;
+using robotlink::RobotDrawingKey;
 
-const DebugKey kRobotPlacesKey{"robot-percepts/places",
-                               "Where other robots are, seen from this one (drawn around the robot)"};
-const DebugKey kRobotCountKey{"robot-percepts/count", "How many other robots were seen"};
+const RobotDrawingKey kRobotPlacesKey{"robot-percepts/places",
+                                      "Where other robots are, seen from this one (drawn around the robot)"};
+const PlotKey kRobotCountKey{"robot-percepts/count", "How many other robots were seen"};
 
 /// The common part of both solutions: the teams' colors, the package, and drawings.
 class RobotPerceptor : public robotlink::Solution {

@@ -15,13 +15,15 @@ namespace modules {
 namespace {
 
 using colortool::RegionFinder;
-using robotlink::DebugKey;
+using robotlink::ImageDrawingKey;
+using robotlink::ImageKey;
+using robotlink::PlotKey;
 
-const DebugKey kClassesKey{"segmentation/classes",
+const ImageKey kClassesKey{"segmentation/classes",
                            "The image in the colors of the classes its pixels were sorted into"};
-const DebugKey kRegionsKey{"segmentation/regions",
-                           "The boxes of all regions, in the colors of their classes (drawn in the image)"};
-const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
+const ImageDrawingKey kRegionsKey{
+    "segmentation/regions", "The boxes of all regions, in the colors of their classes (drawn in the image)"};
+const PlotKey kCountKey{"segmentation/count", "How many regions were found"};
 
 /// The common part of both solutions: the color table and the outputs. The table is the one that was sent to
 /// the robot's program; without one it is computed from the field's colors, and recomputed when the lighting

@@ -52,11 +52,10 @@ struct DebugContext::Frame {
   // Messages of the current frame, which is not complete yet.
   Messages messages;
   struct Begun {
-    const char* stream;
     int key;
     google::protobuf::Message* content;
   };
-  // Its drawings and images; one message per stream and key.
+  // Its drawings and images; one message per key.
   std::vector<Begun> begun;
   std::deque<CompleteFrame> complete;
   std::size_t completeBytes = 0;
@@ -146,14 +145,14 @@ SharedDebugMessage& DebugContext::package(const std::string& path, PackagePtr pa
   return frame_->messages.emplace_back(SharedDebugMessage{path, frame_->now, std::move(package)});
 }
 
-/// A stream has one type of contents.
+/// A key has one type of contents.
 template <typename T>
-T& DebugContext::contentFor(const char* stream, const DebugKey& key) {
+T& DebugContext::contentFor(const DebugKey& key) {
   for (const Frame::Begun& begun : frame_->begun) {
-    if (begun.key == key.index() && begun.stream == stream) return static_cast<T&>(*begun.content);
+    if (begun.key == key.index()) return static_cast<T&>(*begun.content);
   }
-  T& content = add<T>(stream + key.name());
-  frame_->begun.push_back({stream, key.index(), &content});
+  T& content = add<T>(key.stream());
+  frame_->begun.push_back({key.index(), &content});
   return content;
 }
 
@@ -174,13 +173,12 @@ std::shared_ptr<SharedDebugQueue> DebugContext::takeQueue() {
   return queue;
 }
 
-ImageDrawing DebugContext::imageDrawing(const DebugKey& key) {
-  return ImageDrawing(contentFor<foxglove::ImageAnnotations>(streams::kImageDrawings, key), frame_->now);
+ImageDrawing DebugContext::imageDrawing(const ImageDrawingKey& key) {
+  return ImageDrawing(contentFor<foxglove::ImageAnnotations>(key), frame_->now);
 }
 
-foxglove::SceneEntity& DebugContext::entityFor(const char* stream, const DebugKey& key,
-                                               const std::string& frame) {
-  foxglove::SceneUpdate& update = contentFor<foxglove::SceneUpdate>(stream, key);
+foxglove::SceneEntity& DebugContext::entityFor(const DebugKey& key, const std::string& frame) {
+  foxglove::SceneUpdate& update = contentFor<foxglove::SceneUpdate>(key);
   if (update.entities_size() > 0) return *update.mutable_entities(0);
   foxglove::SceneEntity& entity = *update.add_entities();
   assign(*entity.mutable_timestamp(), frame_->now);
@@ -189,25 +187,24 @@ foxglove::SceneEntity& DebugContext::entityFor(const char* stream, const DebugKe
   return entity;
 }
 
-SceneDrawing DebugContext::fieldDrawing(const DebugKey& key) {
-  return SceneDrawing(entityFor(streams::kFieldDrawings, key, "field"));
+SceneDrawing DebugContext::fieldDrawing(const FieldDrawingKey& key) {
+  return SceneDrawing(entityFor(key, "field"));
 }
 
-SceneDrawing DebugContext::robotDrawing(const DebugKey& key) {
-  return SceneDrawing(entityFor(streams::kRobotDrawings, key, robot_));
+SceneDrawing DebugContext::robotDrawing(const RobotDrawingKey& key) {
+  return SceneDrawing(entityFor(key, robot_));
 }
 
-void DebugContext::image(const DebugKey& key, const ImageView& image) {
-  if (!image.empty())
-    assign(contentFor<foxglove::RawImage>(streams::kImages, key), image, frame_->now, robot_);
+void DebugContext::image(const ImageKey& key, const ImageView& image) {
+  if (!image.empty()) assign(contentFor<foxglove::RawImage>(key), image, frame_->now, robot_);
 }
 
-void DebugContext::plot(const DebugKey& key, double value, const char* unit) {
+void DebugContext::plot(const PlotKey& key, double value, const char* unit) {
   plot(key, "", value, unit);
 }
 
-void DebugContext::plot(const DebugKey& key, const char* curve, double value, const char* unit) {
-  std::string path = streams::kPlots + key.name();
+void DebugContext::plot(const PlotKey& key, const char* curve, double value, const char* unit) {
+  std::string path = key.stream();
   if (*curve != '\0') path.append("/").append(curve);
   auto& plotted = add<robotcontrol::PlotValue>(path);
   assign(*plotted.mutable_timestamp(), frame_->now);

@@ -62,17 +62,17 @@ class DebugContext {
 
   // These publish to the stream of a key: call them only if on() returned true for the key in this frame.
   /// Coordinates in pixels of the image that the frame processes.
-  ImageDrawing imageDrawing(const DebugKey& key);
+  ImageDrawing imageDrawing(const ImageDrawingKey& key);
   /// Coordinates in meters in the field frame.
-  SceneDrawing fieldDrawing(const DebugKey& key);
+  SceneDrawing fieldDrawing(const FieldDrawingKey& key);
   /// Coordinates in meters in the robot's frame (origin on the ground, x to the front).
-  SceneDrawing robotDrawing(const DebugKey& key);
+  SceneDrawing robotDrawing(const RobotDrawingKey& key);
   /// Publishes a copy of an image; of several in a frame only the last is sent. Empty images are ignored.
-  void image(const DebugKey& key, const ImageView& image);
+  void image(const ImageKey& key, const ImageView& image);
   /// Publishes a value of a curve, at the time of the frame.
-  void plot(const DebugKey& key, double value, const char* unit = "");
+  void plot(const PlotKey& key, double value, const char* unit = "");
   /// The same for one of several curves of a key: key "ball-model/position", curve "x".
-  void plot(const DebugKey& key, const char* curve, double value, const char* unit = "");
+  void plot(const PlotKey& key, const char* curve, double value, const char* unit = "");
 
   /// Logs a text from `source` ("ball-percept"); needs no key. Bytes that are not UTF-8 are replaced.
   void text(Level level, std::string_view source, std::string text);
@@ -118,11 +118,11 @@ class DebugContext {
   };
   struct Frame;
   bool dueNow(int key);
-  /// The content of the current frame for a key in a stream; added if there is none yet.
+  /// The content of the current frame for a key; added if there is none yet.
   template <typename T>
-  T& contentFor(const char* stream, const DebugKey& key);
+  T& contentFor(const DebugKey& key);
   /// The entity of a scene drawing of the current frame.
-  foxglove::SceneEntity& entityFor(const char* stream, const DebugKey& key, const std::string& frame);
+  foxglove::SceneEntity& entityFor(const DebugKey& key, const std::string& frame);
 
   std::string process_;
   std::string robot_;

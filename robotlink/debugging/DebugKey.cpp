@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace robotlink {
 namespace {
@@ -37,13 +38,13 @@ bool isPath(std::string_view name) {
 
 }  // namespace
 
-DebugKey::DebugKey(const char* name, const char* help) {
+DebugKey::DebugKey(const char* name, const char* help, std::string stream) {
   Registry& keys = registry();
   if (!isPath(name))
     refuseKey(name, "a name is a path of lower case letters, digits and '-', its parts separated by one '/'");
   if (keys.sealed)
     refuseKey(name, "declared after the first debug context was made; declare keys at namespace scope");
-  keys.entries.push_back({name, help});
+  keys.entries.push_back({name, help, std::move(stream)});
   number_ = static_cast<int>(keys.entries.size());
   if (!keys.indices.emplace(name, index()).second)
     refuseKey(name, "declared twice; names of keys are unique in a program");
@@ -51,6 +52,10 @@ DebugKey::DebugKey(const char* name, const char* help) {
 
 const std::string& DebugKey::name() const {
   return all()[static_cast<std::size_t>(index())].name;
+}
+
+const std::string& DebugKey::stream() const {
+  return all()[static_cast<std::size_t>(index())].stream;
 }
 
 const std::vector<DebugKey::Entry>& DebugKey::all() {

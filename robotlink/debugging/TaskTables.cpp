@@ -6,7 +6,7 @@
 
 namespace robotlink {
 
-const DebugKey kTimingKey{"timing/tasks", "How long each task took, in real time"};
+const StopwatchKey kTimingKey{"timing/tasks", "How long each task took, in real time"};
 
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen) {
@@ -27,6 +27,7 @@ void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const Deb
     const DebugKey::Entry& entry = DebugKey::all()[static_cast<std::size_t>(index)];
     key.set_name(entry.name);
     key.set_help(entry.help);
+    key.set_stream(entry.stream);
     *key.mutable_mode() = debug.mode(index);
     *to.add_keys() = std::move(key);
   }
@@ -39,6 +40,7 @@ void fillPackageKey(const std::string& package, const robotcontrol::KeyMode& mod
                     robotcontrol::KeyTable::Key& to) {
   to.set_name(packageKey(package));
   to.set_help("The package " + package + " as it is");
+  to.set_stream(package);
   *to.mutable_mode() = mode;
   to.set_in_use(true);
 }

@@ -20,7 +20,7 @@ class SolutionTable;
 namespace robotlink {
 
 /// The debug key of the stopwatches of all processes.
-extern const DebugKey kTimingKey;
+extern const StopwatchKey kTimingKey;
 
 using TaskRunners = std::vector<std::unique_ptr<TaskRunner>>;
 

@@ -13,8 +13,12 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const DebugKey kShapeKey{"context-test/shape", "A key of this test"};
-const DebugKey kOtherKey{"context-test/other", "Another key of this test"};
+const ImageDrawingKey kShapeKey{"context-test/shape", "A key of this test"};
+const ImageDrawingKey kOtherKey{"context-test/other", "Another key of this test"};
+const FieldDrawingKey kPlaceKey{"context-test/place", "A place in the field"};
+const RobotDrawingKey kAroundKey{"context-test/around", "Something around the robot"};
+const ImageKey kPictureKey{"context-test/picture", "An image"};
+const PlotKey kCurveKey{"context-test/curve", "A curve"};
 
 KeyMode mode(KeyMode::Kind kind, std::uint32_t n = 0) {
   KeyMode result;
@@ -136,20 +140,20 @@ TEST_F(DebugContextTest, eachKindGoesToItsStream) {
   const Image gray(4, 2, PixelFormat::kMono8);
   frame([&] {
     debug_.imageDrawing(kShapeKey).line({0, 0}, {1, 1}, colors::kRed);
-    debug_.fieldDrawing(kShapeKey).dot({1, 0}, colors::kRed);
-    debug_.robotDrawing(kShapeKey).dot({1, 0}, colors::kRed);
-    debug_.image(kShapeKey, gray.view());
-    debug_.plot(kShapeKey, 4.5, "m");
-    debug_.plot(kShapeKey, "x", 2);
+    debug_.fieldDrawing(kPlaceKey).dot({1, 0}, colors::kRed);
+    debug_.robotDrawing(kAroundKey).dot({1, 0}, colors::kRed);
+    debug_.image(kPictureKey, gray.view());
+    debug_.plot(kCurveKey, 4.5, "m");
+    debug_.plot(kCurveKey, "x", 2);
     debug_.package("models/ball", std::make_shared<KeyMode>(mode(KeyMode::EVERY_N, 9)));
   });
   const auto queue = take(debug_);
-  EXPECT_EQ(paths(queue), (Paths{"drawings/image/context-test/shape", "drawings/field/context-test/shape",
-                                 "drawings/robot/context-test/shape", "images/context-test/shape",
-                                 "plots/context-test/shape", "plots/context-test/shape/x", "models/ball",
+  EXPECT_EQ(paths(queue), (Paths{"drawings/image/context-test/shape", "drawings/field/context-test/place",
+                                 "drawings/robot/context-test/around", "images/context-test/picture",
+                                 "plots/context-test/curve", "plots/context-test/curve/x", "models/ball",
                                  "frames/cognition"}));
   EXPECT_EQ(queue.messages(1).scene_drawing().entities(0).frame_id(), "field");
-  EXPECT_EQ(queue.messages(1).scene_drawing().entities(0).id(), "context-test/shape");
+  EXPECT_EQ(queue.messages(1).scene_drawing().entities(0).id(), "context-test/place");
   EXPECT_EQ(queue.messages(2).scene_drawing().entities(0).frame_id(), "red1");
   EXPECT_EQ(imageView(queue.messages(3).image()).width, 4);
   EXPECT_EQ(queue.messages(4).plot().value(), 4.5);
@@ -177,7 +181,7 @@ TEST_F(DebugContextTest, allShapesOfAKeyInAFrameAreOneDrawing) {
 TEST_F(DebugContextTest, aDrawingThatIsBegunIsSentEvenIfItIsEmpty) {
   frame([&] {
     debug_.imageDrawing(kShapeKey);
-    debug_.fieldDrawing(kShapeKey);
+    debug_.fieldDrawing(kPlaceKey);
   });
   const auto queue = take(debug_);
   ASSERT_EQ(queue.messages_size(), 3);
@@ -188,9 +192,9 @@ TEST_F(DebugContextTest, aDrawingThatIsBegunIsSentEvenIfItIsEmpty) {
 TEST_F(DebugContextTest, ofAnImageOnlyTheLastOfAFrameIsSent) {
   const Image small(2, 2, PixelFormat::kMono8), large(8, 2, PixelFormat::kMono8);
   frame([&] {
-    debug_.image(kShapeKey, small.view());
-    debug_.image(kShapeKey, large.view());
-    debug_.image(kOtherKey, ImageView{});
+    debug_.image(kPictureKey, small.view());
+    debug_.image(kPictureKey, large.view());
+    debug_.image(kPictureKey, ImageView{});
   });
   const auto queue = take(debug_);
   ASSERT_EQ(queue.messages_size(), 2);

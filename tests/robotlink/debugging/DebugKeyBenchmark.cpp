@@ -13,7 +13,7 @@ using namespace robotlink;
 
 namespace {
 
-const DebugKey kKey{"benchmark/key", "A key that is off"};
+const PlotKey kKey{"benchmark/key", "A key that is off"};
 constexpr int kQueries = 1 << 20;
 
 // Both loops forget what they know of memory in each round, so that the mode is read anew each time, as in

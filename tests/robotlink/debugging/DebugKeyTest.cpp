@@ -9,12 +9,12 @@ using namespace robotlink;
 
 namespace {
 
-const DebugKey kFirstKey{"key-test/first", "The first"};
-const DebugKey kSecondKey{"key-test/second", "The second"};
+const ImageDrawingKey kFirstKey{"key-test/first", "The first"};
+const PlotKey kSecondKey{"key-test/second", "The second"};
 
 // In a child process, so that this program's keys stay as they are.
 void declare(const char* name) {
-  const DebugKey key{name, "help"};
+  const ImageKey key{name, "help"};
 }
 
 }  // namespace
@@ -26,6 +26,11 @@ TEST(DebugKey, allKeysAreKnownBeforeMainByNameAndIndex) {
   EXPECT_EQ(DebugKey::all()[static_cast<std::size_t>(kSecondKey.index())].help, "The second");
   EXPECT_EQ(DebugKey::find("key-test/second"), kSecondKey.index());
   EXPECT_EQ(DebugKey::find("key-test/third"), -1);
+}
+
+TEST(DebugKey, itsTypeSaysOnWhichStreamItPublishes) {
+  EXPECT_EQ(kFirstKey.stream(), "drawings/image/key-test/first");
+  EXPECT_EQ(kSecondKey.stream(), "plots/key-test/second");
 }
 
 TEST(DebugKeyDeathTest, aNameThatIsDeclaredTwiceEndsTheProgramWithAReason) {

@@ -9,7 +9,7 @@
 namespace robotlink {
 namespace {
 
-const DebugKey kEdgeKey{"registry-test/edge", "The edge"};
+const ImageDrawingKey kEdgeKey{"registry-test/edge", "The edge"};
 
 class Nothing final : public Solution {
  public:

@@ -18,7 +18,7 @@ using robotcontrol::KeyMode;
 
 namespace {
 
-const DebugKey kPictureKey{"shared-queue-test/picture", "An image"};
+const ImageKey kPictureKey{"shared-queue-test/picture", "An image"};
 
 KeyMode always() {
   KeyMode mode;

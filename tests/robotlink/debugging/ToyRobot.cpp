@@ -62,9 +62,9 @@ struct Counted {
   ~Counted() { --living; }
 };
 
-const DebugKey kDotKey{"ball-percept/dot", "A toy key"};
-const DebugKey kModelKey{"ball-model/plot", "Another toy key"};
-const DebugKey kOracleKey{"ball-model/oracle", "A toy key of the oracle"};
+const ImageDrawingKey kDotKey{"ball-percept/dot", "A toy key"};
+const PlotKey kModelKey{"ball-model/plot", "Another toy key"};
+const PlotKey kOracleKey{"ball-model/oracle", "A toy key of the oracle"};
 
 /// Its parameters' x is added to what it sees; its object counts its images.
 class RegionBall final : public Solution, Counted {
