@@ -14,7 +14,7 @@ import sys
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
 ROBOTLINK = PROGRAM + ["robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
-SIMULATED = ["robotlink/arcos/server", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
+SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
     "robotlink/base": [],
@@ -28,6 +28,8 @@ TARGETS = {
     "robotlink/arcos": ["robotlink/base"],
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
     "robotlink/foxglove": ["robotlink/base"],
+    "robotlink/foxglove/session": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging",
+                                   "robotlink/session", "robotlink/foxglove"],
     "simcore": ["robotlink/base"],
     "colortool": ["robotlink/base"],
     "logplayer/mcap": ["robotlink/base"],

@@ -182,9 +182,13 @@ void Session::tick() {
     store_.clear();
     timeline_.goLive();
   }
-  for (StreamMessage& message : latched.all()) store_.add(std::move(message));
+  const auto add = [this](StreamMessage& message) {
+    if (listener_.message) listener_.message(message);
+    store_.add(std::move(message));
+  };
+  for (StreamMessage& message : latched.all()) add(message);
   for (Batch& batch : batches) {
-    for (StreamMessage& message : batch.messages) store_.add(std::move(message));
+    for (StreamMessage& message : batch.messages) add(message);
   }
   timeline_.setNewest(store_.newest());
   for (const ResultPtr& result : results) {
@@ -218,6 +222,10 @@ void Session::setRefusalHandler(RefusalHandler handler) {
   refused_ = std::move(handler);
 }
 
+void Session::setListener(Listener listener) {
+  listener_ = std::move(listener);
+}
+
 void Session::await(std::uint64_t id, ResultHandler onResult) {
   pending_->handlers[id] = std::move(onResult);
   const std::lock_guard lock(inbox_->mutex);
@@ -236,6 +244,7 @@ std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onRe
     };
   }
   await(id, std::move(onResult));
+  if (listener_.request) listener_.request(request);
   if (sink_) {
     sink_(request);
     return id;

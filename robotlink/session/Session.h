@@ -47,6 +47,12 @@ class Session {
   using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
   /// The refused request in words ("set key of red1"), and the reason.
   using RefusalHandler = std::function<void(const std::string& what, const std::string& reason)>;
+  /// Follows what goes through a session, to pass it on: each message as tick() moves it into the history,
+  /// and each request that is made. Functions may be empty.
+  struct Listener {
+    std::function<void(const StreamMessage&)> message;
+    std::function<void(const robotcontrol::Request&)> request;
+  };
 
   explicit Session(StreamStore::Limits limits = {});
   Session(StreamStore::Limits limits, InboxLimits inboxLimits);
@@ -94,6 +100,8 @@ class Session {
   void setRequestSink(RequestSink sink);
   /// Called from tick() for refusals of requests that had no result handler, so that none goes unnoticed.
   void setRefusalHandler(RefusalHandler handler);
+  /// There is one at most; an empty one ends that.
+  void setListener(Listener listener);
   /// Sends a request and returns its id, which is filled in here. `onResult` is called once, from tick(), if
   /// a result arrives; beyond ten thousand pending requests the oldest are abandoned. Without a sink the
   /// result is a refusal.
@@ -113,6 +121,7 @@ class Session {
   std::unique_ptr<Pending> pending_;
   RequestSink sink_;
   RefusalHandler refused_;
+  Listener listener_;
   std::vector<std::string> robots_;
   std::string selectedRobot_;
 };

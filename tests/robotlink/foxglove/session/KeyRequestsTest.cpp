@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/session/KeyRequests.h"
+
+#include <gmock/gmock.h>
+
+#include "robotlink/foxglove/session/KeyModeText.h"
+
+namespace robotlink::foxglove {
+namespace {
+
+using robotcontrol::KeyMode;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kDisc = "drawings/image/ball-percept/disc";
+
+class KeyRequestsTest : public testing::Test {
+ protected:
+  KeyRequestsTest() { setTable("off"); }
+  /// As the robot publishes it; one key draws, the other one plots, the third is that of a package.
+  void setTable(const std::string& disc) {
+    robotcontrol::KeyTable table;
+    const auto add = [&](const std::string& name, const std::string& stream, const std::string& mode) {
+      auto& key = *table.add_keys();
+      key.set_name(name);
+      key.set_stream(stream);
+      *key.mutable_mode() = *keyModeOf(mode);
+    };
+    add("ball-percept/disc", kDisc, disc);
+    add("motion/speed", "plots/motion/speed", "off");
+    add("package/camera/image", "camera/image", "always");
+    requests_.setTable("red1", table);
+  }
+  std::vector<std::string> takeSet() { return std::exchange(set_, {}); }
+
+  std::vector<std::string> set_;
+  KeyRequests requests_{[this](const std::string& robot, const std::string& key, const KeyMode& mode) {
+    set_.push_back(robot + " " + key + " " + textOf(mode));
+    // As a session's listener does.
+    requests_.noteChosen(robot, key, mode);
+  }};
+};
+
+TEST_F(KeyRequestsTest, aKeyIsOnWhileSomebodySubscribesToWhatItPublishes) {
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always"));
+  requests_.setSubscribers("red1", kDisc, {"a", "b"});
+  requests_.setSubscribers("red1", kDisc, {"b"});
+  setTable("always");
+  EXPECT_THAT(takeSet(), IsEmpty());
+  requests_.setSubscribers("red1", kDisc, {});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
+}
+
+TEST_F(KeyRequestsTest, aKeyThatIsOnAlreadyStaysAsItIs) {
+  setTable("every 3");
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  requests_.setSubscribers("red1", "camera/image", {"a"});
+  requests_.setSubscribers("red1", kDisc, {});
+  requests_.setSubscribers("red1", "camera/image", {});
+  EXPECT_THAT(takeSet(), IsEmpty());
+}
+
+TEST_F(KeyRequestsTest, whatSomebodyElseSetsMeanwhileHolds) {
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  takeSet();
+  requests_.noteChosen("red1", "ball-percept/disc", *keyModeOf("every 200 ms"));
+  setTable("every 200 ms");
+  requests_.setSubscribers("red1", kDisc, {});
+  EXPECT_THAT(takeSet(), IsEmpty());
+}
+
+TEST_F(KeyRequestsTest, aKeyThatSomebodySwitchesOffStaysOffUntilTheNextSubscription) {
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  takeSet();
+  requests_.noteChosen("red1", "ball-percept/disc", KeyMode());
+  setTable("off");
+  EXPECT_THAT(takeSet(), IsEmpty());
+  requests_.setSubscribers("red1", kDisc, {});
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always"));
+}
+
+TEST_F(KeyRequestsTest, aTableThatIsOlderThanTheRequestChangesNothing) {
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  takeSet();
+  setTable("off");
+  EXPECT_THAT(takeSet(), IsEmpty());
+  requests_.setSubscribers("red1", kDisc, {});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
+}
+
+TEST_F(KeyRequestsTest, aCurveIsThatOfItsKeyButALongerNameIsNot) {
+  requests_.setSubscribers("red1", "plots/motion/speedometer", {"a"});
+  EXPECT_THAT(takeSet(), IsEmpty());
+  requests_.setSubscribers("red1", "plots/motion/speed/x", {"a"});
+  requests_.setSubscribers("red1", "plots/motion/speed/y", {"b"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 motion/speed always"));
+  EXPECT_THAT(requests_.clientsByKey("red1").at("motion/speed"), ElementsAre("a", "b"));
+  requests_.setSubscribers("red1", "plots/motion/speed/x", {});
+  EXPECT_THAT(takeSet(), IsEmpty());
+}
+
+TEST_F(KeyRequestsTest, aSubscriptionThatCameBeforeTheTableOfKeysCountsThen) {
+  requests_.setSubscribers("red2", kDisc, {"a"});
+  EXPECT_THAT(takeSet(), IsEmpty());
+  robotcontrol::KeyTable table;
+  table.add_keys()->set_name("ball-percept/disc");
+  table.mutable_keys(0)->set_stream(kDisc);
+  requests_.setTable("red2", table);
+  EXPECT_THAT(takeSet(), ElementsAre("red2 ball-percept/disc always"));
+}
+
+TEST(KeyModeText, allModesAreReadAsTheyAreWritten) {
+  for (const char* text : {"off", "always", "5 times", "every 3", "every 200 ms"}) {
+    const auto mode = keyModeOf(text);
+    ASSERT_TRUE(mode) << text;
+    EXPECT_EQ(textOf(*mode), text);
+  }
+  for (const char* text : {"", "on", "0 times", "every -1", "every 3ms", "every 99999999999"}) {
+    EXPECT_FALSE(keyModeOf(text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace robotlink::foxglove
