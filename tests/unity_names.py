@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails where two sources that a unity build may compile together define the same name for themselves.
 
-Looks at anonymous namespaces and at what is static; functions may share a name if their parameters differ. It reads the
-sources roughly, to say in a second what the compiler says after minutes.
+Looks at anonymous namespaces and at what is static; functions may share a name if their parameters differ. Nor may a source
+define a type for itself that another one's header declares for all. It reads the sources roughly, to say in a second what the
+compiler says after minutes.
 Usage: unity_names.py BUILD_DIR, of a unity build
 """
 import collections
@@ -64,15 +65,15 @@ def declared(head):
 
 
 def names_of(path):
-    """What a source declares for itself."""
+    """What a source declares for itself, or a header for all."""
     text = LITERALS.sub(lambda match: '""' if match[0][0] in "\"'R" else " ", path.read_text(errors="replace"))
-    blocks, head = [], ""
+    is_header, blocks, head = path.suffix == ".h", [], ""
     for letter in text:
         if letter not in "{};":
             head += letter
             continue
         outside = all(block != "other" for block in blocks)
-        own = "anonymous" in blocks or re.match(r"\s*static\b", head)
+        own = is_header or "anonymous" in blocks or re.match(r"\s*static\b", head)
         if letter != "}" and outside and own and not re.search(r"\bnamespace\b[^=]*$", head):
             if found := declared(head):
                 yield found
@@ -98,10 +99,15 @@ def main():
     problems = []
     for target, sources in targets.items():
         found = collections.defaultdict(lambda: collections.defaultdict(set))
+        shared = collections.defaultdict(set)
         for source in sources:
             if source.exists() and source.suffix == ".cpp":
                 for name, kind in names_of(source):
                     found[name][kind].add(source.name)
+                header = source.with_suffix(".h")
+                for name, kind in names_of(header) if header.exists() else []:
+                    if kind == "type":
+                        shared[name].add(header.name)
         for name, kinds in sorted(found.items()):
             for kind, files in kinds.items():
                 if len(files) > 1 and not (isinstance(kind, tuple) and kind[:1] == ("alias",)):
@@ -110,6 +116,8 @@ def main():
             everywhere = set().union(*kinds.values())
             if things and len(kinds) > 1 and len(everywhere) > 1:
                 problems.append(f"{target}: {name} means several things in {' and in '.join(sorted(everywhere))}")
+            if hidden := shared[name]:
+                problems.append(f"{target}: {name} of {' and '.join(sorted(everywhere))} hides that of {' and '.join(sorted(hidden))}")
     count = sum(map(len, targets.values()))
     print("\n".join(problems) or f"the names of {count} sources in {len(targets)} targets are unique")
     if problems:

@@ -28,7 +28,7 @@ constexpr double kForbiddenWidth = 0.05;
 constexpr std::uint64_t kPlaceStream = 0x706C616365;
 
 /// A solid of the world that stands on the floor: seen from above, a rectangle or a circle.
-struct Footprint {
+struct FloorSolid {
   Pose2 pose;
   Vector2 size = Vector2::Zero();
   // Above 0 for a circle.
@@ -36,8 +36,8 @@ struct Footprint {
   double low = 0, high = 0;
 };
 
-Footprint footprintOf(const Shape& shape, const Pose3& pose) {
-  Footprint result;
+FloorSolid floorSolidOf(const Shape& shape, const Pose3& pose) {
+  FloorSolid result;
   const Eigen::Matrix3d& axes = pose.linear();
   const double up = reach(shape, axes, Vector3::UnitZ()), middle = pose.translation().z();
   result.low = middle - up;
@@ -67,7 +67,7 @@ Footprint footprintOf(const Shape& shape, const Pose3& pose) {
 struct Surroundings {
   // Its height.
   std::optional<double> floor;
-  std::vector<Footprint> solids;
+  std::vector<FloorSolid> solids;
 
   explicit Surroundings(const WorldDescription& world) {
     for (const ModelInstance& model : world.models) {
@@ -82,7 +82,7 @@ struct Surroundings {
  private:
   void add(const Shape& shape, const Pose3& pose) {
     if (shape.kind != Shape::Kind::kPlane) {
-      solids.push_back(footprintOf(shape, pose));
+      solids.push_back(floorSolidOf(shape, pose));
     } else if (pose.linear()(2, 2) > 1 - 1e-9) {
       floor = std::max(floor.value_or(pose.translation().z()), pose.translation().z());
     }
@@ -92,9 +92,9 @@ struct Surroundings {
 /// The grid of a floor with the obstacles of robots of an extent, above `floor`.
 ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const GroundMap* map) {
   const double low = *around.floor + kFlat, high = *around.floor + robot.high - robot.low;
-  const auto isInTheWay = [&](const Footprint& solid) { return solid.high > low && solid.low < high; };
+  const auto isInTheWay = [&](const FloorSolid& solid) { return solid.high > low && solid.low < high; };
   Eigen::AlignedBox2d bounds;
-  for (const Footprint& solid : around.solids) {
+  for (const FloorSolid& solid : around.solids) {
     if (!isInTheWay(solid)) continue;
     const double half = solid.radius > 0 ? solid.radius : solid.size.norm() / 2;
     const Vector2 middle = solid.pose.translation();
@@ -112,7 +112,7 @@ ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const
   if (map == nullptr || bounds.isEmpty())
     bounds.extend(Vector2(-kOpenFloor, -kOpenFloor)).extend(Vector2(kOpenFloor, kOpenFloor));
   ClearanceGrid grid(bounds.min(), bounds.max(), kCellSize);
-  for (const Footprint& solid : around.solids) {
+  for (const FloorSolid& solid : around.solids) {
     if (!isInTheWay(solid)) continue;
     if (solid.radius > 0)
       grid.markCircle(solid.pose.translation(), solid.radius);

@@ -119,7 +119,8 @@ ColorTableFile::Packed tableOf(const Samples& samples, double several) {
 }
 
 /// Reports losses to stderr and returns the resulting ExitStatus.
-int printLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
+int printTrainedLosses(const TrainArguments& arguments, const Learned& learned,
+                       const ColorTableFile::Packed& made) {
   for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
   if (learned.outside != 0) {
     std::cerr << arguments.strokes << ": "
@@ -155,7 +156,7 @@ int train(const TrainArguments& arguments) {
   }
   std::cout << arguments.out << ": " << logplayer::plural(samples.strokes.size(), "stroke") << " in "
             << logplayer::plural(samples.images.size(), "image") << "\n";
-  return printLosses(arguments, *learned, made);
+  return printTrainedLosses(arguments, *learned, made);
 }
 
 /// Adds the options of the training methods, with their defaults.
