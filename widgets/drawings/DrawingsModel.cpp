@@ -53,11 +53,11 @@ void DrawingsModel::refresh(robotlink::Session& session, const std::string& robo
 void DrawingsModel::refreshKeys() {
   const auto tables =
       latestTable(session_->store(), robot_, robotlink::streams::kKeys, session_->timeline().shown());
-  const auto* table = tables.empty() || tables.front() == nullptr
-                          ? nullptr
-                          : dynamic_cast<const robotcontrol::KeyTable*>(tables.front()->value.get());
-  if (table == keys_) return;
-  keys_ = table;
+  const robotlink::PackagePtr keys =
+      tables.empty() || tables.front() == nullptr ? nullptr : tables.front()->value;
+  if (keys == keys_) return;
+  keys_ = keys;
+  const auto* table = dynamic_cast<const robotcontrol::KeyTable*>(keys.get());
   for (Row& row : rows_) row.off = false;
   for (int i = 0; table != nullptr && i < table->keys_size(); ++i) {
     const auto& key = table->keys(i);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/process/Link.h"
+
 namespace robotlink {
 class Session;
 class StreamStore;
@@ -96,8 +98,8 @@ class DrawingsModel : public QAbstractListModel {
   quint64 listVersion_ = ~0ULL;
   robotlink::Session* session_ = nullptr;
   std::string robot_;
-  /// Address of the key table that was read last.
-  const void* keys_ = nullptr;
+  /// The key table that was read last.
+  robotlink::PackagePtr keys_;
 };
 
 }  // namespace widgets

@@ -104,7 +104,7 @@ void ProcessesView::tick() {
   const std::string& robot = session().selectedRobot();
   const auto* message =
       session().store().latest(robot + '/' + robotlink::streams::kProcesses, session().timeline().shown());
-  const void* value = message != nullptr ? message->value.get() : nullptr;
+  const robotlink::PackagePtr value = message != nullptr ? message->value : nullptr;
   if (robot == robot_ && value == shown_) return;
   robot_ = robot;
   shown_ = value;

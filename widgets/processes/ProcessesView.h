@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robotlink/process/Link.h"
 #include "widgets/View.h"
 #include "widgets/processes/ProcessTableModel.h"
 
@@ -47,8 +48,8 @@ class ProcessesView final : public View {
   /// Requests the tables from the robot.
   QAction* refresh_ = nullptr;
   std::string robot_;
-  /// Address of the ProcessTable that is shown, to detect a new one.
-  const void* shown_ = nullptr;
+  /// The ProcessTable that is shown, to detect a new one.
+  robotlink::PackagePtr shown_;
 };
 
 }  // namespace widgets
