@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -42,4 +42,4 @@ std::optional<std::string> fromBase64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// With padding, as RFC 4648 has it.
 std::string toBase64(std::string_view bytes);
 /// Returns nothing if the text is not base64 with padding.
 std::optional<std::string> fromBase64(std::string_view text);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -7,7 +7,7 @@
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 std::span<const std::uint8_t> bytesOf(std::string_view text) {
@@ -183,4 +183,4 @@ Result<ClientMessage> decodeClientBinary(std::string_view bytes) {
   return decodeAny(bytes, static_cast<const ClientMessage*>(nullptr));
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -9,7 +9,7 @@
 // What a client says to a server: as JSON if the message has a kOp, else binary. Members of type
 // std::string_view are parts of the frame that was decoded, or of what the caller keeps until the message is
 // encoded.
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 struct Subscription {
   /// Chosen by the client.
@@ -118,4 +118,4 @@ using ClientMessage = std::variant<Subscribe, Unsubscribe, ClientAdvertise, Clie
                                    SubscribeConnectionGraph, UnsubscribeConnectionGraph, FetchAsset,
                                    ClientMessageData, ServiceCallRequest, PlaybackControl>;
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

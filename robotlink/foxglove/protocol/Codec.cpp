@@ -4,7 +4,7 @@
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 template <typename Message>
@@ -32,4 +32,4 @@ Result<ClientMessage> decodeClientMessage(FrameKind kind, std::string_view bytes
   return kind == FrameKind::kText ? decodeClientText(bytes) : decodeClientBinary(bytes);
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -9,7 +9,7 @@
 // "foxglove.websocket.v1", which have the same messages. Pure functions of any thread. Decoders take bytes of
 // strangers: lengths, depths and types are checked, and errors name the field and what it must be. Members of
 // JSON objects that are not known are ignored, because later versions may add some.
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 inline constexpr char kSdkProtocol[] = "foxglove.sdk.v1";
 inline constexpr char kWebSocketProtocol[] = "foxglove.websocket.v1";
@@ -37,4 +37,4 @@ Frame encode(const ClientMessage& message);
 Result<ServerMessage> decodeServerMessage(FrameKind kind, std::string_view bytes);
 Result<ClientMessage> decodeClientMessage(FrameKind kind, std::string_view bytes);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -8,7 +8,7 @@
 
 // Every message with its fields, in one place for reading and writing: an Io is a reader, which gets messages
 // to fill, or a writer, which gets const ones. Private to the codec.
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 template <typename T, typename Message>
 concept Is = std::same_as<std::remove_const_t<T>, Message>;
@@ -179,4 +179,4 @@ void fields(auto& io, Is<PlaybackControl> auto& m) {
   io.text(m.requestId);
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

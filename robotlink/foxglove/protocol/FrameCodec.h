@@ -6,7 +6,7 @@
 #include "robotlink/foxglove/protocol/ServerMessages.h"
 
 // The two halves of the codec. Messages that are not of the half's kind must not be encoded by it.
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 std::string encodeText(const ServerMessage& message);
 std::string encodeText(const ClientMessage& message);
@@ -18,4 +18,4 @@ std::string encodeBinary(const ClientMessage& message);
 Result<ServerMessage> decodeServerBinary(std::string_view bytes);
 Result<ClientMessage> decodeClientBinary(std::string_view bytes);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

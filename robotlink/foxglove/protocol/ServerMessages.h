@@ -9,7 +9,7 @@
 // What a server says to a client: as JSON if the message has a kOp, else binary. Schemas are bytes as they
 // are, also where the wire has base64. Members of type std::string_view are parts of the frame that was
 // decoded, or of what the caller keeps until the message is encoded.
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 struct ServerInfo {
   static constexpr char kOp[] = "serverInfo";
@@ -146,4 +146,4 @@ using ServerMessage =
                  UnadvertiseServices, ServiceCallFailure, ConnectionGraphUpdate, MessageData, Time,
                  ServiceCallResponse, FetchAssetResponse, PlaybackState>;
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -8,7 +8,7 @@
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using Json = nlohmann::json;
@@ -399,4 +399,4 @@ Result<ClientMessage> decodeClientText(std::string_view text) {
   return readAny(text, static_cast<const ClientMessage*>(nullptr));
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// The value of a parameter. On the wire it is JSON with a type beside it where JSON alone does not tell:
 /// "byte_array" (base64), "float64" (3.0 is not 3), "float64_array". Inside arrays and objects bytes are
@@ -29,4 +29,4 @@ struct Parameter {
   bool operator==(const Parameter&) const = default;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

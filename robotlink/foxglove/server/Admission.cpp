@@ -6,7 +6,7 @@
 
 #include "robotlink/foxglove/protocol/Codec.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 /// Bounds what is remembered of machines; each is forgotten when its time is over.
@@ -85,4 +85,4 @@ std::variant<std::string, Refusal> Admission::decide(const Knock& knock, Instant
                           kWebSocketProtocol + ": offer one of them as Sec-WebSocket-Protocol."};
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -8,7 +8,7 @@
 
 #include "robotlink/base/Clock.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// What an HTTP request to the port says that matters here. Fields that are not there are empty.
 struct Knock {
@@ -55,4 +55,4 @@ class Admission {
   std::map<std::string, Instant> waiting_;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -5,7 +5,7 @@
 
 #include "robotlink/base/Clock.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// So many units (bytes, messages) a second, with a tenth of a second saved up at most (a token bucket). What
 /// is larger than what is left may be taken whole; it is paid for afterwards.
@@ -35,4 +35,4 @@ class Allowance {
   Instant at_;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using Ids = ConnectionGraphUpdate::Ids;
@@ -43,4 +43,4 @@ ConnectionGraphUpdate difference(const ConnectionGraph& before, const Connection
   return update;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

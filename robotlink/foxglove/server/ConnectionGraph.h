@@ -3,7 +3,7 @@
 
 #include "robotlink/foxglove/protocol/ServerMessages.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Who publishes, subscribes and provides what: the ids of processes by the names of topics and services.
 struct ConnectionGraph {
@@ -13,4 +13,4 @@ struct ConnectionGraph {
 /// What has to be sent to a client that knows `before`.
 ConnectionGraphUpdate difference(const ConnectionGraph& before, const ConnectionGraph& now);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 Result<ListenAddress> parseListenAddress(std::string_view text) {
   const auto wrong = [&](const std::string& why) {
@@ -33,4 +33,4 @@ std::string toString(const ListenAddress& address) {
   return (isV6 ? "[" + address.address + "]" : address.address) + ":" + std::to_string(address.port);
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -7,7 +7,7 @@
 
 #include "robotlink/base/Error.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Where to listen: an address of this machine, or all of them (0.0.0.0, ::).
 struct ListenAddress {
@@ -23,4 +23,4 @@ Result<ListenAddress> parseListenAddress(std::string_view text);
 /// As it is read, with brackets for IPv6.
 std::string toString(const ListenAddress& address);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -24,7 +24,7 @@
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 namespace asio = boost::asio;
@@ -464,4 +464,4 @@ Result<std::unique_ptr<Listener>> Listener::open(std::shared_ptr<Server> server,
   return std::unique_ptr<Listener>(new Listener(std::move(port)));
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -5,7 +5,7 @@
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "robotlink/foxglove/server/Server.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 class ListenerPort;
 
@@ -56,4 +56,4 @@ class Listener {
   const ListenAddress address_;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/foxglove/server/Outbox.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 bool Outbox::pushControl(FrameKind kind, SharedBytes bytes) {
   const std::size_t size = bytes->size();
@@ -90,4 +90,4 @@ StreamCounters Outbox::counters(StreamId stream) const {
   return found == streams_.end() ? StreamCounters() : found->second.counters;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

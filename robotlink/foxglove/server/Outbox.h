@@ -10,7 +10,7 @@
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/server/Allowance.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Bytes that all clients share.
 using SharedBytes = std::shared_ptr<const std::string>;
@@ -104,4 +104,4 @@ class Outbox {
   std::uint64_t sentBytes_ = 0;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -9,7 +9,7 @@
 
 #include "robotlink/base/Error.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Answers a request of a client, now or later, from any thread. The first answer counts; a request whose
 /// last copy of this goes without one has failed. Answers to clients that are gone are dropped.
@@ -47,4 +47,4 @@ class Reply {
   std::shared_ptr<Pending> pending_;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -6,7 +6,7 @@
 
 #include "robotlink/foxglove/server/ServerOptions.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// What a server knows of a client. The server's mutex protects all but the information.
 struct ServedClient {
@@ -27,4 +27,4 @@ struct ServedClient {
   std::size_t calls = 0;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -7,7 +7,7 @@
 #include "robotlink/base/LittleEndian.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 /// The stream of publishTime(); channels begin with 1.
@@ -314,4 +314,4 @@ void Server::complain(ServedClient& client, const std::string& problem) {
   send(client, Status{StatusLevel::kError, problem, ""});
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -8,7 +8,7 @@
 #include "robotlink/foxglove/server/ConnectionGraph.h"
 #include "robotlink/foxglove/server/ServerOptions.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// The parameter by which a client reads and sets its own budget in bytes a second (0: no limit), and the one
 /// with its counters by topic. The second is only sent to those who name it.
@@ -132,4 +132,4 @@ class Server : public std::enable_shared_from_this<Server> {
   std::uint32_t nextServiceId_ = 1;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

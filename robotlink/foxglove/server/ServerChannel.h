@@ -6,7 +6,7 @@
 
 #include "robotlink/foxglove/server/Outbox.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 class Server;
 struct ServedClient;
@@ -63,4 +63,4 @@ class ServerChannel {
 
 using ChannelPtr = std::shared_ptr<ServerChannel>;
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -4,7 +4,7 @@
 #include "robotlink/foxglove/server/Reply.h"
 #include "robotlink/foxglove/server/ServerChannel.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// A client, as users see it.
 struct ClientInfo {
@@ -80,4 +80,4 @@ struct ServerHandlers {
 /// Answers a call of a service.
 using ServiceHandler = std::function<void(const ClientInfo&, const ServiceCallRequest& call, Reply)>;
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -6,7 +6,7 @@
 #include "robotlink/foxglove/server/ServedClient.h"
 #include "robotlink/foxglove/server/Server.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 /// A budget below this would not carry what keeps a connection alive.
@@ -302,4 +302,4 @@ void Server::handle(const ClientPtr& client, const FetchAsset& message, Calls& c
   });
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -3,7 +3,7 @@
 
 #include <regex>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 using robotcontrol::KeyMode;
 
@@ -40,4 +40,4 @@ Result<KeyMode> keyModeOf(const std::string& text) {
   return mode;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 using robotcontrol::KeyMode;
 
@@ -88,4 +88,4 @@ void KeyRequests::set(const std::string& robot, const std::string& name, Key& ke
   isSetting_ = false;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

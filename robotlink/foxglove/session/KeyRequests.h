@@ -9,7 +9,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Switches debug keys on for as long as somebody at the far end of a link subscribes to what they publish.
 ///
@@ -61,4 +61,4 @@ class KeyRequests {
   bool isSetting_ = false;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -9,7 +9,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using google::protobuf::Descriptor;
@@ -139,4 +139,4 @@ std::string encodeResult(const robotcontrol::RequestResult& result, const std::s
   return text;
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

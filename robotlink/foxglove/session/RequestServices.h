@@ -16,7 +16,7 @@ class Request;
 class RequestResult;
 }  // namespace robotcontrol
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 // Requests (robotlink/packages/robotcontrol/Requests.proto) as services: one for each kind, its argument is
 // the message of that kind, its answer the RequestResult. "red1/set_key" with {"name": "ball-percept/disc",
@@ -34,4 +34,4 @@ std::string encodeResult(const robotcontrol::RequestResult& result, const std::s
 /// The JSON Schema of a message, as JSON is read and written here.
 std::string jsonSchemaOf(const google::protobuf::Descriptor& type);
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

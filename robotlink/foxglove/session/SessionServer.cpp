@@ -14,7 +14,7 @@
 #include "robotlink/packages/Schema.h"
 #include "robotlink/session/LatchedMessages.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using google::protobuf::Descriptor;
@@ -340,4 +340,4 @@ void SessionServer::set(const std::vector<Parameter>& parameters, const Reply& r
   }
 }
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

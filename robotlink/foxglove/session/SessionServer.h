@@ -13,7 +13,7 @@
 #include "robotlink/foxglove/session/KeyRequests.h"
 #include "robotlink/session/Session.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 
 /// Offers a session to clients of the Foxglove WebSocket protocol: robots and worlds, simulated, real or
 /// logged, as the session has them.
@@ -88,4 +88,4 @@ class SessionServer {
   Instant newest_;
 };
 
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

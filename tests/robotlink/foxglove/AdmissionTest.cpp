@@ -5,7 +5,7 @@
 
 #include "robotlink/foxglove/server/ListenAddress.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -84,4 +84,4 @@ TEST(ListenAddress, isAPortOrAnAddressWithOne) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -4,7 +4,7 @@
 #include "robotlink/foxglove/protocol/Base64.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using testing::HasSubstr;
@@ -122,4 +122,4 @@ TEST(Base64, isThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -9,7 +9,7 @@
 #include "tests/robotlink/foxglove/Samples.h"
 
 using namespace robotlink;
-using namespace robotlink::foxglove;
+using namespace robotlink::websocket;
 
 namespace {
 
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 std::vector<std::string> fuzzSeeds() {
   std::vector<std::string> seeds{"127.0.0.1:8765", "[::1]:0", "/?a=b&token=c", "x, foxglove.sdk.v1"};
-  for (const auto& sample : foxglove::test::serverSamples()) seeds.push_back(sample.wire);
-  for (const auto& sample : foxglove::test::clientSamples()) seeds.push_back(sample.wire);
+  for (const auto& sample : websocket::test::serverSamples()) seeds.push_back(sample.wire);
+  for (const auto& sample : websocket::test::clientSamples()) seeds.push_back(sample.wire);
   return seeds;
 }

@@ -17,7 +17,7 @@
 
 #include "robotlink/foxglove/server/Listener.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 namespace asio = boost::asio;
@@ -172,4 +172,4 @@ void publishingWithoutSubscribers(benchmark::State& state) {
 BENCHMARK(publishingWithoutSubscribers);
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -10,7 +10,7 @@
 #include "tests/robotlink/foxglove/Samples.h"
 
 using namespace robotlink;
-using namespace robotlink::foxglove;
+using namespace robotlink::websocket;
 
 namespace {
 
@@ -34,7 +34,7 @@ std::shared_ptr<Server> makeServer(std::vector<Reply>& replies) {
   auto server = Server::make(options, handlers);
   server->addService({0, "s", "S", {}, {}},
                      [&](const auto&, const auto&, const Reply& reply) { replies.push_back(reply); });
-  server->updateParameters(foxglove::test::sampleParameters());
+  server->updateParameters(websocket::test::sampleParameters());
   server->setAssets({"package://a.stl"});
   return server;
 }
@@ -73,7 +73,7 @@ std::vector<std::string> fuzzSeeds() {
   std::vector<std::string> seeds;
   std::string all;
   std::uint8_t head = 0;
-  for (const auto& sample : foxglove::test::clientSamples()) {
+  for (const auto& sample : websocket::test::clientSamples()) {
     const bool isText = sample.wire.starts_with('{');
     std::string one{static_cast<char>((head++ & 29U) | (isText ? 2U : 0U)),
                     static_cast<char>(sample.wire.size() & 255U),

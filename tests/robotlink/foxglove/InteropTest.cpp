@@ -13,7 +13,7 @@
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using testing::Contains;
@@ -206,4 +206,4 @@ TEST_F(FoxgloveInterop, perfTestClientCountsEveryMessage) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -9,7 +9,7 @@
 #include "tests/Eventually.h"
 #include "tests/robotlink/foxglove/RawClient.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -416,4 +416,4 @@ TEST_F(ListenerTest, theListenerGoesWhileClientsAreConnectedAndRobotsPublish) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -116,4 +116,4 @@ TEST_F(OutboxTest, aSlowLineGetsTheNewestFrameWholeHoweverLargeItIs) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -14,7 +14,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 namespace asio = boost::asio;
@@ -151,4 +151,4 @@ std::string talkTcp(std::uint16_t port, const std::string& bytes) {
   return answer;
 }
 
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -5,7 +5,7 @@
 
 #include "robotlink/foxglove/protocol/Codec.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 
 /// A WebSocket client as Beast makes it, for one thread. What it waits for it waits half a minute for.
 class RawClient {
@@ -60,4 +60,4 @@ class RawClient {
 /// A TCP connection on which nothing but `bytes` is sent. Returns all that is answered until it is closed.
 std::string talkTcp(std::uint16_t port, const std::string& bytes);
 
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

@@ -3,7 +3,7 @@
 
 #include "robotlink/foxglove/protocol/Codec.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 
 /// A message as a value, and as the wire has it.
 template <typename Message>
@@ -111,4 +111,4 @@ inline std::vector<Sample<ClientMessage>> clientSamples() {
   };
 }
 
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

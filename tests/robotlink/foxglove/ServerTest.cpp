@@ -6,7 +6,7 @@
 
 #include "robotlink/foxglove/server/ServedClient.h"
 
-namespace robotlink::foxglove::test {
+namespace robotlink::websocket::test {
 namespace {
 
 using testing::ElementsAre;
@@ -416,4 +416,4 @@ TEST_F(ServerTest, moreClientsThanAllowedAreRefused) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove::test
+}  // namespace robotlink::websocket::test

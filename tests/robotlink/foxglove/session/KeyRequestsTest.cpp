@@ -5,7 +5,7 @@
 
 #include "robotlink/foxglove/session/KeyModeText.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using robotcontrol::KeyMode;
@@ -123,4 +123,4 @@ TEST(KeyModeText, allModesAreReadAsTheyAreWritten) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

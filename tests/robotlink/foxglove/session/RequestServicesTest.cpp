@@ -9,7 +9,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ TEST(RequestServices, aSchemaNamesFieldsTypesAndTheWordsOfAnEnumeration) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket

@@ -12,7 +12,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 
-namespace robotlink::foxglove {
+namespace robotlink::websocket {
 namespace {
 
 using namespace std::chrono_literals;
@@ -106,7 +106,7 @@ class SessionServerTest : public testing::Test {
 };
 
 TEST_F(SessionServerTest, aStreamIsAChannelWithItsSchema) {
-  ::foxglove::RawImage image;
+  foxglove::RawImage image;
   image.set_width(7);
   publish("red1/camera/image", Instant(5ms), image);
   tick();
@@ -124,7 +124,7 @@ TEST_F(SessionServerTest, aStreamIsAChannelWithItsSchema) {
   const auto messages = heard<MessageData>();
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0].time, Instant(6ms));
-  ::foxglove::RawImage received;
+  foxglove::RawImage received;
   ASSERT_TRUE(received.ParseFromString(std::string(messages[0].payload)));
   EXPECT_EQ(received.width(), 8U);
 }
@@ -230,4 +230,4 @@ TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {
 }
 
 }  // namespace
-}  // namespace robotlink::foxglove
+}  // namespace robotlink::websocket
