@@ -13,6 +13,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/core/ServedPlatform.h"
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/Pace.h"
@@ -22,11 +23,13 @@
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
 #include "app/core/simulated/SimulatedRun.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/ArcosOptions.h"
 #include "app/robotctl/run/CameraOptions.h"
+#include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -55,6 +58,7 @@ struct SimArguments {
   double speed = 0;  ///< times real time; 0: as fast as possible
   bool progress = false;
   ArcosOptions arcos;
+  ListenOptions listen;
   CameraOptions camera;
   RecordOptions record;
 };
@@ -208,7 +212,33 @@ int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGi
   return runArcos(arguments.arcos, run);
 }
 
+/// Runs a simulation that people at other programs watch and steer.
+int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.trials > 0 || !arguments.camera.labeledFolder.empty() || arguments.digest) {
+    std::cerr << "robotctl sim: --listen is for one game in which others take part; omit --trials, "
+                 "--labelled-images and --digest\n";
+    return kUsage;
+  }
+  const auto address = arguments.listen.address();
+  if (!address) return printErrors({address.error()});
+  const Interrupt interrupt;
+  const auto recorder = arguments.record.start();
+  if (!recorder) return printErrors({recorder.error()});
+  logplayer::Recorder none({});
+  ServeOptions options{*address, speedGiven ? arguments.speed : 1};
+  if (secondsGiven) options.seconds = arguments.seconds;
+  const auto errors = serve(SimulationFeed::opening(arguments.run), options, *recorder ? **recorder : none,
+                            &Interrupt::noted, std::cerr);
+  const int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
+  return errors.empty() ? status : printErrors(errors);
+}
+
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.arcos.given() && arguments.listen.given()) {
+    std::cerr
+        << "robotctl sim: with --arcos robots have no programs here that could be watched; omit --listen\n";
+    return kUsage;
+  }
   if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
   const auto solutions = solutionsOf(arguments.solutions);
   if (!solutions) {
@@ -236,6 +266,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
+  if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
 }
@@ -247,8 +278,9 @@ void addSimCommand(CLI::App& app, int& status) {
   CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
   sim->add_option("scene", arguments->run.scene, "An SDFormat world, or a map (*.map)")->required();
   auto* seconds =
-      sim->add_option("--seconds", arguments->seconds,
-                      "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
+      sim->add_option(
+             "--seconds", arguments->seconds,
+             "Simulated seconds (10; with --trials 60 for each; with --arcos or --listen until Ctrl-C)")
           ->check(numberFrom(0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Seed of all noise and of the trials' places")
       ->capture_default_str();
@@ -270,15 +302,15 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--radius", arguments->radius, "Radius of these places around the robot, m")
       ->check(numberFrom(0.4, 10))
       ->capture_default_str();
-  auto* speed =
-      sim->add_option(
-             "--speed", arguments->speed,
-             "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
-          ->check(numberFrom(0, 100))
-          ->excludes(trials);
+  auto* speed = sim->add_option("--speed", arguments->speed,
+                                "How many times real time; 0 is as fast as possible (lockstep 0, threads, "
+                                "--arcos and --listen 1)")
+                    ->check(numberFrom(0, 100))
+                    ->excludes(trials);
   sim->add_flag("--progress", arguments->progress,
                 "Prints the simulated time on stderr, ten times in each simulated second");
   arguments->arcos.addTo(*sim);
+  arguments->listen.addTo(*sim);
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/ServedPlatform.h"
+
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include "app/core/PlatformThread.h"
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/foxglove/server/Listener.h"
+#include "robotlink/foxglove/session/SessionServer.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::Request;
+using robotlink::websocket::Listener;
+using robotlink::websocket::SessionServer;
+using Loaded = tl::expected<LoadedPlatform, robotlink::Errors>;
+
+/// Messages wait for this at most before they are passed on.
+constexpr std::chrono::milliseconds kTick{5};
+/// Nobody scrolls back here; what clients get late is kept for each of them.
+constexpr robotlink::StreamStore::Limits kHistory{std::chrono::seconds(2), 64U << 20U};
+
+Request startOf(const LoadedPlatform& platform, double speed) {
+  Request request;
+  if (platform.isLogged()) {
+    request.mutable_control_replay()->set_action(robotcontrol::ControlReplay::PLAY);
+    if (speed > 0) request.mutable_control_replay()->set_speed(speed);
+  } else {
+    request.mutable_control_simulation()->set_action(robotcontrol::ControlSimulation::START);
+    request.mutable_control_simulation()->set_speed(speed);
+  }
+  return request;
+}
+
+/// "red1, red2 at ws://127.0.0.1:8765".
+std::string offerOf(const LoadedPlatform& platform, const Listener& listener) {
+  std::string robots;
+  for (const auto& [name, robot] : platform.robots) robots += (robots.empty() ? "" : ", ") + name;
+  return (robots.empty() ? platform.title : robots) + " at ws://" + toString(listener.address());
+}
+
+}  // namespace
+
+robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, logplayer::Recorder& recorder,
+                        const std::function<bool()>& interrupted, std::ostream& out) {
+  robotlink::Session session(kHistory);
+  PlatformThread platform(session, recorder);
+  session.setRequestSink([&](const Request& request) { platform.request(request); });
+  session.setRefusalHandler([&](const std::string& what, const std::string& reason) {
+    out << what << ": " << reason << std::endl;
+  });
+  SessionServer server(session, {}, [&](const std::string& sentence) {
+    out << sentence + "\n" << std::flush;
+  });
+  Listener::Options listening;
+  listening.address = options.address;
+  auto listener = Listener::open(server.server(), listening);
+  if (!listener) return {listener.error()};
+
+  const auto result = std::make_shared<std::promise<Loaded>>();
+  auto loaded = result->get_future();
+  platform.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
+  const auto tick = [&] {
+    session.tick();
+    server.tick();
+  };
+  while (loaded.wait_for(kTick) != std::future_status::ready) {
+    tick();
+    if (interrupted()) return {};
+  }
+  const Loaded outcome = loaded.get();
+  if (!outcome) return outcome.error();
+  std::vector<std::string> robots;
+  for (const auto& [name, robot] : outcome->robots) robots.push_back(name);
+  session.setRobots(robots);
+  if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
+  out << offerOf(*outcome, **listener) << std::endl;
+
+  std::optional<robotlink::Instant> end;
+  while (!interrupted()) {
+    tick();
+    const robotlink::Instant now = session.store().newest();
+    if (options.seconds && !end && now != robotlink::Instant())
+      end = now + robotlink::fromSeconds(*options.seconds);
+    if (end && now >= *end) break;
+    std::this_thread::sleep_for(kTick);
+  }
+  return {};
+}
+
+}  // namespace app

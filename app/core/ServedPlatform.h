@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <ostream>
+
+#include "app/core/platform/PlatformAdapter.h"
+#include "robotlink/foxglove/server/ListenAddress.h"
+
+namespace app {
+
+/// How a platform is served. A plain value.
+struct ServeOptions {
+  robotlink::websocket::ListenAddress address;
+  /// Times real time; 0 is as fast as possible. A real robot has its own.
+  double speed = 1;
+  /// Seconds of the platform's time after which it ends; empty: when the user wants it to.
+  std::optional<double> seconds = {};
+};
+
+/// Opens a platform without a window, with the programs of its robots, and lets clients of the Foxglove
+/// WebSocket protocol watch and steer it (robotlink/foxglove/FOXGLOVE.md). Prints where, and who was refused.
+/// Blocks until the time is over or `interrupted` returns true. Returns the reasons why it could not begin.
+/// `recorder` gets what a log may contain; it may be one that records nothing.
+robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, logplayer::Recorder& recorder,
+                        const std::function<bool()>& interrupted, std::ostream& out);
+
+}  // namespace app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/foxglove/server/ListenAddress.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace app {
+
+/// The option --listen of commands that can be watched and steered over the network. Filled by the command
+/// line parser.
+struct ListenOptions {
+  /// Adds the option to a command; this object must outlive the command.
+  void addTo(CLI::App& command);
+  bool given() const;
+  /// What was given; without a value the default port on this machine only.
+  robotlink::Result<robotlink::websocket::ListenAddress> address() const;
+
+ private:
+  std::string text_;
+  /// Owned by the command; null before addTo().
+  CLI::Option* option_ = nullptr;
+};
+
+}  // namespace app
