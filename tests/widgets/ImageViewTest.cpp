@@ -243,12 +243,12 @@ class ImageViewTest : public QObject {
     ShownImage s;
     const auto publish = [&s](robotcontrol::KeyMode::Kind kind) {
       auto table = std::make_shared<robotcontrol::KeyTable>();
-      for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"},
-                                       {"ball-model/ball", "The ball (drawn on the field)"},
-                                       {"ball-percept/distance", "How far it is (plot)"}}) {
+      for (const auto& [streams, name] : {std::pair{"drawings/image/", "ball-percept/disc"},
+                                          {"drawings/field/", "ball-model/ball"},
+                                          {"plots/", "ball-percept/distance"}}) {
         auto& key = *table->add_keys();
         key.set_name(name);
-        key.set_help(help);
+        key.set_stream(std::string(streams) + name);
         key.mutable_mode()->set_kind(kind);
       }
       s.world.push("red1/tables/keys", table);

@@ -25,18 +25,6 @@ QString drawingId(const std::string& path) {
   return at == std::string::npos ? QString() : QString::fromStdString(path.substr(at + kFolder.size()));
 }
 
-/// Where a debug key draws according to its help; empty if it does not draw or does not say so.
-QString kindOf(const QString& help) {
-  static const std::pair<QLatin1String, QLatin1String> kinds[] = {
-      {QLatin1String("(drawn in the image)"), QLatin1String("image")},
-      {QLatin1String("(drawn on the field)"), QLatin1String("field")},
-      {QLatin1String("(drawn around the robot)"), QLatin1String("robot")}};
-  for (const auto& [words, kind] : kinds) {
-    if (help.contains(words)) return kind;
-  }
-  return {};
-}
-
 }  // namespace
 
 DrawingsModel::DrawingsModel(QStringList kinds, QObject* parent)
@@ -61,16 +49,14 @@ void DrawingsModel::refreshKeys() {
   for (Row& row : rows_) row.off = false;
   for (int i = 0; table != nullptr && i < table->keys_size(); ++i) {
     const auto& key = table->keys(i);
-    const QString help = QString::fromStdString(key.help());
-    const QString kind = kindOf(help);
-    if (!kinds_.contains(kind)) continue;
-    const QString id = kind + QLatin1Char('/') + QString::fromStdString(key.name());
+    const QString id = drawingId(robot_ + '/' + key.stream());
+    if (!kinds_.contains(id.section(QLatin1Char('/'), 0, 0))) continue;
     addIfNew(id, key.mode().kind() == robotcontrol::KeyMode::OFF);
     Row& row = *find(id);
     // A key whose n times are over is off, too, but its last drawing remains.
     row.off = key.mode().kind() == robotcontrol::KeyMode::OFF && key.mode().n() == 0;
     row.asked = row.asked && row.off;
-    row.help = help;
+    row.help = QString::fromStdString(key.help());
   }
   if (!rows_.empty()) Q_EMIT dataChanged(index(0), index(rowCount() - 1));
   Q_EMIT shownChanged();

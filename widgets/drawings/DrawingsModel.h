@@ -22,8 +22,7 @@ namespace widgets {
 /// while the drawing does not exist (its row is gray then).
 ///
 /// Drawings whose debug key is off on the robot are listed, too, unchecked; checking one requests its key.
-/// Whether and where a key draws is part of its help text: "(drawn in the image)", "(drawn on the field)" or
-/// "(drawn around the robot)". GUI thread.
+/// Where a key draws is told by its stream. GUI thread.
 class DrawingsModel : public QAbstractListModel {
   Q_OBJECT
  public:
