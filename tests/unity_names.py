@@ -48,6 +48,8 @@ def without_template(head):
 def declared(head):
     """(name, what makes it another thing) of a declaration's beginning, or None."""
     head = without_template(re.sub(r"\s+", " ", head).strip())
+    if match := re.match(r", (\w+)$", head):  # the second of several variables with values in braces
+        return match[1], "variable"
     if not re.match(r"[A-Za-z_\[:]", head) or head.startswith("using namespace"):
         return None
     if match := ALIAS.match(head):

@@ -9,15 +9,15 @@
 namespace colortool {
 namespace {
 
-constexpr robotlink::YCbCr kWall{150, 118, 122}, kCarpet{90, 100, 90};
-constexpr std::uint8_t kGreen = 1;
+constexpr robotlink::YCbCr kPaleWall{150, 118, 122}, kCarpet{90, 100, 90};
+constexpr std::uint8_t kGreenClass = 1;
 
 /// An image whose upper part is a wall with some grain, and the rest carpet.
 ColorImage room(int wallRows) {
   ColorImage image(40, 30);
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
-      robotlink::YCbCr color = y < wallRows ? kWall : kCarpet;
+      robotlink::YCbCr color = y < wallRows ? kPaleWall : kCarpet;
       color.y = static_cast<std::uint8_t>(color.y + (7 * x + 13 * y) % 9);
       image.pixels[static_cast<std::size_t>(y * image.width + x)] = color;
     }
@@ -40,8 +40,8 @@ class BackgroundColorsTest : public testing::Test {
  protected:
   BackgroundColorsTest() {
     samples_.classes = ColorClasses({{"green", {0, 130, 50}}});
-    paint(kGreen, {2, 24}, {37, 28});
-    paint(kGreen, {2, 20}, {37, 23});
+    paint(kGreenClass, {2, 24}, {37, 28});
+    paint(kGreenClass, {2, 20}, {37, 23});
   }
   void paint(std::uint8_t colorClass, ImagePoint from, ImagePoint to) {
     const ColorImage image = room(18);
@@ -64,26 +64,26 @@ TEST_F(BackgroundColorsTest, ofWhatIsBackgroundNothingIsTakenByAGoodTable) {
   const auto counts = countsIn({bytesOf(room(10)), bytesOf(room(25))});
   EXPECT_EQ(counts.pixels, 2U * 40 * 30);
   EXPECT_GT(counts.background, 1000U);
-  EXPECT_EQ(counts.taken[kGreen], 0U);
+  EXPECT_EQ(counts.taken[kGreenClass], 0U);
 }
 
 TEST_F(BackgroundColorsTest, twoStrokesThatVouchForEachOtherAreSeenThroughInOtherImages) {
   paint(0, {3, 3}, {8, 5});
-  paint(kGreen, {0, 0}, {39, 8});
-  paint(kGreen, {0, 9}, {39, 17});
+  paint(kGreenClass, {0, 0}, {39, 8});
+  paint(kGreenClass, {0, 9}, {39, 17});
   const StrokeQuality quality = crossValidate(samples_).value();
   EXPECT_EQ(quality.strokes.back().right, 1) << "each of the two finds the other one right";
   EXPECT_EQ(quality.strokes[quality.strokes.size() - 2].right, 1);
   const auto counts = countsIn({bytesOf(room(25))});
   EXPECT_GT(counts.background, 500U);
-  EXPECT_EQ(counts.taken[kGreen], counts.background) << "all of the wall is green";
-  EXPECT_EQ(counts.covered[kGreen], counts.pixels);
+  EXPECT_EQ(counts.taken[kGreenClass], counts.background) << "all of the wall is green";
+  EXPECT_EQ(counts.covered[kGreenClass], counts.pixels);
 }
 
 TEST_F(BackgroundColorsTest, withoutStrokesOfTheBackgroundNothingIsKnownOfIt) {
   const auto counts = countsIn({bytesOf(room(10))});
   EXPECT_EQ(counts.background, 0U);
-  EXPECT_GT(counts.covered[kGreen], counts.pixels / 2);
+  EXPECT_GT(counts.covered[kGreenClass], counts.pixels / 2);
 }
 
 TEST_F(BackgroundColorsTest, whatMustNotBeGreenIsNoBackground) {

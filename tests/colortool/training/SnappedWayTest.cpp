@@ -10,7 +10,7 @@ namespace {
 using namespace colortool;
 using robotlink::YCbCr;
 
-constexpr YCbCr kGreen{90, 110, 100}, kWhite{190, 128, 122};
+constexpr YCbCr kGrass{90, 110, 100}, kWhite{190, 128, 122};
 
 /// A field with a line of two pixels across it, rows 19 and 20, blurred at both sides.
 ColorImage lineOnField() {
@@ -18,7 +18,7 @@ ColorImage lineOnField() {
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       YCbCr& pixel = image.pixels[static_cast<std::size_t>(y * image.width + x)];
-      pixel = y == 19 || y == 20 ? kWhite : kGreen;
+      pixel = y == 19 || y == 20 ? kWhite : kGrass;
       if (y == 18 || y == 21) pixel = {120, 115, 107};
     }
   }
