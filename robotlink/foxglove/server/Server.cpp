@@ -240,6 +240,15 @@ void Server::greet(ServedClient& client) {
   if (playback_) send(client, *playback_);
 }
 
+/// Channels and clients that are subscribed hold each other, and both may live longer.
+Server::~Server() {
+  for (const ClientPtr& client : clients_) client->subscriptions.clear();
+  for (const auto& [id, channel] : channels_) {
+    channel->subscribers_.clear();
+    channel->wanted_ = 0;
+  }
+}
+
 void Server::disconnected(const ClientPtr& client) {
   Calls calls;
   {

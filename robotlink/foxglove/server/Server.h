@@ -23,6 +23,7 @@ inline constexpr char kCountersParameter[] = "link/counters";
 class Server : public std::enable_shared_from_this<Server> {
  public:
   static std::shared_ptr<Server> make(ServerOptions options, ServerHandlers handlers);
+  ~Server();
 
   // The robot's side.
 

@@ -115,6 +115,8 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
 
 SessionServer::~SessionServer() {
   session_.setListener({});
+  // What waits may hold the server, which holds this list.
+  static_cast<void>(posted_->take());
 }
 
 ServerHandlers SessionServer::handlers(Report report) {
