@@ -15,7 +15,7 @@ namespace app {
 
 /// The values that a command line gives for fields which have an option. Filled by the command line parser.
 struct FieldOptions {
-  /// By the names of the fields; those that were not given are missing.
+  /// Values by the names of the fields; those that were not given are missing.
   FormValues values = {};
   /// The same for fields that take several values, in order.
   std::map<std::string, std::vector<FormValue>> lists = {};

@@ -27,7 +27,7 @@ struct Status {
   static constexpr char kOp[] = "status";
   StatusLevel level = StatusLevel::kInfo;
   std::string message;
-  /// By which it can be removed; may be empty.
+  /// Names it for removal; may be empty.
   std::string id;
   bool operator==(const Status&) const = default;
 };
@@ -92,7 +92,7 @@ struct ServiceCallFailure {
   bool operator==(const ServiceCallFailure&) const = default;
 };
 
-/// Who publishes, subscribes and provides what: ids by name. An update has the names that changed.
+/// The ids of publishers, subscribers and providers, by name. An update has the names that changed.
 struct ConnectionGraphUpdate {
   static constexpr char kOp[] = "connectionGraphUpdate";
   using Ids = std::map<std::string, std::vector<std::string>>;

@@ -5,7 +5,7 @@
 
 namespace robotlink::websocket {
 
-/// Who publishes, subscribes and provides what: the ids of processes by the names of topics and services.
+/// The ids of processes that publish topics, subscribe to them, or provide services, by their names.
 struct ConnectionGraph {
   ConnectionGraphUpdate::Ids publishedTopics, subscribedTopics, advertisedServices;
 };

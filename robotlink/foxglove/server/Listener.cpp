@@ -347,7 +347,7 @@ void StreamConnection<Stream>::lookAtSilence(Instant now) {
   std::string reason = isSilent      ? "nothing was heard of it"
                        : isTrickling ? "a message of it took too long"
                                      : port_.server->closingReason(*client_);
-  // Who is told to go, and does not take what is being sent, is waited for only a little.
+  // A client that is told to go, but does not take what is being sent, is waited for only a little.
   if (reason.empty()) closingAt_ = now;
   if (isSilent || isTrickling || now - closingAt_ > options.closeTime) {
     reportEnd(reason);

@@ -17,7 +17,7 @@ class Reply {
  public:
   struct Answer {
     std::string data;
-    /// Of the data; empty: that of the request.
+    /// The encoding of the data; empty: that of the request.
     std::string encoding;
   };
   using Send = std::function<void(Result<Answer>)>;

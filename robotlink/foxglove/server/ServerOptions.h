@@ -23,13 +23,13 @@ struct ClientState {
   std::size_t waitingBytes = 0;
   /// In bytes a second; 0 without limit.
   double budget = 0;
-  /// By topic, of what it subscribed to at some time.
+  /// The counters of what it subscribed to at some time, by topic.
   std::map<std::string, StreamCounters> streams;
 };
 
 struct ServerLimits {
   std::size_t clients = 16;
-  /// Of each client.
+  /// Limits of each client.
   std::size_t subscriptions = 4096, channels = 64, parameterNames = 4096;
   /// Calls of services, assets and parameters of each client that are not answered yet.
   std::size_t calls = 32;
@@ -41,7 +41,7 @@ struct ServerOptions {
   std::map<std::string, std::string> metadata = {};
   /// Tells clients whether this is the server that they knew; made up if it is empty.
   std::string sessionId = {};
-  /// Of client channels and services.
+  /// The encodings of client channels and services.
   std::vector<std::string> encodings = {"json", "protobuf"};
   /// Whether publishTime() will be called.
   bool publishesTime = false;

@@ -33,7 +33,7 @@ class KeyRequests {
   /// object itself does.
   void noteChosen(const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode);
 
-  /// Who subscribes to what a key publishes; by key, of one robot.
+  /// The clients that subscribe to what a robot's keys publish, by key.
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
 
  private:

@@ -19,9 +19,8 @@ namespace robotlink::websocket {
 /// logged, as the session has them.
 ///
 /// - Each stream (robotlink/session/STREAMS.md) is a channel of the same path, encoded as protobuf. So is
-/// what
-///   a debug key would publish: the key is switched on while somebody subscribes (KeyRequests). What nobody
-///   subscribes to is not serialized.
+///   what a debug key would publish: the key is switched on while somebody subscribes (KeyRequests). What
+///   nobody subscribes to is not serialized.
 /// - Each request is a service (RequestServices.h); its answer is the result.
 /// - Debug keys and solutions are parameters: "red1/keys/ball-percept/disc" is "off", "always", "5 times",
 ///   "every 3" or "every 200 ms"; "red1/solutions/ball-percept" is the name of a solution.
@@ -56,7 +55,7 @@ class SessionServer {
     /// Types of packages, of the newest table of processes.
     std::map<std::string, std::string> packageTypes;
     robotcontrol::KeyTable keys;
-    /// Who publishes and subscribes; ids are "red1/cognition".
+    /// Its processes, with ids such as "red1/cognition", by package.
     ConnectionGraph graph;
   };
 

@@ -15,7 +15,7 @@ class RawClient {
     std::string target = "/";
     /// Fields of the HTTP request.
     std::vector<std::pair<std::string, std::string>> fields = {};
-    /// Of the system, in bytes; 0: the system's choice.
+    /// The system's buffer in bytes; 0: the system's choice.
     int receiveBuffer = 0;
     bool isWebSocket = true;
   };

@@ -36,7 +36,7 @@ constexpr int kFewStrokes = 5;
 /// A smaller share of the background that a class takes is not told.
 constexpr double kMinTaken = 0.01;
 /// A larger share of all pixels of one class is reported.
-constexpr double kMostOfAll = 0.5;
+constexpr double kMajority = 0.5;
 
 /// The camera of the strokes' images if they all have the same one.
 std::string onlyCamera(const colortool::Samples& samples) {
@@ -259,7 +259,7 @@ QString ColorQualityView::othersBackgroundNote() const {
   QString text;
   if (const QString taken = sharesOf(counts.taken, counts.background, kMinTaken); !taken.isEmpty())
     text += tr(" Of the background's colors there it takes for a class: %1.").arg(taken);
-  if (const QString most = sharesOf(counts.covered, counts.pixels, kMostOfAll); !most.isEmpty())
+  if (const QString most = sharesOf(counts.covered, counts.pixels, kMajority); !most.isEmpty())
     text += tr(" Most of their pixels are of one class: %1.").arg(most);
   return text;
 }
