@@ -10,131 +10,15 @@
 #include <mutex>
 #include <thread>
 
-#include "logplayer/base/RecordedStreams.h"
 #include "logplayer/images/ImageCoding.h"
 #include "tests/Eventually.h"
-#include "tests/logplayer/RecordedMessages.h"
+#include "tests/logplayer/record/RecorderFixture.h"
 
 using namespace logplayer;
 using namespace logplayer::tests;
-using robotcontrol::ControlRecording;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
-
-namespace {
-
-class RecorderTest : public ::testing::Test {
- protected:
-  Recorder::Options options() {
-    Recorder::Options given;
-    given.folder = folder / "documents";
-    given.warn = [this](const std::string& text) {
-      const std::lock_guard lock(mutex_);
-      warnings_.push_back(text);
-    };
-    return given;
-  }
-  void make(Recorder::Options given) { recorder = std::make_unique<Recorder>(std::move(given)); }
-  void SetUp() override { make(options()); }
-
-  robotlink::Result<void> act(ControlRecording::Action action, const std::string& path = {}) {
-    ControlRecording control;
-    control.set_action(action);
-    control.set_path(path);
-    return recorder->control(control);
-  }
-  void start(const std::string& name = "a.mcap") {
-    const auto started = act(ControlRecording::START, folder / name);
-    ASSERT_TRUE(started.has_value()) << started.error().text;
-  }
-  void stop() {
-    ASSERT_TRUE(act(ControlRecording::STOP).has_value());
-    recorder->finish();
-  }
-  void set(const std::function<void(ControlRecording&)>& change) {
-    ControlRecording control;
-    change(control);
-    ASSERT_TRUE(recorder->control(control).has_value());
-  }
-  void choose(const std::string& streams) {
-    set([&](ControlRecording& control) { *control.mutable_selection() = *readSelection(streams); });
-  }
-  void keep(double seconds) {
-    set([&](ControlRecording& control) { control.set_keep_last(seconds); });
-  }
-  /// Frame i of cognition, at 8 ms each: a plot and its FrameInfo.
-  void addFrame(int i) {
-    const auto number = static_cast<std::uint64_t>(i);
-    recorder->add({plot("red1/plots/x", 8 * i, i, "cognition", number), frameInfo(8 * i, number)});
-  }
-  ReadLog log(const std::string& name = "a.mcap") const { return readLog(folder / name); }
-  std::vector<std::string> warnings() {
-    const std::lock_guard lock(mutex_);
-    return warnings_;
-  }
-
-  TestFolder folder;
-  std::unique_ptr<Recorder> recorder;
-
- private:
-  std::mutex mutex_;  // protects warnings_
-  std::vector<std::string> warnings_;
-};
-
-/// A recorder whose thread is held up by its first warning, as by a slow disk.
-class HeldUpRecorderTest : public RecorderTest {
- protected:
-  void SetUp() override {
-    Recorder::Options given = options();
-    given.queueBytes = 8000;
-    given.warn = [this](const std::string&) {
-      warned_ = true;
-      eventually([this] { return released_.load(); });
-    };
-    make(std::move(given));
-  }
-  /// Waits until the thread is held up; one message of the present file was dropped by then.
-  void holdUp() {
-    recorder->add({image("red1/camera/image", 0, 60'000)});
-    ASSERT_TRUE(eventually([this] { return warned_.load(); }));
-  }
-  void release() { released_ = true; }
-  void TearDown() override {
-    release();
-    recorder.reset();
-  }
-
- private:
-  std::atomic<bool> warned_{false}, released_{false};
-};
-
-}  // namespace
-
-TEST_F(HeldUpRecorderTest, whatWasDroppedIsCountedForItsOwnFile) {
-  start("a.mcap");
-  holdUp();
-  ASSERT_TRUE(act(ControlRecording::STOP).has_value());
-  start("b.mcap");
-  release();
-  stop();
-  EXPECT_EQ(log("a.mcap").recording.at("dropped_messages"), "1");
-  EXPECT_EQ(log("b.mcap").recording.at("dropped_messages"), "0");
-}
-
-TEST_F(HeldUpRecorderTest, theFileThatWasStartedLastIsTheOneThatIsShown) {
-  start("a.mcap");
-  addFrame(1);
-  holdUp();
-  recorder->restart();
-  ASSERT_TRUE(act(ControlRecording::STOP).has_value());
-  start("b.mcap");
-  release();
-  addFrame(2);
-  recorder->finish();
-  EXPECT_EQ(recorder->status().path(), (folder / "b.mcap").string());
-  EXPECT_EQ(recorder->status().messages(), 2U);
-}
 
 TEST_F(RecorderTest, whatComesBetweenStartAndStopIsInTheFile) {
   addFrame(1);
