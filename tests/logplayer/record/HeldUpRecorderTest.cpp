@@ -19,7 +19,7 @@ class HeldUpRecorderTest : public RecorderTest {
     Recorder::Options given = options();
     given.queueBytes = 8000;
     given.warn = [this](const std::string&) {
-      warned_ = true;
+      if (warned_.exchange(true)) return;
       eventually([this] { return released_.load(); });
     };
     make(std::move(given));
