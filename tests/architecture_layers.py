@@ -45,7 +45,7 @@ TARGETS = {
 ROOMS = {
     "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
-    "robotlink/foxglove": ["protocol", "server"],
+    "robotlink/foxglove": ["protocol", "server", "client"],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <map>
+#include <mutex>
+#include <set>
+#include <unordered_map>
+
+#include "robotlink/foxglove/client/ClientOptions.h"
+
+namespace robotlink::websocket {
+
+/// The client's end of the Foxglove WebSocket protocol, without a transport: what is asked of a server, what
+/// it offers, and what waits to be sent to it. A Connector connects it with TCP, again and again; what was
+/// asked for is asked for anew at each connection.
+///
+/// The functions of the user's side may be called from any thread and never wait for the server.
+class Client {
+ public:
+  /// The answer to a call of a service.
+  struct Answer {
+    std::string encoding, data;
+  };
+  /// Called once, in the link's thread or that of call(); the error says why there is no answer.
+  using AnswerHandler = std::function<void(Result<Answer>)>;
+  enum class Urgency {
+    kNormal,
+    kUrgent,  ///< before everything else that waits; also between the parts of a long call
+  };
+  struct Call {
+    std::string service, encoding, payload;
+    Urgency urgency = Urgency::kNormal;
+    /// How long it may wait for a connection, and then for the answer.
+    Duration connectionTime = std::chrono::seconds(2), answerTime = std::chrono::seconds(10);
+  };
+
+  /// `clock` is for waiting times and for the state.
+  explicit Client(ClientHandlers handlers, ClientLimits limits = {},
+                  std::shared_ptr<const Clock> clock = std::make_shared<const SteadyClock>());
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  // The user's side. What is asked for holds until it is taken back, whatever the connection does.
+
+  /// All channels of a topic, also those that will be advertised later.
+  void subscribe(const std::set<std::string>& topics);
+  void unsubscribe(const std::set<std::string>& topics);
+  /// Updates of all parameters; their values come first.
+  void subscribeParameters(bool wanted);
+  void subscribeGraph(bool wanted);
+  /// Bytes a second that the server may send; 0 without limit. For servers that know `link/budget`.
+  void setBudget(double bytesPerSecond);
+  /// A channel of this client; a topic has one at most. publish() sends nothing unless it is connected.
+  void advertise(ClientChannel channel);
+  void unadvertise(const std::string& topic);
+  /// A message that waits is replaced by a newer one of its topic. Returns false if nothing was sent.
+  bool publish(const std::string& topic, std::string payload);
+
+  // What is asked once.
+
+  void call(Call call, AnswerHandler handler);
+  /// The new values come as parameters; if the server objects, as a status.
+  void setParameters(std::vector<Parameter> parameters);
+  void getParameters(std::vector<std::string> names);
+  void controlPlayback(const PlaybackControl& control);
+  void fetchAsset(std::string name, AnswerHandler handler);
+
+  ClientState state() const;
+  /// What the server offers now.
+  std::vector<Channel> channels() const;
+  std::vector<Service> services() const;
+
+  // The link's side: one thread, in which handlers are called.
+
+  /// `wake` is called from any thread when there is something to send again after next() found nothing; it
+  /// must not block or call the client. Empty: nobody is there any more.
+  void setWake(std::function<void()> wake);
+  /// A connection is open; the server will say hello.
+  void opened();
+  /// A whole message. An error is a reason to end the connection.
+  Result<void> received(FrameKind kind, std::string_view bytes);
+  /// What to send next.
+  std::optional<Frame> next();
+  /// Ends what waits too long. Call it several times a second.
+  void tick();
+  /// The connection is lost, or could not be made.
+  void lost();
+  /// What the link knows of the state; the rest this object knows.
+  void setLink(ClientState::Phase phase, Instant since, std::string reason);
+  void setRoundTrip(Duration roundTrip);
+  void countBytes(std::size_t bytes);
+
+ private:
+  struct Conversation;
+  struct Wishes;
+  using Calls = std::vector<std::function<void()>>;
+
+  const ClientHandlers handlers_;
+  const ClientLimits limits_;
+  const std::shared_ptr<const Clock> clock_;
+  /// Protects everything below. Handlers are called without it.
+  mutable std::mutex mutex_;
+  std::unique_ptr<Wishes> wishes_;
+  std::unique_ptr<Conversation> conversation_;
+  ClientState state_;
+  std::function<void()> wake_;
+};
+
+}  // namespace robotlink::websocket

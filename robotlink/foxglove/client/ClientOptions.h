@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "robotlink/foxglove/client/ClientState.h"
+#include "robotlink/foxglove/protocol/Codec.h"
+
+namespace robotlink::websocket {
+
+/// Bounds of what a server can cost. Over one of them its connection ends, with a reason.
+struct ClientLimits {
+  std::size_t channels = 10'000, services = 10'000, statuses = 100;
+  /// Of all schemas that it advertises.
+  std::size_t schemaBytes = 64U << 20U;
+  /// Calls of this client that are not answered yet, and bytes that wait to be sent.
+  std::size_t calls = 1000, waitingBytes = 32U << 20U;
+};
+
+/// What a server says. All are called in the link's thread, one at a time, without a lock: they may call the
+/// client. They should be quick; while one runs nothing is read, and the server thins what it sends.
+struct ClientHandlers {
+  /// After each connection, first. A server with another session id than before was started anew.
+  std::function<void(const ServerInfo&)> connected = {};
+  /// The connection is lost; channels and services are gone without being removed one by one.
+  std::function<void()> disconnected = {};
+  std::function<void(const std::vector<Channel>&)> channelsAdded = {}, channelsRemoved = {};
+  std::function<void(const std::vector<Service>&)> servicesAdded = {};
+  std::function<void(const std::vector<std::string>& names)> servicesRemoved = {};
+  /// Of a topic that was subscribed to. The payload is valid during the call.
+  std::function<void(const Channel&, Instant time, std::string_view payload)> message = {};
+  std::function<void(Instant)> time = {};
+  std::function<void(const std::vector<Parameter>&)> parameters = {};
+  std::function<void(const ConnectionGraphUpdate&)> graph = {};
+  std::function<void(const Status&)> status = {};
+  std::function<void(const std::vector<std::string>& ids)> statusesRemoved = {};
+  std::function<void(const PlaybackState&)> playback = {};
+};
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "robotlink/base/Clock.h"
+
+namespace robotlink::websocket {
+
+/// How a client stands with its server. A plain value.
+struct ClientState {
+  enum class Phase {
+    kConnecting,  ///< for the first time, or again after the server ended the connection
+    kConnected,
+    kSilent,   ///< was connected; nothing has been heard since
+    kRefused,  ///< the server does not want this client; tried again now and then
+  };
+  Phase phase = Phase::kConnecting;
+  /// When the phase began, by the client's clock; silence begins with the last byte that was heard.
+  Instant since;
+  /// Why it is not connected, and what to do: a sentence. Empty while it is, and at the very beginning.
+  std::string reason = {};
+  /// Of the newest sign of life that was answered.
+  std::optional<Duration> roundTrip = {};
+  /// Received, over the last second.
+  double bytesPerSecond = 0;
+  /// Received since the beginning.
+  std::uint64_t messages = 0, bytes = 0;
+  /// What the server counts of this connection: messages replaced by newer ones, and messages lost. Nothing
+  /// if it does not count.
+  std::optional<std::uint64_t> thinned = {}, dropped = {};
+  /// How often it was connected.
+  std::uint64_t connections = 0;
+  /// What the server calls itself; empty before it was heard.
+  std::string serverName = {};
+
+  bool isConnected() const { return phase == Phase::kConnected; }
+  bool operator==(const ClientState&) const = default;
+};
+
+/// For users: "connected, 12 ms, 1.3 MB/s", "silent for 3 s: ...". `now` is by the client's clock.
+std::string describe(const ClientState& state, Instant now);
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/foxglove/client/Client.h"
+#include "robotlink/foxglove/client/ServerUrl.h"
+
+namespace robotlink::websocket {
+
+class ConnectorThread;
+
+/// Connects a client with a server by WebSocket, again and again until it is destroyed. One thread of its own
+/// does all input and output and calls the client's handlers; nothing blocks the user of the client. The
+/// destructor ends the connection and waits for the thread; it must not run in a handler. What went wrong is
+/// in Client::state().
+class Connector {
+ public:
+  struct Options {
+    ServerUrl url;
+    /// Shown as "Authorization: Bearer TOKEN"; empty: none.
+    std::string token = {};
+    /// The longest message of the server, and the longest of those that are JSON.
+    std::size_t messageBytes = 64U << 20U, textBytes = 16U << 20U;
+    /// A sign of life is asked for so often.
+    Duration pingInterval = std::chrono::milliseconds(300);
+    /// After so long without a byte it counts as silent, and is connected anew.
+    Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
+    /// Time for a connection of TCP, and for each further step of the handshake.
+    Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::milliseconds(1500);
+    /// Between two tries, and after a refusal.
+    Duration retryTime = std::chrono::milliseconds(500), refusedTime = std::chrono::seconds(5);
+    /// What the system may hold of data that it has not sent: what is urgent waits behind it.
+    int unsentBytes = 4 << 10;
+    /// For all these times; real time if there is none.
+    std::shared_ptr<const Clock> clock = {};
+  };
+
+  Connector(std::shared_ptr<Client> client, Options options);
+  ~Connector();
+  Connector(const Connector&) = delete;
+  Connector& operator=(const Connector&) = delete;
+
+ private:
+  const std::unique_ptr<ConnectorThread> thread_;
+};
+
+}  // namespace robotlink::websocket
