@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/decoding", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -21,6 +21,7 @@ TARGETS = {
     "robotlink/config": ["robotlink/base"],
     "robotlink/packages": ["robotlink/base"],
     "robotlink/process": ["robotlink/base", "robotlink/config", "robotlink/packages"],
+    "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
     "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
                           "robotlink/debugging"],
@@ -29,7 +30,7 @@ TARGETS = {
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
     "robotlink/foxglove": ["robotlink/base"],
     "robotlink/foxglove/session": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging",
-                                   "robotlink/session", "robotlink/foxglove"],
+                                   "robotlink/decoding", "robotlink/session", "robotlink/foxglove"],
     "simcore": ["robotlink/base"],
     "colortool": ["robotlink/base"],
     "logplayer/mcap": ["robotlink/base"],

@@ -33,10 +33,13 @@ LogChannels::LogChannels(mcap::Reader& reader) : reader_(reader) {
   const auto& counts = reader.statistics().channelMessageCounts;
   for (const auto& [id, channel] : reader.channels()) {
     const auto schema = reader.schemas().find(channel.schemaId);
-    const mcap::Schema* known = schema == reader.schemas().end() ? nullptr : &schema->second;
+    std::optional<robotlink::MessageSchema> known;
+    if (schema != reader.schemas().end())
+      known = {schema->second.name, schema->second.encoding, schema->second.data};
     const auto sample = [this, number = id] { return firstOf(number); };
     states_.emplace(
-        id, State{channel.topic, processOf(channel), MessageType(known, channel.messageEncoding, sample)});
+        id, State{channel.topic, processOf(channel),
+                  robotlink::MessageType(known ? &*known : nullptr, channel.messageEncoding, sample)});
     const auto count = counts.find(id);
     if (!channel.topic.empty() && count != counts.end() && count->second > 0)
       streams_[channel.topic].push_back(id);

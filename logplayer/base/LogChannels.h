@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/base/MessageType.h"
+#include "robotlink/decoding/MessageType.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "robotlink/session/StreamMessage.h"
 
@@ -28,7 +28,7 @@ class LogChannels {
   const std::map<std::string, std::vector<std::uint16_t>>& streams() const { return streams_; }
   /// Path and type of a channel, which must exist.
   const std::string& path(std::uint16_t channel) const { return states_.at(channel).path; }
-  const MessageType& type(std::uint16_t channel) const { return states_.at(channel).type; }
+  const robotlink::MessageType& type(std::uint16_t channel) const { return states_.at(channel).type; }
   /// The names of the robots: the first parts of paths on which a process, or a type of this program, was
   /// published. Not every first part of a path is a robot.
   std::set<std::string> robots() const;
@@ -56,7 +56,7 @@ class LogChannels {
     std::string path;
     /// The process that published it; empty if unknown.
     std::string process;
-    MessageType type;
+    robotlink::MessageType type;
     mcap::Instant completeUntil = mcap::Instant::max();
     /// Number of the first frame of the process; the channel stores only the lower 32 bits of frame numbers.
     std::uint64_t firstFrame = 0;

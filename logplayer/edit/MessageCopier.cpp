@@ -23,7 +23,9 @@ Result<const MessageCopier::Target*> MessageCopier::targetOf(std::uint16_t chann
     const auto id = to_.addSchema(schema->second.name, schema->second.encoding, schema->second.data);
     if (!id) return tl::unexpected(id.error());
     schemaId = *id;
-    MessageType type(&schema->second, origin.messageEncoding);
+    const mcap::Schema& known = schema->second;
+    const robotlink::MessageSchema described{known.name, known.encoding, known.data};
+    robotlink::MessageType type(&described, origin.messageEncoding);
     const auto empty = type.encoding() == "protobuf" ? type.read({}) : nullptr;
     if (empty && change_.concerns(*empty->GetDescriptor())) target.type = std::move(type);
   }

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "logplayer/base/MessageChange.h"
-#include "logplayer/base/MessageType.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/write/Writer.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/decoding/MessageType.h"
 
 namespace logplayer {
 
@@ -34,7 +34,7 @@ class MessageCopier {
   struct Target {
     std::uint16_t channel = 0;
     /// Set only if messages of the channel may have to be changed.
-    std::optional<MessageType> type;
+    std::optional<robotlink::MessageType> type;
   };
   /// The target of a source channel, which is added to the target log at first use.
   robotlink::Result<const Target*> targetOf(std::uint16_t channel);

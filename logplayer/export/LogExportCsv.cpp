@@ -14,7 +14,7 @@
 #include "logplayer/export/ExportPass.h"
 #include "logplayer/export/LogExport.h"
 #include "logplayer/export/MessageTable.h"
-#include "logplayer/json/JsonText.h"
+#include "robotlink/decoding/JsonText.h"
 
 namespace logplayer {
 namespace {
@@ -148,11 +148,12 @@ Result<std::string> jsonLine(const LogFile& log, const StreamMessage& message) {
       !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
     return robotlink::failure("export.json", "it has no JSON");
   }
-  std::string line = "{\"stream\":" + jsonText(message.path) + ",\"log_time\":" + timeText(message.time);
-  if (!message.process.empty()) line += ",\"process\":" + jsonText(message.process);
+  std::string line =
+      "{\"stream\":" + robotlink::jsonText(message.path) + ",\"log_time\":" + timeText(message.time);
+  if (!message.process.empty()) line += ",\"process\":" + robotlink::jsonText(message.process);
   if (message.frame > 0) line += ",\"frame\":" + std::to_string(message.frame);
-  line +=
-      ",\"type\":" + jsonText(message.value->GetDescriptor()->full_name()) + ",\"message\":" + value + "}\n";
+  line += ",\"type\":" + robotlink::jsonText(message.value->GetDescriptor()->full_name()) +
+          ",\"message\":" + value + "}\n";
   return line;
 }
 

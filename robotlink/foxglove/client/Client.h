@@ -67,7 +67,14 @@ class Client {
   void controlPlayback(const PlaybackControl& control);
   void fetchAsset(std::string name, AnswerHandler handler);
 
-  ClientState state() const;
+  ConnectionState state() const;
+  /// What became of a topic's messages for this client, as the server counts: replaced by newer ones, lost.
+  struct Counters {
+    std::uint64_t thinned = 0, dropped = 0;
+  };
+  /// By topic; empty if the server does not count.
+  std::map<std::string, Counters> counters() const;
+
   /// What the server offers now.
   std::vector<Channel> channels() const;
   std::vector<Service> services() const;
@@ -88,24 +95,109 @@ class Client {
   /// The connection is lost, or could not be made.
   void lost();
   /// What the link knows of the state; the rest this object knows.
-  void setLink(ClientState::Phase phase, Instant since, std::string reason);
+  void setLink(ConnectionState::Phase phase, Instant since, std::string reason);
   void setRoundTrip(Duration roundTrip);
   void countBytes(std::size_t bytes);
+  /// Whether the server of this connection has said hello.
+  bool isGreeted() const;
 
  private:
-  struct Conversation;
-  struct Wishes;
   using Calls = std::vector<std::function<void()>>;
+  using OfferedChannel = std::shared_ptr<const Channel>;
+  /// A call, or an asset that is fetched, without an answer yet.
+  struct PendingCall {
+    Call call;
+    AnswerHandler handler;
+    Instant deadline;
+    bool isSent = false;
+  };
+  /// What is left to send of a long call.
+  struct LongCall {
+    std::uint32_t service = 0, id = 0;
+    std::size_t offset = 0;
+  };
+  /// Holds for as long as the client.
+  struct Wishes {
+    std::set<std::string> topics;
+    bool parameters = false, graph = false;
+    std::optional<double> budget;
+    std::map<std::string, ClientChannel> channels;
+    std::uint32_t nextChannel = 1;
+  };
+  /// Ends with the connection.
+  struct Conversation {
+    bool isOpen = false;
+    /// Whether the server has said hello.
+    bool isGreeted = false;
+    ServerInfo server;
+    std::map<std::uint64_t, OfferedChannel> channels;
+    std::size_t schemaBytes = 0;
+    std::map<std::uint64_t, std::uint32_t> subscriptionOf;
+    std::unordered_map<std::uint32_t, OfferedChannel> subscriptions;
+    std::uint32_t nextSubscription = 1;
+    std::map<std::string, Service> services;
+    std::deque<Frame> urgent, waiting;
+    std::deque<LongCall> longCalls;
+    /// Messages of client channels, at most one each, and their order.
+    std::map<std::string, Frame> published;
+    std::deque<std::string> publishedOrder;
+    std::size_t waitingBytes = 0;
+    bool countsForUs = true;
+    Instant countersAt;
+    std::map<std::string, Counters> counters;
+    std::string overflow;
+  };
+
+  bool can(const char* capability) const;
+  void greet();
+  void send(const ClientMessage& message, Urgency urgency = Urgency::kNormal);
+  void wake();
+  /// Whether there is something to send.
+  bool hasWork() const;
+  void subscribeAdvertised(const std::vector<OfferedChannel>& channels);
+  void unsubscribeIds(const std::vector<std::uint64_t>& channels);
+  void sendCall(std::uint32_t id, PendingCall& pending, const Service& service);
+  void sendWaitingCalls();
+  Frame nextPart();
+  void finish(std::uint32_t id, Result<Answer> answer, Calls& calls);
+  void failAll(Calls& calls, const std::function<bool(const PendingCall&)>& which, const std::string& why);
+  void noteCounters(const Value& value);
+  std::string reasonFor(const PendingCall& pending) const;
+
+  // What servers say. An error ends the connection.
+  Result<void> handle(const ServerInfo& message, Calls& calls);
+  Result<void> handle(const Status& message, Calls& calls);
+  Result<void> handle(const RemoveStatus& message, Calls& calls);
+  Result<void> handle(const Advertise& message, Calls& calls);
+  Result<void> handle(const Unadvertise& message, Calls& calls);
+  Result<void> handle(const ParameterValues& message, Calls& calls);
+  Result<void> handle(const AdvertiseServices& message, Calls& calls);
+  Result<void> handle(const UnadvertiseServices& message, Calls& calls);
+  Result<void> handle(const ServiceCallFailure& message, Calls& calls);
+  Result<void> handle(const ConnectionGraphUpdate& message, Calls& calls);
+  Result<void> handle(const MessageData& message, Calls& calls);
+  Result<void> handle(const Time& message, Calls& calls);
+  Result<void> handle(const ServiceCallResponse& message, Calls& calls);
+  Result<void> handle(const FetchAssetResponse& message, Calls& calls);
+  Result<void> handle(const PlaybackState& message, Calls& calls);
+  void remove(std::uint64_t channel, std::vector<Channel>& removed);
 
   const ClientHandlers handlers_;
   const ClientLimits limits_;
   const std::shared_ptr<const Clock> clock_;
+
   /// Protects everything below. Handlers are called without it.
   mutable std::mutex mutex_;
-  std::unique_ptr<Wishes> wishes_;
-  std::unique_ptr<Conversation> conversation_;
-  ClientState state_;
+  Wishes wishes_;
+  Conversation conversation_;
+  std::map<std::uint32_t, PendingCall> calls_, assets_;
+  std::uint32_t nextCall_ = 1;
+  ConnectionState state_;
+  /// Bytes until the second that bytesPerSecond is measured in.
+  std::uint64_t countedBytes_ = 0;
+  Instant countedAt_;
   std::function<void()> wake_;
+  bool isIdle_ = true;
 };
 
 }  // namespace robotlink::websocket

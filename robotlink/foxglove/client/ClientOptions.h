@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "robotlink/foxglove/client/ClientState.h"
+#include "robotlink/foxglove/client/ConnectionState.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 
 namespace robotlink::websocket {

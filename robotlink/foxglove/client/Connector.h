@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robotlink/foxglove/client/Client.h"
+#include "robotlink/foxglove/client/LinkWatch.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 
 namespace robotlink::websocket {
@@ -20,17 +21,12 @@ class Connector {
     std::string token = {};
     /// The longest message of the server, and the longest of those that are JSON.
     std::size_t messageBytes = 64U << 20U, textBytes = 16U << 20U;
-    /// A sign of life is asked for so often.
-    Duration pingInterval = std::chrono::milliseconds(300);
-    /// After so long without a byte it counts as silent, and is connected anew.
-    Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
-    /// Time for a connection of TCP, and for each further step of the handshake.
-    Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::milliseconds(1500);
-    /// Between two tries, and after a refusal.
-    Duration retryTime = std::chrono::milliseconds(500), refusedTime = std::chrono::seconds(5);
+    LinkWatch::Times times = {};
     /// What the system may hold of data that it has not sent: what is urgent waits behind it.
     int unsentBytes = 4 << 10;
-    /// For all these times; real time if there is none.
+    /// What this client calls itself, for those who look at the robot.
+    std::string name = "RobotControl";
+    /// For all times; real time if there is none.
     std::shared_ptr<const Clock> clock = {};
   };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "robotlink/foxglove/server/ServerOptions.h"
@@ -25,6 +26,13 @@ struct ServedClient {
   bool wantsAllParameters = false;
   bool wantsGraph = false;
   std::size_t calls = 0;
+  /// What has come of a call that is sent in parts.
+  struct PartialCall {
+    ServiceCallRequest call;
+    std::size_t total = 0;
+    std::string payload = {};
+  };
+  std::optional<PartialCall> partialCall = {};
 };
 
 }  // namespace robotlink::websocket

@@ -14,6 +14,7 @@ namespace {
 constexpr Outbox::StreamId kTimeStream = 0;
 
 ServerOptions withSession(ServerOptions options) {
+  options.metadata.emplace(kCallPartsKey, "1");
   if (!options.sessionId.empty()) return options;
   std::random_device random;
   for (int i = 0; i < 4; ++i) options.sessionId += std::to_string(random()) + (i < 3 ? "-" : "");

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 
+#include "robotlink/foxglove/protocol/CallPart.h"
 #include "robotlink/foxglove/server/ConnectionGraph.h"
 #include "robotlink/foxglove/server/ServerOptions.h"
 
@@ -99,6 +100,11 @@ class Server : public std::enable_shared_from_this<Server> {
   std::string setBudget(ServedClient& client, const Parameter& parameter);
   /// A reply that `send` turns into messages, with the mutex locked, if the client is still there.
   Reply replyTo(const ClientPtr& client, std::function<void(ServedClient&, Result<Reply::Answer>)> send);
+
+  void call(const ClientPtr& client, const ServiceCallRequest& message,
+            std::shared_ptr<const std::string> payload, Calls& calls);
+  /// Adds a part of a call; returns what is wrong with it.
+  std::string addPart(ServedClient& client, const ServiceCallRequest& message, const CallPart& part);
 
   // What clients say.
   void handle(const ClientPtr& client, const Subscribe& message, Calls& calls);

@@ -33,6 +33,8 @@ struct ServerLimits {
   std::size_t subscriptions = 4096, channels = 64, parameterNames = 4096;
   /// Calls of services, assets and parameters of each client that are not answered yet.
   std::size_t calls = 32;
+  /// The argument of a call that is sent in parts.
+  std::size_t callBytes = 8U << 20U;
   Outbox::Limits outbox = {};
 };
 

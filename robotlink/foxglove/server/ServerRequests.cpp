@@ -266,6 +266,34 @@ Reply Server::replyTo(const ClientPtr& client,
 }
 
 void Server::handle(const ClientPtr& client, const ServiceCallRequest& message, Calls& calls) {
+  const auto part = callPartOf(message.encoding);
+  if (!part) return call(client, message, nullptr, calls);
+  if (const std::string problem = addPart(*client, message, *part); !problem.empty()) {
+    client->partialCall.reset();
+    return send(*client, ServiceCallFailure{message.serviceId, message.callId, problem});
+  }
+  if (client->partialCall->payload.size() < part->total) return;
+  const auto whole = *std::exchange(client->partialCall, std::nullopt);
+  call(client, whole.call, std::make_shared<const std::string>(whole.payload), calls);
+}
+
+std::string Server::addPart(ServedClient& client, const ServiceCallRequest& message, const CallPart& part) {
+  if (part.total > options_.limits.callBytes)
+    return "the argument is longer than " + std::to_string(options_.limits.callBytes) + " bytes";
+  auto& partial = client.partialCall;
+  if (part.offset == 0) partial = {{message.serviceId, message.callId, part.encoding, {}}, part.total};
+  const bool fits = partial && partial->call.serviceId == message.serviceId &&
+                    partial->call.callId == message.callId && partial->call.encoding == part.encoding &&
+                    partial->total == part.total && partial->payload.size() == part.offset &&
+                    message.payload.size() <= part.total - part.offset && !message.payload.empty();
+  if (!fits) return "the parts of a call must come in order, one call after the other";
+  partial->payload += message.payload;
+  return {};
+}
+
+/// `payload` is what the message refers to, if that is not the frame that is being received.
+void Server::call(const ClientPtr& client, const ServiceCallRequest& message,
+                  std::shared_ptr<const std::string> payload, Calls& calls) {
   const auto fail = [this, service = message.serviceId, call = message.callId](ServedClient& to,
                                                                                std::string why) {
     send(to, ServiceCallFailure{service, call, std::move(why)});
@@ -282,8 +310,11 @@ void Server::handle(const ClientPtr& client, const ServiceCallRequest& message, 
     send(to, ServiceCallResponse{service, call, result->encoding.empty() ? encoding : result->encoding,
                                  result->data});
   };
-  calls.push_back([client, message, handler = found->second.handler, reply = replyTo(client, answer)] {
-    (*handler)(client->info, message, reply);
+  calls.push_back([client, message, payload = std::move(payload), handler = found->second.handler,
+                   reply = replyTo(client, answer)] {
+    ServiceCallRequest request = message;
+    if (payload) request.payload = *payload;
+    (*handler)(client->info, request, reply);
   });
 }
 

@@ -75,7 +75,7 @@ class SessionClient {
   void tick();
 
   const ServerUrl& url() const;
-  ClientState state() const;
+  ConnectionState state() const;
   /// For users, at this moment: "connected, 12 ms, 1.3 MB/s".
   std::string stateText() const;
 

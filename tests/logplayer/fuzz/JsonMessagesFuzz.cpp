@@ -5,12 +5,13 @@
 #include <cstdlib>
 
 #include "logplayer/export/MessageTable.h"
-#include "logplayer/json/JsonType.h"
+#include "robotlink/decoding/JsonType.h"
 #include "tests/fuzz/FuzzTarget.h"
 
 // The input is a schema's name, a JSON schema and messages, a line each. What is read must survive Protobuf's
 // own encoding.
-using namespace logplayer;
+using logplayer::MessageTable;
+using robotlink::JsonType;
 
 namespace {
 
@@ -21,7 +22,7 @@ std::string takeLine(std::string& text) {
   return line;
 }
 
-mcap::Bytes bytesOf(const std::string& text) {
+std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 

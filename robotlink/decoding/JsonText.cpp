@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonText.h"
+#include "robotlink/decoding/JsonText.h"
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-namespace logplayer {
+namespace robotlink {
 namespace {
 
 using nlohmann::json;
@@ -69,4 +69,4 @@ std::optional<std::string> decodeBase64(std::string_view text) {
   return bytes;
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace logplayer {
+namespace robotlink {
 
 /// Translates a JSON schema into the description of a Protobuf type; see JsonType for the rules. An object
 /// translates one schema; describe() may be called once.
@@ -74,4 +74,4 @@ class JsonSchema {
   int depth_ = 0;
 };
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
-#include "logplayer/mcap/Records.h"
 #include "robotlink/process/Link.h"
 
-namespace logplayer {
+namespace robotlink {
 
 /// The type of messages that are JSON objects: a Protobuf type derived from their JSON schema, so that
 /// everything that shows, plots or exports Protobuf messages supports them, too. A schema with the name of
@@ -24,13 +25,14 @@ class JsonType {
   static std::shared_ptr<const JsonType> ofSchema(const std::string& name, const std::string& schema);
   /// Returns the type of messages without a schema, by what the first of them holds. Null if that is no JSON
   /// object.
-  static std::shared_ptr<const JsonType> ofMessage(const std::string& name, mcap::Bytes message);
+  static std::shared_ptr<const JsonType> ofMessage(const std::string& name,
+                                                   std::span<const std::uint8_t> message);
   ~JsonType();
 
   /// The full name of the Protobuf type.
   const std::string& name() const;
   /// Parses a message; null if the bytes are not a JSON object. The message keeps `type` alive.
-  static robotlink::PackagePtr read(const std::shared_ptr<const JsonType>& type, mcap::Bytes data);
+  static PackagePtr read(const std::shared_ptr<const JsonType>& type, std::span<const std::uint8_t> data);
 
  private:
   struct Implementation;
@@ -41,4 +43,4 @@ class JsonType {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace logplayer
+}  // namespace robotlink

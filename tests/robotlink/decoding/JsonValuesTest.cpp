@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonValues.h"
+#include "robotlink/decoding/JsonValues.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 using nlohmann::json;
 
-namespace logplayer {
+namespace robotlink {
 namespace {
 
 /// The fields of a type and of those inside of it, by their own names.
@@ -94,4 +94,4 @@ TEST(JsonValues, anArrayIsTakenWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace logplayer
+}  // namespace robotlink

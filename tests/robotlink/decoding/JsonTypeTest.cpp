@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonType.h"
+#include "robotlink/decoding/JsonType.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/message.h>
@@ -10,17 +10,17 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
-#include "logplayer/json/JsonText.h"
+#include "robotlink/decoding/JsonText.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/logplayer/ForeignLog.h"
 
-namespace logplayer {
+namespace robotlink {
 namespace {
 
 using robotlink::numberAt;
 using ::testing::HasSubstr;
 
-mcap::Bytes bytesOf(const std::string& text) {
+std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
@@ -169,4 +169,4 @@ TEST(JsonType, base64IsDecoded) {
   EXPECT_EQ(decodeBase64("TW*u"), std::nullopt);
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonSchema.h"
+#include "robotlink/decoding/JsonSchema.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "logplayer/json/JsonText.h"
+#include "robotlink/decoding/JsonText.h"
 
-namespace logplayer {
+namespace robotlink {
 
 using google::protobuf::DescriptorProto;
 using google::protobuf::FieldDescriptorProto;
@@ -265,4 +265,4 @@ json JsonSchema::ofValue(const json& value) {
   }
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

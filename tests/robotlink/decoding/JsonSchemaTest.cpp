@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonSchema.h"
+#include "robotlink/decoding/JsonSchema.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@ using testing::ElementsAre;
 using testing::Pair;
 using testing::SizeIs;
 
-namespace logplayer {
+namespace robotlink {
 namespace {
 
 using google::protobuf::DescriptorProto;
@@ -133,4 +133,4 @@ TEST(JsonSchema, ofAValueHasItsMembers) {
 }
 
 }  // namespace
-}  // namespace logplayer
+}  // namespace robotlink

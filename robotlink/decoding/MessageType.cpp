@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/base/MessageType.h"
+#include "robotlink/decoding/MessageType.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
@@ -8,11 +8,11 @@
 #include <limits>
 #include <map>
 
-#include "logplayer/json/JsonType.h"
-#include "logplayer/json/SilentErrors.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/decoding/JsonType.h"
+#include "robotlink/decoding/SilentErrors.h"
 
-namespace logplayer {
+namespace robotlink {
 
 using google::protobuf::DescriptorPool;
 using google::protobuf::FileDescriptorProto;
@@ -65,7 +65,8 @@ const Message* MessageType::Dynamic::prototype(const std::string& name) {
   return descriptor != nullptr ? factory.GetPrototype(descriptor) : nullptr;
 }
 
-MessageType::MessageType(const mcap::Schema* schema, const std::string& messageEncoding, const Sample& sample)
+MessageType::MessageType(const MessageSchema* schema, const std::string& messageEncoding,
+                         const Sample& sample)
     : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown"),
       encoding_(messageEncoding) {
   if (encoding_ == "json") {
@@ -75,24 +76,28 @@ MessageType::MessageType(const mcap::Schema* schema, const std::string& messageE
   }
 }
 
-void MessageType::readProtobufSchema(const mcap::Schema& schema) {
+void MessageType::readProtobufSchema(const MessageSchema& schema) {
   const auto* known = DescriptorPool::generated_pool()->FindMessageTypeByName(name_);
   if (known != nullptr) {
     prototype_ = google::protobuf::MessageFactory::generated_factory()->GetPrototype(known);
     return;
   }
   FileDescriptorSet set;
-  if (!fitsProtobuf(schema.data.size()) || !set.ParseFromString(schema.data)) return;
+  if (!fitsProtobuf(schema.data.size()) ||
+      !set.ParseFromArray(schema.data.data(), static_cast<int>(schema.data.size())))
+    return;
   auto dynamic = std::make_shared<Dynamic>(std::move(set));
   prototype_ = dynamic->prototype(name_);
   dynamic_ = std::move(dynamic);
 }
 
-void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sample) {
-  if (schema != nullptr && schema->encoding == "jsonschema") json_ = JsonType::ofSchema(name_, schema->data);
+void MessageType::readJsonSchema(const MessageSchema* schema, const Sample& sample) {
+  if (schema != nullptr && schema->encoding == "jsonschema")
+    json_ = JsonType::ofSchema(name_, std::string(schema->data));
   if (json_ == nullptr && sample) {
     const std::string message = sample();
-    const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
+    const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(message.data()),
+                                              message.size());
     if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
   }
   // A type with the name of one of this program's types, but another structure.
@@ -104,7 +109,7 @@ MessageType::~MessageType() = default;
 MessageType::MessageType(MessageType&&) noexcept = default;
 MessageType& MessageType::operator=(MessageType&&) noexcept = default;
 
-robotlink::PackagePtr MessageType::read(mcap::Bytes data) const {
+PackagePtr MessageType::read(std::span<const std::uint8_t> data) const {
   if (json_ != nullptr) return JsonType::read(json_, data);
   if (prototype_ == nullptr) {
     auto copy = std::make_shared<robotcontrol::PackageCopy>();
@@ -119,4 +124,4 @@ robotlink::PackagePtr MessageType::read(mcap::Bytes data) const {
   return read ? message : nullptr;
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace logplayer {
+namespace robotlink {
 
 // JSON from files of unknown origin, which may be arbitrarily wrong.
 
@@ -22,4 +22,4 @@ std::string jsonText(const nlohmann::json& value);
 /// Empty if the text is not base64.
 std::optional<std::string> decodeBase64(std::string_view text);
 
-}  // namespace logplayer
+}  // namespace robotlink

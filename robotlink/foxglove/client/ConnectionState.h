@@ -10,7 +10,7 @@
 namespace robotlink::websocket {
 
 /// How a client stands with its server. A plain value.
-struct ClientState {
+struct ConnectionState {
   enum class Phase {
     kConnecting,  ///< for the first time, or again after the server ended the connection
     kConnected,
@@ -37,10 +37,10 @@ struct ClientState {
   std::string serverName = {};
 
   bool isConnected() const { return phase == Phase::kConnected; }
-  bool operator==(const ClientState&) const = default;
+  bool operator==(const ConnectionState&) const = default;
 };
 
 /// For users: "connected, 12 ms, 1.3 MB/s", "silent for 3 s: ...". `now` is by the client's clock.
-std::string describe(const ClientState& state, Instant now);
+std::string describe(const ConnectionState& state, Instant now);
 
 }  // namespace robotlink::websocket

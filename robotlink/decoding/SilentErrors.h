@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace logplayer {
+namespace robotlink {
 
 /// Takes the errors of a schema that is being built, and prints none of them. A file from anywhere may hold
 /// anything: that building fails is the answer.
@@ -15,4 +15,4 @@ class SilentErrors final : public google::protobuf::DescriptorPool::ErrorCollect
                 const std::string&) override {}
 };
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonType.h"
+#include "robotlink/decoding/JsonType.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
@@ -11,12 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "logplayer/json/JsonSchema.h"
-#include "logplayer/json/JsonText.h"
-#include "logplayer/json/JsonValues.h"
-#include "logplayer/json/SilentErrors.h"
+#include "robotlink/decoding/JsonSchema.h"
+#include "robotlink/decoding/JsonText.h"
+#include "robotlink/decoding/JsonValues.h"
+#include "robotlink/decoding/SilentErrors.h"
 
-namespace logplayer {
+namespace robotlink {
 
 using google::protobuf::Descriptor;
 using google::protobuf::DescriptorPool;
@@ -27,7 +27,7 @@ using nlohmann::json;
 
 namespace {
 
-std::string_view viewOf(mcap::Bytes data) {
+std::string_view viewOf(std::span<const std::uint8_t> data) {
   return {reinterpret_cast<const char*>(data.data()), data.size()};
 }
 
@@ -130,7 +130,8 @@ std::shared_ptr<const JsonType> JsonType::ofSchema(const std::string& name, cons
   return root ? make(name, *root, false) : nullptr;
 }
 
-std::shared_ptr<const JsonType> JsonType::ofMessage(const std::string& name, mcap::Bytes message) {
+std::shared_ptr<const JsonType> JsonType::ofMessage(const std::string& name,
+                                                    std::span<const std::uint8_t> message) {
   const auto value = parseJsonObject(viewOf(message));
   return value ? make(name, JsonSchema::ofValue(*value), true) : nullptr;
 }
@@ -139,7 +140,7 @@ const std::string& JsonType::name() const {
   return implementation_->name;
 }
 
-robotlink::PackagePtr JsonType::read(const std::shared_ptr<const JsonType>& type, mcap::Bytes data) {
+PackagePtr JsonType::read(const std::shared_ptr<const JsonType>& type, std::span<const std::uint8_t> data) {
   const auto value = parseJsonObject(viewOf(data));
   if (!value) return nullptr;
   const Implementation& self = *type->implementation_;
@@ -153,4 +154,4 @@ robotlink::PackagePtr JsonType::read(const std::shared_ptr<const JsonType>& type
   return message;
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/json/JsonValues.h"
+#include "robotlink/decoding/JsonValues.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
@@ -10,11 +10,11 @@
 #include <optional>
 #include <utility>
 
-#include "logplayer/json/JsonText.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/decoding/JsonText.h"
 #include "robotlink/packages/FieldValues.h"
 
-namespace logplayer {
+namespace robotlink {
 
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
@@ -211,4 +211,4 @@ void assignJson(Message& to, const json& object, const JsonFields& fields, json&
   Assignment(fields, others).assign(to, object, {});
 }
 
-}  // namespace logplayer
+}  // namespace robotlink

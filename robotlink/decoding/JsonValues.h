@@ -11,7 +11,7 @@ class FieldDescriptor;
 class Message;
 }  // namespace google::protobuf
 
-namespace logplayer {
+namespace robotlink {
 
 /// For each message type its fields, keyed by the names of the JSON properties that they hold.
 using JsonFields = std::map<const google::protobuf::Descriptor*,
@@ -22,4 +22,4 @@ using JsonFields = std::map<const google::protobuf::Descriptor*,
 void assignJson(google::protobuf::Message& to, const nlohmann::json& object, const JsonFields& fields,
                 nlohmann::json& others);
 
-}  // namespace logplayer
+}  // namespace robotlink

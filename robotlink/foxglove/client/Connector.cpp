@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/client/Connector.h"
+
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/bind_handler.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <boost/beast/websocket/stream.hpp>
+#include <thread>
+
+#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/Utf8.h"
+#include "robotlink/foxglove/client/HostLookup.h"
+#include "robotlink/foxglove/client/Refusals.h"
+
+namespace robotlink::websocket {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using asio::ip::tcp;
+using boost::system::error_code;
+using Executor = asio::io_context::executor_type;
+using ClientSocket = asio::basic_stream_socket<tcp, Executor>;
+using Failure = LinkWatch::Failure;
+
+constexpr std::chrono::milliseconds kClientTick{10};
+constexpr std::size_t kClientReadBytes = 64U << 10U;
+
+/// A connection as the thread sees it, whatever stream is below it. In the thread, but for leave().
+class Connection {
+ public:
+  Connection() = default;
+  virtual ~Connection() = default;
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  virtual void start(const tcp::endpoint& to) = 0;
+  virtual void send() = 0;
+  virtual void ping() = 0;
+  /// Closes the socket; nothing is called after this.
+  virtual void end() = 0;
+  /// Says goodbye without waiting for anything, when the thread has ended.
+  virtual void leave() = 0;
+};
+
+}  // namespace
+
+/// The thread, and the one connection that there is at a time. All but constructor and destructor runs in the
+/// thread.
+class ConnectorThread {
+ public:
+  ConnectorThread(std::shared_ptr<Client> connectedClient, Connector::Options chosen);
+  ~ConnectorThread();
+  ConnectorThread(const ConnectorThread&) = delete;
+  ConnectorThread& operator=(const ConnectorThread&) = delete;
+
+  Instant now() const { return options.clock->now(); }
+  /// The connection's reports.
+  void failed(Failure failure, const std::string& reason);
+  void report();
+
+  const std::shared_ptr<Client> client;
+  const Connector::Options options;
+  asio::io_context context{1};
+  LinkWatch watch;
+
+ private:
+  static Connector::Options withClock(Connector::Options options) {
+    if (!options.clock) options.clock = std::make_shared<const SteadyClock>();
+    return options;
+  }
+  void tickLater();
+  void tick();
+  void connect();
+  void connectTo(const HostLookup::Outcome& outcome);
+  void drop();
+
+  asio::steady_timer timer_{context};
+  std::shared_ptr<HostLookup> lookup_;
+  /// Which of several addresses is tried next.
+  std::size_t nextAddress_ = 0;
+  std::shared_ptr<Connection> connection_;
+  std::thread thread_;
+};
+
+namespace {
+
+/// For TLS the stream is an ssl::stream of the socket, whose handshake comes in onConnected().
+template <typename Stream>
+class ServerConnection final : public Connection,
+                               public std::enable_shared_from_this<ServerConnection<Stream>> {
+ public:
+  ServerConnection(ConnectorThread& thread, Stream stream) : thread_(thread), socket_(std::move(stream)) {}
+
+  void start(const tcp::endpoint& to) override {
+    beast::get_lowest_layer(socket_).async_connect(to, handler(&ServerConnection::onConnected));
+  }
+  void send() override;
+  void ping() override;
+  void end() override;
+  void leave() override;
+
+ private:
+  template <typename Function>
+  auto handler(Function function) {
+    return beast::bind_front_handler(function, this->shared_from_this());
+  }
+  void onConnected(error_code error);
+  void upgrade();
+  void onUpgraded(error_code error);
+  void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
+  void onRead(error_code error, std::size_t bytes);
+  void onSent(error_code error, std::size_t);
+  void onPinged(error_code) { isPinging_ = false; }
+  void onControl(websocket::frame_type kind, beast::string_view payload);
+  void fail(Failure failure, const std::string& reason) {
+    if (!hasEnded_) thread_.failed(failure, reason);
+  }
+
+  ConnectorThread& thread_;
+  websocket::stream<Stream> socket_;
+  websocket::response_type response_;
+  beast::flat_buffer buffer_;
+  std::optional<Frame> sending_;
+  bool isOpen_ = false, isPinging_ = false, hasEnded_ = false;
+};
+
+template <typename Stream>
+void ServerConnection<Stream>::onConnected(error_code error) {
+  if (hasEnded_) return;
+  if (error)
+    return fail(error == asio::error::timed_out ? Failure::kSilence : Failure::kEnded, whyNotReached(error));
+  thread_.watch.stepDone(thread_.now());
+  auto& socket = beast::get_lowest_layer(socket_);
+  socket.set_option(tcp::no_delay(true), error);
+  ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &thread_.options.unsentBytes,
+               sizeof thread_.options.unsentBytes);
+  upgrade();
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::upgrade() {
+  const Connector::Options& options = thread_.options;
+  socket_.auto_fragment(false);
+  socket_.read_message_max(options.messageBytes);
+  socket_.set_option(websocket::stream_base::decorator([&options](websocket::request_type& request) {
+    request.set(http::field::sec_websocket_protocol, std::string(kSdkProtocol) + ", " + kWebSocketProtocol);
+    request.set(http::field::user_agent, options.name);
+    if (!options.token.empty()) request.set(http::field::authorization, "Bearer " + options.token);
+  }));
+  // Valid as long as the socket, which is this object's.
+  socket_.control_callback(
+      [this](websocket::frame_type kind, beast::string_view payload) { onControl(kind, payload); });
+  const ServerUrl& url = options.url;
+  const std::string host = url.host.find(':') == std::string::npos ? url.host : "[" + url.host + "]";
+  socket_.async_handshake(response_, host + ":" + std::to_string(url.port), url.target,
+                          handler(&ServerConnection::onUpgraded));
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::onUpgraded(error_code error) {
+  if (hasEnded_) return;
+  if (error == websocket::error::upgrade_declined)
+    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body()));
+  if (error) return fail(Failure::kEnded, whyNoHandshake(error));
+  const std::string protocol(response_[http::field::sec_websocket_protocol]);
+  if (protocol != kSdkProtocol && protocol != kWebSocketProtocol)
+    return fail(Failure::kRefused, whyOtherProtocol(protocol));
+  thread_.watch.stepDone(thread_.now());
+  isOpen_ = true;
+  thread_.client->opened();
+  read();
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::onRead(error_code error, std::size_t bytes) {
+  if (hasEnded_) return;
+  if (error == websocket::error::closed)
+    return fail(Failure::kEnded, whyClosed(socket_.reason().reason.c_str()));
+  if (error) return fail(Failure::kEnded, whyBroken(error));
+  const Connector::Options& options = thread_.options;
+  thread_.watch.heard(thread_.now());
+  thread_.client->countBytes(bytes);
+  if (socket_.got_text() && buffer_.size() > options.textBytes)
+    return fail(Failure::kRefused,
+                "the robot sends texts of more than " + std::to_string(options.textBytes >> 20U) + " MiB");
+  if (!socket_.is_message_done()) return read();
+  const auto data = buffer_.data();
+  const FrameKind kind = socket_.got_text() ? FrameKind::kText : FrameKind::kBinary;
+  const auto result = thread_.client->received(kind, {static_cast<const char*>(data.data()), data.size()});
+  buffer_.consume(buffer_.size());
+  if (buffer_.capacity() > 16 * kClientReadBytes) buffer_.shrink_to_fit();
+  if (!result) return fail(Failure::kRefused, result.error().text);
+  if (!thread_.watch.isGreeted() && thread_.client->isGreeted()) thread_.watch.greeted(thread_.now());
+  read();
+}
+
+/// A sign of life carries the time at which it was asked for, and comes back with it.
+template <typename Stream>
+void ServerConnection<Stream>::onControl(websocket::frame_type kind, beast::string_view payload) {
+  const Instant now = thread_.now();
+  thread_.watch.heard(now);
+  if (kind != websocket::frame_type::pong || payload.size() != sizeof(std::int64_t)) return;
+  const Duration sent(loadNumber<std::int64_t>(reinterpret_cast<const std::uint8_t*>(payload.data())));
+  const Duration roundTrip = now.time_since_epoch() - sent;
+  if (roundTrip >= Duration::zero() && roundTrip < std::chrono::minutes(1))
+    thread_.client->setRoundTrip(roundTrip);
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::ping() {
+  if (!isOpen_ || isPinging_ || hasEnded_) return;
+  isPinging_ = true;
+  std::array<std::uint8_t, sizeof(std::int64_t)> bytes{};
+  storeNumber(bytes.data(), static_cast<std::int64_t>(thread_.now().time_since_epoch().count()));
+  socket_.async_ping({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                     handler(&ServerConnection::onPinged));
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::send() {
+  if (!isOpen_ || sending_ || hasEnded_) return;
+  sending_ = thread_.client->next();
+  if (!sending_) return;
+  socket_.binary(sending_->kind == FrameKind::kBinary);
+  socket_.async_write(asio::buffer(sending_->bytes), handler(&ServerConnection::onSent));
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::onSent(error_code error, std::size_t) {
+  if (hasEnded_) return;
+  sending_.reset();
+  if (error) return fail(Failure::kEnded, whyBroken(error));
+  send();
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::end() {
+  hasEnded_ = true;
+  error_code ignored;
+  beast::get_lowest_layer(socket_).close(ignored);
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::leave() {
+  // "Going away" as a whole frame, masked with zeros, if none is half sent and the system takes it at once.
+  constexpr std::uint8_t kGoingAway[] = {0x88, 0x82, 0, 0, 0, 0, 1001 >> 8, 1001 & 255};
+  auto& socket = beast::get_lowest_layer(socket_);
+  if (isOpen_ && !hasEnded_ && !sending_ && !isPinging_)
+    static_cast<void>(
+        ::send(socket.native_handle(), kGoingAway, sizeof kGoingAway, MSG_DONTWAIT | MSG_NOSIGNAL));
+  end();
+}
+
+}  // namespace
+
+ConnectorThread::ConnectorThread(std::shared_ptr<Client> connectedClient, Connector::Options chosen)
+    : client(std::move(connectedClient)),
+      options(withClock(std::move(chosen))),
+      watch(options.times, options.clock->now()) {
+  client->setWake([this] {
+    asio::post(context, [this] {
+      if (connection_) connection_->send();
+    });
+  });
+  asio::post(context, [this] { tick(); });
+  thread_ = std::thread([this] { context.run(); });
+}
+
+ConnectorThread::~ConnectorThread() {
+  client->setWake({});
+  context.stop();
+  thread_.join();
+  if (connection_) connection_->leave();
+  client->lost();
+}
+
+void ConnectorThread::tickLater() {
+  timer_.expires_after(kClientTick);
+  timer_.async_wait([this](error_code) { tick(); });
+}
+
+void ConnectorThread::tick() {
+  if (lookup_) {
+    if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
+  }
+  switch (watch.next(now())) {
+    case LinkWatch::Action::kConnect:
+      connect();
+      break;
+    case LinkWatch::Action::kPing:
+      if (connection_) connection_->ping();
+      break;
+    case LinkWatch::Action::kGiveUp:
+      drop();
+      break;
+    default:
+      break;
+  }
+  report();
+  client->tick();
+  if (connection_) connection_->send();
+  tickLater();
+}
+
+void ConnectorThread::report() {
+  client->setLink(watch.phase(), watch.since(), watch.reason());
+}
+
+void ConnectorThread::connect() {
+  if (options.url.isEncrypted)
+    return failed(Failure::kRefused, "connections with encryption (wss://) are not possible yet: use ws://");
+  lookup_ = HostLookup::start(options.url.host);
+  if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
+}
+
+void ConnectorThread::connectTo(const HostLookup::Outcome& outcome) {
+  lookup_.reset();
+  if (!outcome) return failed(Failure::kEnded, outcome.error().text);
+  error_code error;
+  const auto address = asio::ip::make_address((*outcome)[nextAddress_++ % outcome->size()], error);
+  connection_ = std::make_shared<ServerConnection<ClientSocket>>(*this, ClientSocket(context));
+  connection_->start({address, options.url.port});
+}
+
+void ConnectorThread::failed(Failure failure, const std::string& reason) {
+  watch.failed(failure, reason, now());
+  drop();
+  report();
+}
+
+void ConnectorThread::drop() {
+  lookup_.reset();
+  // It may be what calls this.
+  if (const auto connection = std::exchange(connection_, nullptr)) connection->end();
+  client->lost();
+}
+
+Connector::Connector(std::shared_ptr<Client> client, Options options)
+    : thread_(std::make_unique<ConnectorThread>(std::move(client), std::move(options))) {}
+
+Connector::~Connector() = default;
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/client/LinkWatch.h"
+
+#include <utility>
+
+namespace robotlink::websocket {
+
+void LinkWatch::enter(Phase phase, Instant since, std::string reason) {
+  if (phase != phase_) since_ = since;
+  phase_ = phase;
+  reason_ = std::move(reason);
+}
+
+Duration LinkWatch::stepLimit() const {
+  if (step_ == Step::kTcp) return times_.connectTime;
+  return wasOpen_ ? times_.stepTime : times_.firstStepTime;
+}
+
+LinkWatch::Action LinkWatch::next(Instant now) {
+  switch (step_) {
+    case Step::kWaiting:
+      if (now < nextTry_) return Action::kNone;
+      step_ = Step::kTcp;
+      stepAt_ = now;
+      return Action::kConnect;
+    case Step::kTcp:
+    case Step::kHandshake:
+      if (now - stepAt_ < stepLimit()) return Action::kNone;
+      failed(Failure::kSilence,
+             step_ == Step::kTcp ? "nothing answers there; is the robot switched on, and in this network?"
+                                 : "something listens there, but does not answer",
+             now);
+      return Action::kGiveUp;
+    default:
+      break;
+  }
+  const bool isSilent = now - heardAt_ >= times_.silentTime;
+  if (isSilent)
+    enter(Phase::kSilent, heardAt_, "nothing is heard of the robot");
+  else if (phase_ == Phase::kSilent)
+    enter(Phase::kConnected, now, "");
+  if (now - heardAt_ >= times_.giveUpTime) {
+    failed(Failure::kSilence, "nothing is heard of the robot; connecting again", now);
+    return Action::kGiveUp;
+  }
+  if (now - pingedAt_ < times_.pingInterval) return Action::kNone;
+  pingedAt_ = now;
+  return Action::kPing;
+}
+
+void LinkWatch::stepDone(Instant now) {
+  step_ = Step::kHandshake;
+  stepAt_ = now;
+}
+
+void LinkWatch::greeted(Instant now) {
+  step_ = Step::kOpen;
+  heardAt_ = pingedAt_ = now;
+  wasOpen_ = true;
+  enter(Phase::kConnected, now, "");
+}
+
+void LinkWatch::failed(Failure failure, const std::string& reason, Instant now) {
+  const bool wasOpen = step_ == Step::kOpen;
+  step_ = Step::kWaiting;
+  nextTry_ = now + (failure == Failure::kRefused ? times_.refusedTime : times_.retryTime);
+  if (failure == Failure::kRefused) return enter(Phase::kRefused, now, reason);
+  // Who was silent, and is not reached, still is.
+  const bool isSilent =
+      failure == Failure::kSilence && (wasOpen || phase_ == Phase::kSilent || phase_ == Phase::kConnected);
+  if (isSilent)
+    enter(Phase::kSilent, wasOpen ? heardAt_ : now, reason);
+  else
+    enter(Phase::kConnecting, now, reason);
+}
+
+}  // namespace robotlink::websocket

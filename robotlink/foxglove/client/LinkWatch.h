@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "robotlink/foxglove/client/ConnectionState.h"
+
+namespace robotlink::websocket {
+
+/// Decides when to connect, to ask for a sign of life, and to give a connection up. It knows no socket: it is
+/// told what happens, with the time, and asked what to do. Not thread-safe.
+class LinkWatch {
+ public:
+  struct Times {
+    /// A sign of life is asked for so often.
+    Duration pingInterval = std::chrono::milliseconds(300);
+    /// After so long without a byte it counts as silent, and is connected anew.
+    Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
+    /// Time for a connection of TCP, and for each further step of the handshake. Before the first success the
+    /// steps may take firstStepTime, for lines that are very slow.
+    Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::milliseconds(1500),
+             firstStepTime = std::chrono::seconds(5);
+    /// Between two tries, and after a refusal.
+    Duration retryTime = std::chrono::milliseconds(500), refusedTime = std::chrono::seconds(5);
+  };
+  enum class Action {
+    kNone,
+    kConnect,
+    kPing,
+    kGiveUp,  ///< close what there is; failed() was called already
+  };
+  /// Why a connection ended, or did not come about.
+  enum class Failure {
+    kSilence,  ///< nothing was heard
+    kEnded,    ///< the other end closed it, or nobody listens
+    kRefused,  ///< the server does not want this client
+  };
+
+  LinkWatch(Times times, Instant now) : times_(times), since_(now), nextTry_(now) {}
+
+  /// What to do now. Call it several times a second.
+  Action next(Instant now);
+  /// A step of connecting is done: TCP is connected, encryption is agreed on, the handshake is answered.
+  void stepDone(Instant now);
+  /// The server has said hello.
+  void greeted(Instant now);
+  /// Any byte came.
+  void heard(Instant now) { heardAt_ = now; }
+  /// Connecting failed, or the connection ended.
+  void failed(Failure failure, const std::string& reason, Instant now);
+
+  ConnectionState::Phase phase() const { return phase_; }
+  Instant since() const { return since_; }
+  const std::string& reason() const { return reason_; }
+  bool isGreeted() const { return step_ == Step::kOpen; }
+
+ private:
+  enum class Step { kWaiting, kTcp, kHandshake, kOpen };
+  using Phase = ConnectionState::Phase;
+  void enter(Phase phase, Instant since, std::string reason);
+  Duration stepLimit() const;
+
+  const Times times_;
+  Step step_ = Step::kWaiting;
+  Phase phase_ = Phase::kConnecting;
+  Instant since_;
+  std::string reason_;
+  bool wasOpen_ = false;
+  Instant nextTry_, stepAt_, heardAt_, pingedAt_;
+};
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/system/error_code.hpp>
+#include <string>
+
+namespace robotlink::websocket {
+
+// Why there is no connection, as sentences that say what to do.
+
+/// TCP could not be connected.
+std::string whyNotReached(const boost::system::error_code& error);
+/// What listens did not answer as a WebSocket server does.
+std::string whyNoHandshake(const boost::system::error_code& error);
+/// It answered with another HTTP status than 101, and this text.
+std::string whyRefused(unsigned status, const std::string& text);
+/// It chose this sub-protocol.
+std::string whyOtherProtocol(const std::string& protocol);
+/// It ended the connection with this reason, which may be empty.
+std::string whyClosed(const std::string& reason);
+/// The connection broke.
+std::string whyBroken(const boost::system::error_code& error);
+
+}  // namespace robotlink::websocket
