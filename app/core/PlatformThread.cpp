@@ -164,6 +164,8 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
       "nothing is running that can do this; open a scene or a log, or connect a robot first");
   if (feed_) done = feed_->fulfil(request);
   if (done && *done == PlatformFeed::Answer::kByProgram) return;
+  // First, so that whoever gets the result sees the effect.
+  if (feed_) feed_->publishStatus();
   for (const std::uint64_t id : ids) {
     robotcontrol::RequestResult result;
     result.set_id(id);
@@ -171,7 +173,6 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
     if (!done) result.set_reason(done.error().text);
     session_.pushResult(result);
   }
-  if (feed_) feed_->publishStatus();
 }
 
 }  // namespace app

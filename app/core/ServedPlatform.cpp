@@ -6,6 +6,9 @@
 #include <thread>
 
 #include "app/core/PlatformThread.h"
+#include "app/core/platform/TextMessages.h"
+#include "app/core/remote/ProgramNotes.h"
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
@@ -43,6 +46,14 @@ std::string offerOf(const LoadedPlatform& platform, const Listener& listener) {
   return (robots.empty() ? platform.title : robots) + " at ws://" + toString(listener.address());
 }
 
+/// Prints a text of a program.
+void printLog(std::ostream& out, const robotlink::StreamMessage& message) {
+  const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+  if (text == nullptr) return;
+  const std::string robot = message.path.substr(0, message.path.find('/'));
+  printText(out, message.time, robot + "/" + text->name(), text->message());
+}
+
 }  // namespace
 
 robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, logplayer::Recorder& recorder,
@@ -56,6 +67,8 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   SessionServer server(session, {}, [&](const std::string& sentence) {
     out << sentence + "\n" << std::flush;
   });
+  if (options.texts)
+    session.addListener({[&](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
   Listener::Options listening;
   listening.address = options.address;
   auto listener = Listener::open(server.server(), listening);
@@ -77,6 +90,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   std::vector<std::string> robots;
   for (const auto& [name, robot] : outcome->robots) robots.push_back(name);
   session.setRobots(robots);
+  publishPrograms(session, *outcome);
   if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
   out << offerOf(*outcome, **listener) << std::endl;
 

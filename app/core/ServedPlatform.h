@@ -12,11 +12,13 @@ namespace app {
 
 /// How a platform is served. A plain value.
 struct ServeOptions {
-  robotlink::websocket::ListenAddress address;
+  robotlink::websocket::ListenAddress address = {};
   /// Times real time; 0 is as fast as possible. A real robot has its own.
   double speed = 1;
   /// Seconds of the platform's time after which it ends; empty: when the user wants it to.
   std::optional<double> seconds = {};
+  /// Prints the programs' text messages.
+  bool texts = false;
 };
 
 /// Opens a platform without a window, with the programs of its robots, and lets clients of the Foxglove

@@ -183,7 +183,9 @@ void Session::tick() {
     timeline_.goLive();
   }
   const auto add = [this](StreamMessage& message) {
-    if (listener_.message) listener_.message(message);
+    for (const auto& [number, listener] : listeners_) {
+      if (listener.message) listener.message(message);
+    }
     store_.add(std::move(message));
   };
   for (StreamMessage& message : latched.all()) add(message);
@@ -222,8 +224,14 @@ void Session::setRefusalHandler(RefusalHandler handler) {
   refused_ = std::move(handler);
 }
 
-void Session::setListener(Listener listener) {
-  listener_ = std::move(listener);
+std::uint64_t Session::addListener(Listener listener) {
+  const std::uint64_t id = nextListener_++;
+  listeners_.emplace(id, std::move(listener));
+  return id;
+}
+
+void Session::removeListener(std::uint64_t id) {
+  listeners_.erase(id);
 }
 
 void Session::await(std::uint64_t id, ResultHandler onResult) {
@@ -244,7 +252,9 @@ std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onRe
     };
   }
   await(id, std::move(onResult));
-  if (listener_.request) listener_.request(request);
+  for (const auto& [number, listener] : listeners_) {
+    if (listener.request) listener.request(request);
+  }
   if (sink_) {
     sink_(request);
     return id;

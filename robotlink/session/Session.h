@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/session/RemoteRobot.h"
 #include "robotlink/session/StreamStore.h"
 #include "robotlink/session/Timeline.h"
 
@@ -96,12 +100,19 @@ class Session {
   /// Ignores unknown robots.
   void selectRobot(const std::string& robot);
 
+  /// Sets how those robots are connected whose programs run elsewhere, by their names; the others are not in
+  /// it.
+  void setRemoteRobots(std::map<std::string, RemoteRobot> robots) { remoteRobots_ = std::move(robots); }
+  const std::map<std::string, RemoteRobot>& remoteRobots() const { return remoteRobots_; }
+
   /// An empty sink disconnects: requests are then refused.
   void setRequestSink(RequestSink sink);
   /// Called from tick() for refusals of requests that had no result handler, so that none goes unnoticed.
   void setRefusalHandler(RefusalHandler handler);
-  /// There is one at most; an empty one ends that.
-  void setListener(Listener listener);
+  /// Adds a listener until it is removed; returns its id. Listeners are called in the order of their ids.
+  std::uint64_t addListener(Listener listener);
+  /// Must not be called by a listener.
+  void removeListener(std::uint64_t id);
   /// Sends a request and returns its id, which is filled in here. `onResult` is called once, from tick(), if
   /// a result arrives; beyond ten thousand pending requests the oldest are abandoned. Without a sink the
   /// result is a refusal.
@@ -121,9 +132,12 @@ class Session {
   std::unique_ptr<Pending> pending_;
   RequestSink sink_;
   RefusalHandler refused_;
-  Listener listener_;
+  /// By id.
+  std::map<std::uint64_t, Listener> listeners_;
+  std::uint64_t nextListener_ = 1;
   std::vector<std::string> robots_;
   std::string selectedRobot_;
+  std::map<std::string, RemoteRobot> remoteRobots_;
 };
 
 }  // namespace robotlink

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "app/core/pioneer/PioneerFeed.h"
 #include "app/core/pioneer/PioneerRun.h"
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/RobotName.h"
@@ -106,7 +107,7 @@ tl::expected<HeadlessSummary, robotlink::Errors> runPioneer(const PioneerOptions
   return HeadlessSummary{jsonOutput(figures), figuresText(figures), connected ? recorded : kFailed};
 }
 
-robotlink::Result<HeadlessPlatform::Run> preparePioneer(const HeadlessChoices& choices) {
+PioneerOptions pioneerOptionsOf(const HeadlessChoices& choices) {
   const FormValues& values = choices.options.values;
   PioneerOptions options{.url = choices.platform};
   options.robot = textOf(values, kRobot, options.robot);
@@ -114,7 +115,22 @@ robotlink::Result<HeadlessPlatform::Run> preparePioneer(const HeadlessChoices& c
   options.map = textOf(values, kMap);
   options.solutions = choices.solutions;
   options.motorsOn = flagOf(values, kMotors);
-  return [options, choices](const HeadlessConsole& console) { return runPioneer(options, choices, console); };
+  return options;
+}
+
+robotlink::Result<HeadlessServing> prepareServedPioneer(const HeadlessChoices& choices,
+                                                        const HeadlessConsole&) {
+  const FormValues& values = choices.options.values;
+  HeadlessServing serving{PioneerFeed::opening(pioneerOptionsOf(choices))};
+  if (const double seconds = numberOf(values, kSeconds); seconds > 0) serving.seconds = seconds;
+  serving.texts = flagOf(values, kTexts);
+  return serving;
+}
+
+robotlink::Result<HeadlessPlatform::Run> preparePioneer(const HeadlessChoices& choices) {
+  return [options = pioneerOptionsOf(choices), choices](const HeadlessConsole& console) {
+    return runPioneer(options, choices, console);
+  };
 }
 
 }  // namespace
@@ -146,7 +162,8 @@ HeadlessPlatform headlessPioneer() {
                        .help = "Robots: prints the program's text messages on stderr",
                        .initial = false,
                        .option = "--texts"}},
-          .prepare = preparePioneer};
+          .prepare = preparePioneer,
+          .prepareServing = prepareServedPioneer};
 }
 
 }  // namespace app

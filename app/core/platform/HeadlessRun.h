@@ -5,11 +5,13 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/core/platform/ExitStatus.h"
 #include "app/core/platform/FieldOptions.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/platform/RecordOptions.h"
 #include "robotlink/base/Error.h"
 
@@ -46,6 +48,15 @@ struct HeadlessSummary {
   ExitStatus status = kDone;
 };
 
+/// A platform that is to be opened without a window, for others to watch and steer.
+struct HeadlessServing {
+  PlatformOpening opening;
+  /// Seconds of the platform's time after which it ends; empty: when the user wants it to.
+  std::optional<double> seconds = {};
+  /// Whether the programs' text messages are printed.
+  bool texts = false;
+};
+
 /// How platforms of one kind run without a window. A plain value.
 struct HeadlessPlatform {
   /// Blocks until the run has ended by itself or was interrupted. Fails with all reasons why it cannot begin
@@ -65,6 +76,10 @@ struct HeadlessPlatform {
   const char* optionsAreMine = nullptr;
   /// Prepares the run. Fails if the choices are wrong in themselves.
   robotlink::Result<Run> (*prepare)(const HeadlessChoices& choices);
+  /// Prepares the same platform, with the same choices, for others to watch and steer; null: that is not
+  /// possible.
+  robotlink::Result<HeadlessServing> (*prepareServing)(const HeadlessChoices& choices,
+                                                       const HeadlessConsole& console) = nullptr;
 };
 
 /// How the platforms of all adapters run that can. The adapter comes first that is asked last, since it takes

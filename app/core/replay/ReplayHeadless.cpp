@@ -13,6 +13,7 @@
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/replay/ReplayFeed.h"
 #include "app/core/replay/ReplayRun.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -287,7 +288,7 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
                          statusOf(recording, status, console.interrupted())};
 }
 
-Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
+Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
   ReplayOptions options;
   if (const std::string wrong = addLogs(choices, options); !wrong.empty())
     return robotlink::failure("usage", wrong);
@@ -302,10 +303,23 @@ Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
   if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
   options.solutions = choices.solutions;
   options.colorTable = textOf(choices.options.values, kColorTable);
-  options.publishAllPackages = !choices.record.file.empty();
-  return [options, record = choices.record](const HeadlessConsole& console) {
+  return options;
+}
+
+Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
+  auto options = replayOptionsOf(choices);
+  if (!options) return tl::unexpected(options.error());
+  options->publishAllPackages = !choices.record.file.empty();
+  return [options = std::move(*options), record = choices.record](const HeadlessConsole& console) {
     return replay(options, record, console);
   };
+}
+
+Result<HeadlessServing> prepareServedReplay(const HeadlessChoices& choices, const HeadlessConsole& console) {
+  auto options = replayOptionsOf(choices);
+  if (!options) return tl::unexpected(options.error());
+  if (auto read = readInputs(*options, console); !read) return tl::unexpected(read.error());
+  return HeadlessServing{ReplayFeed::opening(std::move(*options))};
 }
 
 }  // namespace
@@ -333,7 +347,8 @@ HeadlessPlatform headlessReplay() {
                    .help = "A color table (.c64) instead of the log's",
                    .option = "--color-table"}},
       .optionsAreMine = "--offset, --package and --color-table are for logs",
-      .prepare = prepareReplay};
+      .prepare = prepareReplay,
+      .prepareServing = prepareServedReplay};
 }
 
 }  // namespace app

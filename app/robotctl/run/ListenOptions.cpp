@@ -2,12 +2,13 @@
 #include "app/robotctl/run/ListenOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
-#include "robotlink/foxglove/protocol/Codec.h"
+#include "app/core/remote/OfferAddress.h"
+#include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
 
 namespace app {
-
-using robotlink::websocket::ListenAddress;
 
 void ListenOptions::addTo(CLI::App& command) {
   option_ = command
@@ -22,16 +23,22 @@ bool ListenOptions::given() const {
   return option_ != nullptr && option_->count() > 0;
 }
 
-robotlink::Result<ListenAddress> ListenOptions::address() const {
-  auto address = robotlink::websocket::parseListenAddress(
-      text_.empty() ? std::to_string(robotlink::websocket::kDefaultPort) : text_);
-  if (address && !address->address.starts_with("127.") && address->address != "::1") {
-    return robotlink::failure(
-        "listen.address",
-        "--listen takes addresses of this machine only, since there is no encryption yet: "
-        "listen at 127.0.0.1, and forward the port with ssh -L");
-  }
-  return address;
+robotlink::Result<robotlink::websocket::ListenAddress> ListenOptions::address() const {
+  return parseOfferAddress(text_);
+}
+
+int ListenOptions::serve(PlatformOpening opening, ServeOptions options, const RecordOptions& record) const {
+  const auto where = address();
+  if (!where) return printErrors({where.error()});
+  options.address = *where;
+  const Interrupt interrupt;
+  const auto recorder = record.start();
+  if (!recorder) return printErrors({recorder.error()});
+  logplayer::Recorder none({});
+  const auto errors =
+      app::serve(std::move(opening), options, *recorder ? **recorder : none, &Interrupt::noted, std::cerr);
+  const int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
+  return errors.empty() ? status : printErrors(errors);
 }
 
 }  // namespace app

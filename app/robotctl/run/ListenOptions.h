@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "app/core/ServedPlatform.h"
+#include "app/core/platform/RecordOptions.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 
@@ -21,6 +23,9 @@ struct ListenOptions {
   bool given() const;
   /// What was given; without a value the default port on this machine only.
   robotlink::Result<robotlink::websocket::ListenAddress> address() const;
+  /// Serves a platform at that address until its time is over or the user interrupts it; returns the exit
+  /// status of the program.
+  int serve(PlatformOpening opening, ServeOptions options, const RecordOptions& record) const;
 
  private:
   std::string text_;

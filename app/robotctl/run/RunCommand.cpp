@@ -9,6 +9,7 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
+#include "app/robotctl/run/ListenOptions.h"
 
 namespace app {
 namespace {
@@ -17,11 +18,24 @@ struct RunArguments {
   HeadlessChoices choices;
   std::vector<std::string> solutions;
   bool asJson = false;
+  ListenOptions listen;
 };
 
 int usage(const robotlink::Error& error) {
   std::cerr << "robotctl run: " << error.text << "\n";
   return kUsage;
+}
+
+/// Runs a platform that people at other programs watch and steer.
+int serveRun(const HeadlessPlatform& platform, const RunArguments& arguments,
+             const HeadlessConsole& console) {
+  if (arguments.asJson) return usage({"usage", "with --listen there is no summary; omit --json", {}, {}});
+  if (platform.prepareServing == nullptr)
+    return usage({"usage", "--listen is not possible with " + std::string(platform.usage), {}, {}});
+  auto serving = platform.prepareServing(arguments.choices, console);
+  if (!serving) return usage(serving.error());
+  const ServeOptions options{.seconds = serving->seconds, .texts = serving->texts};
+  return arguments.listen.serve(std::move(serving->opening), options, arguments.choices.record);
 }
 
 int runPlatform(RunArguments& arguments) {
@@ -30,16 +44,18 @@ int runPlatform(RunArguments& arguments) {
   auto solutions = solutionsOf(arguments.solutions);
   if (!solutions) return usage(solutions.error());
   arguments.choices.solutions = std::move(*solutions);
-  const auto run = platform->prepare(arguments.choices);
-  if (!run) return usage(run.error());
-  TerminalProgress progress;
   std::vector<LogInput> inputs;
   const auto input = [&](const std::string& source) -> robotlink::Result<std::filesystem::path> {
     auto file = LogInput::of(source);
     if (!file) return tl::unexpected(file.error());
     return inputs.emplace_back(std::move(*file)).path();
   };
-  const auto summary = (*run)({std::cerr, &Interrupt::noted, progress.function(), input});
+  TerminalProgress progress;
+  const HeadlessConsole console{std::cerr, &Interrupt::noted, progress.function(), input};
+  if (arguments.listen.given()) return serveRun(*platform, arguments, console);
+  const auto run = platform->prepare(arguments.choices);
+  if (!run) return usage(run.error());
+  const auto summary = (*run)(console);
   progress.erase();
   if (!summary) return printErrors(summary.error());
   std::cout << (arguments.asJson ? summary->json : summary->text);
@@ -61,7 +77,9 @@ void addRunCommand(CLI::App& app, int& status) {
   HeadlessChoices& choices = arguments->choices;
   choices.record.compression = "zstd";
   CLI::App* command =
-      app.add_subcommand("run", "Runs robot programs on logs, as fast as possible, or on a real robot");
+      app.add_subcommand("run",
+                         "Runs robot programs on logs, as fast as possible, or on a real robot; with "
+                         "--listen for others to watch and steer, logs at the speed of life");
   command->add_option("--platform", choices.platform, helpOnPlatforms())->required();
   command->add_option(
       "--layout", choices.layout,
@@ -74,6 +92,7 @@ void addRunCommand(CLI::App& app, int& status) {
       ->add_option("--compression", choices.record.compression, "Compression of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();
+  arguments->listen.addTo(*command);
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
   for (const HeadlessPlatform& platform : headlessPlatforms()) {
     for (const PlatformField& option : platform.options) choices.options.addTo(*command, option);

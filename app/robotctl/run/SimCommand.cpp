@@ -13,7 +13,6 @@
 #include <optional>
 #include <thread>
 
-#include "app/core/ServedPlatform.h"
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/Pace.h"
@@ -219,18 +218,9 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
                  "--labelled-images and --digest\n";
     return kUsage;
   }
-  const auto address = arguments.listen.address();
-  if (!address) return printErrors({address.error()});
-  const Interrupt interrupt;
-  const auto recorder = arguments.record.start();
-  if (!recorder) return printErrors({recorder.error()});
-  logplayer::Recorder none({});
-  ServeOptions options{*address, speedGiven ? arguments.speed : 1};
+  ServeOptions options{.speed = speedGiven ? arguments.speed : 1, .texts = arguments.texts};
   if (secondsGiven) options.seconds = arguments.seconds;
-  const auto errors = serve(SimulationFeed::opening(arguments.run), options, *recorder ? **recorder : none,
-                            &Interrupt::noted, std::cerr);
-  const int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
-  return errors.empty() ? status : printErrors(errors);
+  return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {

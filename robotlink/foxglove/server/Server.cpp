@@ -38,14 +38,16 @@ std::shared_ptr<Server> Server::make(ServerOptions options, ServerHandlers handl
 }
 
 Server::Server(ServerOptions options, ServerHandlers handlers)
-    : options_(withSession(std::move(options))), handlers_(std::move(handlers)) {}
+    : options_(withSession(std::move(options))),
+      handlers_(std::move(handlers)),
+      playable_(options_.playable) {}
 
 std::vector<std::string> Server::capabilities() const {
   std::vector<std::string> names{"parameters", "parametersSubscribe", "services", "connectionGraph"};
   if (options_.publishesTime) names.emplace_back("time");
   if (handlers_.clientMessage) names.emplace_back("clientPublish");
   if (handlers_.fetchAsset) names.emplace_back("assets");
-  if (handlers_.playbackControl) names.emplace_back("playbackControl");
+  if (handlers_.playbackControl && playable_) names.emplace_back("playbackControl");
   return names;
 }
 
@@ -166,6 +168,14 @@ void Server::publishPlaybackState(const PlaybackState& state) {
   sendAll(state);
 }
 
+void Server::setPlayable(const std::optional<TimeRange>& range) {
+  const std::lock_guard lock(mutex_);
+  if (playable_ == range) return;
+  playable_ = range;
+  if (!range) playback_.reset();
+  sendAll(info());
+}
+
 void Server::setAssets(std::set<std::string> names) {
   const std::lock_guard lock(mutex_);
   assets_ = std::move(names);
@@ -228,9 +238,18 @@ Result<ClientPtr> Server::connect(ClientInfo info, std::function<void()> wake) {
   return client;
 }
 
+ServerInfo Server::info() const {
+  ServerInfo info{
+      options_.name, capabilities(), options_.encodings, options_.metadata, options_.sessionId, {}, {}};
+  if (playable_) {
+    info.dataStart = playable_->start;
+    info.dataEnd = playable_->end;
+  }
+  return info;
+}
+
 void Server::greet(ServedClient& client) {
-  send(client, ServerInfo{options_.name, capabilities(), options_.encodings, options_.metadata,
-                          options_.sessionId, options_.dataStart, options_.dataEnd});
+  send(client, info());
   Advertise channels;
   for (const auto& [id, channel] : channels_) channels.channels.push_back(channelOf(*channel));
   if (!channels.channels.empty()) send(client, channels);

@@ -42,6 +42,9 @@ class Server : public std::enable_shared_from_this<Server> {
   void setConnectionGraph(ConnectionGraph graph);
   void publishTime(Instant time);
   void publishPlaybackState(const PlaybackState& state);
+  /// What clients can play: the range of time of the log that is open; none: there is no log. At first it is
+  /// that of the options. If it changes, clients are told anew who the server is.
+  void setPlayable(const std::optional<TimeRange>& range);
   /// The names of assets that clients may fetch.
   void setAssets(std::set<std::string> names);
   /// A status with an id is shown, to later clients too, until it is removed.
@@ -80,6 +83,7 @@ class Server : public std::enable_shared_from_this<Server> {
 
   // With the mutex locked.
   std::vector<std::string> capabilities() const;
+  ServerInfo info() const;
   void greet(ServedClient& client);
   void push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
             const SharedBytes& payload);
@@ -135,6 +139,7 @@ class Server : public std::enable_shared_from_this<Server> {
   std::set<std::string> assets_;
   std::map<std::string, Status> statuses_;
   std::optional<PlaybackState> playback_;
+  std::optional<TimeRange> playable_;
   std::uint64_t nextClientId_ = 1, nextChannelId_ = 1;
   std::uint32_t nextServiceId_ = 1;
 };

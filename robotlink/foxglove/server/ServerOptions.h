@@ -27,6 +27,12 @@ struct ClientState {
   std::map<std::string, StreamCounters> streams;
 };
 
+/// From the first instant to the last.
+struct TimeRange {
+  Instant start, end;
+  bool operator==(const TimeRange&) const = default;
+};
+
 struct ServerLimits {
   std::size_t clients = 16;
   /// Limits of each client.
@@ -47,8 +53,8 @@ struct ServerOptions {
   std::vector<std::string> encodings = {"json", "protobuf"};
   /// Whether publishTime() will be called.
   bool publishesTime = false;
-  /// The range of time of what is played, if it is a log.
-  std::optional<Instant> dataStart = {}, dataEnd = {};
+  /// What is played, if it is a log.
+  std::optional<TimeRange> playable = {};
   /// A client's at first, in bytes a second; 0 without limit.
   double budget = 0;
   ServerLimits limits = {};

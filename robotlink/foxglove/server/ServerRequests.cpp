@@ -245,7 +245,8 @@ void Server::handle(const ClientPtr& client, const UnsubscribeConnectionGraph&, 
 }
 
 void Server::handle(const ClientPtr& client, const PlaybackControl& message, Calls& calls) {
-  if (!handlers_.playbackControl) return complain(*client, "this is no log that could be played");
+  if (!handlers_.playbackControl || !playable_)
+    return complain(*client, "this is no log that could be played");
   calls.push_back([this, client, message] { handlers_.playbackControl(client->info, message); });
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
@@ -19,8 +20,10 @@ namespace {
 
 using google::protobuf::Descriptor;
 using google::protobuf::DescriptorPool;
+using robotcontrol::ControlReplay;
 using robotcontrol::KeyTable;
 using robotcontrol::ProcessTable;
+using robotcontrol::ReplayStatus;
 using robotcontrol::Request;
 using robotcontrol::RequestResult;
 using robotcontrol::SolutionTable;
@@ -102,19 +105,21 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
   options.publishesTime = true;
   server_ = Server::make(std::move(options), handlers(std::move(report)));
   offerServices("", robots_[""]);
-  session_.setListener({[this](const StreamMessage& message) { pass(message); },
-                        [this](const Request& request) {
-                          if (!request.has_set_key()) return;
-                          keys_.noteChosen(request.robot(), request.set_key().name(),
-                                           request.set_key().mode());
-                        }});
+  listener_ = session_.addListener({[this](const StreamMessage& message) { pass(message); },
+                                    [this](const Request& request) {
+                                      if (!request.has_set_key()) return;
+                                      keys_.noteChosen(request.robot(), request.set_key().name(),
+                                                       request.set_key().mode());
+                                    }});
   // What the session has already.
-  for (const StreamStore::Stream* stream : session_.store().streams()) pass(stream->messages.back());
+  for (const StreamStore::Stream* stream : session_.store().streams()) {
+    if (!stream->messages.empty()) pass(stream->messages.back());
+  }
   updateRobots();
 }
 
 SessionServer::~SessionServer() {
-  session_.setListener({});
+  session_.removeListener(listener_);
   // What waits may hold the server, which holds this list.
   static_cast<void>(posted_->take());
 }
@@ -134,12 +139,16 @@ ServerHandlers SessionServer::handlers(Report report) {
   handlers.setParameters = [post](const ClientInfo&, const std::vector<Parameter>& parameters, Reply reply) {
     post([parameters, reply](SessionServer& self) { self.set(parameters, reply); });
   };
+  handlers.playbackControl = [post](const ClientInfo&, const PlaybackControl& control) {
+    post([control](SessionServer& self) { self.play(control); });
+  };
   return handlers;
 }
 
 void SessionServer::tick() {
   for (const Posted::Work& work : posted_->take()) work(*this);
   updateRobots();
+  offerPlayback();
   if (session_.store().newest() == newest_) return;
   newest_ = session_.store().newest();
   server_->publishTime(newest_);
@@ -203,6 +212,33 @@ void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable
   if (types == to.packageTypes) return;
   to.packageTypes = std::move(types);
   offerKeyChannels(robot, to);
+}
+
+void SessionServer::offerPlayback() {
+  const StreamMessage* newest = session_.store().latest(streams::kReplay, Instant::max());
+  const auto* status = newest == nullptr ? nullptr : dynamic_cast<const ReplayStatus*>(newest->value.get());
+  if (status == nullptr) {
+    replay_.reset();
+    return server_->setPlayable({});
+  }
+  server_->setPlayable(TimeRange{Instant(Duration(status->begin())), Instant(Duration(status->end()))});
+  if (plays_ > 0 || newest->value == replay_) return;
+  // A jump replaces the history.
+  publishPlayback(replay_ && session_.store().generation() != generation_, {});
+}
+
+void SessionServer::publishPlayback(bool didSeek, const std::string& requestId) {
+  const StreamMessage* newest = session_.store().latest(streams::kReplay, Instant::max());
+  const auto* known = newest == nullptr ? nullptr : dynamic_cast<const ReplayStatus*>(newest->value.get());
+  if (known == nullptr) return;
+  replay_ = newest->value;
+  generation_ = session_.store().generation();
+  const ReplayStatus& status = *known;
+  using Phase = PlaybackState::Phase;
+  const bool ended = !status.playing() && status.time() >= status.end();
+  const Phase phase = status.playing() ? Phase::kPlaying : ended ? Phase::kEnded : Phase::kPaused;
+  server_->publishPlaybackState(
+      {phase, Instant(Duration(status.time())), static_cast<float>(status.speed()), didSeek, requestId});
 }
 
 void SessionServer::offerKeyChannels(const std::string& robot, const Robot& from) {
@@ -294,6 +330,28 @@ void SessionServer::call(const std::string& robot, const std::string& service, c
   if (!request) return reply.fail(request.error().text);
   session_.request(std::move(*request), [reply, encoding = call.encoding](const RequestResult& result) {
     reply.succeed(encodeResult(result, encoding), encoding);
+  });
+}
+
+void SessionServer::play(const PlaybackControl& control) {
+  const auto refuse = [this](const RequestResult& result) {
+    if (!result.accepted()) server_->publishStatus({StatusLevel::kWarning, result.reason(), {}});
+  };
+  if (control.seek) {
+    Request jump;
+    jump.mutable_control_replay()->set_action(ControlReplay::JUMP_TO_TIME);
+    jump.mutable_control_replay()->set_time(control.seek->time_since_epoch().count());
+    session_.request(std::move(jump), refuse);
+  }
+  Request act;
+  const bool plays = control.command == PlaybackControl::Command::kPlay;
+  act.mutable_control_replay()->set_action(plays ? ControlReplay::PLAY : ControlReplay::PAUSE);
+  act.mutable_control_replay()->set_speed(static_cast<double>(control.speed));
+  ++plays_;
+  session_.request(std::move(act), [this, refuse, control](const RequestResult& result) {
+    refuse(result);
+    --plays_;
+    publishPlayback(control.seek.has_value(), control.requestId);
   });
 }
 

@@ -25,8 +25,9 @@ namespace robotlink::websocket {
 /// - Debug keys and solutions are parameters: "red1/keys/ball-percept/disc" is "off", "always", "5 times",
 ///   "every 3" or "every 200 ms"; "red1/solutions/ball-percept" is the name of a solution.
 /// - The processes and their packages are the connection graph.
+/// - A log that is open can be played.
 ///
-/// It is the session's listener. One thread, that of Session::tick(); what clients ask for is done by tick().
+/// One thread, that of Session::tick(); what clients ask for is done by tick().
 class SessionServer {
  public:
   /// Sentences for the robot's log: clients that were refused, and why. Called by the link's thread.
@@ -70,14 +71,20 @@ class SessionServer {
   /// Replaces a group of parameters; `values` by their names in it.
   void offerParameters(const std::string& robot, Robot& to, const std::string& group,
                        const std::map<std::string, std::string>& values);
+  /// Says whether there is a log, and where it stands.
+  void offerPlayback();
+  /// `requestId`: that of the client's request that this answers; empty: of none.
+  void publishPlayback(bool didSeek, const std::string& requestId);
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
   // From clients.
   Result<robotcontrol::Request> requestFor(const Parameter& parameter) const;
   void set(const std::vector<Parameter>& parameters, const Reply& reply);
+  void play(const PlaybackControl& control);
   void call(const std::string& robot, const std::string& service, const ServiceCallRequest& call,
             const Reply& reply);
 
   Session& session_;
+  std::uint64_t listener_ = 0;
   /// What the link's thread asks for.
   std::shared_ptr<Posted> posted_;
   std::shared_ptr<Server> server_;
@@ -85,6 +92,11 @@ class SessionServer {
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;
   Instant newest_;
+  /// The status of the log that was published last, and the history's generation() then.
+  PackagePtr replay_;
+  std::uint64_t generation_ = 0;
+  /// Clients' requests to play that the log has not answered yet.
+  std::size_t plays_ = 0;
 };
 
 }  // namespace robotlink::websocket

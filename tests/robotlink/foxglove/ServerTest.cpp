@@ -376,6 +376,7 @@ TEST_F(ServerTest, playbackIsSteeredByClientsAndItsStateToldToAll) {
         {PlaybackState::Phase::kPlaying, Instant(), control.speed, false, control.requestId});
   };
   start();
+  server_->setPlayable(TimeRange{});
   const auto x = join("x"), y = join("y");
   heard(x), heard(y);
   say(x, PlaybackControl{PlaybackControl::Command::kPlay, 2, {}, "r"});
@@ -383,6 +384,26 @@ TEST_F(ServerTest, playbackIsSteeredByClientsAndItsStateToldToAll) {
               ElementsAre(PlaybackState{PlaybackState::Phase::kPlaying, Instant(), 2, false, "r"}));
   EXPECT_EQ(heardOf<PlaybackState>(join("z"))[0].requestId, "");
   EXPECT_THAT(events_, ElementsAre("x wants speed 2"));
+}
+
+TEST_F(ServerTest, clientsAreToldWhenThereIsALogToPlay) {
+  handlers_.playbackControl = [](const ClientInfo&, const PlaybackControl&) {};
+  start();
+  const auto x = join("x");
+  EXPECT_THAT(heardOf<ServerInfo>(x)[0].capabilities, testing::Not(testing::Contains("playbackControl")));
+  say(x, PlaybackControl{});
+  EXPECT_THAT(complaints(x), ElementsAre("this is no log that could be played"));
+  const TimeRange range{Instant(std::chrono::seconds(2)), Instant(std::chrono::seconds(5))};
+  for (int i = 0; i < 2; ++i) server_->setPlayable(range);
+  const auto told = heardOf<ServerInfo>(x);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].capabilities, testing::Contains("playbackControl"));
+  EXPECT_EQ(told[0].dataStart, range.start);
+  EXPECT_EQ(told[0].dataEnd, range.end);
+  server_->publishPlaybackState({});
+  server_->setPlayable({});
+  EXPECT_THAT(heardOf<ServerInfo>(x)[0].capabilities, testing::Not(testing::Contains("playbackControl")));
+  EXPECT_TRUE(heardOf<PlaybackState>(join("y")).empty());
 }
 
 TEST_F(ServerTest, timeIsLatestOnly) {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/remote/SessionOffer.h"
+
+#include "app/core/remote/OfferAddress.h"
+#include "robotlink/foxglove/server/Listener.h"
+#include "robotlink/foxglove/session/SessionServer.h"
+
+namespace app {
+namespace {
+
+using robotlink::websocket::Listener;
+using robotlink::websocket::SessionServer;
+
+constexpr robotlink::Duration kMeasureEvery = std::chrono::seconds(1);
+constexpr std::size_t kMaxReports = 20;
+
+}  // namespace
+
+SessionOffer::SessionOffer(robotlink::Session& session)
+    : session_(session), reported_(std::make_shared<robotlink::BoundedQueue<std::string>>(100)) {}
+
+SessionOffer::~SessionOffer() {
+  end();
+}
+
+robotlink::Result<void> SessionOffer::begin(const std::string& address) {
+  Listener::Options options;
+  const auto where = parseOfferAddress(address);
+  if (!where) return tl::unexpected(where.error());
+  options.address = *where;
+  if (isOffered() && listener_->address() == options.address) return {};
+  auto server = std::make_unique<SessionServer>(
+      session_, robotlink::websocket::ServerOptions{},
+      [queue = reported_](const std::string& sentence) { queue->push(sentence); });
+  auto listener = Listener::open(server->server(), options);
+  if (!listener) return tl::unexpected(listener.error());
+  end();
+  server_ = std::move(server);
+  listener_ = std::move(*listener);
+  return {};
+}
+
+void SessionOffer::end() {
+  listener_.reset();
+  server_.reset();
+  clients_.clear();
+  sent_.clear();
+}
+
+std::string SessionOffer::url() const {
+  return isOffered() ? "ws://" + toString(listener_->address()) : std::string();
+}
+
+void SessionOffer::tick() {
+  for (std::string& sentence : reported_->drain()) reports_.push_back(std::move(sentence));
+  while (reports_.size() > kMaxReports) reports_.pop_front();
+  if (!isOffered()) return;
+  server_->tick();
+  const robotlink::Duration passed = clock_.now() - measured_;
+  const auto states = server_->server()->clients();
+  if (passed >= kMeasureEvery || states.size() != clients_.size()) measure(passed);
+}
+
+void SessionOffer::measure(robotlink::Duration passed) {
+  measured_ = clock_.now();
+  std::map<std::uint64_t, std::uint64_t> sent;
+  clients_.clear();
+  for (const auto& state : server_->server()->clients()) {
+    const auto before = sent_.find(state.info.id);
+    sent[state.info.id] = state.sentBytes;
+    const double bytes = before == sent_.end() ? 0 : static_cast<double>(state.sentBytes - before->second);
+    const double seconds = robotlink::seconds(passed);
+    clients_.push_back(
+        {state.info.address, state.info.name, seconds > 0 ? bytes / seconds : 0, state.waitingBytes});
+  }
+  sent_ = std::move(sent);
+}
+
+}  // namespace app

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/BoundedQueue.h"
+#include "robotlink/base/Clock.h"
+#include "robotlink/foxglove/server/ListenAddress.h"
+#include "robotlink/session/Session.h"
+
+namespace robotlink::websocket {
+class Listener;
+class SessionServer;
+}  // namespace robotlink::websocket
+
+namespace app {
+
+/// A session that others may watch and steer with clients of the Foxglove WebSocket protocol, as long as the
+/// user wants that. One thread, that of Session::tick(); the session must outlive it.
+class SessionOffer {
+ public:
+  /// Somebody who is connected.
+  struct Client {
+    /// "192.168.1.7:51324", and what it calls itself; the latter may be empty.
+    std::string address, name;
+    /// What it was sent, over the last second.
+    double bytesPerSecond = 0;
+    /// What waits to be sent to it.
+    std::size_t waitingBytes = 0;
+    bool operator==(const Client&) const = default;
+  };
+
+  explicit SessionOffer(robotlink::Session& session);
+  ~SessionOffer();
+  SessionOffer(const SessionOffer&) = delete;
+  SessionOffer& operator=(const SessionOffer&) = delete;
+
+  /// Offers the session at "[ADDRESS:]PORT" instead of where it was offered before; empty: the default
+  /// address. If that fails, the error says what to do, and nothing changes.
+  robotlink::Result<void> begin(const std::string& address);
+  /// Ends all connections.
+  void end();
+  bool isOffered() const { return listener_ != nullptr; }
+  /// What others connect to: "ws://127.0.0.1:8765"; empty if nothing is offered.
+  std::string url() const;
+
+  /// Serves clients; to be called after Session::tick().
+  void tick();
+  /// As of the last second.
+  const std::vector<Client>& clients() const { return clients_; }
+  /// Sentences about who was refused, newest last.
+  const std::deque<std::string>& reports() const { return reports_; }
+
+ private:
+  void measure(robotlink::Duration passed);
+
+  robotlink::Session& session_;
+  robotlink::SteadyClock clock_;
+  /// From the link's thread; shared with it.
+  std::shared_ptr<robotlink::BoundedQueue<std::string>> reported_;
+  std::unique_ptr<robotlink::websocket::SessionServer> server_;
+  std::unique_ptr<robotlink::websocket::Listener> listener_;
+  std::vector<Client> clients_;
+  std::deque<std::string> reports_;
+  /// What each client was sent until clients_ was measured, by its id.
+  std::map<std::uint64_t, std::uint64_t> sent_;
+  robotlink::Instant measured_;
+};
+
+}  // namespace app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+
+namespace robotlink {
+
+/// A stretch of a session's time in which nothing was received from a robot, since its line was cut. A plain
+/// value.
+struct LineGap {
+  Instant from;
+  /// Nothing while it lasts.
+  std::optional<Instant> to = {};
+  /// Why: a sentence.
+  std::string reason = {};
+  bool operator==(const LineGap&) const = default;
+};
+
+/// How a robot whose program runs elsewhere is connected with a session. A plain value.
+struct RemoteRobot {
+  /// Where it is: "ws://192.168.1.7:8765".
+  std::string url;
+  bool isConnected = false;
+  /// For users: "connected, 12 ms, 1.3 MB/s", "silent for 3 s: ...".
+  std::string state = {};
+  /// In order of time.
+  std::vector<LineGap> gaps = {};
+  bool operator==(const RemoteRobot&) const = default;
+};
+
+/// Whether a line between two points of a curve would cross one of the gaps.
+inline bool isCut(const std::vector<LineGap>& gaps, Instant from, Instant to) {
+  for (const LineGap& gap : gaps) {
+    // Points at the edges of a gap are the last one before and the first one after it.
+    if (from <= gap.from && gap.from < to && gap.to.value_or(to) <= to) return true;
+  }
+  return false;
+}
+
+}  // namespace robotlink
