@@ -7,6 +7,7 @@
 
 #include "app/core/PlatformThread.h"
 #include "app/core/platform/TextMessages.h"
+#include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
@@ -69,6 +70,9 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   });
   if (options.texts)
     session.addListener({[&](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
+  std::optional<RecordingServices> recordings;
+  if (!options.recordings.empty())
+    recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
   Listener::Options listening;
   listening.address = options.address;
   auto listener = Listener::open(server.server(), listening);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -19,6 +20,8 @@ struct ServeOptions {
   std::optional<double> seconds = {};
   /// Prints the programs' text messages.
   bool texts = false;
+  /// The folder where clients may record, and fetch recordings from (RecordingServices); empty: none.
+  std::filesystem::path recordings = {};
 };
 
 /// Opens a platform without a window, with the programs of its robots, and lets clients of the Foxglove

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/decoding/MessageType.h"
 #include "logplayer/mcap/read/Reader.h"
+#include "robotlink/decoding/MessageType.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {

@@ -13,4 +13,10 @@ std::string jsonOutput(const Json& value) {
   return value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+/// The same in one line, as messages to other programs are.
+template <typename Json>
+std::string jsonMessage(const Json& value) {
+  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace app

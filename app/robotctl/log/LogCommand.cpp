@@ -132,6 +132,7 @@ void addLogCommand(CLI::App& app, int& status) {
   addLogCutCommands(*log, status);
   addLogExportCommand(*log, status);
   addLogNoteCommands(*log, status);
+  addLogFetchCommand(*log, status);
 }
 
 }  // namespace app

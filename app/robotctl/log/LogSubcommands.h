@@ -20,6 +20,7 @@ void addLogImportCommands(CLI::App& log, int& status);  // import, repair
 void addLogCutCommands(CLI::App& log, int& status);     // cut, merge, filter, convert
 void addLogExportCommand(CLI::App& log, int& status);
 void addLogNoteCommands(CLI::App& log, int& status);  // bookmark, attachment
+void addLogFetchCommand(CLI::App& log, int& status);
 
 /// Prints losses to stderr, one per line. Returns kDoneWithLosses, or kDone if there are none.
 int printLosses(const std::vector<std::string>& losses);

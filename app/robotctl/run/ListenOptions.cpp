@@ -17,6 +17,12 @@ void ListenOptions::addTo(CLI::App& command) {
                             "[ADDRESS:]PORT (127.0.0.1:8765); until Ctrl-C unless --seconds is given")
                 ->expected(0, 1)
                 ->type_name("[ADDRESS:]PORT");
+  command
+      .add_option("--recordings", recordings_,
+                  "With --listen: the folder where clients may record, and fetch recordings from "
+                  "(robotctl log fetch)")
+      ->type_name("FOLDER")
+      ->needs(option_);
 }
 
 bool ListenOptions::given() const {
@@ -31,6 +37,7 @@ int ListenOptions::serve(PlatformOpening opening, ServeOptions options, const Re
   const auto where = address();
   if (!where) return printErrors({where.error()});
   options.address = *where;
+  options.recordings = recordings_;
   const Interrupt interrupt;
   const auto recorder = record.start();
   if (!recorder) return printErrors({recorder.error()});

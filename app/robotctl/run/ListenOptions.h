@@ -28,7 +28,7 @@ struct ListenOptions {
   int serve(PlatformOpening opening, ServeOptions options, const RecordOptions& record) const;
 
  private:
-  std::string text_;
+  std::string text_, recordings_;
   /// Owned by the command; null before addTo().
   CLI::Option* option_ = nullptr;
 };

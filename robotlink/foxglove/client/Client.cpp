@@ -319,9 +319,10 @@ void Client::failAll(Calls& calls, const std::function<bool(const PendingCall&)>
         continue;
       }
       const std::string reason = why.empty() ? reasonFor(it->second) : why;
+      const bool isAnswer = !it->second.isSent && conversation_.isGreeted;
       std::erase_if(conversation_.longCalls, [&](const LongCall& part) { return part.id == it->first; });
-      calls.push_back([handler = std::move(it->second.handler), reason] {
-        if (handler) handler(failure("foxglove.call", reason));
+      calls.push_back([handler = std::move(it->second.handler), reason, isAnswer] {
+        if (handler) handler(failure(isAnswer ? kServiceFailure : "foxglove.call", reason));
       });
       it = pendings->erase(it);
     }

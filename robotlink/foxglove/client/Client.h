@@ -11,6 +11,10 @@
 
 namespace robotlink::websocket {
 
+/// The id of errors with which a service itself answered, or that there is none of this name. Calls that got
+/// no answer have other ids, and may be repeated.
+inline constexpr char kServiceFailure[] = "foxglove.service";
+
 /// The client's end of the Foxglove WebSocket protocol, without a transport: what is asked of a server, what
 /// it offers, and what waits to be sent to it. A Connector connects it with TCP, again and again; what was
 /// asked for is asked for anew at each connection.

@@ -221,7 +221,7 @@ void Client::finish(std::uint32_t id, Result<Answer> answer, Calls& calls) {
 }
 
 Result<void> Client::handle(const ServiceCallFailure& message, Calls& calls) {
-  finish(message.callId, failure("foxglove.call", message.message), calls);
+  finish(message.callId, failure(kServiceFailure, message.message), calls);
   return {};
 }
 

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/recordings/RecordingServices.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/core/platform/JsonOutput.h"
+#include "logplayer/record/Recorder.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using robotcontrol::ControlRecording;
+using robotlink::Result;
+using robotlink::websocket::ClientInfo;
+using robotlink::websocket::Service;
+using robotlink::websocket::ServiceCallRequest;
+
+constexpr char kJson[] = "json";
+/// A step of a check takes some 10 ms.
+constexpr std::uint64_t kCheckedAtOnce = 32U << 20U;
+
+std::string textIn(const json& argument, const char* member) {
+  const auto found = argument.find(member);
+  return found != argument.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::uint64_t numberIn(const json& argument, const char* member, std::uint64_t otherwise) {
+  const auto found = argument.find(member);
+  return found != argument.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : otherwise;
+}
+
+Service serviceNamed(const std::string& name) {
+  constexpr char kObject[] = R"({"type":"object"})";
+  return {0, name, name, {kJson, name, "jsonschema", kObject}, {kJson, name, "jsonschema", kObject}};
+}
+
+}  // namespace
+
+/// A queue with a thread that does what is in it.
+struct RecordingServices::Jobs {
+  using Job = std::function<void()>;
+  void add(Job job) {
+    {
+      const std::lock_guard lock(mutex);
+      if (isClosed) return;
+      waiting.push_back(std::move(job));
+    }
+    worker.post({});
+  }
+  void work() {
+    while (true) {
+      Job job;
+      {
+        const std::lock_guard lock(mutex);
+        if (waiting.empty()) return;
+        job = std::move(waiting.front());
+        waiting.pop_front();
+      }
+      job();
+    }
+  }
+  /// After this, nothing is done any more.
+  void close() {
+    std::deque<Job> left;
+    {
+      const std::lock_guard lock(mutex);
+      isClosed = true;
+      left.swap(waiting);
+    }
+    worker.finish();
+  }
+
+  std::mutex mutex;
+  std::deque<Job> waiting;
+  bool isClosed = false;
+  /// The last member, since its thread uses the others.
+  robotlink::Worker<std::monostate> worker{[this](std::monostate, const std::stop_token&) { work(); }};
+};
+
+RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Server> server,
+                                     RecordingFolder folder, logplayer::Recorder& recorder)
+    : server_(std::move(server)),
+      folder_(std::move(folder)),
+      recorder_(recorder),
+      jobs_(std::make_shared<Jobs>()) {
+  recorder_.setFolder(folder_.path());
+  offer("recordings/list", &RecordingServices::list);
+  offer("recordings/read", &RecordingServices::read);
+  offer("recordings/check", &RecordingServices::check);
+  offer("recordings/delete", &RecordingServices::remove);
+  offer("recordings/start", &RecordingServices::start);
+  offer("recordings/stop", &RecordingServices::stop);
+  offer("recordings/status", &RecordingServices::status);
+}
+
+RecordingServices::~RecordingServices() {
+  for (const std::uint32_t service : services_) server_->removeService(service);
+  jobs_->close();
+}
+
+void RecordingServices::offer(const std::string& name, Handler handler) {
+  services_.push_back(server_->addService(
+      serviceNamed(name),
+      [this, jobs = jobs_, name, handler](const ClientInfo&, const ServiceCallRequest& call, Reply reply) {
+        if (call.encoding != kJson) return reply.fail(name + " takes JSON, not '" + call.encoding + "'");
+        auto argument = json::parse(call.payload.empty() ? "{}" : call.payload, nullptr, false);
+        if (!argument.is_object()) return reply.fail("the argument of " + name + " is no JSON object");
+        jobs->add(
+            [this, handler, argument = std::move(argument), reply] { (this->*handler)(argument, reply); });
+      }));
+}
+
+void RecordingServices::list(const json&, const Reply& reply) {
+  const auto entries = folder_.list();
+  if (!entries) return reply.fail(entries.error().describe());
+  const std::string now = recorded();
+  json all = json::array();
+  for (const auto& entry : *entries) {
+    all.push_back({{"name", entry.name},
+                   {"bytes", entry.bytes},
+                   {"modified", entry.modified},
+                   {"recording", entry.name == now}});
+  }
+  reply.succeed(jsonMessage(json{{"recordings", std::move(all)}}), kJson);
+}
+
+void RecordingServices::read(const json& argument, const Reply& reply) {
+  const auto piece = folder_.read(textIn(argument, "name"), numberIn(argument, "offset", 0),
+                                  numberIn(argument, "bytes", RecordingFolder::kMaxPiece));
+  if (!piece) return reply.fail(piece.error().text);
+  reply.succeed(*piece, "binary");
+}
+
+void RecordingServices::check(const json& argument, const Reply& reply) {
+  continueCheck(textIn(argument, "name"), numberIn(argument, "bytes", UINT64_MAX), {}, reply);
+}
+
+void RecordingServices::continueCheck(const std::string& name, std::uint64_t bytes,
+                                      RecordingFolder::Checksum before, const Reply& reply) {
+  const auto checked = folder_.extend(name, before, bytes, kCheckedAtOnce);
+  if (!checked) return reply.fail(checked.error().text);
+  if (checked->bytes - before.bytes == kCheckedAtOnce) {
+    jobs_->add([this, name, bytes, so = *checked, reply] { continueCheck(name, bytes, so, reply); });
+    return;
+  }
+  reply.succeed(jsonMessage(json{{"bytes", checked->bytes}, {"crc32", checked->crc}}), kJson);
+}
+
+void RecordingServices::remove(const json& argument, const Reply& reply) {
+  const std::string name = textIn(argument, "name");
+  if (!name.empty() && name == recorded())
+    return reply.fail("'" + name + "' is being recorded; stop the recording first");
+  if (const auto removed = folder_.remove(name); !removed) return reply.fail(removed.error().text);
+  reply.succeed("{}", kJson);
+}
+
+void RecordingServices::start(const json& argument, const Reply& reply) {
+  ControlRecording control;
+  control.set_action(ControlRecording::START);
+  if (const auto started = recorder_.control(control); !started)
+    return reply.fail(started.error().describe());
+  status(argument, reply);
+}
+
+void RecordingServices::stop(const json& argument, const Reply& reply) {
+  ControlRecording control;
+  control.set_action(ControlRecording::STOP);
+  if (const auto stopped = recorder_.control(control); !stopped)
+    return reply.fail(stopped.error().describe());
+  // So that what is listed next is whole.
+  recorder_.finish();
+  status(argument, reply);
+}
+
+void RecordingServices::status(const json&, const Reply& reply) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  options.always_print_primitive_fields = true;
+  std::string text;
+  static_cast<void>(google::protobuf::util::MessageToJsonString(recorder_.status(), &text, options));
+  reply.succeed(text, kJson);
+}
+
+std::string RecordingServices::recorded() const {
+  const auto status = recorder_.status();
+  const std::filesystem::path file = status.path();
+  std::error_code error;
+  const bool isHere =
+      status.recording() && std::filesystem::equivalent(file.parent_path(), folder_.path(), error);
+  return isHere ? file.filename().string() : std::string();
+}
+
+}  // namespace app

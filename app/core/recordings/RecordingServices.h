@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/core/recordings/RecordingFolder.h"
+#include "robotlink/base/Worker.h"
+#include "robotlink/foxglove/server/Server.h"
+
+namespace logplayer {
+class Recorder;
+}
+
+namespace app {
+
+/// Lets clients of a server record into a folder of the robot, and list, read, check and delete what was
+/// recorded there. Arguments are JSON objects, and so are the answers, but for that of `read`:
+///
+/// - `recordings/list`: {"recordings": [{"name", "bytes", "modified" (seconds since 1970), "recording"}]},
+///   the newest first
+/// - `recordings/start`, `recordings/stop`, `recordings/status`: the RecordingStatus
+/// - `recordings/read` {"name", "offset", "bytes"}: the bytes, with the encoding "binary"; up to 1 MiB, fewer
+///   at the end of the file
+/// - `recordings/check` {"name", "bytes"}: {"bytes", "crc32"} of the first bytes; of all without "bytes"
+/// - `recordings/delete` {"name"}; not while it is being recorded
+///
+/// Files are read in a thread of their own. The server may outlive this object, whose destructor withdraws
+/// the services; the recorder must outlive it.
+class RecordingServices {
+ public:
+  RecordingServices(std::shared_ptr<robotlink::websocket::Server> server, RecordingFolder folder,
+                    logplayer::Recorder& recorder);
+  ~RecordingServices();
+  RecordingServices(const RecordingServices&) = delete;
+  RecordingServices& operator=(const RecordingServices&) = delete;
+
+ private:
+  using Reply = robotlink::websocket::Reply;
+  /// Answers a call; an exception-free object of the caller's argument.
+  using Handler = void (RecordingServices::*)(const nlohmann::json& argument, const Reply& reply);
+  struct Jobs;
+
+  void offer(const std::string& name, Handler handler);
+  // The handlers run in the worker's thread.
+  void list(const nlohmann::json& argument, const Reply& reply);
+  void read(const nlohmann::json& argument, const Reply& reply);
+  void check(const nlohmann::json& argument, const Reply& reply);
+  void remove(const nlohmann::json& argument, const Reply& reply);
+  void start(const nlohmann::json& argument, const Reply& reply);
+  void stop(const nlohmann::json& argument, const Reply& reply);
+  void status(const nlohmann::json& argument, const Reply& reply);
+  /// A long file is checked in steps, between which others have their turn.
+  void continueCheck(const std::string& name, std::uint64_t bytes, RecordingFolder::Checksum before,
+                     const Reply& reply);
+  /// The name of the file that is being recorded in the folder; empty if there is none.
+  std::string recorded() const;
+
+  const std::shared_ptr<robotlink::websocket::Server> server_;
+  const RecordingFolder folder_;
+  logplayer::Recorder& recorder_;
+  std::vector<std::uint32_t> services_;
+  /// What waits; outlives this object with the server's handlers.
+  const std::shared_ptr<Jobs> jobs_;
+};
+
+}  // namespace app
