@@ -26,22 +26,25 @@ PlatformOpening openingOfShortLog(const std::filesystem::path& file) {
   return ReplayFeed::opening(std::move(options));
 }
 
-/// A served log, which is played at first.
+/// A served log, which is played at first. It can be asked for from when the server knows its range of time.
 class ServedLogTest : public test::ServedTest {
  protected:
-  ServedLogTest() : ServedTest(openingOfShortLog(testing::TempDir() + "served_log.mcap")) {}
+  ServedLogTest()
+      : ServedTest(openingOfShortLog(testing::TempDir() + "served_log.mcap")),
+        info_(expect<ServerInfo>([](const auto& said) { return said.dataStart.has_value(); })) {}
   /// Sends what the client wants, and returns the answer.
   PlaybackState control(const PlaybackControl& wanted) {
     client_->send(wanted);
     return expect<PlaybackState>([&](const auto& state) { return state.requestId == wanted.requestId; });
   }
+
+  const ServerInfo info_;
 };
 
 TEST_F(ServedLogTest, clientsKnowItsRangeOfTime) {
-  const auto info = expect<ServerInfo>([](const auto& said) { return said.dataStart.has_value(); });
-  EXPECT_THAT(info.capabilities, Contains("playbackControl"));
-  EXPECT_EQ(info.dataStart, ShortLog::time(0));
-  EXPECT_EQ(info.dataEnd, ShortLog::time(ShortLog::kFrames - 1));
+  EXPECT_THAT(info_.capabilities, Contains("playbackControl"));
+  EXPECT_EQ(info_.dataStart, ShortLog::time(0));
+  EXPECT_EQ(info_.dataEnd, ShortLog::time(ShortLog::kFrames - 1));
 }
 
 TEST_F(ServedLogTest, aClientMovesTheLogPlayer) {
