@@ -97,6 +97,7 @@ struct Session::Inbox {
   std::vector<ResultPtr> results;
   // restart() was called: the history is older than the inbox and must be cleared.
   bool restarted = false;
+  std::uint64_t restarts = 0;
   // The inbox is not complete yet; tick() leaves it alone.
   bool held = false;
 };
@@ -206,6 +207,11 @@ std::uint64_t Session::dropped() const {
   return sum;
 }
 
+std::uint64_t Session::restarts() const {
+  const std::lock_guard lock(inbox_->mutex);
+  return inbox_->restarts;
+}
+
 void Session::setRobots(std::vector<std::string> robots) {
   robots_ = std::move(robots);
   if (std::find(robots_.begin(), robots_.end(), selectedRobot_) != robots_.end()) return;
@@ -271,6 +277,7 @@ void Session::restart(const std::function<void()>& publish) {
     const std::lock_guard lock(inbox_->mutex);
     inbox_->forget();
     inbox_->restarted = true;
+    ++inbox_->restarts;
     inbox_->held = true;
   }
   if (publish) publish();

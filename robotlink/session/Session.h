@@ -82,6 +82,8 @@ class Session {
   /// What is pushed while `publish` runs is applied by one tick as a whole; until then the history stays as
   /// it was, so that no view sees half of it. One thread at a time.
   void restart(const std::function<void()>& publish = {});
+  /// How often it was restarted.
+  std::uint64_t restarts() const;
 
   // Only in the GUI's thread.
   /// Moves the inbox into the history, updates the timeline, then calls the result handlers. Called at 30 Hz.

@@ -64,6 +64,12 @@ std::map<std::string, std::set<std::string>> KeyRequests::clientsByKey(const std
   return result;
 }
 
+std::map<std::string, std::set<std::string>> KeyRequests::onDemand(const std::string& robot) const {
+  auto result = clientsByKey(robot);
+  std::erase_if(result, [&](const auto& entry) { return !robots_.at(robot).keys.at(entry.first).before; });
+  return result;
+}
+
 void KeyRequests::update(const std::string& name, Robot& robot) {
   for (auto& [keyName, key] : robot.keys) {
     const bool wanted = std::ranges::any_of(

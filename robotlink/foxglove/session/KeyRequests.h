@@ -35,6 +35,8 @@ class KeyRequests {
 
   /// The clients that subscribe to what a robot's keys publish, by key.
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
+  /// The same for the keys that are on only because of them.
+  std::map<std::string, std::set<std::string>> onDemand(const std::string& robot) const;
 
  private:
   struct Key {

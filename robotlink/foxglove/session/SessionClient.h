@@ -19,7 +19,8 @@ namespace robotlink::websocket {
 ///
 /// **What is subscribed to.** Tables, states and texts always. What a debug key publishes: while this session
 /// switched the key on (SetKey with mode ALWAYS), or the robot itself did. Such a request becomes a
-/// subscription: it ends with this object, and other clients' wishes do not show in this session's key table.
+/// subscription: it ends with this object, is asked for again after a cut (so it is accepted during one), and
+/// other clients' wishes do not show in this session's key table.
 ///
 /// **Times.** The connection that leads (no `leadingTime`) keeps the robot's times. Any other connection's
 /// times are shifted so that its newest message is at the leading time when it begins, and again when they
@@ -40,8 +41,14 @@ class SessionClient {
     Connector::Options connection;
     /// Whether a name of a robot is in use in the session, by others than this object. Empty: none is.
     std::function<bool(const std::string&)> isTaken = {};
-    /// The newest time of the platform or connection that leads. Empty, or nothing: this one leads.
+    /// The newest time of the platform or connection that leads; zero if it has none yet. Empty, or nothing:
+    /// this one leads.
     std::function<std::optional<Instant>()> leadingTime = {};
+    /// Makes another package of one that came, such as an image of a compressed one. Called in the link's
+    /// thread. Empty: packages stay as they are.
+    std::function<PackagePtr(const PackagePtr&)> convert = {};
+    /// Called by tick() with each message that goes into the session.
+    std::function<void(const StreamMessage&)> passed = {};
   };
   /// A stretch of the session's time in which the connection was lost.
   struct Gap {
@@ -102,8 +109,8 @@ class SessionClient {
   Client& client();
 
  private:
-  struct Impl;
-  const std::unique_ptr<Impl> impl_;
+  struct Parts;
+  const std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace robotlink::websocket

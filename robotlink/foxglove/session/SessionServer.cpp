@@ -11,6 +11,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
+#include "robotlink/foxglove/session/LinkNames.h"
 #include "robotlink/foxglove/session/RequestServices.h"
 #include "robotlink/packages/Schema.h"
 #include "robotlink/session/LatchedMessages.h"
@@ -103,6 +104,7 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
         session_.request(std::move(request));
       }) {
   options.publishesTime = true;
+  options.metadata.emplace(kSessionKey, "1");
   server_ = Server::make(std::move(options), handlers(std::move(report)));
   offerServices("", robots_[""]);
   listener_ = session_.addListener({[this](const StreamMessage& message) { pass(message); },
@@ -134,6 +136,7 @@ ServerHandlers SessionServer::handlers(Report report) {
     post([path = channel->setup().topic, names](SessionServer& self) {
       const auto [robot, stream] = splitAtSlash(path);
       self.keys_.setSubscribers(robot, stream, names);
+      self.offerOnDemand(robot);
     });
   };
   handlers.setParameters = [post](const ClientInfo&, const std::vector<Parameter>& parameters, Reply reply) {
@@ -177,6 +180,7 @@ void SessionServer::notice(const StreamMessage& message) {
     std::map<std::string, std::string> modes;
     for (const auto& key : known.keys.keys()) modes[key.name()] = textOf(key.mode());
     offerParameters(robot, known, kKeysGroup, modes);
+    offerOnDemand(robot);
   } else if (stream == streams::kSolutions) {
     std::map<std::string, std::string> active;
     for (const auto& task : dynamic_cast<const SolutionTable&>(*message.value).tasks()) {
@@ -276,6 +280,17 @@ void SessionServer::offerParameters(const std::string& robot, Robot& to, const s
   server_->updateParameters(parameters);
 }
 
+void SessionServer::offerOnDemand(const std::string& robot) {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return;
+  std::map<std::string, std::string> values;
+  for (const auto& [key, clients] : keys_.onDemand(robot)) {
+    std::string& names = values[key];
+    for (const std::string& client : clients) names += (names.empty() ? "" : ", ") + client;
+  }
+  offerParameters(robot, known->second, kOnDemandGroup, values);
+}
+
 void SessionServer::updateRobots() {
   for (const std::string& name : session_.robots()) {
     Robot& robot = robots_[name];
@@ -361,7 +376,7 @@ Result<Request> SessionServer::requestFor(const Parameter& parameter) const {
   const auto known = robots_.find(robot);
   const auto names = known == robots_.end() ? decltype(Robot::parameters)::const_iterator{}
                                             : known->second.parameters.find(group);
-  if (known == robots_.end() || names == known->second.parameters.end() ||
+  if (known == robots_.end() || names == known->second.parameters.end() || group == kOnDemandGroup ||
       !names->second.contains(parameter.name)) {
     return failure("foxglove.parameter", "there is no parameter '" + parameter.name + "' that can be set");
   }

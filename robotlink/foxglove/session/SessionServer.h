@@ -75,6 +75,8 @@ class SessionServer {
   void offerPlayback();
   /// `requestId`: that of the client's request that this answers; empty: of none.
   void publishPlayback(bool didSeek, const std::string& requestId);
+  /// Says which keys are on only for subscribers.
+  void offerOnDemand(const std::string& robot);
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
   // From clients.
   Result<robotcontrol::Request> requestFor(const Parameter& parameter) const;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "robotcontrol/Requests.pb.h"
+
+namespace robotlink::websocket {
+
+/// The debug keys of one robot at the far end, as a session here sees them. While the session wants what a
+/// key publishes, it subscribes to it, and the robot switches the key on for it. What is on only because
+/// other clients subscribe is off here. One thread.
+class KeyWishes {
+ public:
+  /// What a request to set a key leads to.
+  struct Outcome {
+    /// It goes to the robot, too.
+    bool isForwarded = false;
+    /// The streams that are wanted have changed.
+    bool hasChanged = false;
+  };
+
+  Outcome set(const robotcontrol::SetKey& request);
+  /// The newest table of the robot.
+  void setTable(const robotcontrol::KeyTable& table) { table_ = table; }
+  /// A robot without debug keys: each of these stands for a channel that is subscribed to while it is on.
+  void setChannelKeys(const robotcontrol::KeyTable& table);
+  bool hasTable() const { return table_.keys_size() > 0; }
+  /// The keys that are on only because clients subscribe to them.
+  void setOnDemand(const std::string& key, bool isOnDemand);
+  void forgetOnDemand() { onDemand_.clear(); }
+
+  /// The newest table, or another one of the robot, as it is shown here.
+  robotcontrol::KeyTable shown() const { return shown(table_); }
+  robotcontrol::KeyTable shown(robotcontrol::KeyTable table) const;
+  /// Whether a stream, named without the robot, is published by a key; and whether it is wanted.
+  bool isOfKey(const std::string& stream) const { return keyOf(stream) != nullptr; }
+  bool wants(const std::string& stream) const;
+
+ private:
+  using Key = robotcontrol::KeyTable::Key;
+  const Key* find(const std::string& name) const;
+  const Key* keyOf(const std::string& stream) const;
+  /// On by itself, whoever subscribes.
+  bool isOn(const Key& key) const;
+
+  robotcontrol::KeyTable table_;
+  std::set<std::string> wanted_, onDemand_;
+  bool areChannels_ = false;
+};
+
+}  // namespace robotlink::websocket

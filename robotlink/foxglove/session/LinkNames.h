@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace robotlink::websocket {
+
+// What SessionServer and SessionClient agree on, beside the protocol.
+
+/// The key in the metadata of servers that offer a session.
+inline constexpr char kSessionKey[] = "robotcontrol/session";
+/// The group of parameters that exist while a debug key is on only because clients subscribe to what it
+/// publishes: "red1/on-demand/ball-percept/disc". Their values are who does.
+inline constexpr char kOnDemandGroup[] = "on-demand";
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/session/RemoteInbox.h"
+
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+
+#include "robotlink/session/LatchedMessages.h"
+
+namespace robotlink::websocket {
+namespace {
+
+/// Beside the contents: the package, and its place in the queue.
+constexpr std::size_t kArrivalBytes = 256;
+
+/// The name of the stream is not known here; tables are latched by their type.
+bool isKept(const RemoteInbox::Arrival& arrival) {
+  return !arrival.value || isLatched(arrival.channel->topic, arrival.value->GetDescriptor()->full_name());
+}
+
+}  // namespace
+
+RemoteChannel::RemoteChannel(const Channel& channel)
+    : id(channel.id),
+      topic(channel.topic),
+      type(channel.schemaName),
+      encoding(channel.encoding),
+      isDecoded(encoding == "json" || encoding == "protobuf") {}
+
+std::vector<RemoteChannelPtr> RemoteInbox::add(const std::vector<Channel>& channels) {
+  std::vector<RemoteChannelPtr> added;
+  for (const Channel& channel : channels) {
+    added.push_back(std::make_shared<RemoteChannel>(channel));
+    const std::string& schema = channel.schemaEncoding;
+    const std::string implied = channel.encoding == "json" ? "jsonschema" : channel.encoding;
+    types_.insert_or_assign(channel.id,
+                            Typed{added.back(), channel.schema, schema.empty() ? implied : schema, {}});
+  }
+  return added;
+}
+
+void RemoteInbox::remove(const std::vector<Channel>& channels) {
+  for (const Channel& channel : channels) types_.erase(channel.id);
+}
+
+PackagePtr RemoteInbox::decode(Typed& typed, std::string_view payload) const {
+  const RemoteChannel& channel = *typed.channel;
+  if (!typed.type) {
+    const MessageSchema schema{channel.type, typed.schemaEncoding, typed.schema};
+    const bool hasSchema = !typed.schema.empty() || !channel.type.empty();
+    typed.type.emplace(hasSchema ? &schema : nullptr, channel.encoding, [&] { return std::string(payload); });
+    typed.schema = {};
+    if (!typed.type->isDecoded()) typed.channel->isDecoded = false;
+  }
+  auto value = typed.type->read({reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size()});
+  return value && convert_ ? convert_(value) : value;
+}
+
+void RemoteInbox::push(const Channel& channel, Instant time, std::string_view payload) {
+  const auto found = types_.find(channel.id);
+  if (found == types_.end()) return;
+  const RemoteChannelPtr& known = found->second.channel;
+  ++known->messages;
+  known->bytes += payload.size();
+  // Another channel of the topic is wanted.
+  if (!known->isDecoded && !found->second.type) return;
+  if (PackagePtr value = decode(found->second, payload))
+    push({known, time, std::move(value), payload.size() + kArrivalBytes, {}});
+  else
+    ++dropped_;
+}
+
+void RemoteInbox::push(std::function<void()> work) {
+  push(Arrival{nullptr, {}, nullptr, 0, std::move(work)});
+}
+
+void RemoteInbox::push(Arrival arrival) {
+  const std::lock_guard lock(mutex_);
+  messages_ += arrival.value ? 1 : 0;
+  bytes_ += arrival.bytes;
+  arrivals_.push_back(std::move(arrival));
+  while (messages_ > limits_.messages || bytes_ > limits_.bytes) {
+    auto oldest = std::ranges::find_if(arrivals_, [](const Arrival& one) { return !isKept(one); });
+    if (oldest == arrivals_.end())
+      oldest = std::ranges::find_if(arrivals_, [](const Arrival& one) { return one.value != nullptr; });
+    --messages_;
+    bytes_ -= oldest->bytes;
+    ++dropped_;
+    arrivals_.erase(oldest);
+  }
+}
+
+std::deque<RemoteInbox::Arrival> RemoteInbox::take() {
+  const std::lock_guard lock(mutex_);
+  messages_ = bytes_ = 0;
+  return std::exchange(arrivals_, {});
+}
+
+}  // namespace robotlink::websocket

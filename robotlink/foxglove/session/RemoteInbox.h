@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "robotlink/decoding/MessageType.h"
+#include "robotlink/foxglove/protocol/ServerMessages.h"
+
+namespace robotlink::websocket {
+
+/// A channel of a server, as both threads know it.
+struct RemoteChannel {
+  explicit RemoteChannel(const Channel& channel);
+
+  const std::uint64_t id;
+  const std::string topic, type, encoding;
+  /// Whether its encoding is one that is decoded; false once its schema turned out to be invalid.
+  std::atomic<bool> isDecoded;
+  std::atomic<std::uint64_t> messages{0}, bytes{0};
+};
+using RemoteChannelPtr = std::shared_ptr<RemoteChannel>;
+
+/// What a server's messages are turned into, on the way from the link's thread to that of a session: packages
+/// of their types. Bounded; over it the oldest go and are counted, but not those that are latched.
+class RemoteInbox {
+ public:
+  struct Arrival {
+    RemoteChannelPtr channel;
+    Instant time;
+    PackagePtr value;
+    std::size_t bytes = 0;
+    /// If it is not a message: what is to be done.
+    std::function<void()> work;
+  };
+  struct Limits {
+    std::size_t messages = 50'000, bytes = 64U << 20U;
+  };
+  /// Makes another package of one, such as an image of a compressed one. Null: it cannot.
+  using Convert = std::function<PackagePtr(const PackagePtr&)>;
+
+  RemoteInbox(Limits limits, Convert convert) : limits_(limits), convert_(std::move(convert)) {}
+
+  // The link's thread.
+  std::vector<RemoteChannelPtr> add(const std::vector<Channel>& channels);
+  void remove(const std::vector<Channel>& channels);
+  void removeAll() { types_.clear(); }
+  void push(const Channel& channel, Instant time, std::string_view payload);
+  void push(std::function<void()> work);
+
+  // The session's thread.
+  std::deque<Arrival> take();
+  std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  struct Typed {
+    RemoteChannelPtr channel;
+    std::string schema, schemaEncoding;
+    /// Made with the first message.
+    std::optional<MessageType> type;
+  };
+  PackagePtr decode(Typed& typed, std::string_view payload) const;
+  void push(Arrival arrival);
+
+  const Limits limits_;
+  const Convert convert_;
+  /// The link's thread alone.
+  std::unordered_map<std::uint64_t, Typed> types_;
+  std::atomic<std::uint64_t> dropped_{0};
+  /// Protects what follows.
+  std::mutex mutex_;
+  std::deque<Arrival> arrivals_;
+  std::size_t messages_ = 0, bytes_ = 0;
+};
+
+}  // namespace robotlink::websocket

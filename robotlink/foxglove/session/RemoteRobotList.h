@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/foxglove/session/KeyWishes.h"
+
+namespace robotlink::websocket {
+
+/// The robots of one server, with their names there and in the session. Names are given once and kept. One
+/// thread.
+class RemoteRobotList {
+ public:
+  struct Robot {
+    /// Its name at the server; of a foreign server, which is a robot itself, empty.
+    std::string remote;
+    /// Its name in the session.
+    std::string local;
+    KeyWishes keys;
+    /// Not mentioned by the server since it was connected anew.
+    bool isStale = false;
+  };
+  /// A topic in the session.
+  struct Place {
+    /// Null: it belongs to no robot.
+    Robot* robot = nullptr;
+    /// What follows the robot's name; without a robot all of it.
+    std::string stream;
+    std::string path() const { return robot == nullptr ? stream : robot->local + "/" + stream; }
+  };
+
+  explicit RemoteRobotList(std::function<bool(const std::string&)> isTaken) : isTaken_(std::move(isTaken)) {}
+
+  /// Adds a robot if it is new. `wantedName` is its name in the session, if that is free.
+  void add(const std::string& remote, const std::string& wantedName);
+  void remove(const std::string& remote);
+  /// After the connection was lost: those that are not added again go with removeStale().
+  void setStale();
+  void removeStale();
+
+  Place placeOf(const std::string& topic);
+  Robot* findRemote(const std::string& name);
+  Robot* findLocal(const std::string& name);
+  std::map<std::string, Robot>& all() { return robots_; }
+  /// The names in the session, in order of appearance.
+  const std::vector<std::string>& names() const { return names_; }
+  std::uint64_t version() const { return version_; }
+
+ private:
+  std::string freeName(const std::string& wanted) const;
+
+  std::function<bool(const std::string&)> isTaken_;
+  /// By their names at the server.
+  std::map<std::string, Robot> robots_;
+  std::vector<std::string> names_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace robotlink::websocket

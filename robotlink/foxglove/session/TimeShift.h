@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "robotlink/base/Clock.h"
+
+namespace robotlink::websocket {
+
+/// Maps the times of a server's messages to those of a session that others may share, so that no other
+/// machine's clock moves the session's time around.
+///
+/// Without a leading time, times stay as they are. With one, the newest message is placed at the leading time
+/// at first, and again whenever the two are apart by more than kMaxDistance. The time of the newest message
+/// never goes back, but for a reset of a server that leads. Older messages keep their distance to it.
+class TimeShift {
+ public:
+  static constexpr Duration kMaxDistance = std::chrono::milliseconds(500);
+
+  /// The session was restarted: what was before does not count.
+  void restart() { *this = {}; }
+  /// The server's program was started anew, and its clock with it: what comes next comes `gap` after what
+  /// came last.
+  void continueAfter(Duration gap) { gap_ = gap; }
+  /// The server's clock was set back, by a reset of its simulation.
+  void reset();
+
+  Instant map(Instant remote, std::optional<Instant> leading);
+  /// The newest time so far, as mapped.
+  std::optional<Instant> newest() const { return newest_; }
+
+ private:
+  Duration offset_{0};
+  std::optional<Instant> newestRemote_, newest_;
+  std::optional<Duration> gap_;
+};
+
+}  // namespace robotlink::websocket
