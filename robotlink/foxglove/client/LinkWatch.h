@@ -18,10 +18,10 @@ class LinkWatch {
     Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
     /// Time for a connection of TCP, and for each further step of the handshake. Before the first success the
     /// steps may take firstStepTime, for lines that are very slow.
-    Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::milliseconds(1500),
+    Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::seconds(1),
              firstStepTime = std::chrono::seconds(5);
     /// Between two tries, and after a refusal.
-    Duration retryTime = std::chrono::milliseconds(500), refusedTime = std::chrono::seconds(5);
+    Duration retryTime = std::chrono::milliseconds(300), refusedTime = std::chrono::seconds(5);
   };
   enum class Action {
     kNone,

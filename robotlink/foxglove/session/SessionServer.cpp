@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -294,7 +295,12 @@ void SessionServer::offerOnDemand(const std::string& robot) {
 void SessionServer::updateRobots() {
   for (const std::string& name : session_.robots()) {
     Robot& robot = robots_[name];
-    if (robot.services.empty()) offerServices(name, robot);
+    if (!robot.services.empty()) continue;
+    offerServices(name, robot);
+    // So that its first text finds its subscribers.
+    const std::string path = name + "/" + streams::kLog;
+    if (!channels_.contains(path))
+      channels_.emplace(path, server_->addChannels({setupOf(path, *foxglove::Log::descriptor())}).front());
   }
   // Those that are gone, with all their channels.
   for (auto robot = robots_.begin(); robot != robots_.end();) {

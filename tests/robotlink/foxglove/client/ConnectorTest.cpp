@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Over real sockets on loopback.
+#include "robotlink/foxglove/client/Connector.h"
+
+#include <gmock/gmock.h>
+
+#include <thread>
+
+#include "robotlink/foxglove/server/Listener.h"
+#include "tests/Eventually.h"
+#include "tests/robotlink/foxglove/PlainServer.h"
+
+namespace robotlink::websocket::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using Phase = ConnectionState::Phase;
+
+class ConnectorTest : public testing::Test {
+ protected:
+  void listen(std::string token = {}, std::uint16_t port = 0) {
+    server_ = Server::make({.name = "red1"}, {});
+    channel_ = server_->addChannels({{"a", "json", "", ""}})[0];
+    Listener::Options options;
+    options.address.port = port;
+    options.admission.token = std::move(token);
+    options.admission.wrongTokenDelay = Duration::zero();
+    options.greetingDelay = Duration::zero();
+    auto listener = Listener::open(server_, options);
+    ASSERT_TRUE(listener) << listener.error().text;
+    listener_ = *std::move(listener);
+    options_.url = {false, "127.0.0.1", listener_->address().port, "/"};
+  }
+  void connect() {
+    ClientHandlers handlers;
+    handlers.message = [this](const Channel&, Instant, std::string_view payload) {
+      const std::lock_guard lock(mutex_);
+      newest_ = payload;
+    };
+    client_ = std::make_shared<Client>(std::move(handlers));
+    client_->subscribe({"a"});
+    connector_ = std::make_unique<Connector>(client_, options_);
+  }
+  bool reaches(Phase phase) {
+    return eventually([&] { return client_->state().phase == phase; });
+  }
+  std::string reason() {
+    EXPECT_TRUE(eventually([&] { return !client_->state().reason.empty(); }));
+    return client_->state().reason;
+  }
+  bool receives(const std::string& text) {
+    return eventually([&] {
+      channel_->publish(Instant(1s), text);
+      const std::lock_guard lock(mutex_);
+      return newest_ == text;
+    });
+  }
+
+  Connector::Options options_;
+  std::shared_ptr<Server> server_;
+  std::unique_ptr<Listener> listener_;
+  ChannelPtr channel_;
+  std::shared_ptr<Client> client_;
+  std::unique_ptr<Connector> connector_;
+  std::mutex mutex_;
+  std::string newest_;
+};
+
+TEST_F(ConnectorTest, itConnectsAndMeasuresTheRoundTrip) {
+  listen();
+  options_.times.pingInterval = 10ms;
+  connect();
+  EXPECT_TRUE(reaches(Phase::kConnected));
+  EXPECT_TRUE(receives("hello"));
+  EXPECT_TRUE(eventually([&] { return client_->state().roundTrip.has_value(); }));
+  EXPECT_EQ(client_->state().serverName, "red1");
+  EXPECT_GT(client_->state().bytes, 100U);
+}
+
+TEST_F(ConnectorTest, aServerThatComesBackIsFoundWithEverythingAskedForBefore) {
+  listen();
+  options_.times.retryTime = 10ms;
+  connect();
+  EXPECT_TRUE(receives("1"));
+  const std::uint16_t port = listener_->address().port;
+  listener_.reset();
+  EXPECT_TRUE(reaches(Phase::kConnecting));
+  EXPECT_TRUE(
+      eventually([&] { return client_->state().reason.find("nobody listens") != std::string::npos; }));
+  listen("", port);
+  EXPECT_TRUE(receives("2"));
+  EXPECT_EQ(client_->state().connections, 2U);
+}
+
+TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
+  listen("secret");
+  connect();
+  EXPECT_TRUE(reaches(Phase::kRefused));
+  EXPECT_THAT(reason(), AllOf(HasSubstr("another token"), HasSubstr("HTTP 401")));
+  connector_.reset();
+  options_.token = "secret";
+  connect();
+  EXPECT_TRUE(reaches(Phase::kConnected));
+}
+
+TEST_F(ConnectorTest, whatIsNoFoxgloveServerIsNamed) {
+  const PlainServer other("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi");
+  options_.url = {false, "127.0.0.1", other.port(), "/"};
+  connect();
+  EXPECT_TRUE(reaches(Phase::kRefused));
+  EXPECT_THAT(reason(), HasSubstr("HTTP 200: hi"));
+  connector_.reset();
+  const PlainServer noise("SSH-2.0-OpenSSH\r\n");
+  options_.url.port = noise.port();
+  connect();
+  EXPECT_THAT(reason(), HasSubstr("is this the robot's port?"));
+}
+
+TEST_F(ConnectorTest, aHostThatIsNotThereIsNamed) {
+  options_.url = {false, "no-such-robot.invalid", 8765, "/"};
+  connect();
+  EXPECT_THAT(reason(), HasSubstr("no machine is called 'no-such-robot.invalid'"));
+}
+
+TEST_F(ConnectorTest, goingNeverWaits) {
+  const PlainServer silent("");
+  options_.url = {false, "127.0.0.1", silent.port(), "/"};
+  connect();
+  const auto begin = std::chrono::steady_clock::now();
+  connector_.reset();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
+}
+
+TEST_F(ConnectorTest, aServerThatFloodsLosesItsConnection) {
+  listen();
+  options_.messageBytes = 1000;
+  connect();
+  EXPECT_TRUE(reaches(Phase::kConnected));
+  EXPECT_TRUE(eventually([&] {
+    channel_->publish(Instant(), std::string(2000, 'x'));
+    return client_->state().reason.find("longer than allowed") != std::string::npos;
+  }));
+}
+
+}  // namespace
+}  // namespace robotlink::websocket::test

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/session/KeyWishes.h"
+
+#include <gtest/gtest.h>
+
+namespace robotlink::websocket {
+namespace {
+
+using robotcontrol::KeyMode;
+using robotcontrol::SetKey;
+
+SetKey keyRequest(const std::string& name, KeyMode::Kind kind) {
+  SetKey request;
+  request.set_name(name);
+  request.mutable_mode()->set_kind(kind);
+  return request;
+}
+
+class KeyWishesTest : public testing::Test {
+ protected:
+  KeyWishesTest() {
+    for (const char* name : {"disc", "circle"}) {
+      auto& key = *table_.add_keys();
+      key.set_name(name);
+      key.set_stream(std::string("drawings/") + name);
+    }
+    table_.add_keys()->set_name("no-stream");
+    keys_.setTable(table_);
+  }
+  void setMode(int key, KeyMode::Kind kind) {
+    table_.mutable_keys(key)->mutable_mode()->set_kind(kind);
+    keys_.setTable(table_);
+  }
+  robotcontrol::KeyTable table_;
+  KeyWishes keys_;
+};
+
+TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnHereIsASubscription) {
+  EXPECT_FALSE(keys_.wants("drawings/disc"));
+  const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
+  EXPECT_FALSE(on.isForwarded);
+  EXPECT_TRUE(on.hasChanged);
+  EXPECT_TRUE(keys_.wants("drawings/disc"));
+  EXPECT_TRUE(keys_.wants("drawings/disc/curve"));
+  EXPECT_FALSE(keys_.wants("drawings/disc2"));
+  // The robot switched it on for us.
+  setMode(0, KeyMode::ALWAYS);
+  keys_.setOnDemand("disc", true);
+  const auto off = keys_.set(keyRequest("disc", KeyMode::OFF));
+  EXPECT_FALSE(off.isForwarded);
+  EXPECT_FALSE(keys_.wants("drawings/disc"));
+}
+
+TEST_F(KeyWishesTest, whatOthersSubscribeToIsOffHere) {
+  setMode(1, KeyMode::ALWAYS);
+  keys_.setOnDemand("circle", true);
+  EXPECT_FALSE(keys_.wants("drawings/circle"));
+  EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::OFF);
+  keys_.set(keyRequest("circle", KeyMode::ALWAYS));
+  EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::ALWAYS);
+}
+
+TEST_F(KeyWishesTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {
+  setMode(0, KeyMode::EVERY_N);
+  EXPECT_TRUE(keys_.wants("drawings/disc"));
+  EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::OFF)).isForwarded);
+}
+
+TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
+  EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::N_TIMES)).isForwarded);
+  EXPECT_TRUE(keys_.wants("drawings/disc"));
+  EXPECT_TRUE(keys_.set(keyRequest("no-stream", KeyMode::ALWAYS)).isForwarded);
+  EXPECT_TRUE(keys_.set(keyRequest("unknown", KeyMode::ALWAYS)).isForwarded);
+}
+
+TEST_F(KeyWishesTest, keysOfChannelsAreNeverForwarded) {
+  KeyWishes keys;
+  keys.setChannelKeys(table_);
+  EXPECT_FALSE(keys.set(keyRequest("disc", KeyMode::EVERY_N)).isForwarded);
+  EXPECT_EQ(keys.shown().keys(0).mode().kind(), KeyMode::ALWAYS);
+  EXPECT_FALSE(keys.set(keyRequest("disc", KeyMode::OFF)).isForwarded);
+  EXPECT_EQ(keys.shown().keys(0).mode().kind(), KeyMode::OFF);
+}
+
+}  // namespace
+}  // namespace robotlink::websocket
