@@ -56,7 +56,7 @@ ROOMS = {
         "log", "color", "drive", "messages", "plots", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["program", "platform", "recordings", "pioneer", "replay", "simulated", "remote", "."],
-    "app/robotctl": [".", "color", "log", "run"],
+    "app/robotctl": [".", "color", "link", "log", "run"],
     "app/robotcontrol": ["actions", "docks", "bars", "."],
 }
 

@@ -20,6 +20,8 @@ void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
+void addWatchCommand(CLI::App& app, int& status);
+void addRequestCommand(CLI::App& app, int& status);
 
 /// Prints all errors to stderr, one per line, and returns kFailed.
 int printErrors(const robotlink::Errors& errors);

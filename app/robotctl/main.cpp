@@ -41,6 +41,8 @@ int run(int argc, char** argv) {
   addLayoutCommand(app, status);
   addLogCommand(app, status);
   addRunCommand(app, status);
+  addWatchCommand(app, status);
+  addRequestCommand(app, status);
   addColorCommand(app, status);
   try {
     app.parse(argc, argv);

@@ -346,6 +346,7 @@ Instant SessionClient::Parts::timeOf(const std::string& path, Instant remote, bo
 bool SessionClient::Parts::wants(const RemoteChannel& channel) {
   const RemoteRobotList::Place place = placeOf(channel);
   if (!channel.isDecoded || place.stream.empty()) return false;
+  if (options.alsoWanted && options.alsoWanted(place.path())) return true;
   if (place.robot == nullptr) return leads();
   const KeyWishes& keys = place.robot->keys;
   if (!isOurs) return !isHeavy(channel.type) || keys.wants(place.stream);

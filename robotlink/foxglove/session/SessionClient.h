@@ -47,6 +47,8 @@ class SessionClient {
     /// Makes another package of one that came, such as an image of a compressed one. Called in the link's
     /// thread. Empty: packages stay as they are.
     std::function<PackagePtr(const PackagePtr&)> convert = {};
+    /// Streams, by their paths in the session, that are wanted beside those that the session needs.
+    std::function<bool(const std::string& path)> alsoWanted = {};
     /// Called by tick() with each message that goes into the session.
     std::function<void(const StreamMessage&)> passed = {};
   };

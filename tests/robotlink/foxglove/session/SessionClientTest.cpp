@@ -90,7 +90,7 @@ class SessionClientTest : public testing::Test {
       far_.keys.mutable_keys()->rbegin()->set_stream(stream);
     };
     addKey("package/camera/image", "camera/image");
-    addKey("disc", "drawings/image/disc");
+    addKey("package/models/ball", "models/ball");
     options_.connection.times.retryTime = 10ms;
   }
   void connect(std::uint16_t port = 0) {
@@ -194,13 +194,14 @@ TEST_F(SessionClientTest, aKeyIsOnAtTheRobotWhileItIsOnHere) {
       soon([&] { return newest<KeyTable>("red1/tables/keys")->keys(0).mode().kind() == KeyMode::ALWAYS; }));
   EXPECT_EQ(ask(keyRequest("package/camera/image", KeyMode::OFF)), "accepted");
   EXPECT_TRUE(soon([&] { return far_.mode(0).kind() == KeyMode::OFF; }));
-  EXPECT_EQ(ask(keyRequest("disc", KeyMode::N_TIMES)), "accepted");
+  EXPECT_EQ(ask(keyRequest("package/models/ball", KeyMode::N_TIMES)), "accepted");
   EXPECT_EQ(far_.mode(1).kind(), KeyMode::N_TIMES);
 }
 
 TEST_F(SessionClientTest, twoSessionsDoNotKeepAKeyOnForEachOther) {
   connect();
   ASSERT_TRUE(hasRobot() && hasKeys());
+  far_.publish("red1/camera/image", Instant(1s), image(1));
   Session other;
   SessionClient second(other, options_);
   const auto otherTable = [&] {
@@ -258,7 +259,8 @@ TEST_F(SessionClientTest, aRequestDuringACutIsRefusedWithASentence) {
 TEST_F(SessionClientTest, afterACutTheHistoryIsThereAndTheGapIsKnown) {
   connect();
   ASSERT_TRUE(hasRobot() && hasKeys());
-  ask(keyRequest("disc", KeyMode::ALWAYS));
+  far_.publish("red1/models/ball", Instant(1s), text("ball"));
+  ask(keyRequest("package/models/ball", KeyMode::ALWAYS));
   EXPECT_TRUE(arrives("red1/log", Instant(2s), text("before")));
   const std::uint16_t port = far_.port();
   far_.stop();
@@ -272,6 +274,7 @@ TEST_F(SessionClientTest, afterACutTheHistoryIsThereAndTheGapIsKnown) {
   far_.keys.mutable_keys(1)->clear_mode();
   far_.start(port);
   far_.publishKeys(Instant(0s));
+  far_.publish("red1/models/ball", Instant(0s), text("ball"));
   EXPECT_TRUE(soon([&] { return far_.mode(1).kind() == KeyMode::ALWAYS; }));
   EXPECT_TRUE(arrives("red1/log", Instant(1s), text("after")));
   EXPECT_EQ(dynamic_cast<const foxglove::Log&>(*session_.store().find("red1/log")->messages.front().value)

@@ -225,7 +225,7 @@ TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {
     if (const auto* gone = std::get_if<Unadvertise>(&message)) channels += gone->channelIds.size();
     if (const auto* gone = std::get_if<UnadvertiseServices>(&message)) services += gone->serviceIds.size();
   }
-  EXPECT_EQ(channels, 5U);
+  EXPECT_EQ(channels, 6U);
   EXPECT_GT(services, 5U);
 }
 

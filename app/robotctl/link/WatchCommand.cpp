@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl watch`.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "app/core/platform/RecordOptions.h"
+#include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
+#include "app/robotctl/link/LinkOptions.h"
+#include "app/robotctl/link/StreamList.h"
+#include "logplayer/export/MessageTable.h"
+#include "robotlink/foxglove/session/SessionClient.h"
+
+namespace app {
+namespace {
+
+using robotlink::websocket::ConnectionState;
+using robotlink::websocket::SessionClient;
+using WallClock = std::chrono::steady_clock;
+
+struct WatchArguments {
+  LinkOptions link;
+  RecordOptions record;
+  std::string csv;
+  std::optional<double> seconds;
+  double budget = 0;
+  bool asJson = false;
+};
+
+constexpr std::chrono::milliseconds kWatchTick{10};
+constexpr std::chrono::seconds kWatchInterval{1};
+/// Nobody scrolls back here.
+constexpr robotlink::StreamStore::Limits kWatchHistory{std::chrono::seconds(1), 64U << 20U};
+
+/// Prints messages of one stream as lines of a table, whose columns are those of the first message.
+class CsvPrinter {
+ public:
+  void print(const robotlink::StreamMessage& message) {
+    const std::string& type = message.value->GetDescriptor()->full_name();
+    if (type_.empty()) {
+      type_ = type;
+      table_.learn(*message.value);
+      auto columns = table_.columns();
+      columns.insert(columns.begin(), "time");
+      std::cout << logplayer::csvLine(columns);
+    }
+    if (type != type_) return;
+    auto row = table_.row(*message.value);
+    const auto time = message.time.time_since_epoch();
+    constexpr std::int64_t kNanos = 1'000'000'000;
+    row.insert(row.begin(), logplayer::secondsText(time.count() / kNanos, time.count() % kNanos));
+    std::cout << logplayer::csvLine(row) << std::flush;
+  }
+
+ private:
+  std::string type_;
+  logplayer::MessageTable table_;
+};
+
+/// Watches one server until the time is over or the user interrupts.
+class Watch {
+ public:
+  Watch(const WatchArguments& arguments, robotlink::websocket::Connector::Options connection,
+        logplayer::Recorder* recorder)
+      : arguments_(arguments),
+        recorder_(recorder),
+        session_(kWatchHistory),
+        client_(session_, optionsFor(std::move(connection))) {
+    if (arguments.budget > 0) client_.setBudget(arguments.budget);
+  }
+
+  int run() {
+    const auto begin = WallClock::now();
+    auto listed = begin;
+    while (!Interrupt::noted() && std::cout) {
+      client_.tick();
+      session_.tick();
+      reportState();
+      const auto now = WallClock::now();
+      if (arguments_.seconds && std::chrono::duration<double>(now - begin).count() >= *arguments_.seconds)
+        break;
+      if (now - listed >= kWatchInterval) {
+        listed = now;
+        list_.update(client_.streams(), std::chrono::duration<double>(now - begin).count());
+        if (isInteractive()) std::cout << "\033[H\033[J" << title() << list_.text() << std::flush;
+      }
+      std::this_thread::sleep_for(kWatchTick);
+    }
+    return finish(std::chrono::duration<double>(WallClock::now() - begin).count());
+  }
+
+ private:
+  SessionClient::Options optionsFor(robotlink::websocket::Connector::Options connection) {
+    SessionClient::Options options;
+    options.connection = std::move(connection);
+    options.alsoWanted = [this](const std::string& path) {
+      return path == arguments_.csv || (recorder_ != nullptr && recorder_->wants(path));
+    };
+    options.passed = [this](const robotlink::StreamMessage& message) {
+      if (recorder_ != nullptr) recorder_->add({message});
+      if (!arguments_.csv.empty() && message.path == arguments_.csv) csv_.print(message);
+    };
+    return options;
+  }
+  bool isInteractive() const {
+    return !arguments_.asJson && arguments_.csv.empty() && ::isatty(STDOUT_FILENO) == 1;
+  }
+  std::string title() const {
+    std::string robots;
+    for (const std::string& robot : client_.robots()) robots += (robots.empty() ? "" : ", ") + robot;
+    return toString(client_.url()) + (robots.empty() ? "" : " (" + robots + ")") + ": " +
+           client_.stateText() + "\n";
+  }
+  /// Says on stderr what became of the connection, once each time; a terminal shows it anyway.
+  void reportState() {
+    const ConnectionState state = client_.state();
+    wasConnected_ |= state.isConnected();
+    const std::string text = state.isConnected() ? "connected" : state.reason;
+    if (isInteractive() || text.empty() || text == told_) return;
+    std::cerr << toString(client_.url()) + ": " + text + "\n";
+    told_ = text;
+  }
+  int finish(double seconds) {
+    list_.update(client_.streams(), seconds);
+    if (arguments_.asJson)
+      std::cout << list_.json(toString(client_.url()), client_.robots(), client_.stateText());
+    else if (arguments_.csv.empty() && !isInteractive())
+      std::cout << title() << list_.text();
+    if (!arguments_.csv.empty() && !list_.has(arguments_.csv) && wasConnected_)
+      return printErrors({{"watch.stream",
+                           "there is no stream '" + arguments_.csv + "': see what 'robotctl watch " +
+                               toString(client_.url()) + "' lists",
+                           {},
+                           {}}});
+    return wasConnected_ ? kDone : kFailed;
+  }
+
+  const WatchArguments& arguments_;
+  logplayer::Recorder* recorder_;
+  CsvPrinter csv_;
+  StreamList list_;
+  std::string told_;
+  bool wasConnected_ = false;
+  robotlink::Session session_;
+  SessionClient client_;
+};
+
+int watch(const WatchArguments& arguments) {
+  auto connection = arguments.link.connection();
+  if (!connection) {
+    printErrors({connection.error()});
+    return kUsage;
+  }
+  auto recorder = arguments.record.start();
+  if (!recorder) return printErrors({recorder.error()});
+  const Interrupt interrupt;
+  int status = Watch(arguments, *std::move(connection), recorder->get()).run();
+  if (*recorder == nullptr) return status;
+  const ExitStatus recorded =
+      finishRecording(**recorder, arguments.csv.empty() && !arguments.asJson ? std::cout : std::cerr);
+  return status == kDone ? recorded : status;
+}
+
+}  // namespace
+
+void addWatchCommand(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<WatchArguments>();
+  CLI::App* command = app.add_subcommand(
+      "watch", "Lists the streams of a robot at the other end of a link, with their rates; records them");
+  arguments->link.addTo(*command);
+  arguments->record.addTo(*command);
+  command->add_option("--csv", arguments->csv, "Prints the messages of this stream as a table instead")
+      ->type_name("STREAM");
+  command->add_option("--seconds", arguments->seconds, "Ends after so long; otherwise with Ctrl-C")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--budget", arguments->budget,
+                   "Bytes a second that the robot may send; 0 is without limit")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--json", arguments->asJson, "Prints one JSON object at the end");
+  command->footer(
+      "What is subscribed to is what a workbench would: tables, states and texts, what debug keys that are "
+      "on publish,\n"
+      "and what is recorded or printed; a rate of '-' means that a stream is not. Exit status: 1 if the "
+      "robot was\n"
+      "never reached.");
+  command->callback([arguments, &status] { status = watch(*arguments); });
+}
+
+}  // namespace app
