@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes from the server, and what is subscribed to.
+#include "robotlink/foxglove/session/SessionClientParts.h"
+
+#include <algorithm>
+
+#include "foxglove/Robot.pb.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/Utf8.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/foxglove/session/LinkNames.h"
+
+namespace robotlink::websocket {
+namespace {
+
+using robotcontrol::KeyTable;
+
+constexpr std::size_t kMaxGaps = 1000;
+/// A step back in time within a stream that is no disorder any more, but a reset.
+constexpr Duration kReset = std::chrono::seconds(1);
+/// After a connection was made anew, robots that are not mentioned again are gone.
+constexpr Duration kStaleTime = std::chrono::seconds(2);
+
+SessionClient::Options withClock(SessionClient::Options options) {
+  if (!options.connection.clock) options.connection.clock = std::make_shared<const SteadyClock>();
+  return options;
+}
+
+/// What a robot publishes always, before its keys are known.
+bool isAlways(const std::string& stream) {
+  constexpr const char* kAlways[] = {"tables/", streams::kFrames, streams::kParameters, streams::kLog,
+                                     streams::kProgram};
+  return std::ranges::any_of(kAlways, [&](const char* prefix) { return stream.starts_with(prefix); });
+}
+
+/// Messages of these foreign types are large and many.
+bool isHeavy(const std::string& type) {
+  constexpr const char* kHeavy[] = {"Image", "Video", "PointCloud", "Grid", "Mesh"};
+  return std::ranges::any_of(kHeavy,
+                             [&](const char* part) { return type.find(part) != std::string::npos; }) &&
+         type.find("Annotation") == std::string::npos;
+}
+
+/// The process that published a message, as far as its stream tells.
+std::string processOf(const std::string& stream, const PackagePtr& value) {
+  if (const auto* text = dynamic_cast<const foxglove::Log*>(value.get()))
+    return text->name().substr(0, text->name().find('/'));
+  for (const std::string prefix : {streams::kFrames, streams::kStopwatches})
+    if (stream.starts_with(prefix)) return stream.substr(prefix.size());
+  return {};
+}
+
+}  // namespace
+
+SessionClient::Parts::Parts(Session& sharedSession, Options chosen)
+    : session(sharedSession),
+      options(withClock(std::move(chosen))),
+      inbox({}, options.convert),
+      robots(options.isTaken),
+      restarts(session.restarts()),
+      client(std::make_shared<Client>(handlers(), ClientLimits(), options.connection.clock)) {
+  connector = std::make_unique<Connector>(client, options.connection);
+}
+
+/// In the link's thread: decodes messages, and leaves everything else to tick().
+ClientHandlers SessionClient::Parts::handlers() {
+  ClientHandlers h;
+  h.connected = [this](const ServerInfo& info) { inbox.push([this, info] { onConnected(info); }); };
+  h.disconnected = [this] {
+    inbox.removeAll();
+    inbox.push([this] {
+      channels.clear();
+      services.clear();
+      lostAt = options.connection.clock->now();
+    });
+  };
+  h.channelsAdded = [this](const std::vector<Channel>& added) {
+    inbox.push([this, known = inbox.add(added)] { onChannels(known); });
+  };
+  h.channelsRemoved = [this](const std::vector<Channel>& removed) {
+    inbox.remove(removed);
+    inbox.push([this, removed] {
+      for (const Channel& channel : removed) channels.erase(channel.id);
+      hasChanged = true;
+    });
+  };
+  h.servicesAdded = [this](const std::vector<Service>& added) {
+    std::vector<std::string> names;
+    for (const Service& service : added) names.push_back(service.name);
+    inbox.push([this, names] { onServices(names, {}); });
+  };
+  h.servicesRemoved = [this](const std::vector<std::string>& names) {
+    inbox.push([this, names] { onServices({}, names); });
+  };
+  h.message = [this](const Channel& channel, Instant time, std::string_view payload) {
+    inbox.push(channel, time, payload);
+  };
+  h.parameters = [this](const std::vector<Parameter>& parameters) {
+    inbox.push([this, parameters] { onParameters(parameters); });
+  };
+  h.status = [this](const Status& status) { inbox.push([this, status] { onStatus(status); }); };
+  return h;
+}
+
+void SessionClient::Parts::tick() {
+  lookAtRestart();
+  for (const RemoteInbox::Arrival& arrival : inbox.take()) {
+    if (arrival.work)
+      arrival.work();
+    else
+      onMessage(arrival);
+  }
+  const ConnectionState state = client->state();
+  if (state.isConnected() && options.connection.clock->now() - connectedAt > kStaleTime) robots.removeStale();
+  lookAtGaps(state);
+  const bool led = std::exchange(hasLed, leads());
+  if (std::exchange(hasChanged, false) || led != hasLed) {
+    updateChannelKeys();
+    updateSubscriptions();
+  }
+  for (const std::string& name : std::exchange(changedKeys, {}))
+    if (RemoteRobotList::Robot* robot = robots.findRemote(name)) pushKeys(*robot);
+}
+
+/// The history is gone: what is latched is published again, at the times of what leads now.
+void SessionClient::Parts::lookAtRestart() {
+  const std::uint64_t before = std::exchange(restarts, session.restarts());
+  if (before == restarts) return;
+  shift.restart();
+  newestOf.clear();
+  gaps.clear();
+  hasGap = false;
+  for (StreamMessage& message : latched.all()) {
+    message.time = timeOf(message.path, message.time, true);
+    session.push(std::move(message));
+  }
+}
+
+/// A gap begins with the newest message, and ends with the first one after it.
+void SessionClient::Parts::lookAtGaps(const ConnectionState& state) {
+  if (state.isConnected() || !shift.newest()) return;
+  if (!hasGap) gaps.push_back({*shift.newest(), {}, state.reason});
+  if (gaps.size() > kMaxGaps) gaps.erase(gaps.begin());
+  hasGap = true;
+  if (!state.reason.empty()) gaps.back().reason = state.reason;
+}
+
+void SessionClient::Parts::endGap(Instant time) {
+  hasGap = false;
+  gaps.back().to = time;
+  if (time <= gaps.back().from) gaps.pop_back();
+}
+
+// ---- From the server
+
+void SessionClient::Parts::onConnected(const ServerInfo& info) {
+  connectedAt = options.connection.clock->now();
+  isOurs = info.metadata.contains(kSessionKey);
+  if (!serverSession.empty() && info.sessionId != serverSession) {
+    shift.continueAfter(connectedAt - lostAt);
+    for (auto& [path, times] : newestOf) times.remote = Instant::min();
+  }
+  serverSession = info.sessionId;
+  robots.setStale();
+  for (auto& [name, robot] : robots.all()) robot.keys.forgetOnDemand();
+  if (!isOurs) robots.add("", info.name.empty() ? options.connection.url.host : info.name);
+  client->subscribeParameters(isOurs);
+  hasChanged = true;
+}
+
+void SessionClient::Parts::onChannels(const std::vector<RemoteChannelPtr>& added) {
+  for (const RemoteChannelPtr& channel : added) channels[channel->id] = channel;
+  hasChanged = true;
+}
+
+/// A robot of ours is what takes requests.
+void SessionClient::Parts::onServices(const std::vector<std::string>& added,
+                                      const std::vector<std::string>& removed) {
+  const auto robotOf = [](const std::string& service) {
+    constexpr std::string_view kEnd = "/set_key";
+    return service.ends_with(kEnd) ? service.substr(0, service.size() - kEnd.size()) : std::string();
+  };
+  for (const std::string& name : added) {
+    services.insert(name);
+    if (const std::string robot = robotOf(name); isOurs && !robot.empty()) robots.add(robot, robot);
+  }
+  for (const std::string& name : removed) {
+    services.erase(name);
+    if (const std::string robot = robotOf(name); isOurs && !robot.empty()) robots.remove(robot);
+  }
+  hasChanged = true;
+}
+
+/// "red1/on-demand/ball-percept/disc" exists while that key is on only for subscribers.
+void SessionClient::Parts::onParameters(const std::vector<Parameter>& parameters) {
+  const std::string group = std::string("/") + kOnDemandGroup + "/";
+  for (const Parameter& parameter : parameters) {
+    const std::size_t at = parameter.name.find(group);
+    if (at == std::string::npos) continue;
+    RemoteRobotList::Robot* robot = robots.findRemote(parameter.name.substr(0, at));
+    if (robot == nullptr) continue;
+    robot->keys.setOnDemand(parameter.name.substr(at + group.size()), parameter.value.has_value());
+    changedKeys.insert(robot->remote);
+    hasChanged = true;
+  }
+}
+
+/// What the server says about this client's doings is a text of the first robot.
+void SessionClient::Parts::onStatus(const Status& status) {
+  if (robots.names().empty()) return;
+  const auto text = std::make_shared<foxglove::Log>();
+  text->set_level(status.level == StatusLevel::kError     ? foxglove::Log::ERROR
+                  : status.level == StatusLevel::kWarning ? foxglove::Log::WARNING
+                                                          : foxglove::Log::INFO);
+  text->set_name("link/" + validUtf8(client->state().serverName));
+  text->set_message(validUtf8(status.message));
+  const std::string path = robots.names().front() + "/" + streams::kLog;
+  const Instant time = shift.newest().value_or(Instant());
+  enter({path, std::max(time, newestOf[path].mapped), text, "link"});
+}
+
+/// Foreign servers have texts and transforms under any name; views look for them here.
+RemoteRobotList::Place SessionClient::Parts::placeOf(const RemoteChannel& channel) {
+  RemoteRobotList::Place place = robots.placeOf(channel.topic);
+  if (isOurs) return place;
+  if (channel.type == "foxglove.Log") place.stream = streams::kLog;
+  if (channel.type == "foxglove.FrameTransforms" && leads()) return {nullptr, streams::kTransforms};
+  return place;
+}
+
+void SessionClient::Parts::onMessage(const RemoteInbox::Arrival& arrival) {
+  RemoteRobotList::Place place = placeOf(*arrival.channel);
+  if (place.stream.empty() || (place.robot == nullptr && !leads())) return;
+  StreamMessage message{place.path(), {}, arrival.value, processOf(place.stream, arrival.value)};
+  if (const auto* info = dynamic_cast<const robotcontrol::FrameInfo*>(arrival.value.get()))
+    message.frame = info->number();
+  if (const auto* table = dynamic_cast<const KeyTable*>(arrival.value.get()); table && place.robot) {
+    if (place.stream == streams::kKeys) {
+      place.robot->keys.setTable(*table);
+      hasChanged = true;
+    }
+    message.value = std::make_shared<const KeyTable>(place.robot->keys.shown(*table));
+  }
+  message.time = timeOf(message.path, arrival.time, isLatched(message));
+  if (hasGap && !isLatched(message)) endGap(message.time);
+  enter(std::move(message));
+}
+
+void SessionClient::Parts::enter(StreamMessage message) {
+  message.bytes = sizeOf(message);
+  latched.take(message);
+  newestOf[message.path].mapped = message.time;
+  if (options.passed) options.passed(message);
+  session.push(std::move(message));
+}
+
+Instant SessionClient::Parts::timeOf(const std::string& path, Instant remote, bool latchedMessage) {
+  const auto leading = options.leadingTime ? options.leadingTime() : std::nullopt;
+  const auto known = newestOf.find(path);
+  if (known != newestOf.end() && !latchedMessage && known->second.remote != Instant::min() &&
+      remote < known->second.remote - kReset) {
+    shift.reset();
+    // The history of a robot that leads is cut there; another one's goes on.
+    if (!leading)
+      newestOf.clear();
+    else
+      for (auto& [other, times] : newestOf) times.remote = Instant::min();
+  }
+  Instant mapped = shift.map(remote, leading);
+  Times& times = newestOf[path];
+  // Messages of several processes may come out of order.
+  mapped = std::max(mapped, times.mapped);
+  times = {remote, mapped};
+  return mapped;
+}
+
+// ---- What is subscribed to
+
+bool SessionClient::Parts::wants(const RemoteChannel& channel) {
+  const RemoteRobotList::Place place = placeOf(channel);
+  if (!channel.isDecoded || place.stream.empty()) return false;
+  if (options.alsoWanted && options.alsoWanted(place.path())) return true;
+  if (place.robot == nullptr) return leads();
+  const KeyWishes& keys = place.robot->keys;
+  if (!isOurs) return !isHeavy(channel.type) || keys.wants(place.stream);
+  if (keys.isOfKey(place.stream)) return keys.wants(place.stream);
+  return keys.hasTable() || isAlways(place.stream);
+}
+
+void SessionClient::Parts::updateSubscriptions() {
+  std::set<std::string> wanted, unwanted;
+  for (const auto& [id, channel] : channels) (wants(*channel) ? wanted : unwanted).insert(channel->topic);
+  // A topic may have several channels, of which only one is decoded.
+  std::erase_if(unwanted,
+                [&](const std::string& topic) { return !topics.contains(topic) || wanted.contains(topic); });
+  client->unsubscribe(unwanted);
+  client->subscribe(wanted);
+  for (const std::string& topic : unwanted) topics.erase(topic);
+  topics.insert(wanted.begin(), wanted.end());
+}
+
+/// A foreign server's heavy channels look like debug keys, which one switches on.
+void SessionClient::Parts::updateChannelKeys() {
+  RemoteRobotList::Robot* robot = robots.findRemote("");
+  if (isOurs || robot == nullptr) return;
+  KeyTable table;
+  for (const auto& [id, channel] : channels) {
+    if (!channel->isDecoded || !isHeavy(channel->type)) continue;
+    KeyTable::Key& key = *table.add_keys();
+    const std::string stream = robots.placeOf(channel->topic).stream;
+    key.set_name(validUtf8("channel/" + stream));
+    key.set_help(validUtf8("Receives " + channel->type + " from " + toString(options.connection.url)));
+    key.set_stream(validUtf8(stream));
+    key.set_in_use(true);
+  }
+  robot->keys.setChannelKeys(table);
+  changedKeys.insert(robot->remote);
+}
+
+/// The table as it is shown here has changed, if the robot has one.
+void SessionClient::Parts::pushKeys(RemoteRobotList::Robot& robot) {
+  if (!robot.keys.hasTable()) return;
+  const std::string path = robot.local + "/" + streams::kKeys;
+  const auto table = std::make_shared<const KeyTable>(robot.keys.shown());
+  enter({path, std::max(shift.newest().value_or(Instant()), newestOf[path].mapped), table});
+}
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/foxglove/session/RemoteInbox.h"
+#include "robotlink/foxglove/session/RemoteRobotList.h"
+#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/TimeShift.h"
+#include "robotlink/session/LatchedMessages.h"
+
+namespace robotlink::websocket {
+
+/// Everything is of the session's thread but the client and what its handlers use: the inbox.
+struct SessionClient::Parts {
+  Parts(Session& sharedSession, Options chosen);
+
+  ClientHandlers handlers();
+  void tick();
+
+  // From the server.
+  void onConnected(const ServerInfo& info);
+  void onChannels(const std::vector<RemoteChannelPtr>& added);
+  void onServices(const std::vector<std::string>& added, const std::vector<std::string>& removed);
+  void onParameters(const std::vector<Parameter>& parameters);
+  void onStatus(const Status& status);
+  void onMessage(const RemoteInbox::Arrival& arrival);
+  void enter(StreamMessage message);
+  void pushKeys(RemoteRobotList::Robot& robot);
+  Instant timeOf(const std::string& path, Instant remote, bool latched);
+
+  bool leads() const { return !options.leadingTime || !options.leadingTime(); }
+  bool wants(const RemoteChannel& channel);
+  void updateSubscriptions();
+  void updateChannelKeys();
+  void lookAtRestart();
+  void lookAtGaps(const ConnectionState& state);
+  void endGap(Instant time);
+  RemoteRobotList::Place placeOf(const RemoteChannel& channel);
+
+  void setKey(RemoteRobotList::Robot& robot, const robotcontrol::Request& request);
+  void forward(const std::string& robot, const robotcontrol::Request& request);
+  void answer(std::uint64_t id, bool isAccepted, const std::string& reason);
+
+  /// Of one stream: the newest message's time at the server, and in the session.
+  struct Times {
+    Instant remote, mapped;
+  };
+
+  Session& session;
+  const Options options;
+  RemoteInbox inbox;
+  RemoteRobotList robots;
+  TimeShift shift;
+  std::map<std::string, Times> newestOf;
+  std::map<std::uint64_t, RemoteChannelPtr> channels;
+  std::set<std::string> services, topics;
+  /// Robots, by their names at the server, whose tables of keys are shown differently now.
+  std::set<std::string> changedKeys;
+  /// To be pushed again when the session was restarted.
+  LatchedMessages latched;
+  std::vector<Gap> gaps;
+  std::string serverSession;
+  bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
+  std::uint64_t restarts = 0;
+  /// By the client's clock: when the connection was lost and made.
+  Instant lostAt, connectedAt;
+  const std::shared_ptr<Client> client;
+  /// Calls the handlers, so it goes first.
+  std::unique_ptr<Connector> connector;
+};
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a server says to a client that decodes messages for a session: each message has a byte for its kind
+// and for what the client does, and two for its length.
+#include <cstdio>
+#include <cstdlib>
+
+#include "robotlink/base/ByteReader.h"
+#include "robotlink/foxglove/client/Client.h"
+#include "robotlink/foxglove/session/RemoteInbox.h"
+#include "tests/fuzz/FuzzTarget.h"
+#include "tests/robotlink/foxglove/Samples.h"
+
+using namespace robotlink;
+using namespace robotlink::websocket;
+
+namespace {
+
+void demandOfClient(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "not so: %s\n", what);
+  std::abort();
+}
+
+/// A client, and how many of its calls were made and answered.
+struct FuzzedClient {
+  FuzzedClient() {
+    handlers.channelsAdded = [this](const auto& channels) { inbox.add(channels); };
+    handlers.channelsRemoved = [this](const auto& channels) { inbox.remove(channels); };
+    handlers.disconnected = [this] { inbox.removeAll(); };
+    handlers.message = [this](const Channel& channel, Instant time, std::string_view payload) {
+      inbox.push(channel, time, payload);
+    };
+    client = std::make_unique<Client>(handlers, ClientLimits{20, 20, 20, 1U << 16U, 10, 1U << 16U}, clock);
+    client->subscribe({"a", "b", "t", "red1/camera/image"});
+    client->subscribeParameters(true);
+    client->subscribeGraph(true);
+  }
+  void call(const std::string& service, std::size_t size) {
+    Client::Call call;
+    call.service = service;
+    call.encoding = "json";
+    call.payload.assign(size, 'x');
+    ++calls;
+    client->call(std::move(call), [this](const auto&) { ++answers; });
+  }
+
+  const std::shared_ptr<ManualClock> clock = std::make_shared<ManualClock>();
+  RemoteInbox inbox{{100, 1U << 16U}, {}};
+  ClientHandlers handlers;
+  std::unique_ptr<Client> client;
+  int calls = 0, answers = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedClient fuzzed;
+  Client& client = *fuzzed.client;
+  client.opened();
+  ByteReader reader(std::span(data, size));
+  while (reader.good() && !reader.rest().empty()) {
+    const auto head = reader.take<std::uint8_t>();
+    const auto bytes = reader.take(reader.take<std::uint16_t>() % 4096U);
+    const auto heard = client.received((head & 2U) != 0 ? FrameKind::kText : FrameKind::kBinary,
+                                       {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if ((head & 4U) != 0) fuzzed.call("s", (head & 1U) != 0 ? 10'000 : 10);
+    if ((head & 8U) != 0)
+      while (client.next()) {
+      }
+    if ((head & 16U) != 0) fuzzed.clock->advance(std::chrono::seconds(1));
+    client.tick();
+    if (!heard || (head & 32U) != 0) {
+      client.lost();
+      client.opened();
+    }
+    if ((head & 64U) != 0) static_cast<void>(fuzzed.inbox.take());
+    demandOfClient(client.channels().size() <= 20 && client.services().size() <= 20, "offers are bounded");
+  }
+  client.lost();
+  fuzzed.clock->advance(std::chrono::hours(1));
+  client.tick();
+  demandOfClient(fuzzed.calls == fuzzed.answers, "each call is answered once");
+  return 0;
+}
+
+std::vector<std::string> fuzzSeeds() {
+  std::vector<std::string> seeds;
+  const auto framed = [](const Frame& frame, std::uint8_t head) {
+    const std::size_t length = frame.bytes.size();
+    return std::string{static_cast<char>(head | (frame.kind == FrameKind::kText ? 2U : 0U)),
+                       static_cast<char>(length & 255U), static_cast<char>(length >> 8U)} +
+           frame.bytes;
+  };
+  std::string all;
+  std::uint8_t head = 0;
+  for (const auto& sample : websocket::test::serverSamples()) {
+    const Frame frame{sample.wire.starts_with('{') ? FrameKind::kText : FrameKind::kBinary, sample.wire};
+    seeds.push_back(framed(frame, head++ & 0x5dU));
+    all += framed(frame, 0);
+  }
+  Advertise channels;
+  channels.channels = {
+      {1, "a", "json", "A", R"({"type":"object","properties":{"x":{"type":"number"}}})", "jsonschema"},
+      {2, "b", "json", "", "", ""},
+      {3, "red1/camera/image", "protobuf", "foxglove.RawImage", "", "protobuf"}};
+  std::string conversation =
+      framed(encode(ServerMessage(ServerInfo{"s", {"parameters"}, {}, {}, "1", {}, {}})), 0);
+  conversation += framed(encode(ServerMessage(channels)), 8);
+  conversation += framed(encode(ServerMessage(AdvertiseServices{{{1, "s", "S", {}, {}}}})), 4);
+  for (std::uint32_t id = 1; id < 4; ++id)
+    conversation += framed(encode(ServerMessage(MessageData{id, Instant(), R"({"x":1.5,"y":[1]})"})), 0);
+  conversation += framed(encode(ServerMessage(ServiceCallResponse{1, 1, "json", "{}"})), 8);
+  seeds.push_back(conversation);
+  seeds.push_back(conversation + all);
+  return seeds;
+}
