@@ -16,7 +16,9 @@ void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t 
   Stream& stream = streams_[id];
   stream.delivery = delivery;
   streamBytes_ += message.size();
-  if (delivery == Delivery::kLatest && !stream.waiting.empty()) {
+  const bool isCalm = streamBytes_ <= limits_.calmBytes;
+  if (delivery == Delivery::kLatest && !stream.waiting.empty() && !isCalm) {
+    while (stream.waiting.size() > 1) giveUpOldest(stream);
     Outgoing& waiting = stream.waiting.front()->message;
     streamBytes_ -= waiting.size();
     waiting = std::move(message);

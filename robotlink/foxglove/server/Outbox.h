@@ -54,6 +54,9 @@ class Outbox {
     /// Bytes that may wait of all streams; over it the oldest messages go. A message that waits alone may be
     /// larger.
     std::size_t streamBytes = 16U << 20U;
+    /// While no more waits of all streams, a message does not replace an older one of its stream: on a line
+    /// that is fast enough nothing is thinned only because two messages were published at once.
+    std::size_t calmBytes = 0;
   };
   using StreamId = std::uint64_t;
 

@@ -44,6 +44,17 @@ TEST_F(OutboxTest, aNewerMessageOfALatestStreamReplacesTheUnsentOneInItsTurn) {
   EXPECT_EQ(outbox_.waitingBytes(), 0U);
 }
 
+TEST_F(OutboxTest, whileLittleWaitsNothingIsThinned) {
+  Outbox calm({4, 100, 50, 10});
+  for (const char* text : {"one", "two", "six"}) calm.push(1, message(text), Delivery::kLatest, kMany);
+  EXPECT_EQ(calm.counters(1).thinned, 0U);
+  calm.push(1, message("seven"), Delivery::kLatest, kMany);
+  std::vector<std::string> texts;
+  while (const auto next = calm.next({})) texts.push_back(*next->payload);
+  EXPECT_THAT(texts, ElementsAre("seven"));
+  EXPECT_EQ(calm.counters(1).thinned, 3U);
+}
+
 TEST_F(OutboxTest, aCompleteStreamDropsItsOldestOverItsBoundAndCountsIt) {
   for (const char* text : {"a", "b", "c", "d"}) push(1, text, Delivery::kComplete, 2);
   EXPECT_THAT(sent(), ElementsAre("c", "d"));
