@@ -8,6 +8,7 @@
 
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/recordings/RecordingFetch.h"
+#include "app/robotctl/link/LinkOptions.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
 #include "robotlink/foxglove/client/Client.h"
@@ -21,7 +22,8 @@ using robotlink::websocket::Client;
 using robotlink::websocket::Connector;
 
 struct FetchArguments {
-  std::string url, name, file, token;
+  LinkOptions link;
+  std::string name, file;
   bool force = false, removes = false, asJson = false;
 };
 
@@ -89,16 +91,13 @@ bool isConnected(const Client& client, const RecordingFetch::Progress& progress)
 }
 
 int runFetch(const FetchArguments& arguments) {
-  const auto url = robotlink::websocket::parseServerUrl(arguments.url);
-  if (!url) {
-    std::cerr << "robotctl log fetch: " << url.error().text << "\n";
+  const auto connection = arguments.link.connection();
+  if (!connection) {
+    printErrors({connection.error()});
     return kUsage;
   }
   const auto client = std::make_shared<Client>(robotlink::websocket::ClientHandlers{});
-  Connector::Options options;
-  options.url = *url;
-  options.token = arguments.token;
-  const Connector connector(client, options);
+  const Connector connector(client, *connection);
   TerminalProgress terminal;
   const auto shown = terminal.function();
   // A server that refuses will go on to do so.
@@ -108,7 +107,7 @@ int runFetch(const FetchArguments& arguments) {
   const RecordingFetch::Progress progress = [&](double share) { return shown(share) && !refused(); };
   if (!isConnected(*client, progress)) {
     terminal.erase();
-    std::cerr << toString(*url) << ": " << client->state().reason << "\n";
+    std::cerr << toString(connection->url) << ": " << client->state().reason << "\n";
     return kFailed;
   }
   RecordingFetch fetch(callsOf(*client));
@@ -122,10 +121,9 @@ void addLogFetchCommand(CLI::App& log, int& status) {
   const auto arguments = std::make_shared<FetchArguments>();
   CLI::App* command = log.add_subcommand(
       "fetch", "Lists the recordings of a robot, or copies one from there; continues after a cut");
-  command->add_option("url", arguments->url, "The robot: ws://HOST:PORT")->required();
+  arguments->link.addTo(*command);
   command->add_option("name", arguments->name, "The recording; lists all of them if it is left out");
   command->add_option("file", arguments->file, "Where to; the same name in this folder if it is left out");
-  command->add_option("--token", arguments->token, "What the robot printed when it was started");
   command->add_flag("--force", arguments->force, "Replaces a file that exists");
   command->add_flag("--delete", arguments->removes, "Deletes the recording at the robot once it is here");
   command->add_flag("--json", arguments->asJson, "Prints JSON");
