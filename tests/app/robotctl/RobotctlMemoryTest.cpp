@@ -24,7 +24,7 @@ long megabytesOf(const std::filesystem::path& folder, std::vector<std::string> a
   const pid_t pid = ::fork();
   if (pid == 0) {
     // The address sanitizer would keep what is freed.
-    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=1:thread_local_quarantine_size_kb=0", 1);
+    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=0:thread_local_quarantine_size_kb=0", 1);
     if (::chdir(folder.c_str()) == 0) ::execv(ROBOTCTL, words.data());
     ::_exit(127);
   }
