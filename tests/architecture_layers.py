@@ -46,7 +46,7 @@ TARGETS = {
 ROOMS = {
     "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
-    "robotlink/foxglove": ["protocol", "server", "client"],
+    "robotlink/foxglove": ["protocol", "security", "server", "client"],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
@@ -65,6 +65,7 @@ OUTSIDE = {
     r"^ode/": ["simcore"],
     r"^embree3/": ["simcore"],
     r"^boost/": ["robotlink/arcos", "robotlink/arcos/server", "robotlink/foxglove"],
+    r"^openssl/": ["robotlink/foxglove"],
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],

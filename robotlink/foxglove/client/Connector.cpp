@@ -8,11 +8,14 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <boost/asio/ssl/stream_base.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/field.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
+#include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <thread>
 
@@ -20,6 +23,8 @@
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"
+#include "robotlink/foxglove/security/KnownServers.h"
+#include "robotlink/foxglove/security/Tls.h"
 
 namespace robotlink::websocket {
 namespace {
@@ -72,6 +77,8 @@ class ConnectorThread {
 
   const std::shared_ptr<Client> client;
   const Connector::Options options;
+  /// Null: not encrypted. An error: encryption is not possible.
+  const Result<std::shared_ptr<asio::ssl::context>> tls;
   asio::io_context context{1};
   LinkWatch watch;
 
@@ -79,6 +86,10 @@ class ConnectorThread {
   static Connector::Options withClock(Connector::Options options) {
     if (!options.clock) options.clock = std::make_shared<const SteadyClock>();
     return options;
+  }
+  static Result<std::shared_ptr<asio::ssl::context>> tlsFor(const ServerUrl& url) {
+    if (!url.isEncrypted) return nullptr;
+    return makeClientTls();
   }
   void tickLater();
   void tick();
@@ -96,12 +107,37 @@ class ConnectorThread {
 
 namespace {
 
-/// For TLS the stream is an ssl::stream of the socket, whose handshake comes in onConnected().
+/// The host and port of a URL, with brackets for IPv6.
+std::string hostOf(const ServerUrl& url) {
+  const std::string host = url.host.find(':') == std::string::npos ? url.host : "[" + url.host + "]";
+  return host + ":" + std::to_string(url.port);
+}
+
+/// Why the certificate is not that of the robot that is meant; empty: it is.
+std::string whyNotTrusted(const Connector::Options& options, const std::string& fingerprint) {
+  const KnownServers known(options.knownServers.empty() ? KnownServers::defaultFile() : options.knownServers);
+  const std::string server = hostOf(options.url);
+  const auto isKnown = known.isKnown(server, fingerprint);
+  if (!isKnown) return isKnown.error().describe();
+  if (*isKnown) return {};
+  if (options.isTrusted && !options.isTrusted(server, fingerprint))
+    return "the robot at " + server + " was never seen before; its fingerprint is " + fingerprint +
+           ": compare it with the one that the robot printed";
+  const auto added = known.add(server, fingerprint);
+  return added ? "" : "it cannot be remembered which robot this is: " + added.error().describe();
+}
+
+/// With TLS the stream is an ssl_stream of the socket, whose handshake comes first.
 template <typename Stream>
 class ServerConnection final : public Connection,
                                public std::enable_shared_from_this<ServerConnection<Stream>> {
  public:
-  ServerConnection(ConnectorThread& thread, Stream stream) : thread_(thread), socket_(std::move(stream)) {}
+  static constexpr bool kIsTls = !std::is_same_v<Stream, ClientSocket>;
+
+  /// `layer` is what the stream is made of.
+  template <typename... Layer>
+  explicit ServerConnection(ConnectorThread& thread, Layer&... layer)
+      : thread_(thread), socket_(ClientSocket(thread.context), layer...) {}
 
   void start(const tcp::endpoint& to) override {
     beast::get_lowest_layer(socket_).async_connect(to, handler(&ServerConnection::onConnected));
@@ -117,6 +153,7 @@ class ServerConnection final : public Connection,
     return beast::bind_front_handler(function, this->shared_from_this());
   }
   void onConnected(error_code error);
+  void onSecured(error_code error);
   void upgrade();
   void onUpgraded(error_code error);
   void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
@@ -146,6 +183,24 @@ void ServerConnection<Stream>::onConnected(error_code error) {
   socket.set_option(tcp::no_delay(true), error);
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &thread_.options.unsentBytes,
                sizeof thread_.options.unsentBytes);
+  if constexpr (kIsTls) {
+    socket_.next_layer().async_handshake(asio::ssl::stream_base::client,
+                                         handler(&ServerConnection::onSecured));
+  } else {
+    upgrade();
+  }
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::onSecured(error_code error) {
+  if (hasEnded_) return;
+  if (error) return fail(Failure::kEnded, whyNotSecured(error));
+  if constexpr (kIsTls) {
+    const std::string why =
+        whyNotTrusted(thread_.options, peerFingerprint(socket_.next_layer().native_handle()));
+    if (!why.empty()) return fail(Failure::kRefused, why);
+  }
+  thread_.watch.stepDone(thread_.now());
   upgrade();
 }
 
@@ -162,9 +217,7 @@ void ServerConnection<Stream>::upgrade() {
   // Valid as long as the socket, which is this object's.
   socket_.control_callback(
       [this](websocket::frame_type kind, beast::string_view payload) { onControl(kind, payload); });
-  const ServerUrl& url = options.url;
-  const std::string host = url.host.find(':') == std::string::npos ? url.host : "[" + url.host + "]";
-  socket_.async_handshake(response_, host + ":" + std::to_string(url.port), url.target,
+  socket_.async_handshake(response_, hostOf(options.url), options.url.target,
                           handler(&ServerConnection::onUpgraded));
 }
 
@@ -256,10 +309,11 @@ template <typename Stream>
 void ServerConnection<Stream>::leave() {
   // "Going away" as a whole frame, masked with zeros, if none is half sent and the system takes it at once.
   constexpr std::uint8_t kGoingAway[] = {0x88, 0x82, 0, 0, 0, 0, 1001 >> 8, 1001 & 255};
-  auto& socket = beast::get_lowest_layer(socket_);
-  if (isOpen_ && !hasEnded_ && !sending_ && !isPinging_)
-    static_cast<void>(
-        ::send(socket.native_handle(), kGoingAway, sizeof kGoingAway, MSG_DONTWAIT | MSG_NOSIGNAL));
+  if (isOpen_ && !hasEnded_ && !sending_ && !isPinging_) {
+    error_code ignored;
+    beast::get_lowest_layer(socket_).non_blocking(true, ignored);
+    socket_.next_layer().write_some(asio::buffer(kGoingAway), ignored);
+  }
   end();
 }
 
@@ -268,6 +322,7 @@ void ServerConnection<Stream>::leave() {
 ConnectorThread::ConnectorThread(std::shared_ptr<Client> connectedClient, Connector::Options chosen)
     : client(std::move(connectedClient)),
       options(withClock(std::move(chosen))),
+      tls(tlsFor(options.url)),
       watch(options.times, options.clock->now()) {
   client->setWake([this] {
     asio::post(context, [this] {
@@ -319,8 +374,7 @@ void ConnectorThread::report() {
 }
 
 void ConnectorThread::connect() {
-  if (options.url.isEncrypted)
-    return failed(Failure::kRefused, "connections with encryption (wss://) are not possible yet: use ws://");
+  if (!tls) return failed(Failure::kRefused, tls.error().text);
   lookup_ = HostLookup::start(options.url.host);
   if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
 }
@@ -330,7 +384,11 @@ void ConnectorThread::connectTo(const HostLookup::Outcome& outcome) {
   if (!outcome) return failed(Failure::kEnded, outcome.error().text);
   error_code error;
   const auto address = asio::ip::make_address((*outcome)[nextAddress_++ % outcome->size()], error);
-  connection_ = std::make_shared<ServerConnection<ClientSocket>>(*this, ClientSocket(context));
+  if (*tls) {
+    connection_ = std::make_shared<ServerConnection<beast::ssl_stream<ClientSocket>>>(*this, **tls);
+  } else {
+    connection_ = std::make_shared<ServerConnection<ClientSocket>>(*this);
+  }
   connection_->start({address, options.url.port});
 }
 

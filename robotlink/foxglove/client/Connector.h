@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <functional>
+
 #include "robotlink/foxglove/client/Client.h"
 #include "robotlink/foxglove/client/LinkWatch.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
@@ -19,6 +22,13 @@ class Connector {
     ServerUrl url;
     /// Shown as "Authorization: Bearer TOKEN"; empty: none.
     std::string token = {};
+    /// With wss://: asked, in the connector's thread and without blocking it for long, whether a robot that
+    /// was never seen is the one that is meant, by the fingerprint that it printed at its start. If not, it
+    /// counts as refused, and is tried again later. Empty: it is believed. What was believed once is
+    /// remembered, and a robot that shows another fingerprint later is refused.
+    std::function<bool(const std::string& server, const std::string& fingerprint)> isTrusted = {};
+    /// The file in which that is remembered; empty: the user's.
+    std::filesystem::path knownServers = {};
     /// The longest message of the server, and the longest of those that are JSON.
     std::size_t messageBytes = 64U << 20U, textBytes = 16U << 20U;
     LinkWatch::Times times = {};

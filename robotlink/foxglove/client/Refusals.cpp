@@ -2,6 +2,7 @@
 #include "robotlink/foxglove/client/Refusals.h"
 
 #include <boost/asio/error.hpp>
+#include <boost/asio/ssl/error.hpp>
 #include <boost/beast/websocket/error.hpp>
 
 #include "robotlink/base/Utf8.h"
@@ -33,6 +34,16 @@ std::string whyNotReached(const error_code& error) {
   if (error == asioError::timed_out)
     return "nothing answers there; is the robot switched on, and in this network?";
   return "it cannot be connected: " + error.message();
+}
+
+std::string whyNotSecured(const error_code& error) {
+  if (error == asioError::eof || error == asioError::connection_reset ||
+      error == boost::asio::ssl::error::stream_truncated)
+    return "the connection was closed before it was encrypted; is this the robot's port? If it does not "
+           "encrypt, "
+           "use ws://";
+  return "what listens there does not encrypt as robots do: use ws:// if it does not encrypt at all (" +
+         error.message() + ")";
 }
 
 std::string whyNoHandshake(const error_code& error) {

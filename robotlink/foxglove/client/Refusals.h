@@ -10,6 +10,8 @@ namespace robotlink::websocket {
 
 /// TCP could not be connected.
 std::string whyNotReached(const boost::system::error_code& error);
+/// Encryption could not be agreed on.
+std::string whyNotSecured(const boost::system::error_code& error);
 /// What listens did not answer as a WebSocket server does.
 std::string whyNoHandshake(const boost::system::error_code& error);
 /// It answered with another HTTP status than 101, and this text.

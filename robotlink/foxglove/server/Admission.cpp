@@ -52,14 +52,15 @@ Instant Admission::decidableAt(const std::string& address) const {
   return found == waiting_.end() ? Instant::min() : found->second;
 }
 
-bool Admission::isAuthorized(const Knock& knock) const {
+bool Admission::showsToken(const Knock& knock, const std::string& token) const {
   constexpr std::string_view kBearer = "Bearer ";
   const std::string_view header = knock.authorization;
-  const bool hasHeader = header.starts_with(kBearer) && isSame(header.substr(kBearer.size()), options_.token);
-  return options_.token.empty() || hasHeader || isSame(tokenIn(knock.target), options_.token);
+  const bool inHeader = header.starts_with(kBearer) && isSame(header.substr(kBearer.size()), token);
+  const bool inTarget = isSame(tokenIn(knock.target), token);
+  return !token.empty() && (inHeader || inTarget);
 }
 
-std::variant<std::string, Refusal> Admission::decide(const Knock& knock, Instant now) {
+std::variant<Admitted, Refusal> Admission::decide(const Knock& knock, Instant now) {
   if (!knock.isWebSocket)
     return Refusal{426,
                    "This is a robot's WebSocket port: connect with RobotControl or any other client of the "
@@ -69,18 +70,21 @@ std::variant<std::string, Refusal> Admission::decide(const Knock& knock, Instant
     return Refusal{403, "Web pages of " + knock.origin +
                             " may not connect to this robot, unless it is told to allow them."};
   std::erase_if(waiting_, [&](const auto& entry) { return entry.second <= now; });
-  if (!isAuthorized(knock)) {
+  // Both are compared always, which takes the same time whatever is shown.
+  const bool isMaster = showsToken(knock, options_.token), isWatcher = showsToken(knock, options_.watchToken);
+  const bool isOpen = options_.token.empty() && options_.watchToken.empty();
+  if (!isOpen && !isMaster && !isWatcher) {
     if (waiting_.size() >= kMaxWaiting)
       waiting_.erase(std::ranges::min_element(waiting_, {}, [](const auto& entry) { return entry.second; }));
     waiting_[knock.address] = now + options_.wrongTokenDelay;
     return Refusal{
         401,
         "This robot wants its token, as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' behind the URL; "
-        "it printed the token when it was made.",
+        "it printed the token when it was made, and says at each start which file has it.",
         true};
   }
   for (const char* protocol : {kSdkProtocol, kWebSocketProtocol})
-    if (lists(knock.protocols, protocol)) return protocol;
+    if (lists(knock.protocols, protocol)) return Admitted{protocol, isWatcher && !isMaster};
   return Refusal{400, std::string("This robot speaks the sub-protocols ") + kSdkProtocol + " and " +
                           kWebSocketProtocol + ": offer one of them as Sec-WebSocket-Protocol."};
 }

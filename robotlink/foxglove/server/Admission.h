@@ -26,29 +26,38 @@ struct Refusal {
   bool isWrongToken = false;
 };
 
+/// How a client may connect.
+struct Admitted {
+  /// The sub-protocol to speak.
+  std::string protocol;
+  /// Whether it showed the token of those who may only watch.
+  bool isReadOnly = false;
+};
+
 /// Decides who may connect. A wrong token makes its machine wait: until then nothing from it is decided,
 /// right or wrong, so that guessing is slow however many connections guess. Not thread-safe.
 class Admission {
  public:
   struct Options {
-    /// What a client has to show; empty: nothing. As "Authorization: Bearer TOKEN", or, where headers cannot
-    /// be set, as ?token=TOKEN behind the URL.
+    /// What a client has to show to do everything, as "Authorization: Bearer TOKEN" or, where headers cannot
+    /// be set, as ?token=TOKEN behind the URL. If this and watchToken are empty: nothing.
     std::string token = {};
     /// The origins ("https://example.org") whose web pages may connect, or "*" for all. Programs that are no
     /// browsers state none.
     std::vector<std::string> origins = {};
     Duration wrongTokenDelay = std::chrono::seconds(1);
+    /// What a client has to show that may only watch; empty: there are none.
+    std::string watchToken = {};
   };
 
   explicit Admission(Options options) : options_(std::move(options)) {}
 
   /// When a request of this machine may be decided.
   Instant decidableAt(const std::string& address) const;
-  /// Returns the sub-protocol to speak, or why not.
-  std::variant<std::string, Refusal> decide(const Knock& knock, Instant now);
+  std::variant<Admitted, Refusal> decide(const Knock& knock, Instant now);
 
  private:
-  bool isAuthorized(const Knock& knock) const;
+  bool showsToken(const Knock& knock, const std::string& token) const;
 
   const Options options_;
   /// Machines that showed a wrong token, and until when they wait.

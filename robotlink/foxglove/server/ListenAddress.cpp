@@ -28,6 +28,13 @@ Result<ListenAddress> parseListenAddress(std::string_view text) {
   return result;
 }
 
+bool isLoopback(const ListenAddress& address) {
+  // A name, or anything else that only begins like one of these, is no loopback.
+  const bool isV4 = address.address.starts_with("127.") &&
+                    address.address.find_first_not_of("0123456789.") == std::string::npos;
+  return isV4 || address.address == "::1";
+}
+
 std::string toString(const ListenAddress& address) {
   const bool isV6 = address.address.find(':') != std::string::npos;
   return (isV6 ? "[" + address.address + "]" : address.address) + ":" + std::to_string(address.port);

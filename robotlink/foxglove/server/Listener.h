@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
+#include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "robotlink/foxglove/server/Server.h"
@@ -17,6 +20,8 @@ class Listener {
   struct Options {
     ListenAddress address = {"127.0.0.1", kDefaultPort};
     Admission::Options admission = {};
+    /// Connections are encrypted with it (TLS 1.2 at least); nothing: they are not.
+    std::optional<Certificate> certificate = {};
     /// The longest message of a client, and the longest of those that are JSON.
     std::size_t messageBytes = 8U << 20U, textBytes = 1U << 20U;
     /// Messages of one client a second. A client that sends more is read more slowly.
@@ -36,7 +41,7 @@ class Listener {
     /// What the system may hold of data that it has not sent, per client; the rest waits where newer messages
     /// replace it.
     int unsentBytes = 64 << 10;
-    /// For all these times and for budgets; real time if there is none.
+    /// For all these times and for budgets; the server's if there is none.
     std::shared_ptr<const Clock> clock = {};
   };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <set>
@@ -9,7 +10,7 @@
 
 namespace robotlink::websocket {
 
-/// What a server knows of a client. The server's mutex protects all but the information.
+/// What a server knows of a client. The server's mutex protects all but the information and what is atomic.
 struct ServedClient {
   const ClientInfo info;
   Outbox outbox;
@@ -33,6 +34,11 @@ struct ServedClient {
     std::string payload = {};
   };
   std::optional<PartialCall> partialCall = {};
+
+  /// When the link heard anything of it, by the server's clock, since its zero.
+  std::atomic<Duration::rep> heardAt{0};
+  /// A sign of life is asked for after so long a silence, unless the link does it sooner; 0: the link knows.
+  std::atomic<Duration::rep> pingEvery{0};
 };
 
 }  // namespace robotlink::websocket

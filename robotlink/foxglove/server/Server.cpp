@@ -13,8 +13,9 @@ namespace {
 /// The stream of publishTime(); channels begin with 1.
 constexpr Outbox::StreamId kTimeStream = 0;
 
-ServerOptions withSession(ServerOptions options) {
+ServerOptions completed(ServerOptions options) {
   options.metadata.emplace(kCallPartsKey, "1");
+  if (!options.clock) options.clock = std::make_shared<const SteadyClock>();
   if (!options.sessionId.empty()) return options;
   std::random_device random;
   for (int i = 0; i < 4; ++i) options.sessionId += std::to_string(random()) + (i < 3 ? "-" : "");
@@ -33,14 +34,16 @@ void ServerChannel::publish(Instant time, SharedBytes payload) {
   if (const auto server = server_.lock()) server->publish(*this, time, std::move(payload));
 }
 
+std::string shownName(const ClientInfo& client) {
+  return client.name.empty() ? client.address : client.name + " at " + client.address;
+}
+
 std::shared_ptr<Server> Server::make(ServerOptions options, ServerHandlers handlers) {
   return std::shared_ptr<Server>(new Server(std::move(options), std::move(handlers)));
 }
 
 Server::Server(ServerOptions options, ServerHandlers handlers)
-    : options_(withSession(std::move(options))),
-      handlers_(std::move(handlers)),
-      playable_(options_.playable) {}
+    : options_(completed(std::move(options))), handlers_(std::move(handlers)), playable_(options_.playable) {}
 
 std::vector<std::string> Server::capabilities() const {
   std::vector<std::string> names{"parameters", "parametersSubscribe", "services", "connectionGraph"};
@@ -115,12 +118,12 @@ void Server::publishTime(Instant time) {
 
 // What else the robot offers and tells.
 
-std::uint32_t Server::addService(Service service, ServiceHandler handler) {
+std::uint32_t Server::addService(Service service, ServiceHandler handler, ServiceAccess access) {
   const std::lock_guard lock(mutex_);
   service.id = nextServiceId_++;
   sendAll(AdvertiseServices{{service}});
   const std::uint32_t id = service.id;
-  services_[id] = {std::move(service), std::make_shared<const ServiceHandler>(std::move(handler))};
+  services_[id] = {std::move(service), std::make_shared<const ServiceHandler>(std::move(handler)), access};
   return id;
 }
 
@@ -213,6 +216,25 @@ std::vector<ClientState> Server::clients() const {
   return states;
 }
 
+std::optional<Instant> Server::heardAt(std::uint64_t clientId) const {
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_)
+    if (client->info.id == clientId && client->closing.empty()) return Instant(Duration(client->heardAt));
+  return std::nullopt;
+}
+
+void Server::watch(const std::set<std::uint64_t>& clientIds, Duration pingEvery) {
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_)
+    client->pingEvery = clientIds.contains(client->info.id) ? pingEvery.count() : 0;
+}
+
+void Server::tell(std::uint64_t clientId, const Status& status) {
+  const std::lock_guard lock(mutex_);
+  for (const ClientPtr& client : clients_)
+    if (client->info.id == clientId) send(*client, status);
+}
+
 void Server::disconnect(std::uint64_t clientId, const std::string& reason) {
   const std::lock_guard lock(mutex_);
   for (const ClientPtr& client : clients_)
@@ -230,6 +252,7 @@ Result<ClientPtr> Server::connect(ClientInfo info, std::function<void()> wake) {
     info.id = nextClientId_++;
     client.reset(new ServedClient{std::move(info), Outbox(options_.limits.outbox), std::move(wake)});
     client->outbox.budget().setRate(options_.budget);
+    client->heardAt = clock().now().time_since_epoch().count();
     clients_.push_back(client);
     greet(*client);
     tellClients(calls);

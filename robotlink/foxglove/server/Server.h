@@ -15,6 +15,8 @@ namespace robotlink::websocket {
 /// with its counters by topic. The second is only sent to those who name it.
 inline constexpr char kBudgetParameter[] = "link/budget";
 inline constexpr char kCountersParameter[] = "link/counters";
+/// The number by which others know a client (SteeringStatus.client); cannot be set.
+inline constexpr char kClientParameter[] = "link/client";
 
 /// The server's end of the Foxglove WebSocket protocol, without a transport: what is offered, who subscribed
 /// to what, and what waits to be sent to whom. A Listener connects it with TCP.
@@ -34,7 +36,8 @@ class Server : public std::enable_shared_from_this<Server> {
   void removeChannels(std::span<const ChannelPtr> channels);
 
   /// The id is given by the server, and returned.
-  std::uint32_t addService(Service service, ServiceHandler handler);
+  std::uint32_t addService(Service service, ServiceHandler handler,
+                           ServiceAccess access = ServiceAccess::kControl);
   void removeService(std::uint32_t id);
 
   /// Sets or, without a value, removes parameters; changes go to clients that subscribed to them.
@@ -52,6 +55,13 @@ class Server : public std::enable_shared_from_this<Server> {
   void removeStatus(const std::vector<std::string>& ids);
 
   std::vector<ClientState> clients() const;
+  const Clock& clock() const { return *options_.clock; }
+  /// When a client was heard last; nothing if it is gone.
+  std::optional<Instant> heardAt(std::uint64_t clientId) const;
+  /// Asks these clients for signs of life after so long a silence, and others as the link does.
+  void watch(const std::set<std::uint64_t>& clientIds, Duration pingEvery);
+  /// Tells one client something, if it is still there.
+  void tell(std::uint64_t clientId, const Status& status);
   /// Tells a client why, and closes its connection.
   void disconnect(std::uint64_t clientId, const std::string& reason);
 
@@ -75,6 +85,7 @@ class Server : public std::enable_shared_from_this<Server> {
   struct OfferedService {
     Service service;
     std::shared_ptr<const ServiceHandler> handler;
+    ServiceAccess access = ServiceAccess::kControl;
   };
 
   Server(ServerOptions options, ServerHandlers handlers);

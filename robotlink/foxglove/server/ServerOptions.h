@@ -13,8 +13,13 @@ struct ClientInfo {
   std::string address;
   /// What it calls itself (the User-Agent of its HTTP request); may be empty.
   std::string name;
+  /// Whether it may only watch: it sets, calls, publishes and plays nothing.
+  bool isReadOnly = false;
   bool operator==(const ClientInfo&) const = default;
 };
+
+/// "RobotControl at 10.0.0.7:51234".
+std::string shownName(const ClientInfo& client);
 
 /// A client with what was sent to it.
 struct ClientState {
@@ -58,6 +63,9 @@ struct ServerOptions {
   /// A client's at first, in bytes a second; 0 without limit.
   double budget = 0;
   ServerLimits limits = {};
+  /// For when clients were heard; a Listener without a clock of its own uses it, too. Real time if there is
+  /// none.
+  std::shared_ptr<const Clock> clock = {};
 };
 
 /// What clients ask for. All are called in the link's thread, one at a time, and must not block: what takes
@@ -83,6 +91,12 @@ struct ServerHandlers {
 
   /// Sentences for the robot's log: clients that were refused, and why.
   std::function<void(const std::string&)> report = {};
+};
+
+/// Who may call a service.
+enum class ServiceAccess {
+  kControl,  ///< clients that may do everything
+  kAnybody,  ///< also those that may only watch; the handler may object
 };
 
 /// Answers a call of a service.

@@ -9,6 +9,9 @@
 namespace robotlink::websocket {
 namespace {
 
+constexpr char kOnlyWatches[] =
+    "you may only watch this robot: connect with its token for control to change something";
+
 /// A budget below this would not carry what keeps a connection alive.
 constexpr double kMinBudget = 1000;
 
@@ -112,6 +115,7 @@ void Server::handle(const ClientPtr& client, const ClientAdvertise& message, Cal
 
 std::string Server::advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls) {
   if (!handlers_.clientMessage) return "this robot takes no messages of clients";
+  if (client->info.isReadOnly) return kOnlyWatches;
   if (std::ranges::find(options_.encodings, channel.encoding) == options_.encodings.end())
     return channel.topic + " has the encoding " + channel.encoding + ", which this robot does not take";
   if (client->channels.contains(channel.id))
@@ -151,13 +155,16 @@ void Server::handle(const ClientPtr& client, const ClientMessageData& message, C
 std::vector<Parameter> Server::valuesFor(ServedClient& client, const std::vector<std::string>& names) const {
   std::vector<Parameter> values;
   const Parameter budget{kBudgetParameter, Value{client.outbox.budget().rate()}};
+  const Parameter number{kClientParameter, Value{static_cast<std::int64_t>(client.info.id)}};
   if (names.empty()) {
     for (const auto& [name, value] : parameters_) values.push_back({name, value});
     values.push_back(budget);
+    values.push_back(number);
     return values;
   }
   for (const std::string& name : std::set(names.begin(), names.end())) {
     if (name == kBudgetParameter) values.push_back(budget);
+    if (name == kClientParameter) values.push_back(number);
     if (name == kCountersParameter) values.push_back({name, countersOf(client)});
     if (const auto found = parameters_.find(name); found != parameters_.end())
       values.push_back({name, found->second});
@@ -208,6 +215,7 @@ void Server::handle(const ClientPtr& client, const SetParameters& message, Calls
       send(to, ParameterValues{names.empty() ? std::vector<Parameter>() : valuesFor(to, names), id});
   };
   if (others.empty()) return answer(*client, Reply::Answer());
+  if (client->info.isReadOnly) return answer(*client, failure("foxglove.read-only", kOnlyWatches));
   if (!handlers_.setParameters)
     return answer(*client, failure("foxglove.parameters", "the parameters of this robot cannot be set"));
   if (client->calls >= options_.limits.calls)
@@ -247,6 +255,7 @@ void Server::handle(const ClientPtr& client, const UnsubscribeConnectionGraph&, 
 void Server::handle(const ClientPtr& client, const PlaybackControl& message, Calls& calls) {
   if (!handlers_.playbackControl || !playable_)
     return complain(*client, "this is no log that could be played");
+  if (client->info.isReadOnly) return complain(*client, kOnlyWatches);
   calls.push_back([this, client, message] { handlers_.playbackControl(client->info, message); });
 }
 
@@ -302,6 +311,8 @@ void Server::call(const ClientPtr& client, const ServiceCallRequest& message,
   const auto found = services_.find(message.serviceId);
   if (found == services_.end())
     return fail(*client, "there is no service " + std::to_string(message.serviceId));
+  if (client->info.isReadOnly && found->second.access == ServiceAccess::kControl)
+    return fail(*client, kOnlyWatches);
   if (client->calls >= options_.limits.calls)
     return fail(*client, "too many of your calls have no answer yet: " +
                              std::to_string(options_.limits.calls) + " are allowed");

@@ -24,9 +24,9 @@ unsigned statusOf(Admission& admission, const Knock& request, Instant now = Inst
 TEST(Admission, oneOfTheSubProtocolsMustBeOffered) {
   Admission admission({});
   Knock request = knock();
-  EXPECT_EQ(std::get<std::string>(admission.decide(request, {})), "foxglove.websocket.v1");
+  EXPECT_EQ(std::get<Admitted>(admission.decide(request, {})).protocol, "foxglove.websocket.v1");
   request.protocols = "foxglove.websocket.v1 ,foxglove.sdk.v1";
-  EXPECT_EQ(std::get<std::string>(admission.decide(request, {})), "foxglove.sdk.v1");
+  EXPECT_EQ(std::get<Admitted>(admission.decide(request, {})).protocol, "foxglove.sdk.v1");
   for (const char* others : {"", "foxglove.sdk.v2", "xfoxglove.sdk.v1", ", ,"}) {
     request.protocols = others;
     EXPECT_EQ(statusOf(admission, request), 400U) << others;
@@ -81,6 +81,26 @@ TEST(ListenAddress, isAPortOrAnAddressWithOne) {
   for (const char* wrong : {"", ":", "65536", "-1", "80x", "1.2.3.4", "1.2.3.4:", ":80", "::1:80", "[::1]"})
     EXPECT_FALSE(parseListenAddress(wrong)) << wrong;
   EXPECT_THAT(parseListenAddress("::1:80").error().text, HasSubstr("needs brackets"));
+}
+
+TEST(Admission, oneTokenIsForThoseWhoOnlyWatch) {
+  Admission admission({.token = "secret", .watchToken = "look"});
+  const auto isReadOnly = [&](const std::string& token) {
+    return std::get<Admitted>(admission.decide(knock("Bearer " + token), {})).isReadOnly;
+  };
+  EXPECT_FALSE(isReadOnly("secret"));
+  EXPECT_TRUE(isReadOnly("look"));
+  EXPECT_EQ(statusOf(admission, knock()), 401U);
+  // Without a token for control nobody has it.
+  Admission watched({.watchToken = "look"});
+  EXPECT_EQ(statusOf(watched, knock("Bearer ")), 401U);
+  EXPECT_EQ(statusOf(watched, knock("Bearer look"), Instant(std::chrono::hours(1))), 101U);
+}
+
+TEST(ListenAddress, onlyAddressesOfThisMachineAreLoopback) {
+  for (const char* inside : {"127.0.0.1", "127.1.2.3", "::1"}) EXPECT_TRUE(isLoopback({inside, 1})) << inside;
+  for (const char* outside : {"0.0.0.0", "::", "10.127.0.1", "127.evil.com"})
+    EXPECT_FALSE(isLoopback({outside, 1})) << outside;
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/security/SecretFile.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/UnfinishedFile.h"
+
+namespace robotlink::websocket {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxSecret = 1U << 20U;
+
+const char* environmentValue(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+tl::unexpected<Error> secretFailure(const std::string& action, const fs::path& path, int reason) {
+  return failure("secret.io", "cannot " + action + ": " + std::strerror(reason), {path.string(), 0, 0});
+}
+
+bool writeWhole(int file, std::string_view contents) {
+  while (!contents.empty()) {
+    const ssize_t written = ::write(file, contents.data(), contents.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    contents.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return ::fsync(file) == 0;
+}
+
+}  // namespace
+
+fs::path stateDirectory() {
+  if (const char* state = environmentValue("XDG_STATE_HOME")) return fs::path(state) / "robotcontrol";
+  if (const char* home = environmentValue("HOME")) return fs::path(home) / ".local/state/robotcontrol";
+  return fs::temp_directory_path() / ("robotcontrol-" + std::to_string(::getuid()));
+}
+
+Result<std::string> readSecret(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return secretFailure("open", path, errno);
+  if (S_ISREG(status.st_mode) && status.st_uid != ::geteuid() && ::geteuid() != 0)
+    return failure("secret.owner", "this file is a secret of another user; use a file of your own",
+                   {path.string(), 0, 0});
+  if (S_ISREG(status.st_mode) && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
+    return failure("secret.readable",
+                   "other users of this machine may read this secret: remove the file, so that a new one is "
+                   "made, or if you are sure that nobody has read it, run chmod 600 on it",
+                   {path.string(), 0, 0});
+  return readFile(path, kMaxSecret);
+}
+
+Result<bool> createSecret(const fs::path& path, std::string_view contents) {
+  std::error_code error;
+  if (const fs::path folder = path.parent_path(); !folder.empty() && fs::create_directories(folder, error))
+    fs::permissions(folder, fs::perms::owner_all, error);
+  std::string temporary = path.string() + ".XXXXXX";
+  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);  // with mode 0600
+  if (file < 0) return secretFailure("create a temporary file beside it", path, errno);
+  const UnfinishedFile unfinished(temporary);
+  const bool isWritten = writeWhole(file, contents);
+  int reason = errno;
+  ::close(file);
+  // A link, unlike a new name, never replaces the file of somebody who was faster.
+  const bool isLinked = isWritten && ::link(temporary.c_str(), path.c_str()) == 0;
+  if (isWritten && !isLinked) reason = errno;
+  ::unlink(temporary.c_str());
+  if (isLinked) return true;
+  if (isWritten && reason == EEXIST) return false;
+  return secretFailure("write", path, reason);
+}
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "robotlink/base/Error.h"
+
+namespace robotlink::websocket {
+
+/// What clients show to be let in: one token for those who may do everything, one for those who may only
+/// watch. An empty one lets nobody in.
+struct Tokens {
+  std::string control, watch;
+  bool operator==(const Tokens&) const = default;
+};
+
+// The file: the line "robotcontrol-tokens 1", then lines "control TOKEN" and "watch TOKEN". A token has 16 to
+// 200 letters, digits, or any of -._~ . Empty lines and those that begin with # are ignored.
+
+/// Fails with the line of the first mistake; `file` is for that.
+Result<Tokens> parseTokens(std::string_view text, const std::string& file);
+std::string toText(const Tokens& tokens);
+/// Two random tokens of 128 bits.
+Result<Tokens> makeTokens();
+
+/// The tokens of a robot, and whether they were made just now and have to be told.
+struct KeptTokens {
+  Tokens tokens;
+  bool isNew = false;
+};
+/// Reads the file, or makes it with mode 0600 if there is none.
+Result<KeptTokens> loadOrMakeTokens(const std::filesystem::path& file);
+
+}  // namespace robotlink::websocket

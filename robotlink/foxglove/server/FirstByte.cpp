@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/socket.h>
+
+#include "robotlink/foxglove/server/ListenerPort.h"
+
+namespace robotlink::websocket {
+namespace {
+
+/// A connection of which nothing was heard yet.
+class FirstByte final : public Connection, public std::enable_shared_from_this<FirstByte> {
+ public:
+  FirstByte(ListenerPort& port, ListenerSocket socket)
+      : port_(port), machine_(farMachine(socket)), socket_(std::move(socket)), beganAt_(port.now()) {}
+
+  void start() override {
+    socket_.async_wait(ListenerSocket::wait_read,
+                       [self = shared_from_this()](error_code error) { error ? self->end() : self->look(); });
+  }
+  void tick(Instant now) override {
+    if (now - beganAt_ > port_.options.handshakeTime) end();
+  }
+  void leave() override {}
+  bool isHandshake() const override { return true; }
+  const std::string& machine() const override { return machine_; }
+  void end() override {
+    error_code ignored;
+    socket_.close(ignored);
+    port_.remove(shared_from_this());
+  }
+
+ private:
+  void look() {
+    constexpr std::uint8_t kTlsHandshake = 0x16;
+    std::uint8_t first = 0;
+    if (::recv(socket_.native_handle(), &first, 1, MSG_PEEK | MSG_DONTWAIT) != 1) return end();
+    const auto self = shared_from_this();
+    port_.remove(self);
+    port_.add(first == kTlsHandshake ? makeTlsConnection(port_, std::move(socket_), *port_.tls)
+                                     : makePlainConnection(port_, std::move(socket_), true));
+  }
+
+  ListenerPort& port_;
+  const std::string machine_;
+  ListenerSocket socket_;
+  const Instant beganAt_;
+};
+
+}  // namespace
+
+ConnectionPtr makeFirstByte(ListenerPort& port, ListenerSocket socket) {
+  return std::make_shared<FirstByte>(port, std::move(socket));
+}
+
+}  // namespace robotlink::websocket

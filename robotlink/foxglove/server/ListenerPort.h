@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inside of a Listener; for its sources only, since it brings in Asio.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <set>
+#include <thread>
+
+#include "robotlink/foxglove/server/Listener.h"
+
+namespace robotlink::websocket {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+// With the executor's own type calls are direct.
+using ListenerExecutor = asio::io_context::executor_type;
+using ListenerSocket = asio::basic_stream_socket<asio::ip::tcp, ListenerExecutor>;
+using ListenerAcceptor = asio::basic_socket_acceptor<asio::ip::tcp, ListenerExecutor>;
+
+/// A connection as the port sees it, whatever stream is below it. In the port's thread, but for leave().
+class Connection {
+ public:
+  Connection() = default;
+  virtual ~Connection() = default;
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  virtual void start() = 0;
+  /// Looks at the times.
+  virtual void tick(Instant now) = 0;
+  /// Says goodbye without waiting for anything, when the port's thread has ended.
+  virtual void leave() = 0;
+  virtual bool isHandshake() const = 0;
+  /// Ends it at once; may destroy it.
+  virtual void end() = 0;
+  /// The machine at the other end, without its port.
+  virtual const std::string& machine() const = 0;
+};
+
+class ListenerPort;
+using ConnectionPtr = std::shared_ptr<Connection>;
+
+/// A connection without encryption. If `isRefused`, it only tells clients to use encryption.
+ConnectionPtr makePlainConnection(ListenerPort& port, ListenerSocket socket, bool isRefused = false);
+/// One with TLS, of which the handshake is still to come.
+ConnectionPtr makeTlsConnection(ListenerPort& port, ListenerSocket socket, asio::ssl::context& tls);
+/// Waits for the first byte of a connection that should be one of TLS, and passes it on to one of these.
+ConnectionPtr makeFirstByte(ListenerPort& port, ListenerSocket socket);
+
+/// The listening socket, its thread, and the connections. All but the constructor, open() and the destructor
+/// runs in the thread.
+class ListenerPort {
+ public:
+  ListenerPort(std::shared_ptr<Server> servedServer, Listener::Options chosen)
+      : server(std::move(servedServer)),
+        options(withClock(std::move(chosen), server)),
+        admission(options.admission) {}
+  ~ListenerPort() {
+    context.stop();
+    if (thread_.joinable()) thread_.join();
+    for (const auto& connection : std::exchange(connections_, {})) connection->leave();
+  }
+  ListenerPort(const ListenerPort&) = delete;
+  ListenerPort& operator=(const ListenerPort&) = delete;
+
+  Result<void> open();
+  ListenAddress address() const {
+    error_code ignored;
+    return {options.address.address, acceptor_.local_endpoint(ignored).port()};
+  }
+  Instant now() const { return options.clock->now(); }
+  void add(const ConnectionPtr& connection);
+  void remove(const ConnectionPtr& connection) { connections_.erase(connection); }
+
+  const std::shared_ptr<Server> server;
+  const Listener::Options options;
+  Admission admission;
+  /// Null: connections are not encrypted.
+  std::shared_ptr<asio::ssl::context> tls;
+  asio::io_context context{1};
+
+ private:
+  static Listener::Options withClock(Listener::Options options, const std::shared_ptr<Server>& server) {
+    if (!options.clock) options.clock = {server, &server->clock()};
+    return options;
+  }
+  void run();
+  void accept();
+  void welcome(ListenerSocket socket);
+  bool makeRoomFor(const std::string& machine);
+  void tickLater();
+
+  ListenerAcceptor acceptor_{context};
+  asio::steady_timer timer_{context};
+  bool isTicking_ = false, isAccepting_ = false;
+  std::set<ConnectionPtr> connections_;
+  std::thread thread_;
+};
+
+/// "127.0.0.1:1234"; empty if the connection is gone.
+std::string farEnd(const ListenerSocket& socket);
+/// Only its address.
+std::string farMachine(const ListenerSocket& socket);
+
+}  // namespace robotlink::websocket
