@@ -2,6 +2,7 @@
 #include "app/core/PlatformThread.h"
 
 #include "app/core/replay/ReplayMoves.h"
+#include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
@@ -132,13 +133,27 @@ void PlatformThread::close(LoadHandler handler) {
   });
 }
 
-void PlatformThread::request(const robotcontrol::Request& request) {
-  const bool moves = request.has_control_replay() && onlyMoves(request.control_replay());
-  std::shared_ptr<Asked> asked;
+void PlatformThread::stop(const robotcontrol::Request& request) {
   std::shared_ptr<StopSwitch> stopSwitch;
   {
     const std::lock_guard lock(mutex_);
     stopSwitch = stopSwitch_;
+  }
+  // It is not only enqueued: the platform's thread may be blocked by a program that hangs.
+  if (stopSwitch) stopSwitch->engage(request.robot(), request.stop().engaged());
+  thread_.postUrgent([this, request] {
+    // A scene with this robot may be about to be opened.
+    if (feed_ && feed_->describe().robots.contains(request.robot())) return fulfil(request, {request.id()});
+    postOther([this, request] { fulfil(request, {request.id()}); });
+  });
+}
+
+void PlatformThread::request(const robotcontrol::Request& request) {
+  if (request.has_stop()) return stop(request);
+  const bool moves = request.has_control_replay() && onlyMoves(request.control_replay());
+  std::shared_ptr<Asked> asked;
+  {
+    const std::lock_guard lock(mutex_);
     if (moves && newest_ && joinMoves(*newest_->request.mutable_control_replay(), request.control_replay())) {
       newest_->ids.push_back(request.id());
       return;
@@ -146,8 +161,6 @@ void PlatformThread::request(const robotcontrol::Request& request) {
     asked = std::make_shared<Asked>(Asked{request, {request.id()}});
     newest_ = moves ? asked : nullptr;
   }
-  // STOP is not only enqueued: the platform's thread may be blocked by a program that hangs.
-  if (stopSwitch && request.has_stop()) stopSwitch->engage(request.robot(), request.stop().engaged());
   thread_.post([this, asked] {
     {
       const std::lock_guard lock(mutex_);

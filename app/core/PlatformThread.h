@@ -51,7 +51,8 @@ class PlatformThread {
   void close(LoadHandler handler);
   /// Fulfills a request to a robot or to the platform; the session gets one result for each. Moves in a log
   /// that are requested faster than they can be made are joined: the newest of several jumps counts, and
-  /// steps add up. STOP of a real robot also acts at once.
+  /// steps add up. STOP goes before all that waits, unless the platform that runs has no such robot; that of
+  /// a real robot also acts at once.
   void request(const robotcontrol::Request& request);
 
  private:
@@ -73,6 +74,8 @@ class PlatformThread {
   LoadedPlatform describe() const;
   /// Fulfills a request and pushes the result for each of the ids, unless the program will answer.
   void fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
+  /// Fulfills STOP if there is such a robot, otherwise when what was asked before is done.
+  void stop(const robotcontrol::Request& request);
   /// Enqueues a job that no move can be joined across.
   void postOther(PacedThread::Job job);
 

@@ -41,10 +41,10 @@ Request startOf(const LoadedPlatform& platform, double speed) {
 }
 
 /// "red1, red2 at ws://127.0.0.1:8765".
-std::string offerOf(const LoadedPlatform& platform, const Listener& listener) {
+std::string offerOf(const LoadedPlatform& platform, const std::string& scheme, const Listener& listener) {
   std::string robots;
   for (const auto& [name, robot] : platform.robots) robots += (robots.empty() ? "" : ", ") + name;
-  return (robots.empty() ? platform.title : robots) + " at ws://" + toString(listener.address());
+  return (robots.empty() ? platform.title : robots) + " at " + scheme + "://" + toString(listener.address());
 }
 
 /// Prints a text of a program.
@@ -65,18 +65,18 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   session.setRefusalHandler([&](const std::string& what, const std::string& reason) {
     out << what << ": " << reason << std::endl;
   });
-  SessionServer server(session, {}, [&](const std::string& sentence) {
-    out << sentence + "\n" << std::flush;
-  });
+  const auto report = [&](const std::string& sentence) { out << sentence + "\n" << std::flush; };
+  SessionServer server(session, {}, report, options.steering);
   if (options.texts)
     session.addListener({[&](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
   std::optional<RecordingServices> recordings;
   if (!options.recordings.empty())
     recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
-  Listener::Options listening;
-  listening.address = options.address;
-  auto listener = Listener::open(server.server(), listening);
+  const auto access = listenAccess(options.address, options.access);
+  if (!access) return {access.error()};
+  auto listener = Listener::open(server.server(), access->listening);
   if (!listener) return {listener.error()};
+  for (const std::string& note : access->notes) out << note << std::endl;
 
   const auto result = std::make_shared<std::promise<Loaded>>();
   auto loaded = result->get_future();
@@ -96,7 +96,8 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   session.setRobots(robots);
   publishPrograms(session, *outcome);
   if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
-  out << offerOf(*outcome, **listener) << std::endl;
+  tick();  // who connects at once finds everything
+  out << offerOf(*outcome, access->scheme(), **listener) << std::endl;
 
   std::optional<robotlink::Instant> end;
   while (!interrupted()) {

@@ -7,7 +7,9 @@
 #include <ostream>
 
 #include "app/core/platform/PlatformAdapter.h"
+#include "app/core/remote/ListenAccess.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
+#include "robotlink/foxglove/session/Steering.h"
 
 namespace app {
 
@@ -22,6 +24,10 @@ struct ServeOptions {
   bool texts = false;
   /// The folder where clients may record, and fetch recordings from (RecordingServices); empty: none.
   std::filesystem::path recordings = {};
+  /// Who may connect.
+  AccessOptions access = {};
+  /// When a robot stands because the person who steers it is not heard.
+  robotlink::websocket::Steering::Limits steering = {};
 };
 
 /// Opens a platform without a window, with the programs of its robots, and lets clients of the Foxglove

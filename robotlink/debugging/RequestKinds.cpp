@@ -56,6 +56,22 @@ std::string wrongGoal(const Request& request) {
                                                       : "the goal's pose has values that are not numbers";
 }
 
+bool isFinite(const robotcontrol::RemoteMotion& motion) {
+  const auto& walk = motion.motion().walk();
+  const auto& head = motion.head();
+  const auto numbers = {walk.x(),   walk.y(),    walk.rotation(), head.tilt(),
+                        head.pan(), head.roll(), head.mouth()};
+  return std::ranges::all_of(numbers, [](double value) { return std::isfinite(value); });
+}
+
+std::string wrongMotion(const Request& request) {
+  const robotcontrol::RemoteMotion& motion = request.motion();
+  if (!robotcontrol::MotionRequest::Kind_IsValid(motion.motion().kind()) ||
+      !robotcontrol::HeadMode::Kind_IsValid(motion.head().kind()))
+    return "there is no such kind of motion";
+  return isFinite(motion) ? "" : "the motion has values that are not numbers";
+}
+
 std::string wrongPlace(const Request& request) {
   return isFinite(request.place_model().pose_in_field()) ? ""
                                                          : "the place's pose has values that are not numbers";
@@ -181,7 +197,11 @@ constexpr std::array<RequestKind, 16> kKinds{{
      .doer = Doer::kDebugProcess,
      .words = "send tables",
      .publishesTables = true},
-    {.what = Request::kMotion, .doer = Doer::kDebugProcess, .words = "motion", .effect = Effect::kBehavior},
+    {.what = Request::kMotion,
+     .doer = Doer::kDebugProcess,
+     .words = "motion",
+     .effect = Effect::kBehavior,
+     .wrong = wrongMotion},
     {.what = Request::kSetGoal,
      .doer = Doer::kDebugProcess,
      .words = "set goal",

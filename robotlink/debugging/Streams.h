@@ -12,6 +12,8 @@ inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable
 /// ColorTable without its cells and correction: which one is in use, and where it is from.
 inline constexpr char kColorTableInUse[] = "tables/colors";
+inline constexpr char kSubscribers[] = "tables/subscribers";  ///< KeySubscribers, of a served session
+inline constexpr char kSteering[] = "steering";               ///< SteeringStatus, of a served session
 inline constexpr char kResults[] = "results";           ///< RequestResult; passed to the requester, not kept
 inline constexpr char kFrames[] = "frames/";            ///< + process: FrameInfo
 inline constexpr char kStopwatches[] = "stopwatches/";  ///< + process: StopwatchTimes

@@ -17,17 +17,26 @@ PacedThread::~PacedThread() {
 }
 
 void PacedThread::post(Job job) {
+  postTo(jobs_, std::move(job));
+}
+
+void PacedThread::postUrgent(Job job) {
+  postTo(urgent_, std::move(job));
+}
+
+void PacedThread::postTo(std::deque<Job>& jobs, Job job) {
   {
     const std::lock_guard lock(mutex_);
-    jobs_.push_back(std::move(job));
+    jobs.push_back(std::move(job));
   }
   wakeUp_.notify_one();
 }
 
 bool PacedThread::doJobs(std::unique_lock<std::mutex>& lock) {
-  while (!jobs_.empty() && !quit_) {
-    const Job job = std::move(jobs_.front());
-    jobs_.pop_front();
+  while (!(urgent_.empty() && jobs_.empty()) && !quit_) {
+    auto& jobs = urgent_.empty() ? jobs_ : urgent_;
+    const Job job = std::move(jobs.front());
+    jobs.pop_front();
     lock.unlock();
     job();
     lock.lock();
@@ -36,7 +45,7 @@ bool PacedThread::doJobs(std::unique_lock<std::mutex>& lock) {
 }
 
 void PacedThread::runLoop() {
-  const auto disturbed = [this] { return quit_ || !jobs_.empty(); };
+  const auto disturbed = [this] { return quit_ || !urgent_.empty() || !jobs_.empty(); };
   std::unique_lock lock(mutex_);
   while (doJobs(lock)) {
     lock.unlock();

@@ -39,19 +39,22 @@ class PacedThread {
 
   /// Enqueues a job. Any thread; never blocks for long. The queue is unbounded.
   void post(Job job);
+  /// The same for a job that is executed before all others that wait, but in order among its like.
+  void postUrgent(Job job);
 
  private:
+  void postTo(std::deque<Job>& jobs, Job job);
   /// The thread's function.
   void runLoop();
   /// Executes all waiting jobs, with `lock` released during each. Returns false when the thread is to end.
   bool doJobs(std::unique_lock<std::mutex>& lock);
 
   const Work work_;
-  /// Protects jobs_ and quit_.
+  /// Protects the jobs and quit_.
   std::mutex mutex_;
   /// Notified when a job is posted or the thread is to end.
   std::condition_variable wakeUp_;
-  std::deque<Job> jobs_;
+  std::deque<Job> urgent_, jobs_;
   bool quit_ = false;
   /// The last member, since the thread uses the others.
   std::thread thread_;

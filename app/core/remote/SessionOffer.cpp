@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/remote/SessionOffer.h"
 
+#include "app/core/remote/ListenAccess.h"
 #include "app/core/remote/OfferAddress.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
@@ -24,19 +25,21 @@ SessionOffer::~SessionOffer() {
 }
 
 robotlink::Result<void> SessionOffer::begin(const std::string& address) {
-  Listener::Options options;
   const auto where = parseOfferAddress(address);
   if (!where) return tl::unexpected(where.error());
-  options.address = *where;
-  if (isOffered() && listener_->address() == options.address) return {};
+  if (isOffered() && listener_->address() == *where) return {};
+  const auto access = listenAccess(*where, {});
+  if (!access) return tl::unexpected(access.error());
   auto server = std::make_unique<SessionServer>(
       session_, robotlink::websocket::ServerOptions{},
       [queue = reported_](const std::string& sentence) { queue->push(sentence); });
-  auto listener = Listener::open(server->server(), options);
+  auto listener = Listener::open(server->server(), access->listening);
   if (!listener) return tl::unexpected(listener.error());
   end();
   server_ = std::move(server);
   listener_ = std::move(*listener);
+  scheme_ = access->scheme();
+  for (const std::string& note : access->notes) reported_->push(note);
   return {};
 }
 
@@ -48,7 +51,7 @@ void SessionOffer::end() {
 }
 
 std::string SessionOffer::url() const {
-  return isOffered() ? "ws://" + toString(listener_->address()) : std::string();
+  return isOffered() ? scheme_ + "://" + toString(listener_->address()) : std::string();
 }
 
 void SessionOffer::tick() {

@@ -64,6 +64,8 @@ class SessionOffer {
   std::shared_ptr<robotlink::BoundedQueue<std::string>> reported_;
   std::unique_ptr<robotlink::websocket::SessionServer> server_;
   std::unique_ptr<robotlink::websocket::Listener> listener_;
+  /// "ws" or "wss".
+  std::string scheme_;
   std::vector<Client> clients_;
   std::deque<std::string> reports_;
   /// What each client was sent until clients_ was measured, by its id.

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "app/core/platform/NumberRange.h"
 #include "app/core/remote/OfferAddress.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
@@ -14,7 +15,8 @@ void ListenOptions::addTo(CLI::App& command) {
   option_ = command
                 .add_option("--listen", text_,
                             "Lets clients of the Foxglove WebSocket protocol watch and steer the robots, at "
-                            "[ADDRESS:]PORT (127.0.0.1:8765); until Ctrl-C unless --seconds is given")
+                            "[ADDRESS:]PORT (127.0.0.1:8765); until Ctrl-C unless --seconds is given. At "
+                            "addresses that other machines reach, with encryption and tokens")
                 ->expected(0, 1)
                 ->type_name("[ADDRESS:]PORT");
   command
@@ -23,6 +25,37 @@ void ListenOptions::addTo(CLI::App& command) {
                   "(robotctl log fetch)")
       ->type_name("FOLDER")
       ->needs(option_);
+  auto* secure = command.add_flag("--secure", access_.isSecure, "Encryption and tokens at 127.0.0.1, too")
+                     ->needs(option_);
+  auto* tokens = command
+                     .add_option("--token-file", access_.tokenFile,
+                                 "The file of the tokens that clients have to show; made if there is none "
+                                 "(robotcontrol/tokens in ~/.local/state)")
+                     ->needs(option_)
+                     ->type_name("FILE");
+  command
+      .add_flag("--insecure", access_.isInsecure,
+                "No encryption and no tokens: whoever reaches the address watches and steers the robots")
+      ->needs(option_)
+      ->excludes(secure)
+      ->excludes(tokens);
+  command
+      .add_option("--allow-origin", access_.origins,
+                  "Web pages of this origin may connect, such as https://app.foxglove.dev; * for all")
+      ->needs(option_)
+      ->type_name("ORIGIN");
+  command
+      .add_option("--motion-timeout", motionTimeout_,
+                  "A robot stands when whoever steers it has not repeated a motion for so long, s")
+      ->needs(option_)
+      ->check(numberFrom(0.1, 60))
+      ->capture_default_str();
+  command
+      .add_option("--link-timeout", linkTimeout_,
+                  "A robot stands when nothing was heard of whoever steers it for so long, s")
+      ->needs(option_)
+      ->check(numberFrom(0.1, 60))
+      ->capture_default_str();
 }
 
 bool ListenOptions::given() const {
@@ -38,6 +71,9 @@ int ListenOptions::serve(PlatformOpening opening, ServeOptions options, const Re
   if (!where) return printErrors({where.error()});
   options.address = *where;
   options.recordings = recordings_;
+  options.access = access_;
+  options.steering = {.commandTime = robotlink::fromSeconds(motionTimeout_),
+                      .linkTime = robotlink::fromSeconds(linkTimeout_)};
   const Interrupt interrupt;
   const auto recorder = record.start();
   if (!recorder) return printErrors({recorder.error()});

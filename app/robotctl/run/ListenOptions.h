@@ -15,10 +15,10 @@ class Option;
 
 namespace app {
 
-/// The option --listen of commands that can be watched and steered over the network. Filled by the command
-/// line parser.
+/// The option --listen of commands that can be watched and steered over the network, and those that say who
+/// may do that. Filled by the command line parser.
 struct ListenOptions {
-  /// Adds the option to a command; this object must outlive the command.
+  /// Adds the options to a command; this object must outlive the command.
   void addTo(CLI::App& command);
   bool given() const;
   /// What was given; without a value the default port on this machine only.
@@ -29,6 +29,9 @@ struct ListenOptions {
 
  private:
   std::string text_, recordings_;
+  AccessOptions access_;
+  /// Seconds.
+  double motionTimeout_ = 0.5, linkTimeout_ = 1;
   /// Owned by the command; null before addTo().
   CLI::Option* option_ = nullptr;
 };

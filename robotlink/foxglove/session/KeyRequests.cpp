@@ -70,7 +70,20 @@ std::map<std::string, std::set<std::string>> KeyRequests::onDemand(const std::st
   return result;
 }
 
+bool KeyRequests::takeChanged(const std::string& robot) {
+  const auto known = robots_.find(robot);
+  return known != robots_.end() && std::exchange(known->second.hasChanged, false);
+}
+
+void KeyRequests::restoreAll() {
+  for (auto& [name, robot] : robots_) {
+    robot.subscribers.clear();
+    update(name, robot);
+  }
+}
+
 void KeyRequests::update(const std::string& name, Robot& robot) {
+  robot.hasChanged = true;
   for (auto& [keyName, key] : robot.keys) {
     const bool wanted = std::ranges::any_of(
         robot.subscribers, [&](const auto& subscribed) { return publishesOn(key, subscribed.first); });

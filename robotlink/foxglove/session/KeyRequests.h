@@ -37,6 +37,10 @@ class KeyRequests {
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
   /// The same for the keys that are on only because of them.
   std::map<std::string, std::set<std::string>> onDemand(const std::string& robot) const;
+  /// Whether they may have changed since this was asked last.
+  bool takeChanged(const std::string& robot);
+  /// Gives all keys that were switched on here their modes back, because nobody can subscribe any more.
+  void restoreAll();
 
  private:
   struct Key {
@@ -51,6 +55,7 @@ class KeyRequests {
     std::map<std::string, Key> keys;
     /// Clients by stream.
     std::map<std::string, std::set<std::string>> subscribers;
+    bool hasChanged = false;
   };
 
   static bool publishesOn(const Key& key, const std::string& stream);

@@ -8,12 +8,14 @@
 #include <set>
 
 #include "foxglove/Robot.pb.h"
-#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/LinkNames.h"
-#include "robotlink/foxglove/session/RequestServices.h"
+#include "robotlink/foxglove/session/PostedWork.h"
+#include "robotlink/foxglove/session/RobotPath.h"
+#include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Schema.h"
 #include "robotlink/session/LatchedMessages.h"
 
@@ -22,17 +24,14 @@ namespace {
 
 using google::protobuf::Descriptor;
 using google::protobuf::DescriptorPool;
-using robotcontrol::ControlReplay;
+using google::protobuf::Message;
 using robotcontrol::KeyTable;
 using robotcontrol::ProcessTable;
-using robotcontrol::ReplayStatus;
 using robotcontrol::Request;
-using robotcontrol::RequestResult;
 using robotcontrol::SolutionTable;
 
 /// What a line of 1 Mbit/s sends in 65 ms.
 constexpr std::size_t kCalmBytes = 8U << 10U;
-constexpr char kKeysGroup[] = "keys", kSolutionsGroup[] = "solutions";
 
 struct StreamType {
   const char* prefix;
@@ -57,46 +56,10 @@ ChannelSetup setupOf(const std::string& path, const Descriptor& type) {
   return setup;
 }
 
-/// A name in front of the first slash, and what follows it.
-std::pair<std::string, std::string> splitAtSlash(const std::string& path) {
-  const std::size_t slash = path.find('/');
-  if (slash == std::string::npos) return {"", path};
-  return {path.substr(0, slash), path.substr(slash + 1)};
-}
-
-/// Answers when the results of several requests have come: with the first reason against one of them.
-class JointReply {
- public:
-  JointReply(Reply reply, std::size_t count) : reply_(std::move(reply)), left_(count) {}
-  void add(const RequestResult& result) {
-    if (!result.accepted()) reply_.fail(result.reason());
-    if (--left_ == 0) reply_.succeed();
-  }
-
- private:
-  Reply reply_;
-  std::size_t left_;
-};
-
 }  // namespace
 
-/// Filled by the link's thread, emptied by tick(); outlives the SessionServer with the server's handlers.
-struct SessionServer::Posted {
-  using Work = std::function<void(SessionServer&)>;
-  void add(Work work) {
-    const std::lock_guard lock(mutex);
-    waiting.push_back(std::move(work));
-  }
-  std::vector<Work> take() {
-    const std::lock_guard lock(mutex);
-    return std::exchange(waiting, {});
-  }
-
-  std::mutex mutex;
-  std::vector<Work> waiting;
-};
-
-SessionServer::SessionServer(Session& session, ServerOptions options, Report report)
+SessionServer::SessionServer(Session& session, ServerOptions options, Report report,
+                             Steering::Limits steering)
     : session_(session),
       posted_(std::make_shared<Posted>()),
       keys_([this](const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode) {
@@ -105,7 +68,8 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
         request.mutable_set_key()->set_name(key);
         *request.mutable_set_key()->mutable_mode() = mode;
         session_.request(std::move(request));
-      }) {
+      }),
+      steering_(steering, steeringActions()) {
   options.publishesTime = true;
   options.metadata.emplace(kSessionKey, "1");
   options.limits.outbox.calmBytes = kCalmBytes;
@@ -113,6 +77,8 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
   offerServices("", robots_[""]);
   listener_ = session_.addListener({[this](const StreamMessage& message) { pass(message); },
                                     [this](const Request& request) {
+                                      if (!isForwarding_)
+                                        steering_.noteLocal(request, server_->clock().now());
                                       if (!request.has_set_key()) return;
                                       keys_.noteChosen(request.robot(), request.set_key().name(),
                                                        request.set_key().mode());
@@ -125,37 +91,20 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
 }
 
 SessionServer::~SessionServer() {
+  steering_.end();
+  keys_.restoreAll();
   session_.removeListener(listener_);
   // What waits may hold the server, which holds this list.
-  static_cast<void>(posted_->take());
-}
-
-ServerHandlers SessionServer::handlers(Report report) {
-  const auto post = [posted = posted_](Posted::Work work) { posted->add(std::move(work)); };
-  ServerHandlers handlers;
-  handlers.report = std::move(report);
-  handlers.subscribersChanged = [post](const ChannelPtr& channel, const std::vector<ClientInfo>& clients) {
-    std::set<std::string> names;
-    for (const ClientInfo& client : clients) names.insert(client.address);
-    post([path = channel->setup().topic, names](SessionServer& self) {
-      const auto [robot, stream] = splitAtSlash(path);
-      self.keys_.setSubscribers(robot, stream, names);
-      self.offerOnDemand(robot);
-    });
-  };
-  handlers.setParameters = [post](const ClientInfo&, const std::vector<Parameter>& parameters, Reply reply) {
-    post([parameters, reply](SessionServer& self) { self.set(parameters, reply); });
-  };
-  handlers.playbackControl = [post](const ClientInfo&, const PlaybackControl& control) {
-    post([control](SessionServer& self) { self.play(control); });
-  };
-  return handlers;
+  posted_->clear();
 }
 
 void SessionServer::tick() {
   for (const Posted::Work& work : posted_->take()) work(*this);
   updateRobots();
   offerPlayback();
+  getParameters();
+  watchLinks();
+  publishSubscribers();
   if (session_.store().newest() == newest_) return;
   newest_ = session_.store().newest();
   server_->publishTime(newest_);
@@ -175,10 +124,16 @@ void SessionServer::pass(const StreamMessage& message) {
 
 void SessionServer::notice(const StreamMessage& message) {
   const auto [robot, stream] = splitAtSlash(message.path);
-  if (!stream.starts_with("tables/")) return;
+  if (stream.starts_with("tables/")) noticeTable(robot, stream, *message.value);
+  if (!stream.starts_with(streams::kParameters)) return;
+  const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(message.value.get());
+  if (values != nullptr) server_->updateParameters(modules_.take(robot, *values));
+}
+
+void SessionServer::noticeTable(const std::string& robot, const std::string& stream, const Message& value) {
   Robot& known = robots_[robot];
   if (stream == streams::kKeys) {
-    known.keys = dynamic_cast<const KeyTable&>(*message.value);
+    known.keys = dynamic_cast<const KeyTable&>(value);
     keys_.setTable(robot, known.keys);
     offerKeyChannels(robot, known);
     std::map<std::string, std::string> modes;
@@ -186,13 +141,13 @@ void SessionServer::notice(const StreamMessage& message) {
     offerParameters(robot, known, kKeysGroup, modes);
     offerOnDemand(robot);
   } else if (stream == streams::kSolutions) {
+    const auto& table = dynamic_cast<const SolutionTable&>(value);
     std::map<std::string, std::string> active;
-    for (const auto& task : dynamic_cast<const SolutionTable&>(*message.value).tasks()) {
-      active[task.name()] = task.active();
-    }
+    for (const auto& task : table.tasks()) active[task.name()] = task.active();
     offerParameters(robot, known, kSolutionsGroup, active);
+    server_->updateParameters(modules_.keep(robot, table));
   } else if (stream == streams::kProcesses) {
-    noticeProcesses(robot, dynamic_cast<const ProcessTable&>(*message.value), known);
+    noticeProcesses(robot, dynamic_cast<const ProcessTable&>(value), known);
   }
 }
 
@@ -220,33 +175,6 @@ void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable
   if (types == to.packageTypes) return;
   to.packageTypes = std::move(types);
   offerKeyChannels(robot, to);
-}
-
-void SessionServer::offerPlayback() {
-  const StreamMessage* newest = session_.store().latest(streams::kReplay, Instant::max());
-  const auto* status = newest == nullptr ? nullptr : dynamic_cast<const ReplayStatus*>(newest->value.get());
-  if (status == nullptr) {
-    replay_.reset();
-    return server_->setPlayable({});
-  }
-  server_->setPlayable(TimeRange{Instant(Duration(status->begin())), Instant(Duration(status->end()))});
-  if (plays_ > 0 || newest->value == replay_) return;
-  // A jump replaces the history.
-  publishPlayback(replay_ && session_.store().generation() != generation_, {});
-}
-
-void SessionServer::publishPlayback(bool didSeek, const std::string& requestId) {
-  const StreamMessage* newest = session_.store().latest(streams::kReplay, Instant::max());
-  const auto* known = newest == nullptr ? nullptr : dynamic_cast<const ReplayStatus*>(newest->value.get());
-  if (known == nullptr) return;
-  replay_ = newest->value;
-  generation_ = session_.store().generation();
-  const ReplayStatus& status = *known;
-  using Phase = PlaybackState::Phase;
-  const bool ended = !status.playing() && status.time() >= status.end();
-  const Phase phase = status.playing() ? Phase::kPlaying : ended ? Phase::kEnded : Phase::kPaused;
-  server_->publishPlaybackState(
-      {phase, Instant(Duration(status.time())), static_cast<float>(status.speed()), didSeek, requestId});
 }
 
 void SessionServer::offerKeyChannels(const std::string& robot, const Robot& from) {
@@ -300,127 +228,95 @@ void SessionServer::updateRobots() {
     Robot& robot = robots_[name];
     if (!robot.services.empty()) continue;
     offerServices(name, robot);
+    offerSteering(name, robot);
     // So that its first text finds its subscribers.
     const std::string path = name + "/" + streams::kLog;
     if (!channels_.contains(path))
       channels_.emplace(path, server_->addChannels({setupOf(path, *foxglove::Log::descriptor())}).front());
   }
-  // Those that are gone, with all their channels.
   for (auto robot = robots_.begin(); robot != robots_.end();) {
-    const std::string& name = robot->first;
-    const bool isGone = !name.empty() && !robot->second.services.empty() &&
+    const auto& [name, known] = *robot;
+    const bool isGone = !name.empty() && !known.services.empty() &&
                         std::ranges::find(session_.robots(), name) == session_.robots().end();
-    if (!isGone) {
-      ++robot;
-      continue;
-    }
-    for (const std::uint32_t service : robot->second.services) server_->removeService(service);
-    for (const auto& [group, names] : std::map(robot->second.parameters)) {
-      offerParameters(name, robot->second, group, {});
-    }
-    std::vector<ChannelPtr> channels;
-    std::erase_if(channels_, [&](const auto& channel) {
-      if (!channel.first.starts_with(name + "/")) return false;
-      channels.push_back(channel.second);
-      return true;
-    });
-    server_->removeChannels(channels);
-    robot = robots_.erase(robot);
+    if (isGone) removeRobot(name, robot->second);
+    robot = isGone ? robots_.erase(robot) : std::next(robot);
   }
 }
 
-void SessionServer::offerServices(const std::string& robot, Robot& to) {
-  for (Service& service : requestServices(robot)) {
-    const std::string name = service.name;
-    to.services.push_back(server_->addService(
-        std::move(service),
-        [posted = posted_, robot, name](const ClientInfo&, const ServiceCallRequest& call, Reply reply) {
-          // The payload is a part of the client's message, which goes.
-          const auto payload = std::make_shared<const std::string>(call.payload);
-          posted->add([=](SessionServer& self) {
-            ServiceCallRequest kept = call;
-            kept.payload = *payload;
-            self.call(robot, name, kept, reply);
-          });
-        }));
-  }
-}
-
-// ---- From clients
-
-void SessionServer::call(const std::string& robot, const std::string& service, const ServiceCallRequest& call,
-                         const Reply& reply) {
-  Result<Request> request = requestOf(robot, service, call);
-  if (!request) return reply.fail(request.error().text);
-  session_.request(std::move(*request), [reply, encoding = call.encoding](const RequestResult& result) {
-    reply.succeed(encodeResult(result, encoding), encoding);
+/// With all that clients know of it.
+void SessionServer::removeRobot(const std::string& name, Robot& robot) {
+  for (const std::uint32_t service : robot.services) server_->removeService(service);
+  for (const auto& [group, names] : std::map(robot.parameters)) offerParameters(name, robot, group, {});
+  server_->updateParameters(modules_.remove(name));
+  steering_.remove(name);
+  std::vector<ChannelPtr> channels;
+  std::erase_if(channels_, [&](const auto& channel) {
+    if (!channel.first.starts_with(name + "/")) return false;
+    channels.push_back(channel.second);
+    return true;
   });
+  server_->removeChannels(channels);
 }
 
-void SessionServer::play(const PlaybackControl& control) {
-  const auto refuse = [this](const RequestResult& result) {
-    if (!result.accepted()) server_->publishStatus({StatusLevel::kWarning, result.reason(), {}});
-  };
-  if (control.seek) {
-    Request jump;
-    jump.mutable_control_replay()->set_action(ControlReplay::JUMP_TO_TIME);
-    jump.mutable_control_replay()->set_time(control.seek->time_since_epoch().count());
-    session_.request(std::move(jump), refuse);
+// ---- What follows from what clients do
+
+/// What can be set is asked for as soon as somebody is there who may want to know.
+void SessionServer::getParameters() {
+  constexpr int kAtOnce = 4;
+  if (clients_.empty()) return;
+  for (auto& [name, robot] : robots_) {
+    while (robot.asking < kAtOnce) {
+      auto wanted = modules_.nextToGet(name);
+      if (!wanted) break;
+      ++robot.asking;
+      request(std::move(*wanted), [this, name](const robotcontrol::RequestResult&) {
+        if (const auto known = robots_.find(name); known != robots_.end()) --known->second.asking;
+      });
+    }
   }
-  Request act;
-  const bool plays = control.command == PlaybackControl::Command::kPlay;
-  act.mutable_control_replay()->set_action(plays ? ControlReplay::PLAY : ControlReplay::PAUSE);
-  act.mutable_control_replay()->set_speed(static_cast<double>(control.speed));
-  ++plays_;
-  session_.request(std::move(act), [this, refuse, control](const RequestResult& result) {
-    refuse(result);
-    --plays_;
-    publishPlayback(control.seek.has_value(), control.requestId);
-  });
 }
 
-Result<Request> SessionServer::requestFor(const Parameter& parameter) const {
-  const auto [robot, rest] = splitAtSlash(parameter.name);
-  const auto [group, name] = splitAtSlash(rest);
-  const auto known = robots_.find(robot);
-  const auto names = known == robots_.end() ? decltype(Robot::parameters)::const_iterator{}
-                                            : known->second.parameters.find(group);
-  if (known == robots_.end() || names == known->second.parameters.end() || group == kOnDemandGroup ||
-      !names->second.contains(parameter.name)) {
-    return failure("foxglove.parameter", "there is no parameter '" + parameter.name + "' that can be set");
-  }
-  const auto* text = parameter.value ? std::get_if<std::string>(&parameter.value->data) : nullptr;
-  if (text == nullptr)
-    return failure("foxglove.parameter", "the value of '" + parameter.name + "' is a text");
-  Request request;
-  request.set_robot(robot);
-  if (group == kSolutionsGroup) {
-    request.mutable_select_solution()->set_task(name);
-    request.mutable_select_solution()->set_solution(*text);
-    return request;
-  }
-  auto mode = keyModeOf(*text);
-  if (!mode) return tl::unexpected(mode.error());
-  request.mutable_set_key()->set_name(name);
-  *request.mutable_set_key()->mutable_mode() = *mode;
-  return request;
+Steering::Actions SessionServer::steeringActions() {
+  return {
+      [this](const Request& wanted, std::function<void(bool)> isDone) {
+        request(wanted, [isDone = std::move(isDone)](const auto& result) { isDone(result.accepted()); });
+      },
+      [this](const std::string& robot, const Steering::Status& status) { publishSteering(robot, status); },
+      [this](std::uint64_t client) { return server_->heardAt(client); }};
 }
 
-void SessionServer::set(const std::vector<Parameter>& parameters, const Reply& reply) {
-  std::vector<Request> requests;
-  for (const Parameter& parameter : parameters) {
-    Result<Request> request = requestFor(parameter);
-    if (!request) return reply.fail(request.error().text);
-    requests.push_back(std::move(*request));
-  }
-  const auto joint = std::make_shared<JointReply>(reply, requests.size());
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    session_.request(std::move(requests[i]),
-                     [this, joint, parameter = parameters[i]](const RequestResult& result) {
-                       // The robot's table follows; who asked shall see it at once.
-                       if (result.accepted()) server_->updateParameters({parameter});
-                       joint->add(result);
-                     });
+void SessionServer::watchLinks() {
+  // Several signs of life must be missing before a link counts as silent.
+  server_->watch(steering_.clients(), steering_.limits().linkTime / 4);
+  steering_.tick(server_->clock().now());
+}
+
+void SessionServer::publishSteering(const std::string& robot, const Steering::Status& status) {
+  auto message = std::make_shared<robotcontrol::SteeringStatus>();
+  const Instant time = session_.store().newest();
+  assign(*message->mutable_timestamp(), time);
+  message->set_who(status.who);
+  message->set_client(status.client);
+  message->set_silent(status.isSilent);
+  message->set_text(status.text);
+  session_.push({robot + "/" + streams::kSteering, time, std::move(message)});
+}
+
+void SessionServer::publishSubscribers() {
+  for (auto& [name, robot] : robots_) {
+    if (name.empty() || !keys_.takeChanged(name)) continue;
+    auto subscribers = keys_.clientsByKey(name);
+    if (subscribers == robot.subscribers) continue;
+    robot.subscribers = std::move(subscribers);
+    auto message = std::make_shared<robotcontrol::KeySubscribers>();
+    const Instant time = session_.store().newest();
+    assign(*message->mutable_timestamp(), time);
+    for (const auto& [key, clients] : robot.subscribers) {
+      auto& row = *message->add_keys();
+      row.set_name(key);
+      for (const std::string& client : clients) row.add_clients(client);
+    }
+    session_.push({name + "/" + streams::kSubscribers, time, std::move(message)});
   }
 }
 

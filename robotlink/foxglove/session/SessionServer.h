@@ -11,6 +11,8 @@
 
 #include "robotlink/foxglove/server/Server.h"
 #include "robotlink/foxglove/session/KeyRequests.h"
+#include "robotlink/foxglove/session/ModuleParameters.h"
+#include "robotlink/foxglove/session/Steering.h"
 #include "robotlink/session/Session.h"
 
 namespace robotlink::websocket {
@@ -21,9 +23,14 @@ namespace robotlink::websocket {
 /// - Each stream (robotlink/session/STREAMS.md) is a channel of the same path, encoded as protobuf. So is
 ///   what a debug key would publish: the key is switched on while somebody subscribes (KeyRequests). What
 ///   nobody subscribes to is not serialized.
-/// - Each request is a service (RequestServices.h); its answer is the result.
+/// - Each request is a service (RequestServices.h); its answer is the result. Those that let a robot move are
+///   granted to one client at a time (Steering), which "red1/steer" takes over. STOP is everybody's.
+/// - What clients publish on "red1/remote/motion" and the like steers the robot, too (ClientCommands.h).
 /// - Debug keys and solutions are parameters: "red1/keys/ball-percept/disc" is "off", "always", "5 times",
-///   "every 3" or "every 200 ms"; "red1/solutions/ball-percept" is the name of a solution.
+///   "every 3" or "every 200 ms"; "red1/solutions/ball-percept" is the name of a solution. So are the fields
+///   of solutions' parameters (ModuleParameters).
+/// - It publishes to the session who steers ("red1/steering"), and who asks for which debug key
+///   ("red1/tables/subscribers").
 /// - The processes and their packages are the connection graph.
 /// - A log that is open can be played.
 ///
@@ -34,7 +41,9 @@ class SessionServer {
   using Report = std::function<void(const std::string&)>;
 
   /// `session` must outlive this object.
-  explicit SessionServer(Session& session, ServerOptions options = {}, Report report = {});
+  explicit SessionServer(Session& session, ServerOptions options = {}, Report report = {},
+                         Steering::Limits steering = {});
+  /// Keys that clients switched on get their modes back, and robots that clients steered stand.
   ~SessionServer();
   SessionServer(const SessionServer&) = delete;
   SessionServer& operator=(const SessionServer&) = delete;
@@ -53,6 +62,10 @@ class SessionServer {
     std::vector<std::uint32_t> services;
     /// The names of its parameters, by group ("keys", "solutions").
     std::map<std::string, std::set<std::string>> parameters;
+    /// Requests for parameters of solutions that have no answer yet.
+    int asking = 0;
+    /// The clients by key, as they were published.
+    std::map<std::string, std::set<std::string>> subscribers;
     /// Types of packages, of the newest table of processes.
     std::map<std::string, std::string> packageTypes;
     robotcontrol::KeyTable keys;
@@ -61,11 +74,16 @@ class SessionServer {
   };
 
   ServerHandlers handlers(Report report);
+  Steering::Actions steeringActions();
   // From the session.
   void pass(const StreamMessage& message);
   void notice(const StreamMessage& message);
+  void noticeTable(const std::string& robot, const std::string& stream,
+                   const google::protobuf::Message& value);
   void updateRobots();
+  void removeRobot(const std::string& name, Robot& robot);
   void offerServices(const std::string& robot, Robot& to);
+  void offerSteering(const std::string& robot, Robot& to);
   /// Announces the channels of keys that have published nothing yet.
   void offerKeyChannels(const std::string& robot, const Robot& from);
   /// Replaces a group of parameters; `values` by their names in it.
@@ -78,12 +96,34 @@ class SessionServer {
   /// Says which keys are on only for subscribers.
   void offerOnDemand(const std::string& robot);
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
+  // What follows from what clients do.
+  void getParameters();
+  void watchLinks();
+  void publishSubscribers();
+  void publishSteering(const std::string& robot, const Steering::Status& status);
   // From clients.
+  using ServiceHandlerOf = void (SessionServer::*)(const std::string& robot, const std::string& service,
+                                                   const ClientInfo& client, const ServiceCallRequest& call,
+                                                   const Reply& reply);
+  std::uint32_t addService(Service service, const std::string& robot, ServiceAccess access, bool isUrgent,
+                           ServiceHandlerOf handler);
   Result<robotcontrol::Request> requestFor(const Parameter& parameter) const;
+  Result<std::vector<robotcontrol::Request>> requestsFor(const std::vector<Parameter>& parameters) const;
   void set(const std::vector<Parameter>& parameters, const Reply& reply);
   void play(const PlaybackControl& control);
-  void call(const std::string& robot, const std::string& service, const ServiceCallRequest& call,
-            const Reply& reply);
+  void noteSet(const robotcontrol::Request& request, bool isAccepted);
+  void call(const std::string& robot, const std::string& service, const ClientInfo& client,
+            const ServiceCallRequest& call, const Reply& reply);
+  void steer(const std::string& robot, const std::string& service, const ClientInfo& client,
+             const ServiceCallRequest& call, const Reply& reply);
+  void noteClients(const std::vector<ClientInfo>& clients);
+  void command(const ClientInfo& client, const ClientChannel& channel, const std::string& payload);
+  /// Tells a client what is wrong with what it publishes, if that is news; empty: nothing is.
+  void complain(const ClientInfo& client, const std::string& topic, const std::string& why);
+  /// Makes a request as a client's, not as one of somebody here. The handler is called unless this object is
+  /// gone by then.
+  void request(robotcontrol::Request request,
+               std::function<void(const robotcontrol::RequestResult&)> onResult);
 
   Session& session_;
   std::uint64_t listener_ = 0;
@@ -91,14 +131,23 @@ class SessionServer {
   std::shared_ptr<Posted> posted_;
   std::shared_ptr<Server> server_;
   KeyRequests keys_;
+  Steering steering_;
+  ModuleParameters modules_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;
+  /// What clients were told about their commands on a topic, so that they are told once.
+  std::map<std::pair<std::uint64_t, std::string>, std::string> complaints_;
   Instant newest_;
   /// The status of the log that was published last, and the history's generation() then.
   PackagePtr replay_;
   std::uint64_t generation_ = 0;
   /// Clients' requests to play that the log has not answered yet.
   std::size_t plays_ = 0;
+  /// The clients that are there.
+  std::set<std::uint64_t> clients_;
+  bool isForwarding_ = false;
+  /// Ends with this object: results may come later.
+  const std::shared_ptr<const int> alive_ = std::make_shared<int>();
 };
 
 }  // namespace robotlink::websocket

@@ -9,6 +9,7 @@
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 
@@ -35,7 +36,9 @@ class SessionServerTest : public testing::Test {
       result.set_reason(refusal_);
       session_.pushResult(result);
     });
-    server_ = std::make_unique<SessionServer>(session_);
+    ServerOptions options;
+    options.clock = clock_;
+    server_ = std::make_unique<SessionServer>(session_, options);
     client_ = *server_->server()->connect({0, "127.0.0.1:1", "x"}, [] {});
   }
   template <typename Message>
@@ -97,6 +100,43 @@ class SessionServerTest : public testing::Test {
     return channels;
   }
 
+  /// Names of services to their ids.
+  std::map<std::string, std::uint32_t> services() {
+    std::map<std::string, std::uint32_t> ids;
+    for (const AdvertiseServices& message : heard<AdvertiseServices>())
+      for (const Service& service : message.services) ids[service.name] = service.id;
+    return ids;
+  }
+  /// What a service answers a client: the reason of a refusal, or nothing.
+  std::string call(const ClientPtr& client, std::uint32_t service, const std::string& argument) {
+    const Frame frame = encode(ClientMessage(ServiceCallRequest{service, 9, "json", argument}));
+    server_->server()->received(client, frame.kind, frame.bytes);
+    tick();
+    std::string reason = "no answer";
+    while (const auto next = server_->server()->next(*client, Instant())) {
+      const ServerMessage message =
+          decodeServerMessage(
+              next->kind,
+              std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload)
+              .value();
+      if (const auto* answer = std::get_if<ServiceCallResponse>(&message))
+        reason = nlohmann::json::parse(answer->payload)["reason"];
+      if (const auto* failure = std::get_if<ServiceCallFailure>(&message)) reason = failure->message;
+    }
+    return reason;
+  }
+  std::vector<std::string> asked() {
+    std::vector<std::string> words;
+    for (const Request& request : std::exchange(requests_, {}))
+      words.push_back(Request::descriptor()->FindFieldByNumber(request.what_case())->name() +
+                      (request.has_motion() ? " " + std::to_string(request.motion().motion().kind()) : ""));
+    return words;
+  }
+  const robotcontrol::SteeringStatus* steering() {
+    return session_.store().latestAs<robotcontrol::SteeringStatus>("red1/steering", Instant::max());
+  }
+
+  const std::shared_ptr<ManualClock> clock_ = std::make_shared<ManualClock>();
   Session session_;
   std::unique_ptr<SessionServer> server_;
   ClientPtr client_;
@@ -227,6 +267,181 @@ TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {
   }
   EXPECT_EQ(channels, 6U);
   EXPECT_GT(services, 5U);
+}
+
+TEST_F(SessionServerTest, whatAClientPublishesMovesTheRobotUntilItIsNotHeard) {
+  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
+  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
+  EXPECT_THAT(asked(), ElementsAre("motion 1"));
+  ASSERT_NE(steering(), nullptr);
+  EXPECT_EQ(steering()->who(), "x at 127.0.0.1:1");
+  EXPECT_EQ(steering()->client(), client_->info.id);
+  clock_->advance(490ms);
+  tick();
+  EXPECT_THAT(asked(), IsEmpty());
+  clock_->advance(20ms);
+  tick();
+  EXPECT_THAT(asked(), ElementsAre("motion 0"));
+  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
+  asked();
+  server_->server()->disconnected(client_);
+  tick();
+  EXPECT_THAT(asked(), ElementsAre("motion 0"));
+  EXPECT_EQ(steering()->who(), "");
+}
+
+TEST_F(SessionServerTest, aFloodOfCommandsIsOneRequestATick) {
+  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
+  const Frame frame = encode(ClientMessage(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"}));
+  for (int i = 0; i < 1000; ++i) server_->server()->received(client_, frame.kind, frame.bytes);
+  tick();
+  EXPECT_EQ(asked().size(), 1U);
+}
+
+TEST_F(SessionServerTest, whatIsWrongWithCommandsIsSaidOnce) {
+  heard<ServerInfo>();
+  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}, {8, "/chatter", "json", "", "", ""}}});
+  auto complaints = heard<Status>();
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_THAT(complaints[0].message, HasSubstr("/chatter"));
+  refusal_ = "the robot is asleep";
+  for (int i = 0; i < 3; ++i) say(ClientMessageData{7, "{}"});
+  complaints = heard<Status>();
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_EQ(complaints[0].message, refusal_);
+  refusal_.clear();
+  say(ClientMessageData{7, "{}"});
+  say(ClientMessageData{7, "["});
+  EXPECT_EQ(heard<Status>().size(), 1U);
+}
+
+TEST_F(SessionServerTest, oneSteersAndTheOtherTakesOverButStopIsEverybodys) {
+  auto ids = services();
+  const ClientPtr other = *server_->server()->connect({0, "127.0.0.1:2", "y"}, [] {});
+  const char* const kWalk = R"({"motion": {"kind": "WALK"}})";
+  EXPECT_EQ(call(client_, ids["red1/motion"], kWalk), "");
+  EXPECT_THAT(call(other, ids["red1/motion"], kWalk), HasSubstr("steered by x at 127.0.0.1:1"));
+  EXPECT_THAT(call(other, ids["red1/set_goal"], "{}"), HasSubstr("steered by"));
+  EXPECT_EQ(call(other, ids["red1/stop"], R"({"engaged": true})"), "");
+  EXPECT_EQ(call(other, ids["red1/steer"], "{}"), "");
+  EXPECT_THAT(asked(), ElementsAre("motion 1", "stop", "motion 0"));
+  EXPECT_EQ(call(other, ids["red1/motion"], kWalk), "");
+  EXPECT_THAT(call(client_, ids["red1/motion"], kWalk), HasSubstr("steered by y"));
+  // A request of the session itself is one of a person at this machine.
+  Request request;
+  request.set_robot("red1");
+  request.mutable_motion();
+  session_.request(request);
+  tick();
+  EXPECT_EQ(steering()->who(), "this machine");
+  EXPECT_THAT(call(other, ids["red1/motion"], kWalk), HasSubstr("steered by this machine"));
+  EXPECT_EQ(call(other, ids["red1/steer"], R"({"give_up": true})"), "");
+  EXPECT_THAT(call(other, ids["red1/steer"], "x"), HasSubstr("give_up"));
+}
+
+TEST_F(SessionServerTest, stopGoesBeforeWhatWaits) {
+  auto ids = services();
+  const auto post = [&](const char* service, const char* argument) {
+    const Frame frame = encode(ClientMessage(ServiceCallRequest{ids[service], 1, "json", argument}));
+    server_->server()->received(client_, frame.kind, frame.bytes);
+  };
+  post("red1/set_color_table", "{}");
+  post("red1/motion", "{}");
+  post("red1/stop", R"({"engaged": true})");
+  tick();
+  EXPECT_THAT(asked(), ElementsAre("stop", "set_color_table", "motion 0"));
+}
+
+TEST_F(SessionServerTest, whoOnlyWatchesMayEngageStopButNotReleaseIt) {
+  auto ids = services();
+  const ClientPtr watcher = *server_->server()->connect({0, "127.0.0.1:2", "y", true}, [] {});
+  EXPECT_EQ(call(watcher, ids["red1/stop"], R"({"engaged": true})"), "");
+  EXPECT_THAT(call(watcher, ids["red1/stop"], R"({"engaged": false})"), HasSubstr("only watch"));
+  EXPECT_EQ(call(watcher, ids["red1/get_parameters"], "{}"), "");
+  for (const char* service :
+       {"red1/motion", "red1/set_key", "red1/steer", "red1/set_color_table", "control_simulation"})
+    EXPECT_THAT(call(watcher, ids[service], "{}"), HasSubstr("only watch")) << service;
+  EXPECT_THAT(asked(), ElementsAre("stop", "get_parameters"));
+}
+
+TEST_F(SessionServerTest, parametersOfSolutionsAreAskedForOfferedAndSet) {
+  robotcontrol::SolutionTable solutions;
+  solutions.add_tasks()->set_name("walking");
+  auto& solution = *solutions.mutable_tasks(0)->add_solutions();
+  solution.set_name("gait");
+  solution.set_has_parameters(true);
+  publish("red1/tables/solutions", Instant(1ms), solutions);
+  tick();
+  EXPECT_THAT(asked(), ElementsAre("get_parameters"));
+  robotcontrol::ParameterValues values;
+  values.set_task("walking");
+  values.set_solution("gait");
+  values.mutable_value()->set_type("robotcontrol.MotionRequest");
+  publish("red1/parameters/walking/gait", Instant(2ms), values);
+  say(SubscribeParameterUpdates{});
+  heard<Advertise>();
+  say(SetParameters{{{"red1/parameters/walking/gait/walk/x", Value{0.5}}}, "set"});
+  ASSERT_EQ(requests_.size(), 1U);
+  robotcontrol::MotionRequest set;
+  ASSERT_TRUE(set.ParseFromString(requests_[0].set_parameters().value().data()));
+  EXPECT_EQ(set.walk().x(), 0.5);
+  EXPECT_EQ(asked().size(), 1U);
+  // The robot tells what it made of it.
+  values.mutable_value()->set_data(set.SerializeAsString());
+  publish("red1/parameters/walking/gait", Instant(3ms), values);
+  heard<ParameterValues>();
+  tick();
+  const auto updates = heard<ParameterValues>();
+  ASSERT_EQ(updates.size(), 1U);
+  EXPECT_EQ(updates[0].parameters.at(0).name, "red1/parameters/walking/gait/walk/x");
+  // A refusal is told, and what holds is asked for.
+  refusal_ = "too fast";
+  say(SetParameters{{{"red1/parameters/walking/gait/walk/x", Value{99.0}}}, "set"});
+  EXPECT_THAT(asked(), ElementsAre("set_parameters", "get_parameters"));
+  const auto complaints = heard<Status>();
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_EQ(complaints[0].message, "too fast");
+}
+
+TEST_F(SessionServerTest, whoAsksForAKeyIsPublished) {
+  publishTables();
+  const auto channels = advertised();
+  say(Subscribe{{{1, channels.at("red1/drawings/image/ball-percept/disc").id}}});
+  const auto subscribers = [&] {
+    return session_.store().latestAs<robotcontrol::KeySubscribers>("red1/tables/subscribers", Instant::max());
+  };
+  ASSERT_NE(subscribers(), nullptr);
+  ASSERT_EQ(subscribers()->keys_size(), 1);
+  EXPECT_EQ(subscribers()->keys(0).name(), "ball-percept/disc");
+  EXPECT_THAT(subscribers()->keys(0).clients(), ElementsAre("x at 127.0.0.1:1"));
+  say(Unsubscribe{{1}});
+  EXPECT_EQ(subscribers()->keys_size(), 0);
+}
+
+TEST_F(SessionServerTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand) {
+  publishTables();
+  const auto channels = advertised();
+  say(Subscribe{{{1, channels.at("red1/drawings/image/ball-percept/disc").id}}});
+  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
+  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
+  EXPECT_THAT(asked(), ElementsAre("set_key", "motion 1"));
+  server_.reset();
+  ASSERT_EQ(requests_.size(), 2U);
+  EXPECT_EQ(requests_[0].motion().motion().kind(), robotcontrol::MotionRequest::STAND);
+  EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+}
+
+TEST_F(SessionServerTest, resultsThatComeWhenTheOfferHasEndedAreIgnored) {
+  publishTables();
+  heard<Advertise>();
+  const Frame frame =
+      encode(ClientMessage(SetParameters{{{"red1/solutions/ball-percept", Value{"blobs"}}}, "set"}));
+  const auto server = server_->server();
+  server->received(client_, frame.kind, frame.bytes);
+  server_->tick();
+  EXPECT_EQ(requests_.size(), 1U);
+  server_.reset();
+  session_.tick();  // the result
 }
 
 }  // namespace

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What clients of a SessionServer ask for.
+#include <google/protobuf/util/json_util.h>
+
+#include "robotcontrol/Linking.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/foxglove/session/ClientCommands.h"
+#include "robotlink/foxglove/session/KeyModeText.h"
+#include "robotlink/foxglove/session/LinkNames.h"
+#include "robotlink/foxglove/session/PostedWork.h"
+#include "robotlink/foxglove/session/RequestServices.h"
+#include "robotlink/foxglove/session/RobotPath.h"
+
+namespace robotlink::websocket {
+namespace {
+
+using robotcontrol::Request;
+using robotcontrol::RequestResult;
+
+/// Answers when the results of several requests have come: with the first reason against one of them.
+class JointReply {
+ public:
+  JointReply(Reply reply, std::size_t count) : reply_(std::move(reply)), left_(count) {}
+  void add(const RequestResult& result) {
+    if (!result.accepted()) reply_.fail(result.reason());
+    if (--left_ == 0) reply_.succeed();
+  }
+
+ private:
+  Reply reply_;
+  std::size_t left_;
+};
+
+/// Services that change nothing, and STOP.
+ServiceAccess accessTo(const std::string& service) {
+  const bool isForAll =
+      service.ends_with("stop") || service.ends_with("get_parameters") || service.ends_with("send_tables");
+  return isForAll ? ServiceAccess::kAnybody : ServiceAccess::kControl;
+}
+
+void answer(const Reply& reply, const std::string& encoding, const std::string& refusal) {
+  RequestResult result;
+  result.set_accepted(refusal.empty());
+  result.set_reason(refusal);
+  reply.succeed(encodeResult(result, encoding), encoding);
+}
+
+}  // namespace
+
+ServerHandlers SessionServer::handlers(Report report) {
+  const auto post = [posted = posted_](Posted::Work work) { posted->add(std::move(work)); };
+  ServerHandlers handlers;
+  handlers.report = std::move(report);
+  handlers.subscribersChanged = [post](const ChannelPtr& channel, const std::vector<ClientInfo>& clients) {
+    std::set<std::string> names;
+    for (const ClientInfo& client : clients) names.insert(shownName(client));
+    post([path = channel->setup().topic, names](SessionServer& self) {
+      const auto [robot, stream] = splitAtSlash(path);
+      self.keys_.setSubscribers(robot, stream, names);
+      self.offerOnDemand(robot);
+    });
+  };
+  handlers.clientsChanged = [post](const std::vector<ClientInfo>& clients) {
+    post([clients](SessionServer& self) { self.noteClients(clients); });
+  };
+  handlers.setParameters = [post](const ClientInfo&, const std::vector<Parameter>& parameters, Reply reply) {
+    post([parameters, reply](SessionServer& self) { self.set(parameters, reply); });
+  };
+  handlers.playbackControl = [post](const ClientInfo&, const PlaybackControl& control) {
+    post([control](SessionServer& self) { self.play(control); });
+  };
+  handlers.clientAdvertised = [post](const ClientInfo& client, const ClientChannel& channel) {
+    const auto fits = checkCommandChannel(channel);
+    if (!fits)
+      post([client, why = fits.error().text](SessionServer& self) {
+        self.server_->tell(client.id, {StatusLevel::kWarning, why, ""});
+      });
+  };
+  handlers.clientMessage = [posted = posted_](const ClientInfo& client, const ClientChannel& channel,
+                                              std::string_view payload) {
+    posted->addNewest(client.id, channel.topic,
+                      [client, channel, kept = std::string(payload)](SessionServer& self) {
+                        self.command(client, channel, kept);
+                      });
+  };
+  return handlers;
+}
+
+void SessionServer::noteClients(const std::vector<ClientInfo>& clients) {
+  std::set<std::uint64_t> ids;
+  for (const ClientInfo& client : clients) {
+    ids.insert(client.id);
+    if (!clients_.contains(client.id)) steering_.joined(client);
+  }
+  clients_ = std::move(ids);
+  std::erase_if(complaints_, [this](const auto& told) { return !clients_.contains(told.first.first); });
+}
+
+void SessionServer::request(Request wanted, std::function<void(const RequestResult&)> onResult) {
+  isForwarding_ = true;
+  session_.request(std::move(wanted), [alive = std::weak_ptr(alive_),
+                                       onResult = std::move(onResult)](const RequestResult& result) {
+    if (!alive.expired()) onResult(result);
+  });
+  isForwarding_ = false;
+}
+
+// ---- Services
+
+std::uint32_t SessionServer::addService(Service service, const std::string& robot, ServiceAccess access,
+                                        bool isUrgent, ServiceHandlerOf handler) {
+  const std::string name = service.name;
+  return server_->addService(
+      std::move(service),
+      [posted = posted_, robot, name, isUrgent, handler](const ClientInfo& client,
+                                                         const ServiceCallRequest& call, const Reply& reply) {
+        // The payload is a part of the client's message, which goes.
+        const auto payload = std::make_shared<const std::string>(call.payload);
+        const auto work = [=](SessionServer& self) {
+          ServiceCallRequest kept = call;
+          kept.payload = *payload;
+          (self.*handler)(robot, name, client, kept, reply);
+        };
+        isUrgent ? posted->addUrgent(work) : posted->add(work);
+      },
+      access);
+}
+
+void SessionServer::offerServices(const std::string& robot, Robot& to) {
+  for (Service& service : requestServices(robot)) {
+    const std::string kind = splitAtSlash(service.name).second;
+    to.services.push_back(
+        addService(std::move(service), robot, accessTo(kind), kind == "stop", &SessionServer::call));
+  }
+}
+
+void SessionServer::offerSteering(const std::string& robot, Robot& to) {
+  const auto schema = [](const google::protobuf::Descriptor& type) {
+    return ServiceSchema{"json", type.full_name(), "jsonschema", jsonSchemaOf(type)};
+  };
+  Service service{0, robot + "/steer", robotcontrol::Steer::descriptor()->full_name(),
+                  schema(*robotcontrol::Steer::descriptor()), schema(*RequestResult::descriptor())};
+  to.services.push_back(
+      addService(std::move(service), robot, ServiceAccess::kControl, false, &SessionServer::steer));
+}
+
+void SessionServer::call(const std::string& robot, const std::string& service, const ClientInfo& client,
+                         const ServiceCallRequest& call, const Reply& reply) {
+  Result<Request> wanted = requestOf(robot, service, call);
+  if (!wanted) return reply.fail(wanted.error().text);
+  if (client.isReadOnly && wanted->has_stop() && !wanted->stop().engaged())
+    return answer(reply, call.encoding,
+                  "you may only watch: everybody may engage STOP, but only those who control release it");
+  if (Steering::isSteering(*wanted)) {
+    const std::string why = steering_.admit(client, *wanted, server_->clock().now());
+    if (!why.empty()) return answer(reply, call.encoding, why);
+  }
+  request(std::move(*wanted), [reply, encoding = call.encoding](const RequestResult& result) {
+    reply.succeed(encodeResult(result, encoding), encoding);
+  });
+}
+
+void SessionServer::steer(const std::string& robot, const std::string& service, const ClientInfo& client,
+                          const ServiceCallRequest& call, const Reply& reply) {
+  robotcontrol::Steer wanted;
+  const std::string payload(call.payload);
+  const bool isRead =
+      call.encoding == "protobuf"
+          ? wanted.ParseFromString(payload)
+          : payload.empty() || google::protobuf::util::JsonStringToMessage(payload, &wanted).ok();
+  if (!isRead) return reply.fail("the argument of " + service + R"( is {} or {"give_up": true})");
+  const Instant now = server_->clock().now();
+  wanted.give_up() ? steering_.giveUp(client, robot, now) : steering_.takeOver(client, robot, now);
+  answer(reply, call.encoding, "");
+}
+
+// ---- What clients publish
+
+void SessionServer::command(const ClientInfo& client, const ClientChannel& channel,
+                            const std::string& payload) {
+  Result<Request> wanted = commandOf(channel, payload);
+  if (!wanted) return complain(client, channel.topic, wanted.error().text);
+  const auto robot = robots_.find(wanted->robot());
+  if (wanted->robot().empty() || robot == robots_.end() || robot->second.services.empty())
+    return complain(client, channel.topic, "there is no robot '" + wanted->robot() + "'");
+  const std::string why = steering_.admit(client, *wanted, server_->clock().now());
+  if (!why.empty()) return complain(client, channel.topic, why);
+  request(std::move(*wanted), [this, client, topic = channel.topic](const RequestResult& result) {
+    complain(client, topic, result.accepted() ? "" : result.reason());
+  });
+}
+
+void SessionServer::complain(const ClientInfo& client, const std::string& topic, const std::string& why) {
+  if (!clients_.contains(client.id)) return;
+  std::string& told = complaints_[{client.id, topic}];
+  if (told == why) return;
+  told = why;
+  if (!why.empty()) server_->tell(client.id, {StatusLevel::kWarning, why, ""});
+}
+
+// ---- Parameters
+
+Result<Request> SessionServer::requestFor(const Parameter& parameter) const {
+  const auto [robot, rest] = splitAtSlash(parameter.name);
+  const auto [group, name] = splitAtSlash(rest);
+  const auto known = robots_.find(robot);
+  const auto names = known == robots_.end() ? decltype(Robot::parameters)::const_iterator{}
+                                            : known->second.parameters.find(group);
+  if (known == robots_.end() || names == known->second.parameters.end() || group == kOnDemandGroup ||
+      !names->second.contains(parameter.name)) {
+    return failure("foxglove.parameter", "there is no parameter '" + parameter.name + "' that can be set");
+  }
+  const auto* text = parameter.value ? std::get_if<std::string>(&parameter.value->data) : nullptr;
+  if (text == nullptr)
+    return failure("foxglove.parameter", "the value of '" + parameter.name + "' is a text");
+  Request request;
+  request.set_robot(robot);
+  if (group == kSolutionsGroup) {
+    request.mutable_select_solution()->set_task(name);
+    request.mutable_select_solution()->set_solution(*text);
+    return request;
+  }
+  auto mode = keyModeOf(*text);
+  if (!mode) return tl::unexpected(mode.error());
+  request.mutable_set_key()->set_name(name);
+  *request.mutable_set_key()->mutable_mode() = *mode;
+  return request;
+}
+
+Result<std::vector<Request>> SessionServer::requestsFor(const std::vector<Parameter>& parameters) const {
+  std::vector<Request> requests;
+  std::vector<Parameter> ofModules;
+  for (const Parameter& parameter : parameters) {
+    if (modules_.has(parameter.name)) {
+      ofModules.push_back(parameter);
+      continue;
+    }
+    Result<Request> request = requestFor(parameter);
+    if (!request) return tl::unexpected(request.error());
+    requests.push_back(std::move(*request));
+  }
+  auto settings = modules_.requestsFor(ofModules);
+  if (!settings) return tl::unexpected(settings.error());
+  for (Request& setting : *settings) requests.push_back(std::move(setting));
+  return requests;
+}
+
+void SessionServer::set(const std::vector<Parameter>& parameters, const Reply& reply) {
+  auto requests = requestsFor(parameters);
+  if (!requests) return reply.fail(requests.error().text);
+  const auto joint = std::make_shared<JointReply>(reply, requests->size());
+  for (const Request& wanted : *requests) {
+    if (wanted.has_set_parameters()) modules_.expect(wanted);
+    request(wanted, [this, joint, wanted](const RequestResult& result) {
+      noteSet(wanted, result.accepted());
+      joint->add(result);
+    });
+  }
+}
+
+/// The robot's table follows; who asked shall see the value at once.
+void SessionServer::noteSet(const Request& request, bool isAccepted) {
+  const std::string& robot = request.robot();
+  if (isAccepted && request.has_set_key())
+    server_->updateParameters({{robot + "/" + kKeysGroup + "/" + request.set_key().name(),
+                                Value{textOf(request.set_key().mode())}}});
+  if (isAccepted && request.has_select_solution())
+    server_->updateParameters({{robot + "/" + kSolutionsGroup + "/" + request.select_solution().task(),
+                                Value{request.select_solution().solution()}}});
+  if (isAccepted || !request.has_set_parameters()) return;
+  // What was expected does not hold: the robot says what does.
+  Request again;
+  again.set_robot(robot);
+  again.mutable_get_parameters()->set_task(request.set_parameters().task());
+  again.mutable_get_parameters()->set_solution(request.set_parameters().solution());
+  this->request(std::move(again), [](const RequestResult&) {});
+}
+
+}  // namespace robotlink::websocket

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Clock.h"
+#include "robotlink/foxglove/server/ServerOptions.h"
+
+namespace robotlink::websocket {
+
+/// Who steers which robot over a link, and what becomes of a robot whose person is not heard any more: it
+/// stands.
+///
+/// Whoever sends the first motion, goal or command to a base steers the robot; others are refused until that
+/// person gives up, goes, commands nothing for a while, or somebody takes over. People at the robot's own
+/// machine need not ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
+/// link of its person lives, and is set again when the same person is heard again. One thread.
+class Steering {
+ public:
+  struct Limits {
+    /// How long a motion holds that is not repeated.
+    Duration commandTime = std::chrono::milliseconds(500);
+    /// How long a link may be silent.
+    Duration linkTime = std::chrono::seconds(1);
+    /// After so long without a command, and without a goal, others may steer without taking over.
+    Duration idleTime = std::chrono::seconds(10);
+    /// A goal is not set again after a longer silence.
+    Duration resumeTime = std::chrono::seconds(60);
+    bool operator==(const Limits&) const = default;
+  };
+  /// What is known of who steers a robot.
+  struct Status {
+    /// Empty: nobody.
+    std::string who;
+    /// 0: nobody, or somebody at the robot's own machine.
+    std::uint64_t client = 0;
+    bool isSilent = false;
+    std::string text;
+    bool operator==(const Status&) const = default;
+  };
+  struct Actions {
+    /// Asks a robot to stand, or to go on to its goal; `isDone` is to be called with whether it was accepted.
+    std::function<void(const robotcontrol::Request&, std::function<void(bool isDone)>)> request;
+    /// After a change.
+    std::function<void(const std::string& robot, const Status&)> changed;
+    /// When a client was heard last; nothing: it is gone.
+    std::function<std::optional<Instant>(std::uint64_t client)> heardAt;
+  };
+
+  Steering(Limits limits, Actions actions) : limits_(limits), actions_(std::move(actions)) {}
+
+  /// Whether a request lets a robot move.
+  static bool isSteering(const robotcontrol::Request& request);
+
+  /// A client wants to steer. Returns why it may not, or nothing: then it steers, and the request is to be
+  /// passed on.
+  std::string admit(const ClientInfo& client, const robotcontrol::Request& request, Instant now);
+  /// A client steers from now on, whoever did before; the robot stands until it is commanded.
+  void takeOver(const ClientInfo& client, const std::string& robot, Instant now);
+  void giveUp(const ClientInfo& client, const std::string& robot, Instant now);
+  /// Somebody at the robot's own machine steers.
+  void noteLocal(const robotcontrol::Request& request, Instant now);
+  /// A client came; perhaps one that steered before the line was lost.
+  void joined(const ClientInfo& client);
+  /// Lets all robots stand that clients steer, because the link ends.
+  void end();
+  /// Looks at the times; to be called often.
+  void tick(Instant now);
+  /// Forgets a robot.
+  void remove(const std::string& robot) { robots_.erase(robot); }
+
+  const Limits& limits() const { return limits_; }
+  /// Those whose links have to be watched closely.
+  std::set<std::uint64_t> clients() const;
+
+ private:
+  struct Robot {
+    /// 0: nobody, or somebody at the robot's own machine.
+    std::uint64_t client = 0;
+    /// How it is known again after it was gone.
+    std::string person;
+    std::string who;
+    Instant commandedAt;
+    /// The newest motion, unless that was to stand.
+    std::optional<robotcontrol::Request> motion;
+    std::optional<robotcontrol::Request> goal;
+    /// Since when the link is silent; the robot was told to stand.
+    std::optional<Instant> silentSince;
+    /// What was asked of the robot here, until it was accepted.
+    std::deque<robotcontrol::Request> toAsk;
+    /// Of the request that has no answer yet, so that late answers to others do not count.
+    std::uint64_t asking = 0;
+    Instant askAt;
+    Status told;
+  };
+
+  void begin(const std::string& name, Robot& robot, const ClientInfo& client, Instant now);
+  static void note(Robot& robot, const robotcontrol::Request& request, Instant now);
+  void stand(const std::string& name, Robot& robot);
+  void watchMotion(const std::string& name, Robot& robot, Instant now);
+  void watchLink(const std::string& name, Robot& robot, Instant now);
+  void forgetIdle(const std::string& name, Robot& robot, Instant now);
+  /// Asks what is to be asked, again and again until it is accepted.
+  void ask(const std::string& name, Robot& robot, Instant now);
+  void tell(const std::string& name, Robot& robot, const std::string& text);
+  bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;
+
+  const Limits limits_;
+  const Actions actions_;
+  std::map<std::string, Robot> robots_;
+  std::uint64_t nextAsking_ = 1;
+};
+
+}  // namespace robotlink::websocket
