@@ -8,6 +8,7 @@
 #include "app/core/PlatformThread.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/recordings/RecordingServices.h"
+#include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
@@ -74,6 +75,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
     recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
   const auto access = listenAccess(options.address, options.access);
   if (!access) return {access.error()};
+  server.setImageEncoder(jpegOf);
   auto listener = Listener::open(server.server(), access->listening);
   if (!listener) return {listener.error()};
   for (const std::string& note : access->notes) out << note << std::endl;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/remote/SessionOffer.h"
 
+#include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/ListenAccess.h"
 #include "app/core/remote/OfferAddress.h"
 #include "robotlink/foxglove/server/Listener.h"
@@ -33,6 +34,7 @@ robotlink::Result<void> SessionOffer::begin(const std::string& address) {
   auto server = std::make_unique<SessionServer>(
       session_, robotlink::websocket::ServerOptions{},
       [queue = reported_](const std::string& sentence) { queue->push(sentence); });
+  server->setImageEncoder(jpegOf);
   auto listener = Listener::open(server->server(), access->listening);
   if (!listener) return tl::unexpected(listener.error());
   end();

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/core/platform/RecordOptions.h"
+#include "app/core/remote/ImageCodings.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
@@ -30,7 +31,7 @@ struct WatchArguments {
   std::string csv;
   std::optional<double> seconds;
   double budget = 0;
-  bool asJson = false;
+  bool asJson = false, asJpeg = false;
 };
 
 constexpr std::chrono::milliseconds kWatchTick{10};
@@ -72,6 +73,7 @@ class Watch {
         recorder_(recorder),
         session_(kWatchHistory),
         client_(session_, optionsFor(std::move(connection))) {
+    if (arguments.asJpeg) client_.setImages(SessionClient::Images::kJpeg);
     if (arguments.budget > 0) client_.setBudget(arguments.budget);
   }
 
@@ -102,6 +104,7 @@ class Watch {
     options.alsoWanted = [this](const std::string& path) {
       return path == arguments_.csv || (recorder_ != nullptr && recorder_->wants(path));
     };
+    options.convert = decodedImage;
     options.passed = [this](const robotlink::StreamMessage& message) {
       if (recorder_ != nullptr) recorder_->add({message});
       if (!arguments_.csv.empty() && message.path == arguments_.csv) csv_.print(message);
@@ -183,6 +186,7 @@ void addWatchCommand(CLI::App& app, int& status) {
       ->add_option("--budget", arguments->budget,
                    "Bytes a second that the robot may send; 0 is without limit")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
   command->add_flag("--json", arguments->asJson, "Prints one JSON object at the end");
   command->footer(
       "What is subscribed to is what a workbench would: tables, states and texts, what debug keys that are "

@@ -53,6 +53,7 @@ class Connection {
   virtual void start(const tcp::endpoint& to) = 0;
   virtual void send() = 0;
   virtual void ping() = 0;
+  virtual void pong() = 0;
   /// Closes the socket; nothing is called after this.
   virtual void end() = 0;
   /// Says goodbye without waiting for anything, when the thread has ended.
@@ -144,6 +145,7 @@ class ServerConnection final : public Connection,
   }
   void send() override;
   void ping() override;
+  void pong() override;
   void end() override;
   void leave() override;
 
@@ -282,6 +284,13 @@ void ServerConnection<Stream>::ping() {
 }
 
 template <typename Stream>
+void ServerConnection<Stream>::pong() {
+  if (!isOpen_ || isPinging_ || hasEnded_) return;
+  isPinging_ = true;
+  socket_.async_pong({}, handler(&ServerConnection::onPinged));
+}
+
+template <typename Stream>
 void ServerConnection<Stream>::send() {
   if (!isOpen_ || sending_ || hasEnded_) return;
   sending_ = thread_.client->next();
@@ -356,6 +365,9 @@ void ConnectorThread::tick() {
       break;
     case LinkWatch::Action::kPing:
       if (connection_) connection_->ping();
+      break;
+    case LinkWatch::Action::kPong:
+      if (connection_) connection_->pong();
       break;
     case LinkWatch::Action::kGiveUp:
       drop();

@@ -33,7 +33,7 @@ class Connector {
     std::size_t messageBytes = 64U << 20U, textBytes = 16U << 20U;
     LinkWatch::Times times = {};
     /// What the system may hold of data that it has not sent: what is urgent waits behind it.
-    int unsentBytes = 4 << 10;
+    int unsentBytes = 2 << 10;
     /// What this client calls itself, for those who look at the robot.
     std::string name = "RobotControl";
     /// For all times; real time if there is none.

@@ -44,8 +44,10 @@ LinkWatch::Action LinkWatch::next(Instant now) {
     return Action::kGiveUp;
   }
   if (now - pingedAt_ < times_.pingInterval) return Action::kNone;
+  const bool asks = heardAt_ <= pingedAt_ || now - askedAt_ >= times_.roundTripInterval;
   pingedAt_ = now;
-  return Action::kPing;
+  if (asks) askedAt_ = now;
+  return asks ? Action::kPing : Action::kPong;
 }
 
 void LinkWatch::stepDone(Instant now) {
@@ -56,6 +58,7 @@ void LinkWatch::stepDone(Instant now) {
 void LinkWatch::greeted(Instant now) {
   step_ = Step::kOpen;
   heardAt_ = pingedAt_ = now;
+  askedAt_ = now - times_.roundTripInterval;
   wasOpen_ = true;
   enter(Phase::kConnected, now, "");
 }

@@ -12,8 +12,10 @@ namespace robotlink::websocket {
 class LinkWatch {
  public:
   struct Times {
-    /// A sign of life is asked for so often.
-    Duration pingInterval = std::chrono::milliseconds(300);
+    /// A sign of life is given so often; one is asked for as often in silence, and otherwise after
+    /// roundTripInterval. An answer may have to wait behind a large message, and with it whatever the server
+    /// would read next.
+    Duration pingInterval = std::chrono::milliseconds(300), roundTripInterval = std::chrono::seconds(2);
     /// After so long without a byte it counts as silent, and is connected anew.
     Duration silentTime = std::chrono::seconds(1), giveUpTime = std::chrono::seconds(3);
     /// Time for a connection of TCP, and for each further step of the handshake. Before the first success the
@@ -26,7 +28,8 @@ class LinkWatch {
   enum class Action {
     kNone,
     kConnect,
-    kPing,
+    kPing,    ///< ask for a sign of life
+    kPong,    ///< give one
     kGiveUp,  ///< close what there is; failed() was called already
   };
   /// Why a connection ended, or did not come about.
@@ -66,7 +69,7 @@ class LinkWatch {
   Instant since_;
   std::string reason_;
   bool wasOpen_ = false;
-  Instant nextTry_, stepAt_, heardAt_, pingedAt_;
+  Instant nextTry_, stepAt_, heardAt_, pingedAt_, askedAt_;
 };
 
 }  // namespace robotlink::websocket

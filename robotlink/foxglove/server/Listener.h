@@ -40,7 +40,7 @@ class Listener {
     Duration greetingDelay = std::chrono::milliseconds(100);
     /// What the system may hold of data that it has not sent, per client; the rest waits where newer messages
     /// replace it.
-    int unsentBytes = 64 << 10;
+    int unsentBytes = 16 << 10;
     /// For all these times and for budgets; the server's if there is none.
     std::shared_ptr<const Clock> clock = {};
   };

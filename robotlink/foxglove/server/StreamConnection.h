@@ -33,6 +33,7 @@ template <typename Stream>
 class StreamConnection final : public Connection,
                                public std::enable_shared_from_this<StreamConnection<Stream>> {
  public:
+  static constexpr std::size_t kFrameBytes = 16U << 10U;
   static constexpr bool kIsTls = !std::is_same_v<Stream, ListenerSocket>;
 
   /// `layer` is what the stream is made of.
@@ -177,7 +178,9 @@ void StreamConnection<Stream>::refuse(const Refusal& refusal) {
 template <typename Stream>
 void StreamConnection<Stream>::upgrade(const std::string& protocol) {
   state_ = State::kUpgrade;
-  socket_.auto_fragment(false);
+  // Long messages in frames, so that pongs can go between them: until they went, nothing more is read.
+  socket_.auto_fragment(true);
+  socket_.write_buffer_bytes(kFrameBytes);
   socket_.read_message_max(port_.options.messageBytes);
   socket_.set_option(
       beast::websocket::stream_base::decorator([protocol](beast::websocket::response_type& response) {

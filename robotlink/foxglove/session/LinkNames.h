@@ -11,4 +11,7 @@ inline constexpr char kSessionKey[] = "robotcontrol/session";
 /// publishes: "red1/on-demand/ball-percept/disc". Their values are who does.
 inline constexpr char kOnDemandGroup[] = "on-demand";
 
+/// What is behind the path of a channel of images for the channel of the same images as JPEG.
+inline constexpr char kJpegChannel[] = "/jpeg";
+
 }  // namespace robotlink::websocket

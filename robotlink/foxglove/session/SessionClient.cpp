@@ -118,6 +118,10 @@ std::optional<Instant> SessionClient::newest() const {
   return parts_->shift.newest();
 }
 
+void SessionClient::setImages(Images images) {
+  parts_->hasChanged |= std::exchange(parts_->images, images) != images;
+}
+
 void SessionClient::setBudget(double bytesPerSecond) {
   parts_->client->setBudget(bytesPerSecond);
 }

@@ -44,8 +44,8 @@ class SessionClient {
     /// The newest time of the platform or connection that leads; zero if it has none yet. Empty, or nothing:
     /// this one leads.
     std::function<std::optional<Instant>()> leadingTime = {};
-    /// Makes another package of one that came, such as an image of a compressed one. Called in the link's
-    /// thread. Empty: packages stay as they are.
+    /// Makes another package of one that came, such as a foxglove.RawImage of a compressed one. Called in the
+    /// link's thread. Empty: packages stay as they are.
     std::function<PackagePtr(const PackagePtr&)> convert = {};
     /// Streams, by their paths in the session, that are wanted beside those that the session needs.
     std::function<bool(const std::string& path)> alsoWanted = {};
@@ -105,6 +105,12 @@ class SessionClient {
   /// The newest time of its messages in the session.
   std::optional<Instant> newest() const;
 
+  enum class Images {
+    kRaw,
+    kJpeg  ///< where the server offers them; `convert` makes them raw again
+  };
+  /// How images are sent; at first raw.
+  void setImages(Images images);
   /// Bytes a second that the server may send; 0 without limit.
   void setBudget(double bytesPerSecond);
   /// For what sessions know nothing of: client channels, parameters, playback.

@@ -41,6 +41,14 @@ bool isHeavy(const std::string& type) {
          type.find("Annotation") == std::string::npos;
 }
 
+bool isJpegOfOther(const RemoteChannel& channel) {
+  return channel.type == "foxglove.CompressedImage" && channel.topic.ends_with(kJpegChannel);
+}
+
+std::string withoutJpeg(const std::string& path) {
+  return path.substr(0, path.size() - std::string_view(kJpegChannel).size());
+}
+
 /// The process that published a message, as far as its stream tells.
 std::string processOf(const std::string& stream, const PackagePtr& value) {
   if (const auto* text = dynamic_cast<const foxglove::Log*>(value.get()))
@@ -219,10 +227,14 @@ void SessionClient::Parts::onStatus(const Status& status) {
   enter({path, std::max(time, newestOf[path].mapped), text, "link"});
 }
 
-/// Foreign servers have texts and transforms under any name; views look for them here.
+/// An image is the same stream however it is sent. Foreign servers have texts and transforms under any name;
+/// views look for them here.
 RemoteRobotList::Place SessionClient::Parts::placeOf(const RemoteChannel& channel) {
   RemoteRobotList::Place place = robots.placeOf(channel.topic);
-  if (isOurs) return place;
+  if (isOurs) {
+    if (isJpegOfOther(channel)) place.stream = withoutJpeg(place.stream);
+    return place;
+  }
   if (channel.type == "foxglove.Log") place.stream = streams::kLog;
   if (channel.type == "foxglove.FrameTransforms" && leads()) return {nullptr, streams::kTransforms};
   return place;
@@ -278,7 +290,7 @@ Instant SessionClient::Parts::timeOf(const std::string& path, Instant remote, bo
 
 bool SessionClient::Parts::wants(const RemoteChannel& channel) {
   const RemoteRobotList::Place place = placeOf(channel);
-  if (!channel.isDecoded || place.stream.empty()) return false;
+  if (!channel.isDecoded || place.stream.empty() || isOtherCoding(channel)) return false;
   if (options.alsoWanted && options.alsoWanted(place.path())) return true;
   if (place.robot == nullptr) return leads();
   const KeyWishes& keys = place.robot->keys;
@@ -287,7 +299,16 @@ bool SessionClient::Parts::wants(const RemoteChannel& channel) {
   return keys.hasTable() || isAlways(place.stream);
 }
 
+/// Of two channels with the same images one is wanted.
+bool SessionClient::Parts::isOtherCoding(const RemoteChannel& channel) const {
+  if (isJpegOfOther(channel)) return images != Images::kJpeg;
+  return images == Images::kJpeg && asJpeg.contains(channel.topic);
+}
+
 void SessionClient::Parts::updateSubscriptions() {
+  asJpeg.clear();
+  for (const auto& [id, channel] : channels)
+    if (isOurs && isJpegOfOther(*channel)) asJpeg.insert(withoutJpeg(channel->topic));
   std::set<std::string> wanted, unwanted;
   for (const auto& [id, channel] : channels) (wants(*channel) ? wanted : unwanted).insert(channel->topic);
   // A topic may have several channels, of which only one is decoded.

@@ -33,6 +33,7 @@ struct SessionClient::Parts {
 
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
   bool wants(const RemoteChannel& channel);
+  bool isOtherCoding(const RemoteChannel& channel) const;
   void updateSubscriptions();
   void updateChannelKeys();
   void lookAtRestart();
@@ -56,12 +57,15 @@ struct SessionClient::Parts {
   TimeShift shift;
   std::map<std::string, Times> newestOf;
   std::map<std::uint64_t, RemoteChannelPtr> channels;
+  /// Topics of images that are offered as JPEG, too.
+  std::set<std::string> asJpeg;
   std::set<std::string> services, topics;
   /// Robots, by their names at the server, whose tables of keys are shown differently now.
   std::set<std::string> changedKeys;
   /// To be pushed again when the session was restarted.
   LatchedMessages latched;
   std::vector<Gap> gaps;
+  Images images = Images::kRaw;
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
   std::uint64_t restarts = 0;

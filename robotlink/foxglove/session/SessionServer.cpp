@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -32,6 +33,7 @@ using robotcontrol::SolutionTable;
 
 /// What a line of 1 Mbit/s sends in 65 ms.
 constexpr std::size_t kCalmBytes = 8U << 10U;
+constexpr char kRawImage[] = "foxglove.RawImage";
 
 struct StreamType {
   const char* prefix;
@@ -115,11 +117,39 @@ void SessionServer::tick() {
 void SessionServer::pass(const StreamMessage& message) {
   auto found = channels_.find(message.path);
   if (found == channels_.end()) {
-    const auto made = server_->addChannels({setupOf(message.path, *message.value->GetDescriptor())});
-    found = channels_.emplace(message.path, made.front()).first;
+    addChannels({setupOf(message.path, *message.value->GetDescriptor())});
+    found = channels_.find(message.path);
   }
   if (found->second->isWanted()) found->second->publish(message.time, message.value->SerializeAsString());
+  if (encoder_ && found->second->setup().schemaName == kRawImage) passAsJpeg(message);
   notice(message);
+}
+
+void SessionServer::addChannels(std::vector<ChannelSetup> setups) {
+  for (std::size_t i = 0, count = setups.size(); encoder_ && i < count; ++i) {
+    if (setups[i].schemaName == kRawImage)
+      setups.push_back(setupOf(setups[i].topic + kJpegChannel, *foxglove::CompressedImage::descriptor()));
+  }
+  for (const ChannelPtr& channel : server_->addChannels(std::move(setups)))
+    channels_.emplace(channel->setup().topic, channel);
+}
+
+void SessionServer::setImageEncoder(ImageEncoder encoder) {
+  encoder_ = std::move(encoder);
+  std::vector<ChannelSetup> setups;
+  for (const auto& [path, channel] : channels_) {
+    const std::string jpeg = path + kJpegChannel;
+    if (encoder_ && channel->setup().schemaName == kRawImage && !channels_.contains(jpeg))
+      setups.push_back(setupOf(jpeg, *foxglove::CompressedImage::descriptor()));
+  }
+  if (!setups.empty()) addChannels(std::move(setups));
+}
+
+void SessionServer::passAsJpeg(const StreamMessage& message) {
+  const auto found = channels_.find(message.path + kJpegChannel);
+  if (found == channels_.end() || !found->second->isWanted()) return;
+  if (const PackagePtr encoded = encoder_(*message.value))
+    found->second->publish(message.time, encoded->SerializeAsString());
 }
 
 void SessionServer::notice(const StreamMessage& message) {
@@ -191,10 +221,7 @@ void SessionServer::offerKeyChannels(const std::string& robot, const Robot& from
     const Descriptor* descriptor = DescriptorPool::generated_pool()->FindMessageTypeByName(type);
     if (descriptor != nullptr) setups.push_back(setupOf(path, *descriptor));
   }
-  if (setups.empty()) return;
-  for (const ChannelPtr& channel : server_->addChannels(std::move(setups))) {
-    channels_.emplace(channel->setup().topic, channel);
-  }
+  if (!setups.empty()) addChannels(std::move(setups));
 }
 
 void SessionServer::offerParameters(const std::string& robot, Robot& to, const std::string& group,
@@ -231,8 +258,7 @@ void SessionServer::updateRobots() {
     offerSteering(name, robot);
     // So that its first text finds its subscribers.
     const std::string path = name + "/" + streams::kLog;
-    if (!channels_.contains(path))
-      channels_.emplace(path, server_->addChannels({setupOf(path, *foxglove::Log::descriptor())}).front());
+    if (!channels_.contains(path)) addChannels({setupOf(path, *foxglove::Log::descriptor())});
   }
   for (auto robot = robots_.begin(); robot != robots_.end();) {
     const auto& [name, known] = *robot;

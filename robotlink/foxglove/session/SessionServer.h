@@ -48,6 +48,12 @@ class SessionServer {
   SessionServer(const SessionServer&) = delete;
   SessionServer& operator=(const SessionServer&) = delete;
 
+  /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot.
+  using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
+  /// From now on each channel of images has another one, "red1/camera/image/jpeg", for narrow lines. Images
+  /// are encoded once for all clients, while somebody subscribes.
+  void setImageEncoder(ImageEncoder encoder);
+
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
@@ -76,6 +82,8 @@ class SessionServer {
   ServerHandlers handlers(Report report);
   Steering::Actions steeringActions();
   // From the session.
+  void addChannels(std::vector<ChannelSetup> setups);
+  void passAsJpeg(const StreamMessage& message);
   void pass(const StreamMessage& message);
   void notice(const StreamMessage& message);
   void noticeTable(const std::string& robot, const std::string& stream,
@@ -133,6 +141,7 @@ class SessionServer {
   KeyRequests keys_;
   Steering steering_;
   ModuleParameters modules_;
+  ImageEncoder encoder_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;
   /// What clients were told about their commands on a topic, so that they are told once.

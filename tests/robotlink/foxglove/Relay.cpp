@@ -22,7 +22,8 @@ using Time = std::chrono::steady_clock::time_point;
 using std::chrono::steady_clock;
 
 constexpr std::size_t kPacket = 1400;
-constexpr int kSystemBuffer = 8 << 10;
+/// Small, so that little waits but in the queue.
+constexpr int kSystemBuffer = 4 << 10;
 
 tcp::endpoint loopback(std::uint16_t port) {
   return {asio::ip::address_v4::loopback(), port};

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl watch` and `robotctl request`, run on a session that is offered by this test.
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "foxglove/Robot.pb.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/foxglove/server/Listener.h"
+#include "robotlink/foxglove/session/SessionServer.h"
+#include "tests/TestFolder.h"
+#include "tests/app/robotctl/RobotctlRun.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using robotlink::Session;
+using robotlink::websocket::Listener;
+using robotlink::websocket::SessionServer;
+using testing::HasSubstr;
+
+/// A robot that publishes a text and a ball a hundred times a second, and refuses solutions.
+class OfferedRobot : public testing::Test {
+ protected:
+  OfferedRobot() {
+    session_.setRobots({"red1"});
+    session_.setRequestSink([this](const robotcontrol::Request& request) {
+      robotcontrol::RequestResult result;
+      result.set_id(request.id());
+      result.set_accepted(!request.has_select_solution());
+      if (request.has_select_solution()) result.set_reason("there is no such solution");
+      session_.pushResult(result);
+    });
+    Listener::Options options;
+    options.address.port = 0;
+    options.admission.token = "secret";
+    options.admission.wrongTokenDelay = {};
+    listener_ = *Listener::open(server_.server(), options);
+    url_ = "ws://" + toString(listener_->address());
+    thread_ = std::thread([this] { publish(); });
+  }
+  ~OfferedRobot() override {
+    isOver_ = true;
+    thread_.join();
+  }
+  RobotctlOutcome robotctl(const std::string& command, const std::string& rest,
+                           const std::string& token = "secret") {
+    return runRobotctl(folder_.path(), command + " " + url_ + " --token " + token + " " + rest);
+  }
+  void publish() {
+    for (int i = 1; !isOver_; ++i) {
+      const robotlink::Instant now(i * 10ms);
+      auto text = std::make_shared<foxglove::Log>();
+      text->set_message("text " + std::to_string(i));
+      session_.push({"red1/log", now, text});
+      auto ball = std::make_shared<robotcontrol::BallModel>();
+      ball->mutable_position_in_robot()->set_x(i);
+      session_.push({"red1/models/ball", now, ball});
+      session_.push({"red1/tables/keys", now, std::make_shared<robotcontrol::KeyTable>(keys())});
+      session_.tick();
+      server_.tick();
+      std::this_thread::sleep_for(10ms);
+    }
+  }
+  static robotcontrol::KeyTable keys() {
+    robotcontrol::KeyTable table;
+    table.add_keys()->set_name("package/camera/image");
+    table.mutable_keys(0)->set_stream("camera/image");
+    return table;
+  }
+
+  const TestFolder folder_;
+  Session session_;
+  SessionServer server_{session_};
+  std::unique_ptr<Listener> listener_;
+  std::string url_;
+  std::atomic<bool> isOver_{false};
+  std::thread thread_;
+};
+
+TEST_F(OfferedRobot, watchListsStreamsWithTheirRates) {
+  const auto text = robotctl("watch", "--seconds 0.7");
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_THAT(text.out, HasSubstr("(red1): connected"));
+  EXPECT_THAT(text.out, HasSubstr("robotcontrol.BallModel"));
+  const auto outcome = robotctl("watch", "--seconds 0.7 --json");
+  const json watched = json::parse(outcome.out);
+  EXPECT_EQ(watched["robots"], json({"red1"}));
+  for (const json& stream : watched["streams"]) {
+    if (stream["path"] != "red1/models/ball") continue;
+    EXPECT_GT(stream["rate"], 5.0);
+  }
+}
+
+TEST_F(OfferedRobot, watchRecordsWhatAReplayNeeds) {
+  const auto outcome = robotctl("watch", "--seconds 1 --record out.mcap");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("out.mcap: "));
+  const auto info = runRobotctl(folder_.path(), "log info out.mcap --json");
+  EXPECT_EQ(info.status, 0) << info.errors;
+  EXPECT_THAT(info.out, HasSubstr("red1/models/ball"));
+  EXPECT_THAT(info.out, HasSubstr("red1/log"));
+}
+
+TEST_F(OfferedRobot, watchPrintsAStreamAsATable) {
+  const auto outcome = robotctl("watch", "--seconds 0.7 --csv red1/models/ball");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("time,"));
+  EXPECT_THAT(outcome.out, HasSubstr("position_in_robot.x"));
+  EXPECT_GT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5);
+  const auto wrong = robotctl("watch", "--seconds 0.7 --csv red1/balls");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.errors, HasSubstr("there is no stream 'red1/balls'"));
+}
+
+TEST_F(OfferedRobot, requestSaysWhetherItWasAccepted) {
+  const auto stop = robotctl("request", R"(red1/stop '{"engaged": true}')");
+  EXPECT_EQ(stop.status, 0) << stop.errors;
+  EXPECT_EQ(json::parse(stop.out)["accepted"], true);
+  const auto refused = robotctl("request", R"(red1/select_solution '{"task": "a", "solution": "b"}')");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("refused: there is no such solution"));
+  EXPECT_THAT(robotctl("request", "red1/stp").errors, HasSubstr("did you mean 'red1/stop'?"));
+  EXPECT_THAT(robotctl("request", "").out, HasSubstr("red1/set_key  robotcontrol.SetKey"));
+  EXPECT_EQ(robotctl("request", "red1/stop '{'").status, 2);
+}
+
+TEST_F(OfferedRobot, whatDoesNotConnectIsSaid) {
+  const auto token = robotctl("request", "red1/stop", "wrong");
+  EXPECT_EQ(token.status, 1);
+  EXPECT_THAT(token.errors, HasSubstr("the robot wants another token"));
+  url_ = "ws://127.0.0.1:1";
+  const auto nobody = robotctl("watch", "--seconds 0.3");
+  EXPECT_EQ(nobody.status, 1);
+  EXPECT_THAT(nobody.errors, HasSubstr("nobody listens there"));
+  url_ = "127.0.0.1";
+  EXPECT_EQ(robotctl("watch", "--seconds 0.3").status, 2);
+}
+
+}  // namespace
