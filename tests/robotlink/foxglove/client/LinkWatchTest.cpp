@@ -64,6 +64,20 @@ TEST_F(LinkWatchTest, aSignOfLifeIsAskedForAndSilenceEndsTheConnection) {
   EXPECT_EQ(watch_.since(), Instant(2010ms));
 }
 
+TEST_F(LinkWatchTest, itAsksForASignOfLifeOnlyInSilenceAndNowAndThenForTheRoundTrip) {
+  connect();
+  int asked = 0, given = 0;
+  for (const Instant end = now_ + 10s; now_ < end; now_ += 10ms) {
+    watch_.heard(now_);
+    const Action action = watch_.next(now_);
+    asked += action == Action::kPing ? 1 : 0;
+    given += action == Action::kPong ? 1 : 0;
+  }
+  EXPECT_EQ(asked + given, 33);
+  EXPECT_LE(asked, 6);
+  EXPECT_EQ(watch_.phase(), Phase::kConnected);
+}
+
 TEST_F(LinkWatchTest, afterTheFirstSuccessItIsBackWithinTwoSecondsOfTheLinesReturn) {
   connect();
   actions(20s);

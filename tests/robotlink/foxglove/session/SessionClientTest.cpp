@@ -36,6 +36,12 @@ class FarSession {
     session->setRobots(robots);
     session->setRequestSink([this](const Request& request) { fulfill(request); });
     server_ = std::make_unique<SessionServer>(*session);
+    // As if an image could be made of its width.
+    server_->setImageEncoder([](const google::protobuf::Message& image) {
+      auto encoded = std::make_shared<foxglove::CompressedImage>();
+      encoded->set_format(std::to_string(dynamic_cast<const foxglove::RawImage&>(image).width()));
+      return encoded;
+    });
     Listener::Options options;
     options.address.port = port;
     options.greetingDelay = Duration::zero();
@@ -196,6 +202,34 @@ TEST_F(SessionClientTest, aKeyIsOnAtTheRobotWhileItIsOnHere) {
   EXPECT_TRUE(soon([&] { return far_.mode(0).kind() == KeyMode::OFF; }));
   EXPECT_EQ(ask(keyRequest("package/models/ball", KeyMode::N_TIMES)), "accepted");
   EXPECT_EQ(far_.mode(1).kind(), KeyMode::N_TIMES);
+}
+
+TEST_F(SessionClientTest, imagesAreTheSameStreamWhenTheyAreSentAsJpeg) {
+  options_.convert = [&](const PackagePtr& package) -> PackagePtr {
+    const auto* encoded = dynamic_cast<const foxglove::CompressedImage*>(package.get());
+    if (encoded == nullptr) return package;
+    return std::make_shared<foxglove::RawImage>(
+        image(1000 + static_cast<std::uint32_t>(std::stoi(encoded->format()))));
+  };
+  connect();
+  ASSERT_TRUE(hasRobot() && hasKeys());
+  far_.publish("red1/camera/image", Instant(1s), image(1));
+  ask(keyRequest("package/camera/image", KeyMode::ALWAYS));
+  const auto shows = [&](std::uint32_t sent, std::uint32_t shown) {
+    return soon([&] {
+      far_.publish("red1/camera/image", Instant(2s), image(sent));
+      const auto* newest = this->newest<foxglove::RawImage>("red1/camera/image");
+      return newest != nullptr && newest->width() == shown;
+    });
+  };
+  EXPECT_TRUE(shows(7, 7));
+  client_->setImages(SessionClient::Images::kJpeg);
+  EXPECT_TRUE(shows(8, 1008));
+  EXPECT_FALSE(isSubscribed("red1/camera/image"));
+  EXPECT_EQ(session_.store().find("red1/camera/image/jpeg"), nullptr);
+  EXPECT_EQ(far_.mode(0).kind(), KeyMode::ALWAYS);
+  client_->setImages(SessionClient::Images::kRaw);
+  EXPECT_TRUE(shows(9, 9));
 }
 
 TEST_F(SessionClientTest, twoSessionsDoNotKeepAKeyOnForEachOther) {
