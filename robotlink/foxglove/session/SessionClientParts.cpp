@@ -314,8 +314,9 @@ void SessionClient::Parts::updateSubscriptions() {
   // A topic may have several channels, of which only one is decoded.
   std::erase_if(unwanted,
                 [&](const std::string& topic) { return !topics.contains(topic) || wanted.contains(topic); });
-  client->unsubscribe(unwanted);
+  // First what is new, so that no key is switched off only to be switched on again.
   client->subscribe(wanted);
+  client->unsubscribe(unwanted);
   for (const std::string& topic : unwanted) topics.erase(topic);
   topics.insert(wanted.begin(), wanted.end());
 }
