@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "robotlink/base/Utf8.h"
-#include "robotlink/foxglove/session/SessionClientParts.h"
+#include "robotlink/foxglove/session/RemoteSession.h"
 
 namespace robotlink::websocket {
 
@@ -13,7 +13,7 @@ using robotcontrol::RequestResult;
 
 // ---- Requests
 
-void SessionClient::Parts::answer(std::uint64_t id, bool isAccepted, const std::string& reason) {
+void RemoteSession::answer(std::uint64_t id, bool isAccepted, const std::string& reason) {
   RequestResult result;
   result.set_id(id);
   result.set_accepted(isAccepted);
@@ -21,7 +21,7 @@ void SessionClient::Parts::answer(std::uint64_t id, bool isAccepted, const std::
   session.pushResult(result);
 }
 
-void SessionClient::Parts::setKey(RemoteRobotList::Robot& robot, const Request& request) {
+void RemoteSession::setKey(RemoteRobotList::Robot& robot, const Request& request) {
   const KeyWishes::Outcome outcome = robot.keys.set(request.set_key());
   hasChanged |= outcome.hasChanged;
   if (outcome.hasChanged) changedKeys.insert(robot.remote);
@@ -31,7 +31,7 @@ void SessionClient::Parts::setKey(RemoteRobotList::Robot& robot, const Request& 
     answer(request.id(), true, "");
 }
 
-void SessionClient::Parts::forward(const std::string& robot, const Request& request) {
+void RemoteSession::forward(const std::string& robot, const Request& request) {
   const auto* field = Request::descriptor()->FindFieldByNumber(static_cast<int>(request.what_case()));
   if (field == nullptr) return answer(request.id(), false, "a request that asks for nothing");
   Client::Call call;
@@ -51,7 +51,7 @@ void SessionClient::Parts::forward(const std::string& robot, const Request& requ
 // ---- The class itself
 
 SessionClient::SessionClient(Session& session, Options options)
-    : parts_(std::make_unique<Parts>(session, std::move(options))) {}
+    : parts_(std::make_unique<RemoteSession>(session, std::move(options))) {}
 
 SessionClient::~SessionClient() = default;
 

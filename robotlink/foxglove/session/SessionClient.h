@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "robotlink/foxglove/client/Connector.h"
+#include "robotlink/foxglove/session/SessionClientOptions.h"
 #include "robotlink/session/Session.h"
 
 namespace robotlink::websocket {
+
+class RemoteSession;
 
 /// Puts the robots of one server into a session, where views cannot tell them from hosted ones: channels
 /// become messages of the same streams, and requests become calls of services, whose results are the
@@ -37,42 +38,10 @@ namespace robotlink::websocket {
 /// One thread, that of Session::tick(), but for what the link's thread does inside. Nothing blocks.
 class SessionClient {
  public:
-  struct Options {
-    Connector::Options connection;
-    /// Whether a name of a robot is in use in the session, by others than this object. Empty: none is.
-    std::function<bool(const std::string&)> isTaken = {};
-    /// The newest time of the platform or connection that leads; zero if it has none yet. Empty, or nothing:
-    /// this one leads.
-    std::function<std::optional<Instant>()> leadingTime = {};
-    /// Makes another package of one that came, such as a foxglove.RawImage of a compressed one. Called in the
-    /// link's thread. Empty: packages stay as they are.
-    std::function<PackagePtr(const PackagePtr&)> convert = {};
-    /// Streams, by their paths in the session, that are wanted beside those that the session needs.
-    std::function<bool(const std::string& path)> alsoWanted = {};
-    /// Called by tick() with each message that goes into the session.
-    std::function<void(const StreamMessage&)> passed = {};
-  };
-  /// A stretch of the session's time in which the connection was lost.
-  struct Gap {
-    Instant from;
-    /// Nothing while it lasts.
-    std::optional<Instant> to = {};
-    /// Why: a sentence.
-    std::string reason = {};
-    bool operator==(const Gap&) const = default;
-  };
-  /// A channel of the server.
-  struct Stream {
-    /// The path in the session.
-    std::string path;
-    std::string topic, type, encoding;
-    bool isSubscribed = false;
-    /// Messages of other encodings ("cdr", "ros1") are kept as bytes, and not shown.
-    bool isDecoded = false;
-    std::uint64_t messages = 0, bytes = 0;
-    /// As the server counts, if it does: replaced by newer messages, and lost.
-    std::optional<std::uint64_t> thinned = {}, dropped = {};
-  };
+  using Options = SessionClientOptions;
+  using Gap = SessionGap;
+  using Stream = RemoteStream;
+  using Images = RemoteImages;
 
   /// `session` must outlive this object.
   SessionClient(Session& session, Options options);
@@ -105,10 +74,6 @@ class SessionClient {
   /// The newest time of its messages in the session.
   std::optional<Instant> newest() const;
 
-  enum class Images {
-    kRaw,
-    kJpeg  ///< where the server offers them; `convert` makes them raw again
-  };
   /// How images are sent; at first raw.
   void setImages(Images images);
   /// Bytes a second that the server may send; 0 without limit.
@@ -117,8 +82,7 @@ class SessionClient {
   Client& client();
 
  private:
-  struct Parts;
-  const std::unique_ptr<Parts> parts_;
+  const std::unique_ptr<RemoteSession> parts_;
 };
 
 }  // namespace robotlink::websocket

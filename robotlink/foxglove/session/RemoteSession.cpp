@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes from the server, and what is subscribed to.
-#include "robotlink/foxglove/session/SessionClientParts.h"
+#include "robotlink/foxglove/session/RemoteSession.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ constexpr Duration kReset = std::chrono::seconds(1);
 /// After a connection was made anew, robots that are not mentioned again are gone.
 constexpr Duration kStaleTime = std::chrono::seconds(2);
 
-SessionClient::Options withClock(SessionClient::Options options) {
+SessionClientOptions withClock(SessionClientOptions options) {
   if (!options.connection.clock) options.connection.clock = std::make_shared<const SteadyClock>();
   return options;
 }
@@ -60,7 +60,7 @@ std::string processOf(const std::string& stream, const PackagePtr& value) {
 
 }  // namespace
 
-SessionClient::Parts::Parts(Session& sharedSession, Options chosen)
+RemoteSession::RemoteSession(Session& sharedSession, SessionClientOptions chosen)
     : session(sharedSession),
       options(withClock(std::move(chosen))),
       inbox({}, options.convert),
@@ -71,7 +71,7 @@ SessionClient::Parts::Parts(Session& sharedSession, Options chosen)
 }
 
 /// In the link's thread: decodes messages, and leaves everything else to tick().
-ClientHandlers SessionClient::Parts::handlers() {
+ClientHandlers RemoteSession::handlers() {
   ClientHandlers h;
   h.connected = [this](const ServerInfo& info) { inbox.push([this, info] { onConnected(info); }); };
   h.disconnected = [this] {
@@ -110,7 +110,7 @@ ClientHandlers SessionClient::Parts::handlers() {
   return h;
 }
 
-void SessionClient::Parts::tick() {
+void RemoteSession::tick() {
   lookAtRestart();
   for (const RemoteInbox::Arrival& arrival : inbox.take()) {
     if (arrival.work)
@@ -131,7 +131,7 @@ void SessionClient::Parts::tick() {
 }
 
 /// The history is gone: what is latched is published again, at the times of what leads now.
-void SessionClient::Parts::lookAtRestart() {
+void RemoteSession::lookAtRestart() {
   const std::uint64_t before = std::exchange(restarts, session.restarts());
   if (before == restarts) return;
   shift.restart();
@@ -145,7 +145,7 @@ void SessionClient::Parts::lookAtRestart() {
 }
 
 /// A gap begins with the newest message, and ends with the first one after it.
-void SessionClient::Parts::lookAtGaps(const ConnectionState& state) {
+void RemoteSession::lookAtGaps(const ConnectionState& state) {
   if (state.isConnected() || !shift.newest()) return;
   if (!hasGap) gaps.push_back({*shift.newest(), {}, state.reason});
   if (gaps.size() > kMaxGaps) gaps.erase(gaps.begin());
@@ -153,7 +153,7 @@ void SessionClient::Parts::lookAtGaps(const ConnectionState& state) {
   if (!state.reason.empty()) gaps.back().reason = state.reason;
 }
 
-void SessionClient::Parts::endGap(Instant time) {
+void RemoteSession::endGap(Instant time) {
   hasGap = false;
   gaps.back().to = time;
   if (time <= gaps.back().from) gaps.pop_back();
@@ -161,7 +161,7 @@ void SessionClient::Parts::endGap(Instant time) {
 
 // ---- From the server
 
-void SessionClient::Parts::onConnected(const ServerInfo& info) {
+void RemoteSession::onConnected(const ServerInfo& info) {
   connectedAt = options.connection.clock->now();
   isOurs = info.metadata.contains(kSessionKey);
   if (!serverSession.empty() && info.sessionId != serverSession) {
@@ -176,14 +176,14 @@ void SessionClient::Parts::onConnected(const ServerInfo& info) {
   hasChanged = true;
 }
 
-void SessionClient::Parts::onChannels(const std::vector<RemoteChannelPtr>& added) {
+void RemoteSession::onChannels(const std::vector<RemoteChannelPtr>& added) {
   for (const RemoteChannelPtr& channel : added) channels[channel->id] = channel;
   hasChanged = true;
 }
 
 /// A robot of ours is what takes requests.
-void SessionClient::Parts::onServices(const std::vector<std::string>& added,
-                                      const std::vector<std::string>& removed) {
+void RemoteSession::onServices(const std::vector<std::string>& added,
+                               const std::vector<std::string>& removed) {
   const auto robotOf = [](const std::string& service) {
     constexpr std::string_view kEnd = "/set_key";
     return service.ends_with(kEnd) ? service.substr(0, service.size() - kEnd.size()) : std::string();
@@ -200,7 +200,7 @@ void SessionClient::Parts::onServices(const std::vector<std::string>& added,
 }
 
 /// "red1/on-demand/ball-percept/disc" exists while that key is on only for subscribers.
-void SessionClient::Parts::onParameters(const std::vector<Parameter>& parameters) {
+void RemoteSession::onParameters(const std::vector<Parameter>& parameters) {
   const std::string group = std::string("/") + kOnDemandGroup + "/";
   for (const Parameter& parameter : parameters) {
     const std::size_t at = parameter.name.find(group);
@@ -214,7 +214,7 @@ void SessionClient::Parts::onParameters(const std::vector<Parameter>& parameters
 }
 
 /// What the server says about this client's doings is a text of the first robot.
-void SessionClient::Parts::onStatus(const Status& status) {
+void RemoteSession::onStatus(const Status& status) {
   if (robots.names().empty()) return;
   const auto text = std::make_shared<foxglove::Log>();
   text->set_level(status.level == StatusLevel::kError     ? foxglove::Log::ERROR
@@ -229,7 +229,7 @@ void SessionClient::Parts::onStatus(const Status& status) {
 
 /// An image is the same stream however it is sent. Foreign servers have texts and transforms under any name;
 /// views look for them here.
-RemoteRobotList::Place SessionClient::Parts::placeOf(const RemoteChannel& channel) {
+RemoteRobotList::Place RemoteSession::placeOf(const RemoteChannel& channel) {
   RemoteRobotList::Place place = robots.placeOf(channel.topic);
   if (isOurs) {
     if (isJpegOfOther(channel)) place.stream = withoutJpeg(place.stream);
@@ -240,7 +240,7 @@ RemoteRobotList::Place SessionClient::Parts::placeOf(const RemoteChannel& channe
   return place;
 }
 
-void SessionClient::Parts::onMessage(const RemoteInbox::Arrival& arrival) {
+void RemoteSession::onMessage(const RemoteInbox::Arrival& arrival) {
   RemoteRobotList::Place place = placeOf(*arrival.channel);
   if (place.stream.empty() || (place.robot == nullptr && !leads())) return;
   StreamMessage message{place.path(), {}, arrival.value, processOf(place.stream, arrival.value)};
@@ -258,7 +258,7 @@ void SessionClient::Parts::onMessage(const RemoteInbox::Arrival& arrival) {
   enter(std::move(message));
 }
 
-void SessionClient::Parts::enter(StreamMessage message) {
+void RemoteSession::enter(StreamMessage message) {
   message.bytes = sizeOf(message);
   latched.take(message);
   newestOf[message.path].mapped = message.time;
@@ -266,7 +266,7 @@ void SessionClient::Parts::enter(StreamMessage message) {
   session.push(std::move(message));
 }
 
-Instant SessionClient::Parts::timeOf(const std::string& path, Instant remote, bool latchedMessage) {
+Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latchedMessage) {
   const auto leading = options.leadingTime ? options.leadingTime() : std::nullopt;
   const auto known = newestOf.find(path);
   if (known != newestOf.end() && !latchedMessage && known->second.remote != Instant::min() &&
@@ -288,7 +288,7 @@ Instant SessionClient::Parts::timeOf(const std::string& path, Instant remote, bo
 
 // ---- What is subscribed to
 
-bool SessionClient::Parts::wants(const RemoteChannel& channel) {
+bool RemoteSession::wants(const RemoteChannel& channel) {
   const RemoteRobotList::Place place = placeOf(channel);
   if (!channel.isDecoded || place.stream.empty() || isOtherCoding(channel)) return false;
   if (options.alsoWanted && options.alsoWanted(place.path())) return true;
@@ -300,12 +300,12 @@ bool SessionClient::Parts::wants(const RemoteChannel& channel) {
 }
 
 /// Of two channels with the same images one is wanted.
-bool SessionClient::Parts::isOtherCoding(const RemoteChannel& channel) const {
-  if (isJpegOfOther(channel)) return images != Images::kJpeg;
-  return images == Images::kJpeg && asJpeg.contains(channel.topic);
+bool RemoteSession::isOtherCoding(const RemoteChannel& channel) const {
+  if (isJpegOfOther(channel)) return images != RemoteImages::kJpeg;
+  return images == RemoteImages::kJpeg && asJpeg.contains(channel.topic);
 }
 
-void SessionClient::Parts::updateSubscriptions() {
+void RemoteSession::updateSubscriptions() {
   asJpeg.clear();
   for (const auto& [id, channel] : channels)
     if (isOurs && isJpegOfOther(*channel)) asJpeg.insert(withoutJpeg(channel->topic));
@@ -322,7 +322,7 @@ void SessionClient::Parts::updateSubscriptions() {
 }
 
 /// A foreign server's heavy channels look like debug keys, which one switches on.
-void SessionClient::Parts::updateChannelKeys() {
+void RemoteSession::updateChannelKeys() {
   RemoteRobotList::Robot* robot = robots.findRemote("");
   if (isOurs || robot == nullptr) return;
   KeyTable table;
@@ -340,7 +340,7 @@ void SessionClient::Parts::updateChannelKeys() {
 }
 
 /// The table as it is shown here has changed, if the robot has one.
-void SessionClient::Parts::pushKeys(RemoteRobotList::Robot& robot) {
+void RemoteSession::pushKeys(RemoteRobotList::Robot& robot) {
   if (!robot.keys.hasTable()) return;
   const std::string path = robot.local + "/" + streams::kKeys;
   const auto table = std::make_shared<const KeyTable>(robot.keys.shown());

@@ -7,15 +7,19 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/session/RemoteInbox.h"
 #include "robotlink/foxglove/session/RemoteRobotList.h"
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/SessionClientOptions.h"
 #include "robotlink/foxglove/session/TimeShift.h"
 #include "robotlink/session/LatchedMessages.h"
+#include "robotlink/session/Session.h"
 
 namespace robotlink::websocket {
 
-/// Everything is of the session's thread but the client and what its handlers use: the inbox.
-struct SessionClient::Parts {
-  Parts(Session& sharedSession, Options chosen);
+/// What is behind a SessionClient: what is known of the server, what is subscribed to, and how messages and
+/// requests become each other's. Everything is of the session's thread but the client and what its handlers
+/// use: the inbox.
+class RemoteSession {
+ public:
+  RemoteSession(Session& sharedSession, SessionClientOptions chosen);
 
   ClientHandlers handlers();
   void tick();
@@ -51,7 +55,7 @@ struct SessionClient::Parts {
   };
 
   Session& session;
-  const Options options;
+  const SessionClientOptions options;
   RemoteInbox inbox;
   RemoteRobotList robots;
   TimeShift shift;
@@ -64,8 +68,8 @@ struct SessionClient::Parts {
   std::set<std::string> changedKeys;
   /// To be pushed again when the session was restarted.
   LatchedMessages latched;
-  std::vector<Gap> gaps;
-  Images images = Images::kRaw;
+  std::vector<SessionGap> gaps;
+  RemoteImages images = RemoteImages::kRaw;
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
   std::uint64_t restarts = 0;
