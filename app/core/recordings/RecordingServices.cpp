@@ -17,6 +17,7 @@ using robotcontrol::ControlRecording;
 using robotlink::Result;
 using robotlink::websocket::ClientInfo;
 using robotlink::websocket::Service;
+using robotlink::websocket::ServiceAccess;
 using robotlink::websocket::ServiceCallRequest;
 
 constexpr char kJson[] = "json";
@@ -88,13 +89,13 @@ RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Serve
       recorder_(recorder),
       jobs_(std::make_shared<Jobs>()) {
   recorder_.setFolder(folder_.path());
-  offer("recordings/list", &RecordingServices::list);
-  offer("recordings/read", &RecordingServices::read);
-  offer("recordings/check", &RecordingServices::check);
+  offer("recordings/list", &RecordingServices::list, ServiceAccess::kAnybody);
+  offer("recordings/read", &RecordingServices::read, ServiceAccess::kAnybody);
+  offer("recordings/check", &RecordingServices::check, ServiceAccess::kAnybody);
   offer("recordings/delete", &RecordingServices::remove);
   offer("recordings/start", &RecordingServices::start);
   offer("recordings/stop", &RecordingServices::stop);
-  offer("recordings/status", &RecordingServices::status);
+  offer("recordings/status", &RecordingServices::status, ServiceAccess::kAnybody);
 }
 
 RecordingServices::~RecordingServices() {
@@ -102,7 +103,7 @@ RecordingServices::~RecordingServices() {
   jobs_->close();
 }
 
-void RecordingServices::offer(const std::string& name, Handler handler) {
+void RecordingServices::offer(const std::string& name, Handler handler, ServiceAccess access) {
   services_.push_back(server_->addService(
       serviceNamed(name),
       [this, jobs = jobs_, name, handler](const ClientInfo&, const ServiceCallRequest& call, Reply reply) {
@@ -111,7 +112,8 @@ void RecordingServices::offer(const std::string& name, Handler handler) {
         if (!argument.is_object()) return reply.fail("the argument of " + name + " is no JSON object");
         jobs->add(
             [this, handler, argument = std::move(argument), reply] { (this->*handler)(argument, reply); });
-      }));
+      },
+      access));
 }
 
 void RecordingServices::list(const json&, const Reply& reply) {

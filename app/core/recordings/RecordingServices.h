@@ -31,8 +31,8 @@ namespace app {
 /// - `recordings/check` {"name", "bytes"}: {"bytes", "crc32"} of the first bytes; of all without "bytes"
 /// - `recordings/delete` {"name"}; not while it is being recorded
 ///
-/// Files are read in a thread of their own. The server may outlive this object, whose destructor withdraws
-/// the services; the recorder must outlive it.
+/// Those who may only watch may not start, stop and delete. Files are read in a thread of their own. The
+/// server may outlive this object, whose destructor withdraws the services; the recorder must outlive it.
 class RecordingServices {
  public:
   RecordingServices(std::shared_ptr<robotlink::websocket::Server> server, RecordingFolder folder,
@@ -47,7 +47,8 @@ class RecordingServices {
   using Handler = void (RecordingServices::*)(const nlohmann::json& argument, const Reply& reply);
   struct Jobs;
 
-  void offer(const std::string& name, Handler handler);
+  void offer(const std::string& name, Handler handler,
+             robotlink::websocket::ServiceAccess access = robotlink::websocket::ServiceAccess::kControl);
   // The handlers run in the worker's thread.
   void list(const nlohmann::json& argument, const Reply& reply);
   void read(const nlohmann::json& argument, const Reply& reply);

@@ -178,5 +178,23 @@ TEST_F(RecordingFetchTest, whatIsBeingRecordedIsNotDeleted) {
   EXPECT_FALSE(std::filesystem::exists(files_ / "robot/game.mcap"));
 }
 
+TEST_F(RecordingFetchTest, whoMayOnlyWatchFetchesButDoesNotDelete) {
+  connector_.reset();
+  const std::string secret = "watchers";
+  Listener::Options options;
+  options.address.port = 0;
+  options.greetingDelay = {};
+  options.admission.watchToken = secret;
+  options.admission.token = "owners";
+  listener_ = Listener::open(server_, options).value();
+  Connector::Options connection;
+  connection.url = {.host = "127.0.0.1", .port = listener_->address().port};
+  connection.token = secret;
+  connector_ = std::make_unique<Connector>(client_, connection);
+  EXPECT_TRUE(fetching().fetch("game.mcap", files_ / "here.mcap", false));
+  EXPECT_FALSE(fetching().remove("game.mcap"));
+  EXPECT_TRUE(std::filesystem::exists(files_ / "robot/game.mcap"));
+}
+
 }  // namespace
 }  // namespace app
