@@ -6,6 +6,22 @@
 
 namespace widgets {
 
+void showConnections(QComboBox& robots, const robotlink::Session& session) {
+  for (int i = 0; i < robots.count(); ++i) {
+    const QString name = robots.itemData(i).toString();
+    const auto remote = session.remoteRobots().find(name.toStdString());
+    if (remote == session.remoteRobots().end()) continue;
+    const QString state = QString::fromStdString(remote->second.state);
+    // What is behind a colon are the reasons.
+    const QString text = remote->second.isConnected
+                             ? name
+                             : QStringLiteral("%1 (%2)").arg(name, state.section(QLatin1Char(':'), 0, 0));
+    if (robots.itemText(i) != text) robots.setItemText(i, text);
+    robots.setItemData(i, QStringLiteral("%1: %2").arg(QString::fromStdString(remote->second.url), state),
+                       Qt::ToolTipRole);
+  }
+}
+
 RobotChoice::RobotChoice(const char* name, QWidget* parent, Offer offer) : QComboBox(parent), offer_(offer) {
   describe(*this, {name, tr("Robot"),
                    offer == Offer::kAll ? tr("Whose drawings are shown") : tr("Which robot is shown")});
@@ -20,6 +36,7 @@ RobotChoice::RobotChoice(const char* name, QWidget* parent, Offer offer) : QComb
 
 void RobotChoice::refresh(const robotlink::Session& session) {
   if (session.robots() != listed_) list(session.robots());
+  showConnections(*this, session);
 }
 
 void RobotChoice::list(const std::vector<std::string>& robots) {

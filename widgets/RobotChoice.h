@@ -11,6 +11,10 @@ class Session;
 
 namespace widgets {
 
+/// Shows in a combo box how robots elsewhere are connected: behind the names of those that are not, and in
+/// the tool tips of all. The data of entries are names of robots; other entries stay as they are.
+void showConnections(QComboBox& robots, const robotlink::Session& session);
+
 /// A combo box that selects the robot whose data a view shows: the session's selected robot, all robots, or a
 /// certain one. A robot that was chosen and is not in the session stays chosen and is listed as "not here".
 /// GUI thread.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/OpenPlatform.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/KeyPresets.h"
 
 namespace app {
@@ -13,6 +17,8 @@ namespace app {
 OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
     : userFolder_(std::move(userFolder)),
       recording_(userFolder_),
+      remote_(session_, recording_.recorder()),
+      offer_(session_),
       platform_(session_, recording_.recorder()) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
 }
@@ -65,7 +71,7 @@ void OpenPlatform::addLog(const std::filesystem::path& file, robotlink::Duration
 robotlink::Result<void> OpenPlatform::connectNow() {
   if (!loaded_ || !loaded_->isReal())
     return robotlink::failure("robot.not-real",
-                              "no robot is connected over a line; choose Robot > Connect first");
+                              "no robot is connected over a line; choose Robot > Connect a Pioneer first");
   platform_.connectNow();
   return {};
 }
@@ -76,6 +82,21 @@ void OpenPlatform::setLayout(const std::filesystem::path& file) {
   platform_.setLayout(file, outcomeOf(Change::kLayout));
 }
 
+robotlink::Result<void> OpenPlatform::connectRemote(const std::string& url, const std::string& token) {
+  const auto connected = remote_.connect(url, token);
+  if (!connected) return tl::unexpected(connected.error());
+  return {};
+}
+robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
+  if (auto kept = keepKeys(); !kept) report({kept.error()});
+  return remote_.disconnect(url);
+}
+robotlink::Result<void> OpenPlatform::offerSession(const std::string& address) {
+  if (auto done = offer_.begin(address); !done) return done;
+  if (loaded_) publishPrograms(session_, *loaded_);
+  return {};
+}
+
 void OpenPlatform::ask(robotcontrol::Request request) {
   session_.request(std::move(request), [this](const robotcontrol::RequestResult& result) {
     if (!result.accepted()) report({{"request.refused", result.reason(), {}, {}}});
@@ -83,8 +104,10 @@ void OpenPlatform::ask(robotcontrol::Request request) {
 }
 
 void OpenPlatform::take(const robotcontrol::Request& request) {
-  if (robotlink::kindOf(request).doer != robotlink::RequestDoer::kRecording)
-    return platform_.request(request);
+  if (robotlink::kindOf(request).doer != robotlink::RequestDoer::kRecording) {
+    if (!remote_.take(request)) platform_.request(request);
+    return;
+  }
   const auto done = recording_.control(request.control_recording());
   robotcontrol::RequestResult result;
   result.set_id(request.id());
@@ -96,7 +119,35 @@ void OpenPlatform::take(const robotcontrol::Request& request) {
 void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
+  followRemote();
   session_.tick();
+  offer_.tick();
+}
+
+void OpenPlatform::followRemote() {
+  remote_.tick();
+  for (const std::string& note : remote_.takeNotes()) report({{"remote.new", note, {}, {}}});
+  if (std::exchange(remoteVersion_, remote_.version()) != remote_.version()) {
+    listRobots();
+    if (onRemoteRobots_) onRemoteRobots_();
+  }
+  const std::vector<std::string> robots = remote_.robots();
+  std::erase_if(remoteSwitchedOn_,
+                [&](const std::string& name) { return std::ranges::find(robots, name) == robots.end(); });
+  for (const std::string& robot : robots) {
+    const bool known = session_.store().latest(robot + "/" + robotlink::streams::kKeys,
+                                               robotlink::Instant::max()) != nullptr;
+    if (known && remoteSwitchedOn_.insert(robot).second) switchKeysOn(robot);
+  }
+}
+
+void OpenPlatform::listRobots() {
+  std::vector<std::string> robots;
+  if (loaded_) {
+    for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
+  }
+  for (std::string& name : remote_.robots()) robots.push_back(std::move(name));
+  session_.setRobots(std::move(robots));
 }
 
 void OpenPlatform::report(const robotlink::Errors& errors) {
@@ -113,9 +164,11 @@ void OpenPlatform::apply(Outcome outcome) {
     return;
   }
   loaded_ = std::move(*outcome.loaded);
-  std::vector<std::string> robots;
-  for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
-  session_.setRobots(robots);
+  std::set<std::string> robots;
+  for (const auto& [name, description] : loaded_->robots) robots.insert(name);
+  remote_.setPlatform(loaded_->time ? std::optional(robots) : std::nullopt);
+  listRobots();
+  if (offer_.isOffered()) publishPrograms(session_, *loaded_);
   if (outcome.change == Change::kPlatform) {
     keysToSwitchOn_.clear();
     for (const std::string& robot : robots) switchKeysOn(robot);

@@ -9,17 +9,22 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
+#include "app/core/remote/RemoteRobots.h"
+#include "app/core/remote/SessionOffer.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/Session.h"
 
 namespace app {
 
-/// What is open in the workbench: the platform that runs (a simulation, a real robot, or logs), the session
-/// that it feeds, and the recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
+/// What is open in the workbench: the platform that runs (a simulation, a real robot, or logs), the robots
+/// elsewhere that are connected beside it, the session that they feed, its offer to others, and the
+/// recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
 class OpenPlatform {
  public:
   /// The settings of the recording, and the debug keys that were on for each robot, are kept below
@@ -29,6 +34,8 @@ class OpenPlatform {
 
   robotlink::Session& session() { return session_; }
   Recording& recording() { return recording_; }
+  const RemoteRobots& remote() const { return remote_; }
+  const SessionOffer& offer() const { return offer_; }
 
   /// Starts to open a platform. The result arrives in a later tick(), as for all functions that open or close
   /// something or change the layout. For a real robot it says only whether its program can be run; the
@@ -43,6 +50,13 @@ class OpenPlatform {
   /// Restarts the robots' programs in another layout.
   void setLayout(const std::filesystem::path& file);
 
+  /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
+  robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);
+  robotlink::Result<void> disconnectRemote(const std::string& url);
+  /// Offers the session to others, see SessionOffer::begin().
+  robotlink::Result<void> offerSession(const std::string& address);
+  void stopOffering() { offer_.end(); }
+
   /// Sends a request to what runs. A refusal is passed to the handler of onErrors().
   void ask(robotcontrol::Request request);
 
@@ -50,6 +64,8 @@ class OpenPlatform {
   void tick();
   /// The handler is called with what runs now when something was loaded or closed, or a layout was changed.
   void onLoaded(std::function<void(const LoadedPlatform&)> handler) { onLoaded_ = std::move(handler); }
+  /// The handler is called when robots elsewhere have come or gone, or are known better.
+  void onRemoteRobots(std::function<void()> handler) { onRemoteRobots_ = std::move(handler); }
   /// The handler is called if something could not be loaded, in which case what ran before continues; if a
   /// request was refused; and with warnings.
   void onErrors(std::function<void(const robotlink::Errors&)> handler) { onErrors_ = std::move(handler); }
@@ -90,7 +106,10 @@ class OpenPlatform {
   PlatformThread::LoadHandler outcomeOf(Change change, std::shared_ptr<Opening> opening = nullptr);
   /// Applies a result from the platform's thread.
   void apply(Outcome outcome);
-  /// Passes a request of the session to the recording or the platform.
+  /// Tells the session of the robots of the platform and of those elsewhere.
+  void listRobots();
+  void followRemote();
+  /// Passes a request of the session to the recording, the platform, or a robot elsewhere.
   void take(const robotcontrol::Request& request);
   /// Calls the handler of onErrors().
   void report(const robotlink::Errors& errors);
@@ -109,9 +128,16 @@ class OpenPlatform {
   /// handlers of the answers, which count down.
   std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
+  std::function<void()> onRemoteRobots_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   /// What the results to come are about, in their order; null where no file is read.
   std::deque<std::shared_ptr<Opening>> openings_;
+  RemoteRobots remote_;
+  /// RemoteRobots::version() when the session was told.
+  std::uint64_t remoteVersion_ = 0;
+  /// Those whose debug keys were switched on as they were when they were connected last.
+  std::set<std::string> remoteSwitchedOn_;
+  SessionOffer offer_;
   /// The last member, since its thread uses the others.
   PlatformThread platform_;
 };

@@ -6,6 +6,7 @@
 #include "app/core/LogCommands.h"
 #include "app/core/PlatformCommands.h"
 #include "app/core/RecordingCommands.h"
+#include "app/core/RemoteCommands.h"
 #include "app/core/RobotCommands.h"
 #include "app/core/SimulationCommands.h"
 
@@ -15,6 +16,7 @@ Workbench::Workbench(std::filesystem::path userFolder) : OpenPlatform(std::move(
   addPlatformCommands(commands_, *this);
   addSimulationCommands(commands_, *this);
   addRobotCommands(commands_, *this);
+  addRemoteCommands(commands_, *this);
   addLogCommands(commands_, *this);
   addRecordingCommands(commands_, *this);
 }

@@ -19,9 +19,11 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
+#include "app/robotcontrol/actions/RemoteMenus.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
+#include "app/robotcontrol/bars/RemoteLine.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
 #include "app/robotcontrol/bars/StatusLine.h"
 #include "app/robotcontrol/bars/StopToolBar.h"
@@ -99,6 +101,10 @@ void MainWindow::createActions() {
   addAction(toolBar_->stopAction());
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
+  remote_ = new RemoteMenus(workbench_, this);
+  remoteLine_ = new RemoteLine(workbench_, *statusBar());
+  connect(remoteLine_, &RemoteLine::connectionsClicked, remote_, &RemoteMenus::showConnect);
+  connect(remoteLine_, &RemoteLine::offerClicked, remote_, &RemoteMenus::showOffer);
 }
 
 void MainWindow::createErrorBar() {
@@ -128,6 +134,7 @@ void MainWindow::connectSignals() {
   });
   connect(actions_, &CommandActions::settled, this, [this] { forgetErrors("command.refused"); });
   workbench_.onLoaded([this](const LoadedPlatform&) { onLoaded(); });
+  workbench_.onRemoteRobots([this] { showRobots(); });
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
     platforms_->fail(QString::fromStdString(robotlink::describe(errors)));
@@ -146,16 +153,35 @@ void MainWindow::connectSignals() {
 
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
-  context_.field = loaded->field;
-  widgets::colorBench(context_).setField(context_.field.get());
-  context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();
   simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
-  const QString name = QString::fromStdString(loaded->name());
-  setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
+  showRobots();
   if (!loaded->ended.empty()) showEnded(loaded->ended);
   showWhatBelongsTo(*loaded);
+}
+
+void MainWindow::showRobots() {
+  const LoadedPlatform none;
+  const LoadedPlatform& loaded = workbench_.loaded() != nullptr ? *workbench_.loaded() : none;
+  const RemoteRobots& remote = workbench_.remote();
+  context_.robots = loaded.robots;
+  auto field = loaded.field;
+  QStringList names;
+  for (const std::string& robot : remote.robots()) {
+    const KnownRobot known = remote.known(robot);
+    if (known.description) context_.robots[robot] = known.description;
+    if (!field && !loaded.time) field = known.field;
+    names << QString::fromStdString(robot);
+  }
+  if (field != context_.field) {
+    context_.field = std::move(field);
+    widgets::colorBench(context_).setField(context_.field.get());
+  }
+  toolBar_->showRobots();
+  const QString opened = QString::fromStdString(loaded.name());
+  const QString name = opened.isEmpty() ? names.join(QStringLiteral(", ")) : opened;
+  setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
 }
 
 void MainWindow::showEnded(const std::vector<std::string>& reported) {
@@ -201,8 +227,10 @@ void MainWindow::tick() {
   tickLogs();
   widgets::colorFiles(context_).tick();
   status_->refresh();
+  remoteLine_->refresh();
   tickDocks();
   platforms_->tick();
+  remote_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;
   sinceKept_.restart();
   keepWindow();
@@ -214,6 +242,7 @@ void MainWindow::restoreWindow() {
   create();  // so that floating docks can have it as their parent
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   platforms_->memory().load(window);
+  remote_->load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
@@ -233,6 +262,7 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
                      {QStringLiteral("appearance"), nameOf(appearance_)}};
   platforms_->memory().save(window);
+  remote_->save(window);
   perspectives_.setWindow(window);
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }

@@ -32,6 +32,8 @@ class OpeningBar;
 class PlatformMenus;
 class RecordedBar;
 class RecordingToolBar;
+class RemoteLine;
+class RemoteMenus;
 class SimulationToolBar;
 class StatusLine;
 class UndoOrder;
@@ -155,6 +157,8 @@ class MainWindow : public QMainWindow {
   void showAbout();
   /// Called when the workbench has loaded another platform.
   void onLoaded();
+  /// Updates what views know of the robots, of the platform and elsewhere, and the title.
+  void showRobots();
   /// Shows for a moment what the platform that ran before reported about its end.
   void showEnded(const std::vector<std::string>& reported);
   /// Changes to the perspective for what was loaded, unless the user has chosen another one.
@@ -190,6 +194,8 @@ class MainWindow : public QMainWindow {
   RecordedBar* recordedBar_ = nullptr;
   LogContentsBar* contentsBar_ = nullptr;
   StatusLine* status_ = nullptr;
+  RemoteMenus* remote_ = nullptr;
+  RemoteLine* remoteLine_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;
   /// The id of the first error that is shown.

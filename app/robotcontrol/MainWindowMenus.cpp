@@ -13,6 +13,7 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
+#include "app/robotcontrol/actions/RemoteMenus.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "app/robotcontrol/bars/LightMenu.h"
@@ -83,7 +84,10 @@ void MainWindow::createViewMenu() {
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
   robot->setObjectName(QStringLiteral("robotMenu"));
+  remote_->addConnect(*robot);
   platforms_->addForms(*robot, "robot");
+  remote_->addOffer(*robot);
+  robot->addSeparator();
   robot->addAction(toolBar_->stopAction());
   robot->addSeparator();
   QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);

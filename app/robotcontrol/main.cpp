@@ -19,13 +19,18 @@
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/foxglove/client/ServerUrl.h"
 
 namespace {
 
 using app::kDone, app::kFailed, app::kUsage;
 
 struct Arguments {
-  std::vector<std::string> files;
+  /// Files, or an address, and URLs of robots elsewhere, as they were given.
+  std::vector<std::string> sources;
+  /// What is opened, and the URLs.
+  std::vector<std::string> files, servers;
+  std::string token;
   /// Those of the platforms' forms.
   app::FieldOptions platform;
   bool paused = false;
@@ -41,12 +46,16 @@ std::string helpOnFiles() {
   for (const app::PlatformAdapter& adapter : app::platformAdapters())
     help += std::string(help.empty() ? "" : "; or ") + adapter.sources;
   help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
-  return help + "; the field of 2002 if none is given";
+  return help +
+         "; or robots whose programs run elsewhere (ws://HOST[:PORT]), beside what else is opened; the field "
+         "of "
+         "2002 if nothing is given";
 }
 
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
-  app.add_option("files", arguments.files, helpOnFiles());
+  app.add_option("files", arguments.sources, helpOnFiles());
+  app.add_option("--token", arguments.token, "What the robots at these URLs ask for");
   app.add_option_function<std::string>(
       "--layout", [&arguments](const std::string& layout) { arguments.platform.values["layout"] = layout; },
       "A process layout: a file, or the name of a shipped one");
@@ -85,6 +94,7 @@ std::vector<std::string> sourcesOf(const Arguments& arguments) {
 
 /// Whether what is opened is a simulation, which is started.
 bool simulates(const Arguments& arguments) {
+  if (arguments.files.empty() && !arguments.servers.empty()) return false;
   const app::PlatformAdapter* adapter = app::adapterFor(sourcesOf(arguments).front());
   return adapter != nullptr && adapter->time == app::PlatformTime::kSimulated;
 }
@@ -100,6 +110,13 @@ std::string perspectiveOf(const Arguments& arguments) {
 
 /// Loads what the command line asks for. Returns false if that is invalid.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
+  for (const std::string& url : arguments.servers) {
+    const auto connected = workbench.connectRemote(url, arguments.token);
+    if (connected) continue;
+    std::cerr << "robotcontrol: " << connected.error().describe() << "\n";
+    return false;
+  }
+  if (arguments.files.empty() && !arguments.servers.empty()) return true;
   auto opening = app::openingOf({sourcesOf(arguments), arguments.platform.values});
   if (!opening) {
     std::cerr << "robotcontrol: " << opening.error().describe() << "\n";
@@ -230,6 +247,8 @@ int start(int argc, char** argv) {
     parser.exit(error);
     return kUsage;
   }
+  for (const std::string& source : arguments.sources)
+    (robotlink::websocket::isServerUrl(source) ? arguments.servers : arguments.files).push_back(source);
   if (const auto found = robotlink::checkResources(); !found) {
     return refuse(found.error().describe(), argv);
   }

@@ -8,12 +8,20 @@
 #include <QMimeData>
 
 #include "widgets/Theme.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/plots/CurveModel.h"
 #include "widgets/plots/PlotTreeModel.h"
 
 namespace widgets {
 
 namespace {
+
+/// The end of what lasts, in s; a number that axes can compute with.
+constexpr double kForever = 1e12;
+
+robotlink::Instant instantAt(double seconds) {
+  return robotlink::Instant(robotlink::fromSeconds(seconds));
+}
 
 /// Ticks at round numbers of seconds since an origin.
 class TimeTicker final : public QCPAxisTicker {
@@ -82,6 +90,7 @@ void PlotCanvas::applyTheme() {
   }
   cursor_->setPen(QPen(mixed(base, text, 0.5), 0));
   mark_->setPen(QPen(colorOf(Meaning::kBad, colors), 0, Qt::DashLine));
+  gaps_.clear();  // they are shaded again in other colors
   matchGraphs();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -105,13 +114,22 @@ void PlotCanvas::matchGraphs() {
   }
 }
 
-void PlotCanvas::refresh(bool follow, double end, double length) {
+void PlotCanvas::refresh(bool follow, double end, double length, const RemoteRobots& robots) {
   matchGraphs();
+  showGaps(robots);
   for (int i = 0; i < plot_->graphCount(); ++i) {
     CurveModel::Curve& curve = *curves_.curves()[static_cast<std::size_t>(i)];
     QCPGraph& graph = *plot_->graph(i);
+    const auto robot = robots.find(robotPart(curve.series.source().stream));
     for (; curve.taken < curve.points.size(); ++curve.taken) {
-      graph.addData(curve.points[curve.taken].time, curve.points[curve.taken].value);
+      const PlotSeries::Point& point = curve.points[curve.taken];
+      if (curve.taken > 0 && robot != robots.end()) {
+        const double before = curve.points[curve.taken - 1].time;
+        // The line ends where the graph has no number.
+        if (isCut(robot->second.gaps, instantAt(before), instantAt(point.time)))
+          graph.addData((before + point.time) / 2, std::numeric_limits<double>::quiet_NaN());
+      }
+      graph.addData(point.time, point.value);
     }
     if (!curve.points.empty()) graph.data()->removeBefore(curve.points.front().time);
   }
@@ -120,6 +138,37 @@ void PlotCanvas::refresh(bool follow, double end, double length) {
     fitValues();
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// Shades the times in which nothing was heard of a robot that has a curve.
+void PlotCanvas::showGaps(const RemoteRobots& robots) {
+  std::vector<std::pair<double, double>> gaps;
+  for (const auto& curve : curves_.curves()) {
+    const auto robot = robots.find(robotPart(curve->series.source().stream));
+    if (robot == robots.end()) continue;
+    for (const robotlink::LineGap& gap : robot->second.gaps) {
+      const double from = robotlink::seconds(gap.from), to = gap.to ? robotlink::seconds(*gap.to) : kForever;
+      const auto known = std::ranges::find(gaps, std::pair(from, to));
+      if (known == gaps.end()) gaps.emplace_back(from, to);
+    }
+  }
+  if (gaps == gaps_) return;
+  gaps_ = std::move(gaps);
+  for (QCPItemRect* shade : shades_) plot_->removeItem(shade);
+  shades_.clear();
+  const QPalette colors = palette();
+  const QColor shaded = mixed(colors.color(QPalette::Base), colorOf(Meaning::kMuted, colors), 0.25);
+  for (const auto& [from, to] : gaps_) {
+    auto* shade = new QCPItemRect(plot_);
+    shade->setLayer(QStringLiteral("background"));
+    for (QCPItemPosition* corner : {shade->topLeft, shade->bottomRight})
+      corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    shade->topLeft->setCoords(from, 0);
+    shade->bottomRight->setCoords(to, 1);
+    shade->setPen(Qt::NoPen);
+    shade->setBrush(shaded);
+    shades_.push_back(shade);
+  }
 }
 
 void PlotCanvas::fitValues() {

@@ -2,9 +2,15 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "robotlink/session/RemoteRobot.h"
+
+class QCPItemRect;
 class QCPItemStraightLine;
 class QCustomPlot;
 
@@ -19,12 +25,15 @@ class CurveModel;
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
+  /// How robots elsewhere are connected, by their names.
+  using RemoteRobots = std::map<std::string, robotlink::RemoteRobot>;
+
   /// `curves` must outlive the canvas.
   explicit PlotCanvas(CurveModel& curves, QWidget* parent = nullptr);
 
   /// Draws the points that are new in the model. With `follow` the time axis shows [end - length, end] (in s)
-  /// and the value axis all values therein.
-  void refresh(bool follow, double end, double length);
+  /// and the value axis all values therein. Where nothing was heard of a robot, no line is drawn.
+  void refresh(bool follow, double end, double length, const RemoteRobots& robots = {});
   /// Shows all points of all curves.
   void fit();
   /// Sets the time that the axis labels as 0 s.
@@ -53,6 +62,7 @@ class PlotCanvas final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void showGaps(const RemoteRobots& robots);
   /// Colors axes, grid and lines by the palette.
   void applyTheme();
   /// Makes QCustomPlot's graphs match the model's curves in number, name and color.
@@ -63,6 +73,9 @@ class PlotCanvas final : public QWidget {
   CurveModel& curves_;
   QCustomPlot* plot_;
   QCPItemStraightLine* mark_;
+  /// The times in which nothing was heard, from and to, and the items that shade them.
+  std::vector<std::pair<double, double>> gaps_;
+  std::vector<QCPItemRect*> shades_;
   QCPItemStraightLine* cursor_;
 };
 

@@ -264,7 +264,7 @@ void PlotsView::tick() {
   dirty_ = false;
   drawnTime_ = time;
   canvas_->setMark(live ? std::optional<double>() : time);
-  canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt());
+  canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt(), session().remoteRobots());
 }
 
 void PlotsView::exportCsv() {

@@ -98,7 +98,12 @@ void followAddress(FormState& state, const std::string& changed) {
   for (const char* part : {"host", "port"}) {
     if (!network) state.hidden.insert(part);
   }
-  state.notes["address"] = {url ? meaningOf(*url) : url.error().text, !url};
+  const std::string address = textOf(values, "address");
+  const bool isProgram = address.starts_with("ws://") || address.starts_with("wss://");
+  const std::string problem = isProgram
+                                  ? "a robot's program runs there, not only its line: choose Robot > Connect…"
+                                  : (url ? std::string() : url.error().text);
+  state.notes["address"] = {problem.empty() ? meaningOf(*url) : problem, !problem.empty()};
   state.complete = url.has_value();
 }
 
@@ -177,7 +182,7 @@ PlatformForm pioneerForm() {
                         "Connects a Pioneer over TCP or a serial line and runs its program here; it stays "
                         "connected until something else is opened",
                     .menu = "robot",
-                    .entry = "&Connect…",
+                    .entry = "Connect a &Pioneer…",
                     .action = "robot.connect",
                     .icon = "connect",
                     .keys = "Ctrl+K",

@@ -16,6 +16,7 @@
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
+#include "widgets/RobotChoice.h"
 #include "widgets/StopStyle.h"
 
 namespace app {
@@ -131,7 +132,9 @@ void SimulationToolBar::connectSignals() {
     actions_.run(QStringLiteral("layout.open"), {layout_->itemData(index).toString().toStdString()});
   });
   connect(robot_, chosen, this, [this](int index) {
-    actions_.run(QStringLiteral("robot.select"), {robot_->itemText(index).toStdString()});
+    const QVariant name = robot_->itemData(index);  // the text may also say how the robot is connected
+    const QString robot = name.isValid() ? name.toString() : robot_->itemText(index);
+    actions_.run(QStringLiteral("robot.select"), {robot.toStdString()});
   });
   connect(speed_, chosen, this, [this](int index) {
     actions_.run(QStringLiteral("simulation.speed"), {speed_->itemData(index).toDouble()});
@@ -161,9 +164,13 @@ void SimulationToolBar::showLoaded() {
   layout_->setPlaceholderText(loaded->isLogged() ? tr("of the log") : tr("none"));
   showLayouts(*loaded);
   selectFile(layout_, loaded->layout);
+  showRobots();
+}
+
+void SimulationToolBar::showRobots() {
   robot_->clear();
   for (const std::string& robot : workbench_.session().robots())
-    robot_->addItem(QString::fromStdString(robot));
+    robot_->addItem(QString::fromStdString(robot), QString::fromStdString(robot));
   robot_->setEnabled(robot_->count() > 0);
 }
 
@@ -181,14 +188,15 @@ void SimulationToolBar::refreshSpeed(double requested) {
 
 void SimulationToolBar::refresh() {
   auto& session = workbench_.session();
-  const int robot = robot_->findText(QString::fromStdString(session.selectedRobot()));
+  widgets::showConnections(*robot_, session);
+  const int robot = robot_->findData(QString::fromStdString(session.selectedRobot()));
   if (robot >= 0 && robot != robot_->currentIndex()) robot_->setCurrentIndex(robot);
   ofColors_->setVisible(colorTable_->refresh(session));
   const auto* status =
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;
   for (QAction* action : simulationActions_) action->setEnabled(there);
-  stop_->setEnabled(there);
+  stop_->setEnabled(there || !session.robots().empty());
   speed_->setEnabled(there);
   if (!there) return;
   start_->setChecked(status->running());

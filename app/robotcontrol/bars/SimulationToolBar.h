@@ -25,6 +25,8 @@ class SimulationToolBar : public QToolBar {
   /// To be called when a scene, log or layout was loaded or refused: shows what is open now. The simulation's
   /// buttons are hidden for logs and real robots.
   void showLoaded();
+  /// To be called when robots have come or gone.
+  void showRobots();
 
   /// Start, pause, step, reset.
   const QList<QAction*>& simulationActions() const { return simulationActions_; }

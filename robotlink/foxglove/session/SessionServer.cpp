@@ -35,6 +35,9 @@ using robotcontrol::SolutionTable;
 constexpr std::size_t kCalmBytes = 8U << 10U;
 constexpr char kRawImage[] = "foxglove.RawImage";
 
+/// After so many ticks without anything new the session counts as paused.
+constexpr int kStillTicks = 10;
+
 struct StreamType {
   const char* prefix;
   const char* type;
@@ -107,7 +110,9 @@ void SessionServer::tick() {
   getParameters();
   watchLinks();
   publishSubscribers();
+  if (++stillTicks_ > kStillTicks) publishUnheard();
   if (session_.store().newest() == newest_) return;
+  stillTicks_ = 0;
   newest_ = session_.store().newest();
   server_->publishTime(newest_);
 }
@@ -122,6 +127,7 @@ void SessionServer::pass(const StreamMessage& message) {
   }
   if (found->second->isWanted()) found->second->publish(message.time, message.value->SerializeAsString());
   if (encoder_ && found->second->setup().schemaName == kRawImage) passAsJpeg(message);
+  unheard_.erase(message.path);
   notice(message);
 }
 
@@ -150,6 +156,23 @@ void SessionServer::passAsJpeg(const StreamMessage& message) {
   if (found == channels_.end() || !found->second->isWanted()) return;
   if (const PackagePtr encoded = encoder_(*message.value))
     found->second->publish(message.time, encoded->SerializeAsString());
+}
+
+/// In a pause nothing new is published, so who comes then would see nothing.
+void SessionServer::publishUnheard() {
+  for (const std::string& path : std::exchange(unheard_, {})) {
+    const auto channel = channels_.find(path);
+    if (channel == channels_.end() || channel->second->setup().latched) continue;
+    const bool isJpeg = encoder_ && path.ends_with(kJpegChannel);
+    const StreamMessage* newest = session_.store().latest(
+        isJpeg ? path.substr(0, path.size() - std::string_view(kJpegChannel).size()) : path, Instant::max());
+    if (newest == nullptr) continue;
+    if (isJpeg) {
+      passAsJpeg(*newest);
+    } else {
+      channel->second->publish(newest->time, newest->value->SerializeAsString());
+    }
+  }
 }
 
 void SessionServer::notice(const StreamMessage& message) {

@@ -88,6 +88,8 @@ class SessionServer {
   void notice(const StreamMessage& message);
   void noticeTable(const std::string& robot, const std::string& stream,
                    const google::protobuf::Message& value);
+  /// Publishes the newest messages of streams once more, for those who subscribed in a pause.
+  void publishUnheard();
   void updateRobots();
   void removeRobot(const std::string& name, Robot& robot);
   void offerServices(const std::string& robot, Robot& to);
@@ -147,6 +149,10 @@ class SessionServer {
   /// What clients were told about their commands on a topic, so that they are told once.
   std::map<std::pair<std::uint64_t, std::string>, std::string> complaints_;
   Instant newest_;
+  /// Calls of tick() since it was newer than before.
+  int stillTicks_ = 0;
+  /// Streams that somebody subscribed to, and on which nothing was published since.
+  std::set<std::string> unheard_;
   /// The status of the log that was published last, and the history's generation() then.
   PackagePtr replay_;
   std::uint64_t generation_ = 0;

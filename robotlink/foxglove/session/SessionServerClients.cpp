@@ -57,6 +57,7 @@ ServerHandlers SessionServer::handlers(Report report) {
     post([path = channel->setup().topic, names](SessionServer& self) {
       const auto [robot, stream] = splitAtSlash(path);
       self.keys_.setSubscribers(robot, stream, names);
+      if (!names.empty()) self.unheard_.insert(path);
       self.offerOnDemand(robot);
     });
   };

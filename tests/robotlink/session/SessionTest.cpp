@@ -46,6 +46,34 @@ TEST(Session, theTimelineFollowsTheNewestUntilAnInstantIsChosen) {
   EXPECT_EQ(session.timeline().shown(), at(2));
 }
 
+TEST(Session, allListenersFollowUntilTheyAreRemoved) {
+  Session session;
+  std::vector<std::string> heard;
+  const auto listener = [&heard](const std::string& name) {
+    return Session::Listener{
+        [&heard, name](const StreamMessage& message) { heard.push_back(name + ": " + message.path); },
+        [&heard, name](const robotcontrol::Request&) { heard.push_back(name + ": request"); }};
+  };
+  const auto first = session.addListener(listener("first"));
+  session.addListener(listener("second"));
+  session.push(plot("a", 1));
+  session.tick();
+  EXPECT_THAT(heard, ElementsAre("first: a", "second: a"));
+  heard.clear();
+  session.removeListener(first);
+  session.request({});
+  EXPECT_THAT(heard, ElementsAre("second: request"));
+}
+
+TEST(Session, aLineIsCutWhereAGapLiesBetweenItsEnds) {
+  const std::vector<LineGap> gaps{{at(2), at(5)}, {at(9)}};
+  EXPECT_FALSE(isCut(gaps, at(1), at(2)));
+  EXPECT_TRUE(isCut(gaps, at(2), at(5)));
+  EXPECT_TRUE(isCut(gaps, at(1.5), at(6)));
+  EXPECT_FALSE(isCut(gaps, at(5), at(6)));
+  EXPECT_TRUE(isCut(gaps, at(8), at(12)));
+}
+
 TEST(Session, aQueuesMessagesBecomeStreamsWithoutBeingCopied) {
   Session session;
   const auto queue = queueOf("cognition");

@@ -20,6 +20,7 @@
 #include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/LogBench.h"
+#include "widgets/Theme.h"
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
@@ -105,6 +106,28 @@ class PlotsViewTest : public QObject {
     view->addCurve(QStringLiteral("red1/motion/status: velocity.x"));
     QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 2).data().toString(),
              QStringLiteral("m/s"));
+  }
+
+  void noLineIsDrawnWhereNothingWasHeard() {
+    const auto at = [](int seconds) { return robotlink::Instant(std::chrono::seconds(seconds)); };
+    const auto lineLength = [](const std::vector<robotlink::LineGap>& gaps) {
+      Bench bench;
+      auto view = bench.open<widgets::PlotsView>();
+      view->addCurve(QLatin1String(kPlot));
+      bench.session.setRemoteRobots({{"red1", {"ws://hall:8765", true, "connected", gaps}}});
+      for (const double time : {1.0, 2.0, 5.0, 6.0}) pushPlot(bench, time, 0.5);
+      const QImage image = picture(bench, *view);
+      const QRgb color = curveColor(0, view->palette()).rgb();
+      int pixels = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) pixels += image.pixel(x, y) == color ? 1 : 0;
+      }
+      return pixels;
+    };
+    const int whole = lineLength({});
+    const int cut = lineLength({{at(2), at(5)}});
+    QVERIFY(cut > 0);
+    QVERIFY2(cut < whole / 2 && cut > whole / 4, qPrintable(QStringLiteral("%1 %2").arg(whole).arg(cut)));
   }
 
   void theValueUnderTheCursorIsShown() {

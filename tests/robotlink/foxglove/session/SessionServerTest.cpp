@@ -145,6 +145,25 @@ class SessionServerTest : public testing::Test {
   std::deque<std::string> kept_;
 };
 
+TEST_F(SessionServerTest, whoComesInAPauseSeesWhatWasPublishedBefore) {
+  publish("red1/camera/image", Instant(1ms), foxglove::RawImage());
+  tick();
+  const auto channel = advertised().at("red1/camera/image").id;
+  say(Subscribe{{{1, channel}}});
+  EXPECT_TRUE(heard<MessageData>().empty());
+  for (int i = 0; i < 10; ++i) tick();
+  const auto first = heard<MessageData>();
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_EQ(first[0].time, Instant(1ms));
+  // While something happens, who comes waits for what comes.
+  publish("red1/camera/image", Instant(2ms), foxglove::RawImage());
+  tick();
+  EXPECT_EQ(heard<MessageData>().size(), 1U);
+  say(Unsubscribe{{1}});
+  say(Subscribe{{{2, channel}}});
+  EXPECT_TRUE(heard<MessageData>().empty());
+}
+
 TEST_F(SessionServerTest, aStreamIsAChannelWithItsSchema) {
   foxglove::RawImage image;
   image.set_width(7);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/RemoteCommands.h"
+
+#include "app/core/CommandValues.h"
+#include "app/core/OpenPlatform.h"
+
+namespace app {
+
+using Type = robotlink::CommandTable::Type;
+
+void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
+  commands.add(
+      {"remote.connect",
+       "Connects robots whose programs run elsewhere, beside those that are open here",
+       {{"url", Type::kText, "ws://HOST[:PORT]"}, {"token", Type::kText, "that the robot asks for, or ''"}},
+       [&open](const Values& values) { return open.connectRemote(text(values, 0), text(values, 1)); }});
+  commands.add({"remote.disconnect",
+                "Ends the connection to robots elsewhere, which leave the window",
+                {{"url", Type::kText, "as it was connected"}},
+                [&open](const Values& values) { return open.disconnectRemote(text(values, 0)); }});
+  commands.add(
+      {"session.offer",
+       "Lets others watch and steer what is open here, as clients of the Foxglove WebSocket protocol",
+       {{"address", Type::kText, "[ADDRESS:]PORT, or '' for 127.0.0.1:8765"}},
+       [&open](const Values& values) { return open.offerSession(text(values, 0)); }});
+  commands.add({"session.stop-offering",
+                "Ends the connections of all who watch and steer what is open here",
+                {},
+                [&open](const Values&) -> robotlink::Result<void> {
+                  open.stopOffering();
+                  return {};
+                }});
+}
+
+}  // namespace app

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/remote/RemoteRobots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/core/remote/ImageCodings.h"
+#include "foxglove/Robot.pb.h"
+#include "logplayer/record/Recorder.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/session/LatchedMessages.h"
+#include "robotlink/session/Session.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::KeyTable;
+using robotcontrol::Request;
+using robotlink::Instant;
+using robotlink::Result;
+namespace streams = robotlink::streams;
+namespace websocket = robotlink::websocket;
+
+/// Debug keys of packages, which recordings want as those of other robots.
+constexpr char kPackageKeys[] = "package/";
+/// The streams of a platform by which its newest time is known.
+constexpr std::array kClocks{streams::kTransforms, streams::kSimulation, streams::kReplay};
+
+std::string robotOf(const std::string& path) {
+  const std::size_t slash = path.find('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+Request keyRequest(const std::string& robot, const std::string& key, robotcontrol::KeyMode::Kind kind) {
+  Request request;
+  request.set_robot(robot);
+  request.mutable_set_key()->set_name(key);
+  request.mutable_set_key()->mutable_mode()->set_kind(kind);
+  return request;
+}
+
+}  // namespace
+
+struct RemoteRobots::Line {
+  std::string url;
+  std::unique_ptr<SessionClient> client;
+  std::uint64_t robotsVersion = 0;
+  /// The beginning of the last gap that was noted in the robots' texts.
+  std::optional<Instant> noted = {};
+};
+
+RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder)
+    : session_(session),
+      recorder_(recorder),
+      listener_(
+          session.addListener({[this](const robotlink::StreamMessage& message) { record(message); }, {}})),
+      notes_(std::make_shared<robotlink::BoundedQueue<std::string>>(100)) {}
+
+RemoteRobots::~RemoteRobots() {
+  session_.removeListener(listener_);
+}
+
+RemoteRobots::Line* RemoteRobots::find(const std::string& url) {
+  const auto line = std::ranges::find(lines_, url, [](const auto& one) { return one->url; });
+  return line == lines_.end() ? nullptr : line->get();
+}
+
+Result<std::string> RemoteRobots::connect(const std::string& url, const std::string& token) {
+  auto parsed = websocket::parseServerUrl(url);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const std::string name = toString(*parsed);
+  Line* line = find(name);
+  if (line == nullptr) line = lines_.emplace_back(std::make_unique<Line>()).get();
+  line->url = name;
+  line->client.reset();
+  SessionClient::Options options;
+  options.connection.url = std::move(*parsed);
+  options.connection.token = token;
+  options.isTaken = [this, line](const std::string& robot) { return isTaken(robot, line); };
+  options.leadingTime = [this, line] { return leadingTime(*line); };
+  options.connection.isTrusted = [notes = notes_](const std::string& server, const std::string& print) {
+    notes->push("The robot at " + server + " is new here, and remembered by its fingerprint " + print +
+                ": compare it with the one that the robot printed at its start.");
+    return true;
+  };
+  options.convert = decodedImage;
+  line->client = std::make_unique<SessionClient>(session_, std::move(options));
+  ++version_;
+  return name;
+}
+
+Result<void> RemoteRobots::disconnect(const std::string& url) {
+  const auto parsed = websocket::parseServerUrl(url);
+  const Line* line = parsed ? find(toString(*parsed)) : nullptr;
+  if (line == nullptr) return robotlink::failure("remote.none", "nothing is connected at " + url, {}, {url});
+  if (leader_ == line) leader_ = nullptr;
+  std::erase_if(lines_, [&](const auto& one) { return one.get() == line; });
+  ++version_;
+  showRobots();
+  return {};
+}
+
+std::vector<RemoteRobots::Connection> RemoteRobots::connections() const {
+  std::vector<Connection> all;
+  for (const auto& line : lines_)
+    all.push_back({line->url, line->client->state(), line->client->stateText(), line->client->robots()});
+  return all;
+}
+
+std::vector<std::string> RemoteRobots::robots() const {
+  std::vector<std::string> all;
+  for (const auto& line : lines_) {
+    const auto& robots = line->client->robots();
+    all.insert(all.end(), robots.begin(), robots.end());
+  }
+  return all;
+}
+
+KnownRobot RemoteRobots::known(const std::string& robot) const {
+  const auto found = described_.find(robot);
+  return found == described_.end() ? KnownRobot() : found->second.known;
+}
+
+bool RemoteRobots::isTaken(const std::string& robot, const Line* by) const {
+  if (platform_ && platform_->contains(robot)) return true;
+  return std::ranges::any_of(lines_, [&](const auto& line) {
+    return line.get() != by && line->client && std::ranges::count(line->client->robots(), robot) > 0;
+  });
+}
+
+std::optional<Instant> RemoteRobots::leadingTime(const Line& of) const {
+  if (!platform_) {
+    if (leader_ == nullptr || leader_ == &of) return std::nullopt;
+    return leader_->client->newest().value_or(Instant());
+  }
+  Instant newest;
+  for (const char* clock : kClocks) {
+    const auto* message = session_.store().latest(clock, Instant::max());
+    if (message != nullptr) newest = std::max(newest, message->time);
+  }
+  return newest;
+}
+
+void RemoteRobots::tick() {
+  if (lines_.empty()) return;
+  findLeader();
+  for (const auto& line : lines_) {
+    line->client->tick();
+    const std::uint64_t version = line->client->robotsVersion();
+    if (std::exchange(line->robotsVersion, version) != version) ++version_;
+  }
+  for (const auto& line : lines_) noteGaps(*line);
+  describeRobots();
+  showRobots();
+  switchRecorded();
+}
+
+/// The first that was heard; if none was, the first.
+void RemoteRobots::findLeader() {
+  if (leader_ != nullptr && leader_->client->newest()) return;
+  const auto heard = std::ranges::find_if(
+      lines_, [](const auto& line) { return line->client && line->client->newest().has_value(); });
+  leader_ = heard == lines_.end() ? lines_.front().get() : heard->get();
+}
+
+/// Texts about gaps stand among those of the robots, also in recordings.
+void RemoteRobots::noteGaps(Line& line) {
+  for (const auto& gap : line.client->gaps()) {
+    if (!gap.to || (line.noted && gap.from <= *line.noted)) continue;
+    line.noted = gap.from;
+    auto text = std::make_shared<foxglove::Log>();
+    robotlink::assign(*text->mutable_timestamp(), *gap.to);
+    text->set_level(foxglove::Log::WARNING);
+    text->set_name("link");
+    text->set_message(fmt::format("Nothing was received for {:.1f} s{}{}",
+                                  robotlink::seconds(*gap.to - gap.from), gap.reason.empty() ? "" : ": ",
+                                  gap.reason));
+    for (const std::string& robot : line.client->robots())
+      session_.push({robot + "/" + streams::kLog, *gap.to, text, "link"});
+  }
+}
+
+void RemoteRobots::describeRobots() {
+  for (const std::string& robot : robots()) {
+    const auto* message = session_.store().latest(robot + "/" + streams::kProgram, Instant::max());
+    if (message == nullptr) continue;
+    Described& described = described_[robot];
+    if (described.setup == message->value) continue;
+    described.setup = message->value;
+    if (const auto* setup = dynamic_cast<const robotcontrol::ProgramSetup*>(message->value.get()))
+      described.known = knownRobot(*setup);
+    ++version_;
+  }
+}
+
+/// Tells views how these robots are connected.
+void RemoteRobots::showRobots() {
+  std::map<std::string, robotlink::RemoteRobot> shown;
+  for (const auto& line : lines_) {
+    std::vector<robotlink::LineGap> gaps;
+    for (const auto& gap : line->client->gaps()) gaps.push_back({gap.from, gap.to, gap.reason});
+    for (const std::string& robot : line->client->robots())
+      shown[robot] = {line->url, line->client->state().isConnected(), line->client->stateText(), gaps};
+  }
+  session_.setRemoteRobots(std::move(shown));
+}
+
+bool RemoteRobots::take(const Request& request) {
+  if (request.robot().empty() && platform_) return false;
+  for (const auto& line : lines_) {
+    if (!line->client->takes(request)) continue;
+    line->client->request(request);
+    return true;
+  }
+  return false;
+}
+
+void RemoteRobots::record(const robotlink::StreamMessage& message) {
+  if (lines_.empty()) return;
+  const std::string robot = robotOf(message.path);
+  const bool isRemote = robot.empty() ? !platform_ : session_.remoteRobots().contains(robot);
+  if (!isRemote || message.path == streams::kRecording) return;
+  if ((recorder_.active() && recorder_.wants(message.path)) || robotlink::isLatched(message))
+    recorder_.add({message});
+}
+
+void RemoteRobots::switchRecorded() {
+  if (!recorder_.status().recording()) {
+    for (const auto& [robot, key] : std::exchange(switchedOn_, {}))
+      session_.request(keyRequest(robot, key, robotcontrol::KeyMode::OFF));
+    return;
+  }
+  for (const auto& [robot, remote] : session_.remoteRobots()) {
+    const auto* table = session_.store().latestAs<KeyTable>(robot + "/" + streams::kKeys, Instant::max());
+    if (table == nullptr || !remote.isConnected) continue;
+    for (const auto& key : table->keys()) {
+      const bool isOff = key.mode().kind() == robotcontrol::KeyMode::OFF;
+      if (!isOff || !key.name().starts_with(kPackageKeys)) continue;
+      if (!recorder_.wants(robot + "/" + key.stream())) continue;
+      if (switchedOn_.emplace(robot, key.name()).second)
+        session_.request(keyRequest(robot, key.name(), robotcontrol::KeyMode::ALWAYS));
+    }
+  }
+}
+
+}  // namespace app

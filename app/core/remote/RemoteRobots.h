@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/core/remote/ProgramNotes.h"
+#include "robotlink/base/BoundedQueue.h"
+#include "robotlink/base/Error.h"
+#include "robotlink/foxglove/client/ConnectionState.h"
+#include "robotlink/session/StreamMessage.h"
+
+namespace logplayer {
+class Recorder;
+}
+namespace robotcontrol {
+class Request;
+}
+namespace robotlink {
+class Session;
+}
+namespace robotlink::websocket {
+class SessionClient;
+}
+
+namespace app {
+
+/// The robots of a session whose programs run elsewhere, beside those of the platform that is open: one
+/// connection for each server (robotlink/foxglove/FOXGLOVE.md). Connections are lost and found again by
+/// themselves. Requests to these robots go to them; what is asked of no robot goes to the first connection,
+/// unless a platform is open. What is received is recorded as that of other robots.
+///
+/// One thread, that of Session::tick(). Session and recorder must outlive it.
+class RemoteRobots {
+ public:
+  /// A connection, as users see it.
+  struct Connection {
+    /// Without a token.
+    std::string url;
+    robotlink::websocket::ConnectionState state;
+    /// "connected, 12 ms, 1.3 MB/s".
+    std::string text;
+    /// By their names in the session.
+    std::vector<std::string> robots;
+  };
+
+  RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder);
+  ~RemoteRobots();
+  RemoteRobots(const RemoteRobots&) = delete;
+  RemoteRobots& operator=(const RemoteRobots&) = delete;
+
+  /// Begins to connect; returns the URL as connections() has it. A server that is connected already is
+  /// connected anew, with this token. Fails if the URL makes no sense; everything else is told by
+  /// connections().
+  robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
+  /// Ends a connection; its robots leave the session. Fails if there is none.
+  robotlink::Result<void> disconnect(const std::string& url);
+  std::vector<Connection> connections() const;
+  bool empty() const { return lines_.empty(); }
+
+  /// The robots of the platform that is open; nothing if none is open, so that the first connection leads.
+  void setPlatform(std::optional<std::set<std::string>> robots) { platform_ = std::move(robots); }
+  /// The names of all remote robots, in the order of the connections.
+  std::vector<std::string> robots() const;
+  /// What is known of a robot; without anything if it has said nothing about itself.
+  KnownRobot known(const std::string& robot) const;
+  /// Increases with each change of robots() or of what is known of them.
+  std::uint64_t version() const { return version_; }
+
+  /// Removes and returns sentences about servers that were never seen before, with their fingerprints.
+  std::vector<std::string> takeNotes() { return notes_->drain(); }
+  /// Does what came since the last time; to be called before Session::tick().
+  void tick();
+  /// Sends a request to the connection to which it belongs; returns false if it belongs to none.
+  bool take(const robotcontrol::Request& request);
+
+ private:
+  using SessionClient = robotlink::websocket::SessionClient;
+  struct Line;
+  struct Described {
+    robotlink::PackagePtr setup;
+    KnownRobot known;
+  };
+
+  Line* find(const std::string& url);
+  bool isTaken(const std::string& robot, const Line* by) const;
+  std::optional<robotlink::Instant> leadingTime(const Line& of) const;
+  void findLeader();
+  void noteGaps(Line& line);
+  void describeRobots();
+  void showRobots();
+  void record(const robotlink::StreamMessage& message);
+  /// While a recording runs, switches on the packages that it wants of these robots; then off again.
+  void switchRecorded();
+
+  robotlink::Session& session_;
+  logplayer::Recorder& recorder_;
+  std::uint64_t listener_;
+  /// From the threads of the links; shared with them.
+  std::shared_ptr<robotlink::BoundedQueue<std::string>> notes_;
+  std::optional<std::set<std::string>> platform_;
+  /// In the order in which they were begun.
+  std::vector<std::unique_ptr<Line>> lines_;
+  /// The one whose times and world the session has, if no platform is open; null: none yet.
+  const Line* leader_ = nullptr;
+  std::map<std::string, Described> described_;
+  /// Robots and keys that were switched on for a recording.
+  std::set<std::pair<std::string, std::string>> switchedOn_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace app

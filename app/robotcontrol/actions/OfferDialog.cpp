@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/actions/OfferDialog.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "app/core/remote/SessionOffer.h"
+#include "robotlink/foxglove/protocol/Codec.h"
+#include "robotlink/foxglove/server/ListenAddress.h"
+#include "robotlink/session/CommandTable.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/Counted.h"
+#include "widgets/Icon.h"
+
+namespace app {
+namespace {
+
+constexpr int kClientLines = 5;
+
+}  // namespace
+
+OfferDialog::OfferDialog(robotlink::CommandTable& commands, const SessionOffer& offer, QWidget* parent)
+    : QDialog(parent), commands_(commands), offer_(offer) {
+  setObjectName(QStringLiteral("offerDialog"));
+  setWindowTitle(tr("Offer this session"));
+  auto* layout = new QVBoxLayout(this);
+  auto* what = new QLabel(tr("Others watch and steer what is open here: with RobotControl (Robot > Connect), "
+                             "robotctl watch, or any program that speaks the Foxglove WebSocket protocol."),
+                          this);
+  what->setWordWrap(true);
+  layout->addWidget(what);
+  createFields();
+  createClients();
+  auto* buttons = new QDialogButtonBox(this);
+  offerButton_ = buttons->addButton(tr("&Offer"), QDialogButtonBox::ActionRole);
+  offerButton_->setObjectName(QStringLiteral("offerButton"));
+  offerButton_->setDefault(true);
+  buttons->addButton(QDialogButtonBox::Close);
+  layout->addWidget(buttons);
+  connect(offerButton_, &QPushButton::clicked, this, &OfferDialog::toggle);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 72);
+  showOffer();
+}
+
+void OfferDialog::createFields() {
+  auto* form = new QFormLayout;
+  host_ = new QLineEdit(QStringLiteral("127.0.0.1"), this);
+  widgets::describe(*host_, {"offerAddress", tr("Address"),
+                             tr("The address of this machine at which others connect; 127.0.0.1 is for "
+                                "programs on this machine only")});
+  port_ = new QSpinBox(this);
+  widgets::describe(*port_, {"offerPort", tr("Port"), tr("8765 is the usual one; 0: any that is free")});
+  port_->setRange(0, 65535);
+  port_->setValue(robotlink::websocket::kDefaultPort);
+  auto* where = new QHBoxLayout;
+  where->addWidget(host_, 1);
+  where->addWidget(new QLabel(tr("port"), this));
+  where->addWidget(port_);
+  form->addRow(tr("&Address:"), where);
+  static_cast<QLabel*>(form->labelForField(where))->setBuddy(host_);
+  url_ = new QLineEdit(this);
+  widgets::describe(*url_, {"offerUrl", tr("URL for others"), tr("What others connect to")});
+  url_->setReadOnly(true);
+  copy_ = new QPushButton(widgets::icon("copy"), tr("&Copy"), this);
+  widgets::describe(*copy_, {"offerCopy", tr("Copy"), tr("Copies the URL to the clipboard")});
+  connect(copy_, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(url_->text()); });
+  auto* others = new QHBoxLayout;
+  others->addWidget(url_, 1);
+  others->addWidget(copy_);
+  form->addRow(tr("Others connect to:"), others);
+  static_cast<QVBoxLayout*>(layout())->addLayout(form);
+  state_ = widgets::makeNote(this, "offerState", tr("State"));
+  layout()->addWidget(state_);
+}
+
+void OfferDialog::createClients() {
+  clients_ = new QTreeWidget(this);
+  widgets::describe(*clients_, {"offerClients", tr("Who is connected"), {}});
+  clients_->setHeaderLabels({tr("Who is connected"), tr("Address"), tr("Is sent"), tr("Waits")});
+  clients_->setSelectionMode(QAbstractItemView::NoSelection);
+  clients_->setRootIsDecorated(false);
+  widgets::styleTree(*clients_);
+  auto* fit = new widgets::ColumnFit(*clients_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName,
+                                                 widgets::ColumnKind::kName, widgets::ColumnKind::kName});
+  fit->expect(1, QStringLiteral("192.168.100.100:50000"));
+  fit->expect(2, QStringLiteral("100.0 MB/s"));
+  fit->expect(3, QStringLiteral("100.0 MB"));
+  clients_->setMinimumHeight((kClientLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  static_cast<QVBoxLayout*>(layout())->addWidget(clients_, 1);
+  refused_ = widgets::makeNote(this, "offerRefused", tr("Who was refused"));
+  layout()->addWidget(refused_);
+}
+
+QString OfferDialog::address() const {
+  const QString host = host_->text().trimmed();
+  const bool isIpv6 = host.contains(QLatin1Char(':')) && !host.startsWith(QLatin1Char('['));
+  return (isIpv6 ? QStringLiteral("[%1]:%2") : QStringLiteral("%1:%2")).arg(host).arg(port_->value());
+}
+
+void OfferDialog::setAddress(const QString& address) {
+  const auto parsed = robotlink::websocket::parseListenAddress(address.toStdString());
+  if (!parsed) return;
+  host_->setText(QString::fromStdString(parsed->address));
+  port_->setValue(parsed->port);
+}
+
+void OfferDialog::toggle() {
+  widgets::setMeaning(*state_, {});
+  state_->clear();
+  const auto done = offer_.isOffered() ? commands_.run("session.stop-offering")
+                                       : commands_.run("session.offer", {address().toStdString()});
+  if (!done) widgets::showOutcome(*state_, QString::fromStdString(done.error().text), true);
+  showOffer();
+}
+
+void OfferDialog::showOffer() {
+  const bool offered = offer_.isOffered();
+  wasOffered_ = offered;
+  host_->setEnabled(!offered);
+  port_->setEnabled(!offered);
+  url_->setText(QString::fromStdString(offer_.url()));
+  url_->setPlaceholderText(tr("nothing is offered"));
+  copy_->setEnabled(offered);
+  offerButton_->setText(offered ? tr("Stop &offering") : tr("&Offer"));
+}
+
+void OfferDialog::tick() {
+  if (!isVisible()) return;
+  if (offer_.isOffered() != wasOffered_ || url_->text() != QString::fromStdString(offer_.url())) {
+    widgets::setMeaning(*state_, {});
+    state_->clear();
+    showOffer();
+  }
+  showClients();
+  const auto& reports = offer_.reports();
+  refused_->setText(reports.empty() ? QString() : QString::fromStdString(reports.back()));
+}
+
+void OfferDialog::showClients() {
+  const auto& clients = offer_.clients();
+  const int count = static_cast<int>(clients.size());
+  while (clients_->topLevelItemCount() > count) delete clients_->takeTopLevelItem(count);
+  while (clients_->topLevelItemCount() < count) new QTreeWidgetItem(clients_);
+  const QLocale locale;
+  const auto size = [&locale](qint64 bytes) {
+    return locale.formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+  };
+  for (int i = 0; i < count; ++i) {
+    const auto& client = clients[static_cast<std::size_t>(i)];
+    QTreeWidgetItem& row = *clients_->topLevelItem(i);
+    row.setText(0, client.name.empty() ? tr("unnamed") : QString::fromStdString(client.name));
+    row.setText(1, QString::fromStdString(client.address));
+    row.setText(2, tr("%1/s").arg(size(static_cast<qint64>(client.bytesPerSecond))));
+    row.setText(3, client.waitingBytes == 0 ? QString() : size(static_cast<qint64>(client.waitingBytes)));
+  }
+  if (!offer_.isOffered()) return;
+  state_->setText(count == 0 ? tr("Offered. Nobody is connected yet.")
+                             : widgets::counted(clients.size(), tr("Offered. 1 client is connected."),
+                                                tr("Offered. %1 clients are connected.")));
+}
+
+}  // namespace app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/actions/RemoteDialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/core/remote/RemoteRobots.h"
+#include "robotlink/base/Error.h"
+#include "robotlink/foxglove/client/ServerUrl.h"
+#include "robotlink/session/CommandTable.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/Icon.h"
+
+namespace app {
+namespace {
+
+using Phase = robotlink::websocket::ConnectionState::Phase;
+
+constexpr int kMaxRecent = 10;
+constexpr int kConnectionLines = 4;
+
+QString joined(const std::vector<std::string>& robots) {
+  QStringList names;
+  for (const std::string& robot : robots) names << QString::fromStdString(robot);
+  return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots& robots, QWidget* parent)
+    : QDialog(parent), commands_(commands), robots_(robots) {
+  setObjectName(QStringLiteral("remoteDialog"));
+  setWindowTitle(tr("Connect to robots"));
+  setWindowIcon(widgets::icon("connect"));
+  auto* layout = new QVBoxLayout(this);
+  auto* what = new QLabel(tr("Robots whose programs run elsewhere: there, robotctl sim or robotctl run was "
+                             "started with --listen, or somebody chose Robot > Offer this session. They are "
+                             "shown beside those that are open here."),
+                          this);
+  what->setWordWrap(true);
+  layout->addWidget(what);
+  createFields();
+  createConnections();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  layout->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 80);
+  url_->lineEdit()->selectAll();
+}
+
+void RemoteDialog::createFields() {
+  auto* form = new QFormLayout;
+  url_ = new QComboBox(this);
+  widgets::describe(*url_, {"remoteUrl", tr("URL"), tr("ws://HOST[:PORT]; the list has the recent ones")});
+  url_->setEditable(true);
+  url_->setInsertPolicy(QComboBox::NoInsert);
+  url_->setEditText(QStringLiteral("ws://127.0.0.1:8765"));
+  form->addRow(tr("&URL:"), url_);
+  token_ = new QLineEdit(this);
+  widgets::describe(*token_, {"remoteToken", tr("Token"),
+                              tr("The robot shows it when it is started; it is not kept after the end of "
+                                 "this program")});
+  token_->setPlaceholderText(tr("none"));
+  token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
+  form->addRow(tr("&Token:"), token_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(form);
+  state_ = widgets::makeNote(this, "remoteState", tr("State"));
+  state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  layout()->addWidget(state_);
+  progress_ = new QProgressBar(this);
+  progress_->setObjectName(QStringLiteral("remoteProgress"));
+  progress_->setRange(0, 0);
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(8);
+  QSizePolicy keepsPlace = progress_->sizePolicy();
+  keepsPlace.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keepsPlace);
+  progress_->hide();
+  layout()->addWidget(progress_);
+}
+
+void RemoteDialog::createConnections() {
+  auto* row = new QHBoxLayout;
+  row->addStretch(1);
+  connect_ = new QPushButton(widgets::icon("connect"), tr("&Connect"), this);
+  widgets::describe(*connect_, {"remoteConnect", tr("Connect"), tr("Connects to the server at this URL")});
+  connect_->setDefault(true);
+  disconnect_ = new QPushButton(tr("&Disconnect"), this);
+  widgets::describe(*disconnect_, {"remoteDisconnect", tr("Disconnect"),
+                                   tr("Ends the selected connection; its robots leave the window")});
+  row->addWidget(connect_);
+  row->addWidget(disconnect_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  connections_ = new QTreeWidget(this);
+  widgets::describe(*connections_, {"remoteConnections", tr("Connections"), {}});
+  connections_->setHeaderLabels({tr("State"), tr("Robots"), tr("Address")});
+  connections_->setRootIsDecorated(false);
+  widgets::styleTree(*connections_);
+  auto* fit = new widgets::ColumnFit(
+      *connections_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName, widgets::ColumnKind::kName});
+  fit->expect(1, QStringLiteral("red1, red2, blue1"));
+  fit->expect(2, QStringLiteral("ws://192.168.100.100:8765"));
+  connections_->setMinimumHeight((kConnectionLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  static_cast<QVBoxLayout*>(layout())->addWidget(connections_, 1);
+  connect(connect_, &QPushButton::clicked, this, &RemoteDialog::connectUrl);
+  connect(url_->lineEdit(), &QLineEdit::returnPressed, connect_, &QPushButton::click);
+  connect(disconnect_, &QPushButton::clicked, this, &RemoteDialog::disconnectSelected);
+  connect(connections_, &QTreeWidget::itemSelectionChanged, this, &RemoteDialog::showSelected);
+}
+
+void RemoteDialog::setRecent(const QList<Recent>& servers) {
+  recent_ = servers.mid(0, kMaxRecent);
+  const QString text = url_->currentText();
+  url_->clear();
+  for (const Recent& server : recent_) {
+    url_->addItem(server.url);
+    url_->setItemData(url_->count() - 1, server.robots, Qt::ToolTipRole);
+  }
+  // What the user is entering stays.
+  url_->setEditText(isVisible() || recent_.isEmpty() ? text : recent_.front().url);
+}
+
+void RemoteDialog::remember(const Recent& server) {
+  QList<Recent> servers = recent_;
+  const auto same = [&](const Recent& other) { return other.url == server.url; };
+  servers.erase(std::remove_if(servers.begin(), servers.end(), same), servers.end());
+  servers.prepend(server);
+  setRecent(servers);
+}
+
+void RemoteDialog::rememberConnected() {
+  for (const auto& connection : robots_.connections()) {
+    const Recent server{QString::fromStdString(connection.url), joined(connection.robots)};
+    const auto known =
+        std::ranges::find_if(recent_, [&](const Recent& other) { return other.url == server.url; });
+    if (connection.state.connections == 0 || server.robots.isEmpty()) continue;
+    if (known == recent_.end()) {
+      remember(server);
+    } else {
+      known->robots = server.robots;
+    }
+  }
+}
+
+void RemoteDialog::connectUrl() {
+  QString url = url_->currentText().trimmed();
+  if (!url.contains(QStringLiteral("://"))) url.prepend(QStringLiteral("ws://"));
+  const auto parsed = robotlink::websocket::parseServerUrl(url.toStdString());
+  if (!parsed) return fail(QString::fromStdString(parsed.error().text));
+  wanted_ = QString::fromStdString(toString(*parsed));
+  widgets::setMeaning(*state_, {});
+  const auto done = commands_.run("remote.connect", {url.toStdString(), token_->text().toStdString()});
+  if (!done) return fail(QString::fromStdString(done.error().text));
+  const auto known = std::ranges::find_if(recent_, [this](const Recent& one) { return one.url == wanted_; });
+  remember({wanted_, known == recent_.end() ? QString() : known->robots});
+  showConnections();
+  showProgress();
+}
+
+void RemoteDialog::disconnectSelected() {
+  const QTreeWidgetItem* row = connections_->currentItem();
+  if (row == nullptr) return;
+  const QString url = row->text(2);
+  if (url == wanted_) {
+    wanted_.clear();
+    widgets::setMeaning(*state_, {});
+    state_->clear();
+  }
+  const auto done = commands_.run("remote.disconnect", {url.toStdString()});
+  if (!done) fail(QString::fromStdString(done.error().text));
+  showConnections();
+  showProgress();
+}
+
+void RemoteDialog::fail(const QString& reason) {
+  wanted_.clear();
+  progress_->hide();
+  widgets::showOutcome(*state_, reason, true);
+}
+
+void RemoteDialog::tick() {
+  rememberConnected();
+  if (!isVisible()) return;
+  showConnections();
+  showProgress();
+}
+
+void RemoteDialog::showConnections() {
+  const auto connections = robots_.connections();
+  const int count = static_cast<int>(connections.size());
+  while (connections_->topLevelItemCount() > count) delete connections_->takeTopLevelItem(count);
+  while (connections_->topLevelItemCount() < count) new QTreeWidgetItem(connections_);
+  for (int i = 0; i < count; ++i) {
+    const auto& connection = connections[static_cast<std::size_t>(i)];
+    QTreeWidgetItem& row = *connections_->topLevelItem(i);
+    row.setText(0, QString::fromStdString(connection.text));
+    row.setToolTip(0, row.text(0));
+    row.setText(1, joined(connection.robots));
+    row.setToolTip(1, row.text(1));
+    row.setText(2, QString::fromStdString(connection.url));
+    row.setData(0, Qt::UserRole, connection.state.connections == 0);
+    if (connections_->currentItem() == nullptr || row.text(2) == wanted_) connections_->setCurrentItem(&row);
+  }
+  showSelected();
+}
+
+void RemoteDialog::showSelected() {
+  const QTreeWidgetItem* row = connections_->currentItem();
+  disconnect_->setEnabled(row != nullptr);
+  const bool isNew = row != nullptr && row->data(0, Qt::UserRole).toBool();
+  disconnect_->setText(isNew ? tr("C&ancel") : tr("&Disconnect"));
+}
+
+void RemoteDialog::showProgress() {
+  const auto connections = robots_.connections();
+  const auto found = std::ranges::find_if(connections, [this](const auto& connection) {
+    return QString::fromStdString(connection.url) == wanted_;
+  });
+  progress_->setVisible(found != connections.end());
+  if (found == connections.end()) return;
+  const bool refused = found->state.phase == Phase::kRefused;
+  if (found->state.isConnected() && !found->robots.empty()) {
+    wanted_.clear();
+    token_->clear();
+    progress_->hide();
+    state_->clear();
+    return accept();
+  }
+  const QString text = QString::fromStdString(found->state.reason);
+  if (text.isEmpty()) return widgets::showOutcome(*state_, tr("Connecting to %1…").arg(wanted_), false);
+  widgets::showOutcome(*state_, refused ? text : tr("%1\nTrying again…").arg(text), true);
+}
+
+}  // namespace app

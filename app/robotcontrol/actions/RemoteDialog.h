@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QList>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QTreeWidget;
+
+namespace robotlink {
+class CommandTable;
+}
+
+namespace app {
+
+class RemoteRobots;
+
+/// Connects robots whose programs run elsewhere, and shows the connections with their states. Not modal; it
+/// closes itself when the robot that the user asked for is there; its owner calls tick() in each tick of the
+/// session. GUI thread; commands and robots must outlive it.
+class RemoteDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots& robots, QWidget* parent = nullptr);
+
+  /// A server that was connected.
+  struct Recent {
+    /// Without a token.
+    QString url;
+    /// "red1, red2"
+    QString robots;
+  };
+  /// Those that were connected last, the newest first.
+  const QList<Recent>& recent() const { return recent_; }
+  void setRecent(const QList<Recent>& servers);
+  /// Shows the states of the connections.
+  void tick();
+
+ private:
+  void createFields();
+  void createConnections();
+  /// Puts a server to the front of the recent ones.
+  void remember(const Recent& server);
+  /// Remembers what is connected, also by commands.
+  void rememberConnected();
+  void connectUrl();
+  void disconnectSelected();
+  /// Shows why a URL cannot be connected.
+  void fail(const QString& reason);
+  void showConnections();
+  /// Shows how the connection that the user asked for is getting on.
+  void showProgress();
+  void showSelected();
+
+  robotlink::CommandTable& commands_;
+  const RemoteRobots& robots_;
+  QComboBox* url_ = nullptr;
+  QLineEdit* token_ = nullptr;
+  QLabel* state_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QTreeWidget* connections_ = nullptr;
+  QPushButton *connect_ = nullptr, *disconnect_ = nullptr;
+  QList<Recent> recent_;
+  /// That the user asked for and that was not connected yet; empty: none.
+  QString wanted_;
+};
+
+}  // namespace app

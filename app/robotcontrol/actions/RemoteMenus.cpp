@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/actions/RemoteMenus.h"
+
+#include <QJsonArray>
+#include <QMenu>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/actions/OfferDialog.h"
+#include "app/robotcontrol/actions/RemoteDialog.h"
+#include "widgets/Icon.h"
+
+namespace app {
+
+RemoteMenus::RemoteMenus(Workbench& workbench, QWidget* window)
+    : QObject(window),
+      workbench_(workbench),
+      connect_(new RemoteDialog(workbench.commands(), workbench.remote(), window)),
+      offer_(new OfferDialog(workbench.commands(), workbench.offer(), window)) {}
+
+void RemoteMenus::addConnect(QMenu& menu) {
+  QAction* join = menu.addAction(widgets::icon("connect"), tr("C&onnect…"), this, &RemoteMenus::showConnect,
+                                 QKeySequence(QStringLiteral("Ctrl+J")));
+  join->setObjectName(QStringLiteral("remote.connect"));
+  join->setToolTip(
+      tr("Watches and steers robots whose programs run elsewhere, beside those that are open here"));
+  again_ = menu.addMenu(tr("Connect &again"));
+  again_->setObjectName(QStringLiteral("remoteAgain"));
+  again_->setToolTipsVisible(true);
+  connect(again_, &QMenu::aboutToShow, this, &RemoteMenus::fillAgain);
+}
+
+void RemoteMenus::addOffer(QMenu& menu) {
+  QAction* offer = menu.addAction(tr("O&ffer this session…"), this, &RemoteMenus::showOffer);
+  offer->setObjectName(QStringLiteral("session.offer"));
+  offer->setToolTip(tr("Lets others watch and steer what is open here"));
+}
+
+void RemoteMenus::fillAgain() {
+  again_->clear();
+  for (const RemoteDialog::Recent& server : connect_->recent()) {
+    const QString text = server.robots.isEmpty() ? server.url : tr("%1 at %2").arg(server.robots, server.url);
+    again_->addAction(text, this, [this, url = server.url.toStdString()] {
+      // With a token it has to be entered again.
+      if (!workbench_.commands().run("remote.connect", {url, std::string()})) showConnect();
+    });
+  }
+  if (again_->isEmpty()) again_->addAction(tr("Nothing was connected yet"))->setEnabled(false);
+}
+
+void RemoteMenus::show(QWidget& dialog) {
+  dialog.show();
+  dialog.raise();
+  dialog.activateWindow();
+}
+
+void RemoteMenus::showConnect() {
+  show(*connect_);
+}
+
+void RemoteMenus::showOffer() {
+  show(*offer_);
+}
+
+void RemoteMenus::tick() {
+  connect_->tick();
+  offer_->tick();
+}
+
+void RemoteMenus::load(const QJsonObject& window) {
+  QList<RemoteDialog::Recent> servers;
+  for (const QJsonValue& value : window.value(QStringLiteral("recent_servers")).toArray()) {
+    const QString url = value.toObject().value(QStringLiteral("url")).toString();
+    if (url.isEmpty()) continue;
+    servers.append({url, value.toObject().value(QStringLiteral("robots")).toString()});
+  }
+  connect_->setRecent(servers);
+  offer_->setAddress(window.value(QStringLiteral("offer_address")).toString());
+}
+
+void RemoteMenus::save(QJsonObject& window) const {
+  QJsonArray servers;
+  for (const RemoteDialog::Recent& server : connect_->recent())
+    servers.append(
+        QJsonObject{{QStringLiteral("url"), server.url}, {QStringLiteral("robots"), server.robots}});
+  window.insert(QStringLiteral("recent_servers"), servers);
+  window.insert(QStringLiteral("offer_address"), offer_->address());
+}
+
+}  // namespace app

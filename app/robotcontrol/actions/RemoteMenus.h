@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonObject>
+#include <QObject>
+
+class QMenu;
+class QWidget;
+
+namespace app {
+
+class OfferDialog;
+class RemoteDialog;
+class Workbench;
+
+/// The entries of menus for robots elsewhere, with their dialogs: connecting such robots, and offering this
+/// session to others. GUI thread; belongs to the window; the workbench must outlive it.
+class RemoteMenus final : public QObject {
+  Q_OBJECT
+ public:
+  /// `window` is the parent of dialogs.
+  RemoteMenus(Workbench& workbench, QWidget* window);
+
+  /// Adds "Connect..." and "Connect again" with the servers that were connected last.
+  void addConnect(QMenu& menu);
+  /// Adds "Offer this session...".
+  void addOffer(QMenu& menu);
+  void showConnect();
+  void showOffer();
+  /// To be called in each tick of the session.
+  void tick();
+
+  /// What the user entered last, in the state of the window.
+  void load(const QJsonObject& window);
+  void save(QJsonObject& window) const;
+
+ private:
+  static void show(QWidget& dialog);
+  /// Lists the servers that were connected last.
+  void fillAgain();
+
+  Workbench& workbench_;
+  QMenu* again_ = nullptr;
+  RemoteDialog* connect_;
+  OfferDialog* offer_;
+};
+
+}  // namespace app

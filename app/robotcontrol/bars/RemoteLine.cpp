@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/bars/RemoteLine.h"
+
+#include <QStatusBar>
+#include <QToolButton>
+
+#include "app/core/Workbench.h"
+#include "widgets/Controls.h"
+#include "widgets/Counted.h"
+
+namespace app {
+namespace {
+
+using widgets::Meaning;
+using Phase = robotlink::websocket::ConnectionState::Phase;
+
+/// Longer texts are for the tool tip. All connections together have this room.
+constexpr int kCharacters = 56;
+/// More are shown as their number.
+constexpr std::size_t kMaxConnections = 3;
+
+/// The robots of a connection, or where it leads.
+QString whoOf(const RemoteRobots::Connection& connection) {
+  QStringList robots;
+  for (const std::string& robot : connection.robots) robots << QString::fromStdString(robot);
+  return robots.isEmpty() ? QString::fromStdString(connection.url) : robots.join(QStringLiteral(", "));
+}
+
+Meaning meaningOf(Phase phase) {
+  switch (phase) {
+    case Phase::kConnected:
+      return Meaning::kGood;
+    case Phase::kConnecting:
+      return Meaning::kNote;
+    case Phase::kSilent:
+      return Meaning::kWarning;
+    case Phase::kRefused:
+      return Meaning::kBad;
+  }
+  return Meaning::kMuted;
+}
+
+void show(QToolButton& button, const QString& text, Meaning meaning, int characters) {
+  const int width = button.fontMetrics().averageCharWidth() * characters;
+  button.setText(button.fontMetrics().elidedText(text, Qt::ElideRight, width));
+  QPalette colors = button.parentWidget()->palette();
+  colors.setColor(QPalette::ButtonText, widgets::colorOf(meaning, colors));
+  if (button.palette() != colors) button.setPalette(colors);
+  button.show();
+}
+
+}  // namespace
+
+RemoteLine::RemoteLine(Workbench& workbench, QStatusBar& bar)
+    : QObject(&bar), workbench_(workbench), bar_(bar), offer_(addButton(QStringLiteral("statusOffer"))) {
+  connect(offer_, &QToolButton::clicked, this, &RemoteLine::offerClicked);
+}
+
+QToolButton* RemoteLine::addButton(const QString& name) {
+  auto* button = new QToolButton(&bar_);
+  button->setObjectName(name);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  bar_.insertPermanentWidget(0, button);
+  button->hide();
+  return button;
+}
+
+void RemoteLine::refresh() {
+  showConnections();
+  showOffer();
+}
+
+void RemoteLine::showConnections() {
+  const auto connections = workbench_.remote().connections();
+  const std::size_t shown = connections.size() > kMaxConnections ? 1 : connections.size();
+  while (connections_.size() < shown) {
+    connections_.push_back(addButton(QStringLiteral("statusRemote%1").arg(connections_.size() + 1)));
+    connect(connections_.back(), &QToolButton::clicked, this, &RemoteLine::connectionsClicked);
+  }
+  for (std::size_t i = shown; i < connections_.size(); ++i) connections_[i]->hide();
+  if (connections.size() > kMaxConnections) return showAll(connections);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const QString who = whoOf(connections[i]);
+    const QString text = QString::fromStdString(connections[i].text);
+    show(*connections_[i], QStringLiteral("%1: %2").arg(who, text), meaningOf(connections[i].state.phase),
+         kCharacters / static_cast<int>(shown));
+    connections_[i]->setToolTip(tr("%1: %2").arg(QString::fromStdString(connections[i].url), text));
+    connections_[i]->setAccessibleName(tr("Connection to %1").arg(who));
+  }
+}
+
+void RemoteLine::showAll(const std::vector<RemoteRobots::Connection>& connections) {
+  QStringList lines;
+  int connected = 0;
+  for (const auto& connection : connections) {
+    connected += connection.state.isConnected() ? 1 : 0;
+    lines << QStringLiteral("%1: %2").arg(whoOf(connection), QString::fromStdString(connection.text));
+  }
+  const int all = static_cast<int>(connections.size());
+  show(*connections_[0], tr("%1 of %2 connections are up").arg(connected).arg(all),
+       connected == all ? Meaning::kGood : Meaning::kWarning, kCharacters);
+  connections_[0]->setToolTip(lines.join(QLatin1Char('\n')));
+  connections_[0]->setAccessibleName(tr("Connections"));
+}
+
+void RemoteLine::showOffer() {
+  const SessionOffer& offer = workbench_.offer();
+  if (!offer.isOffered()) return offer_->hide();
+  const QString url = QString::fromStdString(offer.url());
+  const QString who = offer.clients().empty()
+                          ? tr("nobody is connected")
+                          : widgets::counted(offer.clients().size(), tr("1 client"), tr("%1 clients"));
+  show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, kCharacters);
+  offer_->setToolTip(tr("This session is offered at %1: %2").arg(url, who));
+  offer_->setAccessibleName(tr("Offer of this session"));
+}
+
+}  // namespace app

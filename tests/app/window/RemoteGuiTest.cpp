@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Robots whose programs run elsewhere in the workbench, and a session that is offered to others: what a
+// person does, over a line of this machine that is cut and found again.
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTreeWidget>
+
+#include "colortool/table/ColorTableFile.h"
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Image.pb.h"
+#include "tests/app/OfferedHall.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
+#include "tests/logplayer/RecordedMessages.h"
+
+namespace app::test {
+namespace {
+
+using logplayer::tests::ReadLog;
+using logplayer::tests::TestFolder;
+
+/// A desk at which a robot elsewhere is connected.
+class RemoteDesk : public EmptyDesk {
+ public:
+  using EmptyDesk::EmptyDesk;
+
+  /// Connects as a person does.
+  void join(const std::string& url) {
+    choose("remote.connect");
+    auto* address = find<QComboBox>("remoteUrl").lineEdit();
+    address->setFocus();
+    address->selectAll();
+    QTest::keyClicks(address, QString::fromStdString(url));
+    QTest::mouseClick(&find<QPushButton>("remoteConnect"), Qt::LeftButton);
+  }
+  void run(const std::string& line) {
+    const auto done = workbench.commands().runLine(line);
+    QVERIFY2(done.has_value(), done ? "" : done.error().text.c_str());
+  }
+  template <typename T>
+  const T* newest(const std::string& stream) {
+    return workbench.session().store().latestAs<T>(stream, robotlink::Instant::max());
+  }
+  /// How many messages of a stream have come.
+  std::uint64_t count(const std::string& stream) {
+    const auto* found = workbench.session().store().find(stream);
+    return found == nullptr ? 0 : found->count;
+  }
+  QString robot() { return find<QComboBox>("robotBox").currentText(); }
+  /// What the status bar says of the first connection.
+  QString state() {
+    auto* button = window.findChild<QToolButton*>(QStringLiteral("statusRemote1"));
+    return button == nullptr || button->isHidden() ? QString() : button->toolTip();
+  }
+};
+
+}  // namespace
+
+class RemoteGuiTest : public WindowTest {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aRobotElsewhereIsARobotLikeTheOthers() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.join(hall.url());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>("remoteDialog").isVisible(), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.robot(), QStringLiteral("red1"), kWaitMs);
+    QVERIFY(desk.window.windowTitle().contains(QStringLiteral("red1")));
+    QVERIFY(desk.state().contains(QString::fromStdString(hall.url())));
+    // What views show they get; a preset switches drawings on, as for other robots.
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newest<foxglove::RawImage>("red1/camera/image") != nullptr, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(hall.drawsDisc(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.count("red1/drawings/image/ball-percept/disc") > 2, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.window.context().robots.count("red1") == 1, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.window.context().field != nullptr, kWaitMs);
+    widgets::test::keepPicture(desk.window, "remote");
+    // A key, a solution, a color table.
+    desk.run("robot.key ball-percept/disc off");
+    QTRY_VERIFY_WITH_TIMEOUT(!hall.drawsDisc(), kWaitMs);
+    desk.run("robot.solution ball-percept circle-fit");
+    QTRY_VERIFY_WITH_TIMEOUT(hall.fitsCircles(), kWaitMs);
+    const auto file = home_ / "hall.c64";
+    QVERIFY(colortool::ColorTableFile().save(file).has_value());
+    desk.run("robot.color-table " + file.string());
+    QTRY_VERIFY_WITH_TIMEOUT(hall.hasTable(), kWaitMs);
+    // STOP is for all robots.
+    QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hall.isStopped(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QAction>("robot.stop").isChecked(), kWaitMs);
+    // Who is disconnected leaves the window.
+    desk.choose("remote.connect");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTreeWidget>("remoteConnections").topLevelItemCount() == 1, kWaitMs);
+    QTest::mouseClick(&desk.find<QPushButton>("remoteDisconnect"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 0, kWaitMs);
+    QCOMPARE(desk.state(), QString());
+  }
+
+  void theLineIsLostAndFoundWithoutAClick() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.run("remote.connect " + hall.url() + " ''");
+    const std::string images = "red1/camera/image";
+    QTRY_VERIFY_WITH_TIMEOUT(desk.count(images) > 5, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.count("red1/drawings/image/ball-percept/disc") > 0, kWaitMs);
+    hall.unplug(true);
+    const auto remote = [&]() -> const robotlink::RemoteRobot& {
+      return desk.workbench.session().remoteRobots().at("red1");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!remote().isConnected, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.robot().startsWith(QStringLiteral("red1 (")), kWaitMs);
+    QVERIFY(desk.count(images) > 5);
+    widgets::test::keepPicture(desk.window, "remote-lost");
+    const std::uint64_t before = desk.count(images);
+    hall.unplug(false);
+    QTRY_VERIFY_WITH_TIMEOUT(remote().isConnected, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.count(images) > before + 3, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(hall.drawsDisc(), kWaitMs);
+    QCOMPARE(desk.robot(), QStringLiteral("red1"));
+    QCOMPARE(remote().gaps.size(), std::size_t{1});
+    QVERIFY(remote().gaps.front().to.has_value());
+    // The history goes on behind the gap.
+    const auto& history = desk.workbench.session().store().find(images)->messages;
+    QVERIFY(history.front().time < remote().gaps.front().from);
+    QVERIFY(history.back().time > *remote().gaps.front().to);
+  }
+
+  void robotsElsewhereStandBesideTheSimulatedOnes() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.workbench.open(SimulationFeed::opening(defaultSimulation()));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.run("remote.connect " + hall.url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 2, kWaitMs);
+    QCOMPARE(desk.workbench.session().robots(), (std::vector<std::string>{"red1", "red1-2"}));
+    QVERIFY(!desk.status()->running());  // the local simulation, while the one elsewhere runs
+    desk.run("robot.select red1-2");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newest<foxglove::RawImage>("red1-2/camera/image") != nullptr, kWaitMs);
+    desk.run("robot.stop true");
+    QTRY_VERIFY_WITH_TIMEOUT(hall.isStopped(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->stopped_robots_size() == 1, kWaitMs);
+  }
+
+  void whatIsReceivedIsRecorded() {
+    const TestFolder folder;
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.run("recording.folder " + folder.path().string());
+    desk.run("remote.connect " + hall.url() + " ''");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newest<robotcontrol::KeyTable>("red1/tables/keys") != nullptr, kWaitMs);
+    desk.run("recording.start");
+    // Not only what views show.
+    QTRY_VERIFY_WITH_TIMEOUT(desk.count("red1/joints/states") > 20, kWaitMs);
+    desk.run("recording.stop");
+    desk.workbench.recording().recorder().finish();
+    QCOMPARE(folder.files().size(), std::size_t{1});
+    const ReadLog log = logplayer::tests::readLog(folder / folder.files().front());
+    QVERIFY(log.complete);
+    QVERIFY(log.count("red1/joints/states") > 10);
+    QVERIFY(log.count("red1/tables/keys") > 0);
+    QVERIFY(log.count("red1/program") > 0);
+  }
+
+  void whyNothingIsConnectedIsSaidAndCanBeCanceled() {
+    std::string url;
+    {
+      OfferedHall gone;
+      url = gone.url();
+    }
+    RemoteDesk desk(home_);
+    desk.join("http://nowhere");
+    QVERIFY(desk.find<QLabel>("remoteState").text().contains(QStringLiteral("ws://")));
+    desk.join(url);
+    auto& state = desk.find<QLabel>("remoteState");
+    QTRY_VERIFY_WITH_TIMEOUT(state.text().contains(QStringLiteral("--listen")), kWaitMs);
+    widgets::test::keepPicture(desk.find<QDialog>("remoteDialog"), "remote-nobody");
+    auto& cancel = desk.find<QPushButton>("remoteDisconnect");
+    QCOMPARE(cancel.text().remove(QLatin1Char('&')), QStringLiteral("Cancel"));
+    QTest::mouseClick(&cancel, Qt::LeftButton);
+    QVERIFY(desk.workbench.remote().empty());
+    QVERIFY(state.text().isEmpty());
+  }
+
+  void aSessionIsOfferedToASecondPerson() {
+    RemoteDesk first(home_ / "first");
+    first.workbench.open(SimulationFeed::opening(defaultSimulation()));
+    QTRY_VERIFY_WITH_TIMEOUT(first.loaded(), kWaitMs);
+    first.choose("session.offer");
+    first.find<QSpinBox>("offerPort").setValue(0);
+    QTest::mouseClick(&first.find<QPushButton>("offerButton"), Qt::LeftButton);
+    const QString url = first.find<QLineEdit>("offerUrl").text();
+    QVERIFY2(url.startsWith(QStringLiteral("ws://127.0.0.1:")), qPrintable(url));
+    auto& offered = first.find<QToolButton>("statusOffer");
+    QTRY_VERIFY_WITH_TIMEOUT(offered.isVisible(), kWaitMs);
+    RemoteDesk second(home_ / "second");
+    second.run("remote.connect " + url.toStdString() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(second.robot(), QStringLiteral("red1"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(first.find<QTreeWidget>("offerClients").topLevelItemCount(), 1, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(offered.text().contains(QStringLiteral("1 client")), kWaitMs);
+    widgets::test::keepPicture(first.find<QDialog>("offerDialog"), "offer");
+    // Both steer the same simulation.
+    QTRY_VERIFY_WITH_TIMEOUT(second.status() != nullptr, kWaitMs);
+    second.run("simulation.start");
+    QTRY_VERIFY_WITH_TIMEOUT(first.status()->running(), kWaitMs);
+    QTest::mouseClick(&first.find<QPushButton>("offerButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!second.workbench.session().remoteRobots().at("red1").isConnected, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!offered.isVisible(), kWaitMs);
+  }
+};
+
+const widgets::test::GuiTest<RemoteGuiTest> kRemoteGuiTest;
+
+}  // namespace app::test
+
+#include "RemoteGuiTest.moc"
