@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <future>
+#include <set>
 #include <thread>
 
 #include "app/core/PlatformThread.h"
@@ -26,6 +27,8 @@ using Loaded = tl::expected<LoadedPlatform, robotlink::Errors>;
 
 /// Messages wait for this at most before they are passed on.
 constexpr std::chrono::milliseconds kTick{5};
+/// Different refusals that are printed, once each.
+constexpr std::size_t kMaxRefusals = 1000;
 /// Nobody scrolls back here; what clients get late is kept for each of them.
 constexpr robotlink::StreamStore::Limits kHistory{std::chrono::seconds(2), 64U << 20U};
 
@@ -63,9 +66,12 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   robotlink::Session session(kHistory);
   PlatformThread platform(session, recorder);
   session.setRequestSink([&](const Request& request) { platform.request(request); });
-  session.setRefusalHandler([&](const std::string& what, const std::string& reason) {
-    out << what << ": " << reason << std::endl;
-  });
+  session.setRefusalHandler(
+      [&, told = std::set<std::string>()](const std::string& what, const std::string& reason) mutable {
+        // What clients subscribe to is asked for again and again.
+        if (told.size() < kMaxRefusals && told.insert(what + ": " + reason).second)
+          out << what << ": " << reason << std::endl;
+      });
   const auto report = [&](const std::string& sentence) { out << sentence + "\n" << std::flush; };
   SessionServer server(session, {}, report, options.steering);
   if (options.texts)
