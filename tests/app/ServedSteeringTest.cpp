@@ -143,7 +143,7 @@ TEST_P(ServedSteering, theRobotStandsWhileTheLinkIsSilentAndGoesOnAfterwards) {
 INSTANTIATE_TEST_SUITE_P(Robots, ServedSteering,
                          testing::Values(Steered{"ers210", soccerRobot, "red1", 0.15, 2s},
                                          Steered{"pioneer", pioneer, "p3at1", 0.2, 1500ms}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
 }  // namespace app

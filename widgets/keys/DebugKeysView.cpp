@@ -122,13 +122,18 @@ void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
   const auto tables =
       latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
+  const auto subscribers =
+      latestTable(session().store(), robot, robotlink::streams::kSubscribers, session().timeline().shown());
   auto values = valuesOf(tables);
+  for (auto& value : valuesOf(subscribers)) values.push_back(std::move(value));
   if (robot == robot_ && values == shown_) return;
   const std::size_t before = robot == robot_ ? model_.keys().size() : 0;
   if (robot != robot_) model_.forget();
   robot_ = robot;
   shown_ = std::move(values);
-  model_.setKeys(robot.empty() ? std::vector<KeyEntry>() : mergeKeys(tables));
+  auto keys = robot.empty() ? std::vector<KeyEntry>() : mergeKeys(tables);
+  addClients(keys, subscribers);
+  model_.setKeys(std::move(keys));
   if (model_.keys().size() != before || filter_->filters()) tree_->expandAll();
   showState();
 }

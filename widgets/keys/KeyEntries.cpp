@@ -5,6 +5,7 @@
 #include <map>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "robotlink/session/StreamStore.h"
 
 namespace widgets {
@@ -83,6 +84,23 @@ std::vector<KeyEntry> mergeKeys(const std::vector<const robotlink::StreamMessage
   result.reserve(entries.size());
   for (auto& [name, entry] : entries) result.push_back(std::move(entry));
   return result;
+}
+
+void addClients(std::vector<KeyEntry>& entries,
+                const std::vector<const robotlink::StreamMessage*>& subscribers) {
+  std::map<std::string, QStringList> clients;
+  for (const auto* message : subscribers) {
+    if (message == nullptr) continue;
+    const auto* table = dynamic_cast<const robotcontrol::KeySubscribers*>(message->value.get());
+    if (table == nullptr) continue;
+    for (const auto& key : table->keys()) {
+      for (const std::string& client : key.clients()) addUnique(clients[key.name()], client);
+    }
+  }
+  for (KeyEntry& entry : entries) {
+    const auto found = clients.find(entry.name);
+    if (found != clients.end()) entry.clients = found->second;
+  }
 }
 
 }  // namespace widgets

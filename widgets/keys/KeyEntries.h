@@ -49,10 +49,15 @@ struct KeyEntry {
   bool inUse = false;
   /// Solutions that query it: "ball-percept/scan-lines".
   QStringList solutions;
+  /// Clients of a link that subscribe to what it publishes: "RobotControl at 10.0.0.7:5123".
+  QStringList clients = {};
 };
 
 /// The keys in all messages that are KeyTables, by name; null messages are skipped. If several tables contain
 /// a key its mode is that of one in which it is in use.
 std::vector<KeyEntry> mergeKeys(const std::vector<const robotlink::StreamMessage*>& tables);
+/// Notes in the entries which clients ask for them, by messages that are KeySubscribers.
+void addClients(std::vector<KeyEntry>& entries,
+                const std::vector<const robotlink::StreamMessage*>& subscribers);
 
 }  // namespace widgets

@@ -28,8 +28,8 @@ SessionClientOptions withClock(SessionClientOptions options) {
 
 /// What a robot publishes always, before its keys are known.
 bool isAlways(const std::string& stream) {
-  constexpr const char* kAlways[] = {"tables/", streams::kFrames, streams::kParameters, streams::kLog,
-                                     streams::kProgram};
+  constexpr const char* kAlways[] = {"tables/",     streams::kFrames,  streams::kParameters,
+                                     streams::kLog, streams::kProgram, streams::kSteering};
   return std::ranges::any_of(kAlways, [&](const char* prefix) { return stream.starts_with(prefix); });
 }
 

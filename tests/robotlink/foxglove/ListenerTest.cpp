@@ -2,7 +2,10 @@
 // Over real sockets on loopback, with a client made of Beast alone.
 #include "robotlink/foxglove/server/Listener.h"
 
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -418,6 +421,34 @@ TEST_F(ListenerTest, theListenerGoesWhileClientsAreConnectedAndRobotsPublish) {
   idle->closeReason();
   isOver = true;
   publisher.join();
+}
+
+/// A TCP connection from another address of this machine, on which nothing is said yet.
+int connectFrom(const char* address, std::uint16_t port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in from{}, to{};
+  from.sin_family = to.sin_family = AF_INET;
+  ::inet_pton(AF_INET, address, &from.sin_addr);
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  to.sin_port = htons(port);
+  const bool isConnected = ::bind(socket, reinterpret_cast<const sockaddr*>(&from), sizeof from) == 0 &&
+                           ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
+  EXPECT_TRUE(isConnected);
+  return socket;
+}
+
+TEST_F(ListenerTest, aMachineThatHoldsAllHandshakesDoesNotKeepOthersOut) {
+  options_.handshakes = 3;
+  start();
+  std::vector<int> sockets;
+  for (int i = 0; i < 3; ++i) sockets.push_back(connectFrom("127.0.0.2", port_));
+  // A fourth of the same machine is closed at once, after which the others are known to be there.
+  sockets.push_back(connectFrom("127.0.0.2", port_));
+  char byte = 0;
+  EXPECT_EQ(::recv(sockets.back(), &byte, 1, 0), 0);
+  RawClient other(port_);
+  EXPECT_EQ(other.status(), 101U);
+  for (const int socket : sockets) ::close(socket);
 }
 
 }  // namespace

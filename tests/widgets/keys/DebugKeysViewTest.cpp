@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "robotcontrol/Linking.pb.h"
 #include "tests/widgets/Bench.h"
 
 namespace widgets::test {
@@ -59,6 +60,27 @@ class DebugKeysViewTest : public QObject {
     QVERIFY(inactive.data(Qt::ForegroundRole).value<QColor>().isValid());
     QVERIFY(inactive.data(Qt::ToolTipRole).toString().contains(QStringLiteral("Inactive")));
     QVERIFY(inactive.flags().testFlag(Qt::ItemIsEditable));
+  }
+
+  void theToolTipOfAKeySaysWhichClientsAskForIt() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    robotcontrol::KeySubscribers subscribers;
+    subscribers.add_keys()->set_name("ball-percept/circle");
+    subscribers.mutable_keys(0)->add_clients("RobotControl at 10.0.0.7:5123");
+    bench.push("red1/tables/subscribers", subscribers, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    const auto toolTip = [&](const QString& key) {
+      return find(tree, key, 0).data(Qt::ToolTipRole).toString();
+    };
+    QVERIFY(
+        toolTip(QStringLiteral("circle")).contains(QStringLiteral("Asked for by: RobotControl at 10.0.0.7")));
+    QVERIFY(!toolTip(QStringLiteral("edges")).contains(QStringLiteral("Asked for")));
+    bench.push("red1/tables/subscribers", robotcontrol::KeySubscribers(), 2);
+    bench.tick(*view);
+    QVERIFY(!toolTip(QStringLiteral("circle")).contains(QStringLiteral("Asked for")));
   }
 
   void aClickOnTheModeOpensAListAndTheChoiceIsRequested() {
