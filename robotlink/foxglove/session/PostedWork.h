@@ -2,6 +2,8 @@
 // For the sources of a SessionServer only.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -10,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "robotlink/foxglove/session/SessionServer.h"
-
 namespace robotlink::websocket {
 
+class SessionServer;
+
 /// Filled by the link's thread, emptied by tick(); outlives the SessionServer with the server's handlers.
-struct SessionServer::Posted {
+struct PostedWork {
   using Work = std::function<void(SessionServer&)>;
 
   void add(Work work) {

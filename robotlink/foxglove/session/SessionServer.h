@@ -17,6 +17,8 @@
 
 namespace robotlink::websocket {
 
+struct PostedWork;
+
 /// Offers a session to clients of the Foxglove WebSocket protocol: robots and worlds, simulated, real or
 /// logged, as the session has them.
 ///
@@ -62,7 +64,7 @@ class SessionServer {
   void tick();
 
  private:
-  struct Posted;
+  using Posted = PostedWork;
   /// A robot of the session, or with an empty name the world, as clients know it.
   struct Robot {
     std::vector<std::uint32_t> services;
