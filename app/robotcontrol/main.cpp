@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
+#include "app/core/own/OwnProgramMain.h"
 #include "app/core/platform/ExitStatus.h"
 #include "app/core/platform/FieldOptions.h"
 #include "app/core/platform/NumberRange.h"
@@ -273,6 +274,7 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const auto status = app::ownProgramMain(argc, argv)) return *status;
   try {
     return start(argc, argv);
   } catch (const std::exception& exception) {

@@ -8,6 +8,7 @@
 #include <exception>
 #include <iostream>
 
+#include "app/core/own/OwnProgramMain.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Resources.h"
@@ -75,6 +76,7 @@ int finish(int status) {
 }  // namespace app
 
 int main(int argc, char** argv) {
+  if (const auto status = app::ownProgramMain(argc, argv)) return *status;
   const app::SignalWatch watch;
   int status = app::kFailed;
   try {

@@ -83,6 +83,12 @@ std::string wrongSimulationSpeed(const Request& request) {
   return speed < 0 ? "" : wrongSpeed(speed, kSimulationSpeeds);
 }
 
+std::string wrongHosting(const Request& request) {
+  return robotcontrol::HostProgram::Where_IsValid(request.host_program().where())
+             ? ""
+             : "there is no such place for a program";
+}
+
 std::string wrongReplay(const Request& request) {
   const auto& control = request.control_replay();
   for (const auto& offset : control.offsets()) {
@@ -149,7 +155,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 16> kKinds{{
+constexpr std::array<RequestKind, 17> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -218,6 +224,10 @@ constexpr std::array<RequestKind, 16> kKinds{{
      .doer = Doer::kSimulation,
      .words = "set lighting",
      .subject = theOnlyOne},
+    {.what = Request::kHostProgram,
+     .doer = Doer::kSimulation,
+     .words = "host program",
+     .wrong = wrongHosting},
     {.what = Request::kControlRecording, .doer = Doer::kRecording, .words = "control recording"},
     {.what = Request::kControlReplay, .doer = Doer::kReplay, .words = "control replay", .wrong = wrongReplay},
 }};

@@ -26,6 +26,7 @@ inline constexpr char kFieldDrawings[] = "drawings/field/";
 /// + key: foxglove.SceneUpdate in the robot's frame
 inline constexpr char kRobotDrawings[] = "drawings/robot/";
 inline constexpr char kProgram[] = "program";    ///< ProgramSetup
+inline constexpr char kHosting[] = "hosting";    ///< HostingStatus
 inline constexpr char kRequests[] = "requests";  ///< Request, as it was enqueued
 /// + package: the logged version of a package that is recomputed from a log
 inline constexpr char kLogged[] = "logged/";

@@ -131,7 +131,8 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
   Errors errors;
   for (const Layout::Task& task : setup.process.tasks) {
     auto& runner = *tasks.emplace_back(std::make_unique<TaskRunner>(
-        task.task, TaskRunner::Environment{setup.robot, clock, debug, board, setup.layout.withheld}));
+        task.task, TaskRunner::Environment{setup.robot, clock, debug, board, setup.layout.withheld,
+                                           &process.activitySlot()}));
     const Errors wrong = runner.loadParameters(setup.parameters);
     errors.insert(errors.end(), wrong.begin(), wrong.end());
     if (!wrong.empty()) continue;

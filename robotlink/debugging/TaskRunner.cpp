@@ -62,11 +62,29 @@ class TaskRunner::Context final : public SolutionContext {
   const Use use_;
 };
 
+class TaskRunner::Busy {
+ public:
+  Busy(const TaskRunner& runner, const std::string& solution) : slot_(runner.environment_.activity) {
+    if (slot_ != nullptr)
+      before_ = slot_->exchange(&runner.activities_.at(solution), std::memory_order_relaxed);
+  }
+  ~Busy() {
+    if (slot_ != nullptr) slot_->store(before_, std::memory_order_relaxed);
+  }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  std::atomic<const std::string*>* slot_;
+  const std::string* before_ = nullptr;
+};
+
 TaskRunner::TaskRunner(std::string task, const Environment& environment)
     : task_(std::move(task)), environment_(environment) {
   for (const SolutionDescription& solution : SolutionRegistry::all()) {
     if (solution.task != task_) continue;
     solutions_.push_back(&solution);
+    activities_[solution.name] = task_ + " (" + solution.name + ")";
     for (const auto* packages : {&solution.required, &solution.optional}) {
       for (const std::string& package : *packages)
         inputs_[package].entry = &environment_.board.entry(package);
@@ -143,6 +161,7 @@ Result<std::unique_ptr<Solution>> TaskRunner::make(const SolutionDescription& so
                    "solution " + solution.name + " of task " + task_ + " could not be made: " + why, {},
                    {task_, solution.name, why});
   };
+  const Busy busy(*this, solution.name);
   try {
     std::unique_ptr<Solution> made = solution.create(context);
     if (!made) return broken("nothing was made");
@@ -186,6 +205,7 @@ void TaskRunner::refreshInputs() {
 
 void TaskRunner::execute() {
   refreshInputs();
+  const Busy busy(*this, active_);
   try {
     solution_->execute();
   } catch (const std::exception& exception) {

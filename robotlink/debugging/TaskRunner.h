@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <set>
@@ -25,6 +26,8 @@ class TaskRunner {
     PackageBoard& board;
     /// Packages that its solutions do not send to others.
     const std::set<std::string>& withheld;
+    /// Where it notes what it does (Process::activity()); may be null.
+    std::atomic<const std::string*>* activity = nullptr;
   };
 
   TaskRunner(std::string task, const Environment& environment);
@@ -66,11 +69,16 @@ class TaskRunner {
   /// Errors about parameter files whose solution does not exist, probably because of a typing error.
   Errors filesOfNoSolution(const std::filesystem::path& folder) const;
 
+  /// Notes, while it exists, that code of a solution runs.
+  class Busy;
+
   const std::string task_;
   Environment environment_;
   std::vector<const SolutionDescription*> solutions_;
   /// Keyed by solution.
   std::map<std::string, SolutionParameters> parameters_;
+  /// What Process::activity() returns while a solution runs, by solution.
+  std::map<std::string, std::string> activities_;
   /// Keyed by package.
   std::map<std::string, TaskInput> inputs_;
   std::string active_;

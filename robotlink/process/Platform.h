@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ class Platform : public Process {
   /// While engaged, the platform holds the robot in a safe state, whatever the program requests. Any thread.
   virtual void engageStop(bool engaged) = 0;
   virtual bool stopEngaged() const { return false; }
+  /// To be set while the robot's program cannot give commands, since it has ended or does not answer. Other
+  /// than STOP, it ends by itself when the program gives commands again. Any thread.
+  void setUnattended(bool unattended) { unattended_.store(unattended); }
+  bool unattended() const { return unattended_.load(); }
   /// Fulfills a request of the user for the robot's base. Refused if the robot has no wheels.
   virtual Result<void> control(const robotcontrol::ControlDrive& details);
   /// Why nothing of what the robot does can be changed by requests, neither by STOP nor for its base, as a
@@ -47,8 +52,11 @@ class Platform : public Process {
 
  protected:
   void report(std::string text);
+  /// Whether the robot has to stand, whatever was requested last.
+  bool mustStand() const { return stopEngaged() || unattended(); }
 
  private:
+  std::atomic<bool> unattended_{false};
   std::mutex reportsMutex_;  // protects reports_
   std::vector<std::string> reports_;
 };

@@ -62,12 +62,17 @@ class Process : public EndOwner {
   bool stopped() const { return stopped_.load(std::memory_order_acquire); }
   /// The text of the exception that it threw; empty if it did not throw.
   std::string failure() const;
+  /// What the process does at this moment, for users: "ball-percept (region)", a task with its solution; null
+  /// between tasks and outside of frames. The text lives as long as the process. Any thread.
+  const std::string* activity() const { return activity_.load(std::memory_order_relaxed); }
   /// The number of frames that ran to their end.
   std::uint64_t frames() const { return frames_.load(std::memory_order_relaxed); }
 
  protected:
   /// Phase 2: reads receivers, computes, sends. Called in the executor's thread.
   virtual void execute() = 0;
+  /// Where the parts of a process note what they do; see activity().
+  std::atomic<const std::string*>& activitySlot() { return activity_; }
 
  private:
   bool satisfied() const;
@@ -82,6 +87,7 @@ class Process : public EndOwner {
   Instant frameTime_;
   std::atomic<bool> stopped_{false};
   std::atomic<std::uint64_t> frames_{0};
+  std::atomic<const std::string*> activity_{nullptr};
 
   /// Protects woken_ and failure_.
   mutable std::mutex mutex_;

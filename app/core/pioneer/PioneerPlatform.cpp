@@ -55,7 +55,7 @@ void PioneerPlatform::engageStop(bool engaged) {
 
 void PioneerPlatform::actuate() {
   takeEvents();
-  driver_.actuate(stopEngaged(), clock().now());
+  driver_.actuate(mustStand(), clock().now());
   sendWaiting();
   if (const std::string text = driver_.takeReport(); !text.empty()) report(text);
   if (driver_.wantsLine()) {

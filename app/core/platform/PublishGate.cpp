@@ -4,6 +4,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
@@ -126,6 +127,15 @@ void PublishGate::publishPlatform(const std::string& robot, robotlink::Instant t
 
 void PublishGate::keepReports() {
   reports_ = std::make_unique<std::vector<std::string>>();
+}
+
+void PublishGate::publishHosting(const std::string& robot, robotlink::Instant time,
+                                 const robotcontrol::HostingStatus& status) {
+  publish({robot + "/" + robotlink::streams::kHosting, time,
+           std::make_shared<robotcontrol::HostingStatus>(status)});
+  if (status.text().empty()) return;
+  const bool runs = status.state() == robotcontrol::HostingStatus::RUNNING;
+  publishText(robot, "program", time, runs ? foxglove::Log::INFO : foxglove::Log::ERROR, status.text());
 }
 
 void PublishGate::publishTrouble(const std::string& robot, const robotlink::Process& process,

@@ -12,6 +12,9 @@
 namespace logplayer {
 class Recorder;
 }
+namespace robotcontrol {
+class HostingStatus;
+}
 namespace robotlink {
 class Process;
 class Session;
@@ -70,6 +73,9 @@ class PublishGate {
   void keepReports();
   /// What was kept, as a sentence each. After the run has ended.
   std::vector<std::string> keptReports() const { return *reports_; }
+  /// Publishes where a robot's program runs, and in the robot's log what happened to it.
+  void publishHosting(const std::string& robot, robotlink::Instant time,
+                      const robotcontrol::HostingStatus& status);
   /// Publishes a problem of a process as an error in the robot's log, at the time of the process.
   void publishTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 

@@ -27,6 +27,8 @@ struct HostedRobot {
   std::shared_ptr<const robotlink::GroundMap> map = nullptr;
   /// The file of `field`; empty if there is none.
   std::filesystem::path fieldFile = {};
+  /// The file of `map`; empty if there is none.
+  std::filesystem::path mapFile = {};
 };
 
 }  // namespace app

@@ -5,7 +5,6 @@
 
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
-#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
@@ -23,16 +22,16 @@ std::string choiceOf(const Request& request) {
 
 }  // namespace
 
-std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program) {
+std::vector<std::string> ProgramRequests::begin(HostedProgram& program) {
   const std::lock_guard lock(mutex_);
   preview_.reset();
   // Requests whose acceptance was reported are among the overrides already.
   std::deque<Open> asked = std::exchange(open_, {});
   std::erase_if(asked, [](const Open& open) { return open.reported || robotlink::isRepeated(open.request); });
   std::vector<std::string> lost;
-  robotlink::RequestPreview preview(program);
+  const auto preview = program.preview();
   for (Request& request : overrides_.requests(robot_)) {
-    if (const std::string why = preview.add(request); why.empty()) {
+    if (const std::string why = preview->add(request); why.empty()) {
       addOwn(std::move(request));
     } else if (const std::string what = choiceOf(request); !what.empty()) {
       lost.push_back(robot_ + " could not keep " + what + ": " + why);
@@ -97,12 +96,12 @@ void ProgramRequests::answered(const robotlink::SharedDebugQueue& queue) {
   }
 }
 
-std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCome(
-    robotlink::RobotProgram& program, robotlink::Instant now) {
+std::shared_ptr<const robotlink::SharedDebugQueue> ProgramRequests::answersToCome(HostedProgram& program,
+                                                                                  robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
   if (std::ranges::all_of(open_, [](const Open& open) { return open.reported; })) return nullptr;
   if (!preview_) {
-    preview_.emplace(program);
+    preview_ = program.preview();
     for (Open& open : open_) open.previewed = false;
   }
   for (Open& open : open_) {

@@ -5,16 +5,14 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/program/HostedProgram.h"
 #include "app/core/program/ProgramOverrides.h"
 #include "robotlink/base/Clock.h"
-#include "robotlink/debugging/program/RequestPreview.h"
 
 namespace robotlink {
-class RobotProgram;
 struct SharedDebugQueue;
 }  // namespace robotlink
 
@@ -38,7 +36,7 @@ class ProgramRequests {
   /// To be called with each new program before it runs. Enqueues requests for the overrides so far, followed
   /// by the requests that the previous program did not answer; hand() passes them on. Returns a sentence for
   /// each override that this program cannot fulfill.
-  std::vector<std::string> begin(robotlink::RobotProgram& program);
+  std::vector<std::string> begin(HostedProgram& program);
   /// The same for a program that was made with the overrides in it: only the requests that the previous
   /// program did not answer are enqueued again.
   void beginOverridden();
@@ -55,7 +53,7 @@ class ProgramRequests {
   void ran() { preview_.reset(); }
   /// Returns the results that the program will give in its next frames, each only once over all calls; null
   /// if there are none. Lets a robot answer at once in a pause.
-  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome(robotlink::RobotProgram& program,
+  std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome(HostedProgram& program,
                                                                    robotlink::Instant now);
 
   /// A copy of the overrides so far.
@@ -82,8 +80,8 @@ class ProgramRequests {
 
   const std::string robot_;
   const OverrideListener overridden_;
-  /// Used only while no process runs; unset if the program has run since.
-  std::optional<robotlink::RequestPreview> preview_;
+  /// Used only while no process runs; null if the program has run since.
+  std::unique_ptr<ProgramPreview> preview_;
   /// Protects the members below.
   mutable std::mutex mutex_;
   /// In the order of ask().

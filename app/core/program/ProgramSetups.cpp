@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <map>
 
+#include "app/core/program/HostedProgram.h"
+#include "app/core/program/HostedRobot.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
-#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
@@ -112,11 +113,11 @@ tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
   return layout;
 }
 
-ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlink::Platform& platform,
-                          const ProgramFiles& files) {
+ProgramSetup programSetup(const HostedRobot& robot, const HostedProgram& program,
+                          const robotlink::Platform& platform, const ProgramFiles& files) {
   ProgramSetup setup;
-  setup.set_robot(program.robot().name);
-  setup.set_team(program.robot().team);
+  setup.set_robot(robot.name);
+  setup.set_team(robot.team);
   fill(*setup.mutable_layout(), files.layout);
   fill(*setup.mutable_description(), files.description);
   fill(*setup.mutable_field(), files.field);
@@ -129,9 +130,7 @@ ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlin
   for (auto& values : program.parameters()) *setup.add_parameters() = std::move(values);
   setup.set_executor(files.executor);
   addOffered(setup, platform);
-  for (const robotlink::Process* process : program.processes()) {
-    if (dynamic_cast<const robotlink::DebugProcess*>(process) != nullptr) addOffered(setup, *process);
-  }
+  addOffered(setup, program.debugProcess());
   return setup;
 }
 

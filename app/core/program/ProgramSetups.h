@@ -11,11 +11,13 @@
 
 namespace robotlink {
 class Platform;
-class RobotProgram;
 struct SharedDebugMessage;
 }  // namespace robotlink
 
 namespace app {
+
+class HostedProgram;
+struct HostedRobot;
 
 /// The files that a robot's program is made of. A log keeps them as texts, since they may have changed by the
 /// time when it is opened.
@@ -37,7 +39,7 @@ tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
 /// Returns the setup of a program as it is recorded in logs: the texts of its files, solutions, parameters,
 /// and the packages that come from platform and debug process. Call it before the program runs. A file that
 /// cannot be read gets no text.
-robotcontrol::ProgramSetup programSetup(const robotlink::RobotProgram& program,
+robotcontrol::ProgramSetup programSetup(const HostedRobot& robot, const HostedProgram& program,
                                         const robotlink::Platform& platform, const ProgramFiles& files);
 
 /// Updates a setup from a message of the program about its solutions or parameters. Returns whether the setup

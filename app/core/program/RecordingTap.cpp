@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "app/core/program/HostedProgram.h"
 #include "app/core/program/ProgramSetups.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/debugging/program/RobotProgram.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/LatchedMessages.h"
 #include "robotlink/session/QueueMessages.h"
@@ -72,7 +72,7 @@ bool recordsLatched(const SharedDebugQueue& queue) {
 struct RecordingTap::Robot {
   std::string name;
   robotlink::Platform* platform = nullptr;
-  robotlink::RobotProgram* program = nullptr;
+  HostedProgram* program = nullptr;
   /// The packages that the user chose to have published.
   std::set<std::string> chosen;
   /// The packages that the program was requested to publish.
@@ -104,7 +104,7 @@ struct RecordingTap::Robot {
     request.set_robot(name);
     auto& details = *request.mutable_record_packages();
     details.mutable_packages()->Assign(packages.begin(), packages.end());
-    if (!program->debugProcess().request(request)) return false;
+    if (!program->request(request)) return false;
     asked = std::move(packages);
     return true;
   }
@@ -119,8 +119,8 @@ RecordingTap::Robot* RecordingTap::find(const std::string& name) const {
   return nullptr;
 }
 
-void RecordingTap::attach(const std::string& name, robotlink::Platform& platform,
-                          robotlink::RobotProgram& program, robotcontrol::ProgramSetup setup) {
+void RecordingTap::attach(const std::string& name, robotlink::Platform& platform, HostedProgram& program,
+                          robotcontrol::ProgramSetup setup) {
   auto robot = std::make_shared<Robot>();
   robot->name = name;
   robot->platform = &platform;
@@ -172,7 +172,7 @@ bool RecordingTap::request(const std::string& name, const robotcontrol::Request&
     robot->chosen = {packages.begin(), packages.end()};
     return robot->ask(robot->wanted(recorder_), request);
   }
-  if (!robot->program->debugProcess().request(request)) return false;
+  if (!robot->program->request(request)) return false;
   if (recorder_.active()) {
     recorder_.add({{name + "/" + robotlink::streams::kRequests, robot->platform->clock().now(),
                     std::make_shared<robotcontrol::Request>(request)}});

@@ -13,11 +13,12 @@ namespace robotcontrol {
 class Request;
 }  // namespace robotcontrol
 namespace robotlink {
-class RobotProgram;
 struct SharedDebugQueue;
 }  // namespace robotlink
 
 namespace app {
+
+class HostedProgram;
 
 /// Passes everything that a log may contain from the robots of one run to a recorder, in complete frames: the
 /// messages of debug queues; the packages of the platform and of the debug process, tapped at their senders
@@ -40,7 +41,7 @@ class RecordingTap {
   /// Attaches the program of a robot before it runs. A robot that is attached already must have the same
   /// platform; the new program then replaces the previous one. Records the setup, and lets the program
   /// publish the packages that the recorder wants from its first frame on.
-  void attach(const std::string& robot, robotlink::Platform& platform, robotlink::RobotProgram& program,
+  void attach(const std::string& robot, robotlink::Platform& platform, HostedProgram& program,
               robotcontrol::ProgramSetup setup);
 
   // Only in the thread that steps the platforms:

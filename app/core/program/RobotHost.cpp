@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/core/program/InsideProgram.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
@@ -54,11 +55,13 @@ tl::expected<RobotHost::Candidate, Errors> RobotHost::make(Parts parts) {
   made.platform = std::move(parts.platform);
   made.layout = std::move(parts.file);
   made.overridden = parts.overridden;
-  const robotlink::RobotSetup setup{made.robot.name, made.robot.team, *made.robot.description,
-                                    made.robot.field, made.robot.map};
-  auto program = robotlink::RobotProgram::create(
-      setup, std::move(parts.layout), made.platform ? *made.platform : *platform_,
-      {.folder = parameterFolder(*made.robot.description), .recorded = std::move(parts.parameters)});
+  const HostedProgram::Maker maker = parts.maker ? std::move(parts.maker) : &InsideProgram::create;
+  auto program = maker({.robot = made.robot,
+                        .platform = made.platform ? *made.platform : *platform_,
+                        .file = made.layout,
+                        .layout = std::move(parts.layout),
+                        .parameters = {.folder = parameterFolder(*made.robot.description),
+                                       .recorded = std::move(parts.parameters)}});
   if (!program) return tl::unexpected(program.error());
   made.program = std::move(*program);
   made.processes = made.program->processes();
@@ -68,11 +71,13 @@ tl::expected<RobotHost::Candidate, Errors> RobotHost::make(Parts parts) {
     made.program->setKeys(chosen.keys());
     made.program->recordPackages({recorded.begin(), recorded.end()});
   }
-  made.program->debugProcess().setListener([this](auto queue) {
-    requests_.answered(*queue);
-    if (tap_ != nullptr) tap_->add(robot_.name, queue);
-    if (listeners_.queue) listeners_.queue(robot_.name, std::move(queue));
-  });
+  made.program->setListeners({[this](auto queue) {
+                                requests_.answered(*queue);
+                                if (tap_ != nullptr) tap_->add(robot_.name, queue);
+                                if (listeners_.queue) listeners_.queue(robot_.name, std::move(queue));
+                              },
+                              [this](const auto& process, const auto& text) { reportTrouble(process, text); },
+                              [this] { reportHosting(); }});
   return made;
 }
 
@@ -98,6 +103,7 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   }
   if (executor.kind() == ExecutorKind::kThreads) enqueueRequests();
   executor.add(*platform_, processes_);
+  reportHosting();
   return lost;
 }
 
@@ -118,7 +124,7 @@ void RobotHost::shutDown() {
 
 void RobotHost::record(ExecutorKind executor) {
   const ProgramFiles files{layout_, descriptionFile(description().name), robot_.fieldFile, nameOf(executor)};
-  tap_->attach(robot_.name, *platform_, *program_, programSetup(*program_, *platform_, files));
+  tap_->attach(robot_.name, *platform_, *program_, programSetup(robot_, *program_, *platform_, files));
 }
 
 void RobotHost::stop() {
@@ -145,6 +151,8 @@ robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request)
       return robotlink::failure("platform.refused", std::move(why), {}, {robot_.name});
     return (this->*row->handler)(request);
   }
+  if (std::string why = program_ ? program_->refusal() : std::string(); !why.empty())
+    return robotlink::failure("program.ended", std::move(why), {}, {robot_.name});
   if (requests_.ask(request)) return {};
   return robotlink::failure("request.queue-full",
                             "robot " + robot_.name + " does not take requests now: too many wait already", {},
@@ -163,7 +171,7 @@ robotlink::Result<void> RobotHost::controlDrive(const robotcontrol::Request& req
 void RobotHost::enqueueRequests() {
   requests_.ran();
   requests_.hand([this](const robotcontrol::Request& request) {
-    return tap_ != nullptr ? tap_->request(robot_.name, request) : program_->debugProcess().request(request);
+    return tap_ != nullptr ? tap_->request(robot_.name, request) : program_->request(request);
   });
 }
 
@@ -179,6 +187,13 @@ void RobotHost::reportPlatform() {
 
 void RobotHost::reportPlatform(const std::string& text) const {
   if (listeners_.platform) listeners_.platform(robot_.name, platform_->clock().now(), text);
+}
+
+void RobotHost::reportHosting() {
+  if (!program_) return;
+  const robotcontrol::HostingStatus status = program_->hosting();
+  platform_->setUnattended(status.state() != robotcontrol::HostingStatus::RUNNING);
+  if (listeners_.hosting) listeners_.hosting(robot_.name, platform_->clock().now(), status);
 }
 
 bool RobotHost::owns(const robotlink::Process& process) const {

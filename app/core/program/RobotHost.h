@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/program/HostedProgram.h"
 #include "app/core/program/HostedRobot.h"
 #include "app/core/program/ProgramExecutor.h"
 #include "app/core/program/ProgramRequests.h"
@@ -45,6 +46,10 @@ class RobotHost {
         {};
     /// Called with each request that became an override of the user; it must not call this object.
     ProgramRequests::OverrideListener overridden = {};
+    /// Called when it has changed where the program runs, or whether it does, in the owner's thread.
+    std::function<void(const std::string& robot, robotlink::Instant time,
+                       const robotcontrol::HostingStatus& status)>
+        hosting = {};
   };
   /// What a program is to be made of.
   struct Parts {
@@ -60,13 +65,15 @@ class RobotHost {
     /// Whether layout and parameters contain the user's overrides already; otherwise the program is requested
     /// to apply them in its first frames.
     bool overridden = false;
+    /// Makes the program; empty: it is one inside.
+    HostedProgram::Maker maker = {};
   };
   /// A program that has not run yet, for adopt().
   struct Candidate {
     HostedRobot robot;
     /// Null if the robot keeps its platform.
     std::unique_ptr<robotlink::Platform> platform;
-    std::unique_ptr<robotlink::RobotProgram> program;
+    std::unique_ptr<HostedProgram> program;
     /// The file of its layout.
     std::filesystem::path layout;
     bool overridden = false;
@@ -93,7 +100,9 @@ class RobotHost {
   /// Null before the first adopt().
   robotlink::Platform* platform() const { return platform_.get(); }
   /// Null before the first adopt() and after stop().
-  robotlink::RobotProgram* program() const { return program_.get(); }
+  HostedProgram* program() const { return program_.get(); }
+  /// The program, if it is in this process of the operating system; otherwise null.
+  robotlink::RobotProgram* insideProgram() const { return program_ ? program_->inside() : nullptr; }
   /// The file of the layout of the last adopted program.
   const std::filesystem::path& layout() const { return layout_; }
 
@@ -105,6 +114,9 @@ class RobotHost {
   /// Initializes the platform, if it is new, and adds platform and program to an executor that has not
   /// started. Returns a sentence for each override that this program refuses.
   std::vector<std::string> begin(ProgramExecutor& executor);
+  /// Adds platform and program, which have begun, to another executor that has not started, because the
+  /// program of another robot is replaced.
+  void continueIn(ProgramExecutor& executor) { executor.add(*platform_, processes_); }
   /// Ends the program, whose processes must not be running in an executor any more. The platform stays.
   void stop();
 
@@ -115,6 +127,9 @@ class RobotHost {
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// To be called before each step: passes the requests since the last step to the program.
   void enqueueRequests();
+  /// To be called in lockstep before each step, when no more requests come: a program in a process of its own
+  /// begins to compute, while others do.
+  void startStep() { program_->startStep(); }
   /// To be called after each step: passes what the platform reports to the listener.
   void reportPlatform();
   /// The results that the program will give in its next frames, each only once; null if there are none. Only
@@ -133,6 +148,8 @@ class RobotHost {
   void record(ExecutorKind executor);
   /// Initializes the platform once, and reports how long that took.
   void setUp();
+  /// Passes where the program runs to the listener; a robot without one stands.
+  void reportHosting();
   /// Shuts the platform down, if there is one, and reports how long that took if it was set up.
   void shutDown();
   /// Passes a sentence about the platform to the listener.
@@ -148,7 +165,7 @@ class RobotHost {
   /// Requests to all its programs, one after the other, and the overrides that follow from them.
   ProgramRequests requests_;
   std::unique_ptr<robotlink::Platform> platform_;
-  std::unique_ptr<robotlink::RobotProgram> program_;
+  std::unique_ptr<HostedProgram> program_;
   std::filesystem::path layout_;
   /// As in the candidate that was adopted last.
   bool overridden_ = false;

@@ -219,7 +219,7 @@ Errors ReplayRobot::makeProgramOfPlan(Start& start) {
                           .parameters = start.setup.parameters,
                           .overridden = true});
   if (!made) return made.error();
-  robotlink::RobotProgram& program = *made->program;
+  robotlink::RobotProgram& program = *made->program->inside();
   if (start.choices.publishAllPackages) {
     const auto yielded = program.yieldedPackages(), chosen = host_.overrides().recordedPackages();
     std::set<std::string> all(yielded.begin(), yielded.end());
@@ -238,8 +238,8 @@ Errors ReplayRobot::makeProgramOfPlan(Start& start) {
 }
 
 std::shared_ptr<const ProgramSetup> ReplayRobot::ownSetup() const {
-  auto own = std::make_shared<ProgramSetup>(
-      programSetup(*host_.program(), *host_.platform(), {{}, {}, {}, nameOf(executor_->kind())}));
+  auto own = std::make_shared<ProgramSetup>(programSetup(host_.robot(), *host_.program(), *host_.platform(),
+                                                         {{}, {}, {}, nameOf(executor_->kind())}));
   *own->mutable_layout() = setup().files.layout();
   *own->mutable_description() = setup().files.description();
   *own->mutable_field() = setup().files.field();
@@ -247,7 +247,7 @@ std::shared_ptr<const ProgramSetup> ReplayRobot::ownSetup() const {
 }
 
 void ReplayRobot::compare() {
-  for (const robotlink::Process* process : host_.program()->processes()) {
+  for (const robotlink::Process* process : host_.insideProgram()->processes()) {
     for (robotlink::AnySender* sender : process->senders()) {
       const auto* package = plan().find(sender->package());
       if (package == nullptr || !package->logged) continue;
@@ -276,7 +276,7 @@ void ReplayRobot::giveWhatIsBefore() {
     if (const auto message = before(package.name, earlier))
       started_.platform->put(package.name, message->value);
   }
-  auto& debugProcess = host_.program()->debugProcess();
+  auto& debugProcess = host_.insideProgram()->debugProcess();
   // Requests at `time` itself are taken from the log at that instant, if it contains requests.
   for (const std::string& package : robotlink::debugPackages()) {
     const auto message = before(package, hasRequests() ? earlier : time);

@@ -69,7 +69,8 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
   // Requests take effect when the debug process ran in the recording. Here it runs at every instant, so that
   // what programs publish is seen at once.
   if (!debugProcessRan(messages)) return;
-  for (const Request& request : std::exchange(due_, {})) host_.program()->debugProcess().request(request);
+  for (const Request& request : std::exchange(due_, {}))
+    host_.insideProgram()->debugProcess().request(request);
 }
 
 bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) const {

@@ -43,7 +43,7 @@ void SimulatedDrivePlatform::actuate() {
   pioneer_.setStopButton(stopEngaged());
   driver_.setOtherClient(pioneer_.outsideClient(), now);
   if (driver_.waitsForLine()) driver_.lineOpened(now);
-  driver_.actuate(stopEngaged(), now);
+  driver_.actuate(mustStand(), now);
   const auto packets = driver_.takeOutgoing(now);
   if (!pioneer_.outsideClient().empty()) return;
   for (const auto& packet : packets) pioneer_.take(packet, now);

@@ -88,7 +88,7 @@ void SimulatedJointPlatform::holdStill() {
 }
 
 void SimulatedJointPlatform::actuate() {
-  if (stopEngaged()) {
+  if (mustStand()) {
     holdStill();
     return;
   }

@@ -70,6 +70,10 @@ Errors SimulatedRun::load() {
   world_ = std::move(*world);
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
+  for (const std::string& name : options_.otherwise) {
+    if (find(name) == nullptr)
+      return {{"request.no-robot", "there is no robot " + name + " in this scene", {name}, {}}};
+  }
   if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (!options_.layout.empty()) {
     for (const auto& robot : robots_) options_.layouts[robot->description().name] = options_.layout;
@@ -130,8 +134,11 @@ Errors SimulatedRun::describeRobots() {
     const Kind& kind = kinds[robot.description];
     const std::string team = robot.team.empty() ? kind.use.teamOf(robot.name) : robot.team;
     robots_.push_back(std::make_unique<RobotHost>(
-        HostedRobot{robot.name, team, kind.description, field_, map(), fieldFile(field)},
-        RobotHost::Listeners{listeners_.queue, listeners_.trouble, listeners_.platform}, tap_.get()));
+        HostedRobot{robot.name, team, kind.description, field_, map(), fieldFile(field),
+                    map() ? scene.file() : std::filesystem::path()},
+        RobotHost::Listeners{
+            listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
+        tap_.get()));
   }
   return {};
 }
@@ -175,21 +182,87 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});
   }
-  return robot.make({.platform = std::move(*platform), .file = file, .layout = layout});
+  return robot.make({.platform = std::move(*platform),
+                     .file = file,
+                     .layout = layout,
+                     .maker = runsInOwnProcess(robot.name()) ? OwnProgram::maker(options_.own) : nullptr});
+}
+
+bool SimulatedRun::runsInOwnProcess(const std::string& robot) const {
+  return options_.ownProcesses != options_.otherwise.contains(robot);
 }
 
 void SimulatedRun::startPrograms(Candidates candidates) {
   stopPrograms();
   for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i]->adopt(std::move(candidates[i]));
+  if (tap_) recordWorld();
+  std::vector<RobotHost*> all;
+  for (const auto& robot : robots_) all.push_back(robot.get());
+  beginPrograms(all);
+}
+
+void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       options_.executor, [this] { world_->advance(); },
       [this](const auto& process, const auto& text) { reportTrouble(process, text); }});
-  if (tap_) recordWorld();
   lostChoices_.clear();
   for (const auto& robot : robots_) {
+    if (std::ranges::find(robots, robot.get()) == robots.end()) {
+      robot->continueIn(*executor_);
+      continue;
+    }
     for (std::string& lost : robot->begin(*executor_)) lostChoices_.push_back(std::move(lost));
   }
   executor_->start();
+}
+
+Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
+  using robotcontrol::HostProgram;
+  if (options_.executor != ExecutorKind::kLockstep)
+    return {{"program.threads", "programs are exchanged only while they run in lockstep", {}, {}}};
+  if (!name.empty() && find(name) == nullptr)
+    return {{"request.no-robot", "there is no robot " + name, {name}, {}}};
+  const RunOptions before = options_;
+  std::vector<RobotHost*> changed;
+  for (const auto& robot : robots_) {
+    if (!name.empty() && robot->name() != name) continue;
+    const bool was = runsInOwnProcess(robot->name());
+    const bool own =
+        choice.where() == HostProgram::UNCHANGED ? was : choice.where() == HostProgram::OWN_PROCESS;
+    if (own != was || choice.start_again()) changed.push_back(robot.get());
+    options_.otherwise.erase(robot->name());
+    if (own != options_.ownProcesses) options_.otherwise.insert(robot->name());
+  }
+  if (name.empty() && choice.where() != HostProgram::UNCHANGED) {
+    options_.ownProcesses = choice.where() == HostProgram::OWN_PROCESS;
+    options_.otherwise.clear();
+  }
+  Candidates candidates;
+  for (RobotHost* robot : changed) {
+    auto made = makeProgramOnPlatform(*robot);
+    if (!made) {
+      options_ = before;
+      return made.error();
+    }
+    candidates.push_back(std::move(*made));
+  }
+  executor_.reset();
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    changed[i]->stop();
+    changed[i]->adopt(std::move(candidates[i]));
+  }
+  beginPrograms(changed);
+  return {};
+}
+
+tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgramOnPlatform(RobotHost& robot) {
+  const std::filesystem::path file = layoutOf(robot, options_.layouts);
+  auto layout = readLayoutWith(file, options_.solutions);
+  if (!layout) return tl::unexpected(layout.error());
+  return robot.make({.platform = nullptr,
+                     .file = file,
+                     .layout = std::move(*layout),
+                     .maker = runsInOwnProcess(robot.name()) ? OwnProgram::maker(options_.own) : nullptr});
 }
 
 void SimulatedRun::stopPrograms() {
@@ -222,6 +295,9 @@ void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::s
 void SimulatedRun::step() {
   for (const auto& robot : robots_) robot->enqueueRequests();
   if (tap_) tap_->askForPackages();
+  if (options_.executor == ExecutorKind::kLockstep) {
+    for (const auto& robot : robots_) robot->startStep();
+  }
   if (ports_) ports_->serve({});
   executor_->step();
   if (ports_) ports_->deliver();

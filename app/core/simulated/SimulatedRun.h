@@ -6,9 +6,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "app/core/own/OwnProgram.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
 #include "app/core/simulated/KickOff.h"
@@ -20,8 +22,9 @@ namespace logplayer {
 class Recorder;
 }
 namespace robotcontrol {
+class HostProgram;
 class Request;
-}
+}  // namespace robotcontrol
 namespace robotlink {
 class RobotProgram;
 struct FieldDescription;
@@ -47,6 +50,12 @@ struct RunOptions {
   /// TCP ports at which other programs find the Pioneers; unset: none.
   std::optional<ArcosPorts::Options> ports = {};
   ExecutorKind executor = ExecutorKind::kLockstep;
+  /// Where programs run: each in a process of the operating system of its own, or all inside.
+  bool ownProcesses = false;
+  /// The robots for which it is the other way, by name.
+  std::set<std::string> otherwise = {};
+  /// How those in processes of their own are run.
+  OwnProgram::Options own = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions;
   /// Whether ball and robots are put back after a goal; see KickOff.
@@ -86,6 +95,10 @@ class SimulatedRun {
     /// Called with sentences about a robot's platform being set up and shut down.
     std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> platform =
         {};
+    /// Called when it has changed where a robot's program runs, or whether it does.
+    std::function<void(const std::string& robot, robotlink::Instant time,
+                       const robotcontrol::HostingStatus& status)>
+        hosting = {};
   };
 
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
@@ -108,6 +121,9 @@ class SimulatedRun {
   /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
   /// permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// Chooses where the program of a robot runs, or of all if the name is empty, and starts programs there or
+  /// anew; the world and the other programs continue. If that is impossible, everything continues as before.
+  robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
@@ -161,6 +177,12 @@ class SimulatedRun {
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(RobotHost& robot,
                                                                     const std::filesystem::path& file,
                                                                     const robotlink::Layout& layout);
+  /// The same on the platform that the robot has.
+  tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgramOnPlatform(RobotHost& robot);
+  /// Where the program of a robot is to run.
+  bool runsInOwnProcess(const std::string& robot) const;
+  /// Begins programs in a new executor; those of other robots continue in it.
+  void beginPrograms(const std::vector<RobotHost*>& robots);
   /// Returns null if there is no such robot.
   RobotHost* find(const std::string& robot) const;
   /// Replaces all programs and their executor.

@@ -88,9 +88,9 @@ void SimulatedWheelPlatform::actuate() {
   const Instant now = clock().now();
   const robotcontrol::DriveRequest* request = request_.get();
   if (request != nullptr && request_.isNew()) requestCame_ = now;
-  const bool obeys = request != nullptr && now - requestCame_ <= kSilence && motorsOn_ && !stopEngaged();
+  const bool obeys = request != nullptr && now - requestCame_ <= kSilence && motorsOn_ && !mustStand();
   const auto finite = [](double value) { return std::isfinite(value) ? value : 0.0; };
-  if (stopEngaged() || !motorsOn_) forward_ = rotation_ = 0;
+  if (mustStand() || !motorsOn_) forward_ = rotation_ = 0;
   approach(obeys ? finite(request->velocity().x()) : 0, obeys ? finite(request->velocity().rotation()) : 0);
   const double rim = rotation_ * description_.drive->track / 2;
   world().simulation().requestWheelSpeeds(drive_, forward_ - rim, forward_ + rim);

@@ -54,6 +54,8 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.robots = robotsToAdd(values, options.world.seed);
   options.ports = portsToOpen(values);
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
+  options.ownProcesses = flagOf(values, "own", options.ownProcesses);
+  if (values.contains("own")) options.otherwise.clear();
   if (const std::string layout = textOf(values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
 }
@@ -137,37 +139,47 @@ void followSimulation(FormState& state, const std::string& changed) {
 }
 
 std::vector<PlatformField> robotFields() {
-  return {{.name = "kind",
-           .kind = Kind::kChoice,
-           .label = "Kind:",
-           .help = "Kind of the robots to add to the world; by default that of the robots in it",
-           .initial = simcore::RobotsToAdd{}.model,
-           .noun = "kind of robots",
-           .items = kindItems,
-           .group = "Robots",
-           .option = "--robot",
-           .remembered = "simulation_setup/1"},
-          {.name = "robots",
-           .kind = Kind::kNumber,
-           .label = "Add:",
-           .help = "How many robots are added: at the map's home or the kick-off positions first, then where "
-                   "there is room",
-           .initial = 0.0,
-           .noun = "number of robots",
-           .max = kMaxRobots,
-           .emptyText = "none",
-           .group = "Robots",
-           .option = "--robots",
-           .remembered = "simulation_setup/2"},
-          {.name = "kinematic",
-           .kind = Kind::kFlag,
-           .label = "Moved by their odometry, without forces",
-           .help = "Robots on wheels are moved by their odometry, without forces; faster with many robots: "
-                   "nothing slips, and obstacles stop them",
-           .initial = false,
-           .group = "Robots",
-           .option = "--kinematic",
-           .remembered = "simulation_setup/3"}};
+  return {
+      {.name = "kind",
+       .kind = Kind::kChoice,
+       .label = "Kind:",
+       .help = "Kind of the robots to add to the world; by default that of the robots in it",
+       .initial = simcore::RobotsToAdd{}.model,
+       .noun = "kind of robots",
+       .items = kindItems,
+       .group = "Robots",
+       .option = "--robot",
+       .remembered = "simulation_setup/1"},
+      {.name = "robots",
+       .kind = Kind::kNumber,
+       .label = "Add:",
+       .help = "How many robots are added: at the map's home or the kick-off positions first, then where "
+               "there is room",
+       .initial = 0.0,
+       .noun = "number of robots",
+       .max = kMaxRobots,
+       .emptyText = "none",
+       .group = "Robots",
+       .option = "--robots",
+       .remembered = "simulation_setup/2"},
+      {.name = "kinematic",
+       .kind = Kind::kFlag,
+       .label = "Moved by their odometry, without forces",
+       .help = "Robots on wheels are moved by their odometry, without forces; faster with many robots: "
+               "nothing slips, and obstacles stop them",
+       .initial = false,
+       .group = "Robots",
+       .option = "--kinematic",
+       .remembered = "simulation_setup/3"},
+      {.name = "own",
+       .kind = Kind::kFlag,
+       .label = "Each program in a process of its own",
+       .help = "The program of each robot runs in a process of its own: if it crashes or hangs, only that "
+               "robot stands, and its program can be started again in the view Processes",
+       .initial = false,
+       .group = "Robots",
+       .option = "--own-process",
+       .remembered = "simulation_setup/7"}};
 }
 
 std::vector<PlatformField> portFields() {

@@ -66,7 +66,9 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
           [this](robotlink::Instant, const std::string& text) { publishGame(text); },
           [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
             gate_.publishPlatform(robot, time, text);
-          }};
+          },
+          [this](const std::string& robot, robotlink::Instant time,
+                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
 void SimulationFeed::publishPorts(const std::string& text, int level) {
@@ -164,7 +166,8 @@ struct SimulationFeed::Handlers {
   static constexpr robotlink::RequestRow<robotlink::Result<void> (SimulationFeed::*)(const Request&)> kRows[]{
       {Request::kControlSimulation, &SimulationFeed::controlSimulation},
       {Request::kPlaceModel, &SimulationFeed::placeModel},
-      {Request::kSetLighting, &SimulationFeed::setLighting}};
+      {Request::kSetLighting, &SimulationFeed::setLighting},
+      {Request::kHostProgram, &SimulationFeed::hostProgram}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -190,6 +193,14 @@ robotlink::Result<void> SimulationFeed::placeModel(const robotcontrol::Request& 
 
 robotlink::Result<void> SimulationFeed::setLighting(const robotcontrol::Request& request) {
   return run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
+}
+
+robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {
+  const robotlink::Errors errors = run_->hostProgram(request.robot(), request.host_program());
+  if (!errors.empty()) return tl::unexpected(errors.front());
+  if (choices_) choices_(run_->options());
+  publishLostOverrides();
+  return {};
 }
 
 robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Request& request) {

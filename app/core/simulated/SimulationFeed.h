@@ -77,6 +77,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> controlSimulation(const robotcontrol::Request& request);
   robotlink::Result<void> placeModel(const robotcontrol::Request& request);
   robotlink::Result<void> setLighting(const robotcontrol::Request& request);
+  robotlink::Result<void> hostProgram(const robotcontrol::Request& request);
   struct Handlers;
 
   /// Resets the run with the same seed, and publishes the scene again.

@@ -39,6 +39,8 @@ namespace {
 constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
 /// A slow simulation looks for signals this often while it waits.
 constexpr std::chrono::milliseconds kLookEvery{100};
+/// Stands for the names of all robots.
+constexpr char kAllRobots[] = "all";
 
 using nlohmann::json;
 
@@ -47,6 +49,8 @@ struct SimArguments {
   std::string layout;
   std::vector<std::string> solutions;
   std::string executor = "lockstep";
+  std::vector<std::string> ownProcesses;
+  std::uint64_t programMemory = 2048;  ///< MiB
   double seconds = 10;
   bool noNoise = false;
   bool asJson = false;
@@ -66,6 +70,10 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImage
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
     std::cerr << robot << ": " << text << "\n";
+  };
+  listeners.hosting = [](const std::string& robot, robotlink::Instant,
+                         const robotcontrol::HostingStatus& status) {
+    if (!status.text().empty()) std::cerr << robot << ": " << status.text() << "\n" << status.stack();
   };
   if (arguments.texts) {
     listeners.queue = [](const std::string& robot, const auto& queue) {
@@ -253,6 +261,19 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   arguments.arcos.applyTo(arguments.run);
   if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
+  if (threads && !arguments.ownProcesses.empty()) {
+    std::cerr << "robotctl sim: programs in processes of their own run in lockstep; omit --executor\n";
+    return kUsage;
+  }
+  for (const std::string& robot : arguments.ownProcesses) {
+    if (robot == kAllRobots) {
+      arguments.run.ownProcesses = true;
+    } else {
+      arguments.run.otherwise.insert(robot);
+    }
+  }
+  if (arguments.run.ownProcesses) arguments.run.otherwise.clear();
+  arguments.run.own.memoryLimit = arguments.programMemory << 20U;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
@@ -281,6 +302,16 @@ void addSimCommand(CLI::App& app, int& status) {
          "--executor", arguments->executor,
          "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
       ->check(CLI::IsMember({"lockstep", "threads"}))
+      ->capture_default_str();
+  sim->add_option(
+         "--own-process", arguments->ownProcesses,
+         "ROBOT whose program runs in a process of its own, so that a crash of it harms nothing else; "
+         "'all' for each robot")
+      ->delimiter(',')
+      ->type_name("ROBOT|all");
+  sim->add_option("--program-memory", arguments->programMemory,
+                  "How much memory a program in a process of its own may allocate, MiB; 0: no limit")
+      ->check(numberFrom(0, 1 << 20))
       ->capture_default_str();
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");

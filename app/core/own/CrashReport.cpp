@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/own/CrashReport.h"
+
+#include <cxxabi.h>
+#include <execinfo.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "robotlink/process/Process.h"
+
+namespace app {
+namespace {
+
+constexpr std::string_view kHead = "report\n", kActivity = "activity ", kProcess = "process ",
+                           kStack = "stack\n";
+constexpr int kMaxCalls = 64;
+/// Signals that end a program because of what it did.
+constexpr std::array kFatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGXCPU, SIGTRAP};
+
+// What handlers of signals need. Written before they can be called, except that watch() is called once later.
+int reportTo = -1;                                          // NOLINT
+const std::vector<robotlink::Process*>* watched = nullptr;  // NOLINT
+std::array<char, 65536> signalStack;                        // NOLINT
+
+// Only what may be called in a handler of signals.
+void put(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(reportTo, text.data(), text.size());
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void putReport() {
+  put(kHead);
+  for (std::size_t i = 0; watched != nullptr && i < watched->size(); ++i) {
+    const robotlink::Process& process = *(*watched)[i];
+    const std::string* activity = process.activity();
+    if (activity == nullptr) continue;
+    put(kActivity);
+    put(*activity);
+    put("\n");
+    put(kProcess);
+    put(process.name());
+    put("\n");
+    break;
+  }
+  put(kStack);
+  std::array<void*, kMaxCalls> calls;
+  ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), kMaxCalls), reportTo);
+}
+
+void onSignal(int) {
+  const int before = errno;
+  putReport();
+  errno = before;
+  // A fatal signal comes again when this returns, now without a handler.
+}
+
+void onExit(int status, void*) {
+  putReport();
+  // Destructors of static objects would run beside the robot's program.
+  ::_exit(status);
+}
+
+void handle(int signal, int flags) {
+  struct sigaction action = {};
+  action.sa_handler = onSignal;
+  action.sa_flags = SA_ONSTACK | flags;
+  ::sigaction(signal, &action, nullptr);
+}
+
+/// "robotctl(_ZN3app3runEv+0x12) [0x55...]" becomes "app::run()+0x12 (robotctl)".
+std::string readable(std::string_view line) {
+  const auto open = line.rfind('('), close = line.rfind(')'),
+             plus = line.find('+', open == line.npos ? 0 : open);
+  if (open == line.npos || close == line.npos || close < open) return std::string(line);
+  const std::string_view module = line.substr(0, open);
+  const std::string file(module.substr(module.rfind('/') + 1));
+  const bool named = plus != line.npos && plus > open + 1 && plus < close;
+  const std::string offset(named ? line.substr(plus, close - plus) : line.substr(open + 1, close - open - 1));
+  if (!named) return file + offset;
+  const std::string symbol(line.substr(open + 1, plus - open - 1));
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> plain(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  return (status == 0 && plain ? std::string(plain.get()) : symbol) + offset + " (" + file + ")";
+}
+
+/// Whether a call belongs to the writing of the report.
+bool isOfReport(const std::string& call) {
+  return call.find("putReport") != call.npos || call.find("app::(anonymous namespace)::on") != call.npos;
+}
+
+std::string takeLine(std::string_view& text) {
+  const auto end = text.find('\n');
+  std::string line(text.substr(0, end));
+  text.remove_prefix(end == text.npos ? text.size() : end + 1);
+  return line;
+}
+
+}  // namespace
+
+int askSignal() {
+  return SIGUSR1;
+}
+
+void CrashReport::install(int descriptor) {
+  reportTo = descriptor;
+  // Loads what backtrace() needs now, since a handler must not.
+  std::array<void*, 4> calls;
+  ::backtrace(calls.data(), static_cast<int>(calls.size()));
+  stack_t stack = {};
+  stack.ss_sp = signalStack.data();
+  stack.ss_size = signalStack.size();
+  ::sigaltstack(&stack, nullptr);
+  for (const int signal : kFatal) handle(signal, static_cast<int>(SA_RESETHAND));
+  handle(askSignal(), SA_RESTART);
+  ::on_exit(onExit, nullptr);
+}
+
+void CrashReport::watch(const std::vector<robotlink::Process*>& processes) {
+  watched = &processes;
+}
+
+CrashReport CrashReport::parse(std::string_view text) {
+  CrashReport report;
+  const auto begin = text.rfind(kHead);
+  if (begin == text.npos) return report;
+  text.remove_prefix(begin + kHead.size());
+  while (!text.empty()) {
+    if (text.starts_with(kStack)) break;
+    const std::string line = takeLine(text);
+    if (line.starts_with(kActivity)) report.activity = line.substr(kActivity.size());
+    if (line.starts_with(kProcess)) report.process = line.substr(kProcess.size());
+  }
+  if (!text.empty()) text.remove_prefix(kStack.size());
+  while (!text.empty()) {
+    const std::string call = readable(takeLine(text));
+    if (!isOfReport(call)) report.stack += call + "\n";
+  }
+  return report;
+}
+
+std::string CrashReport::place() const {
+  return activity.empty() ? "" : " in " + activity + " of process " + process;
+}
+
+std::string endInWords(int status) {
+  if (WIFEXITED(status)) return "called exit(" + std::to_string(WEXITSTATUS(status)) + ")";
+  switch (WTERMSIG(status)) {
+    case SIGSEGV:
+      return "crashed with a segmentation fault (signal SIGSEGV)";
+    case SIGABRT:
+      return "was aborted (signal SIGABRT)";
+    case SIGFPE:
+      return "crashed with an arithmetic error, such as a division by zero (signal SIGFPE)";
+    case SIGKILL:
+      return "was killed (signal SIGKILL): by somebody, or by the system for want of memory";
+    default: {
+      const char* name = ::sigabbrev_np(WTERMSIG(status));
+      const char* words = ::sigdescr_np(WTERMSIG(status));
+      return "was ended by the signal " + (name != nullptr ? std::string("SIG") + name : "?") + " (" +
+             (words != nullptr ? words : "unknown") + ")";
+    }
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robotlink {
+class Process;
+}
+
+namespace app {
+
+/// What a robot's program wrote about itself when it crashed, called exit(), or was asked because it did not
+/// answer. A plain value.
+struct CrashReport {
+  /// The task and solution that was executed: "ball-percept (region)"; empty: none.
+  std::string activity;
+  /// The process of the layout that executed it; empty: none.
+  std::string process;
+  /// The calls that led there, innermost first, a line each, as far as they are known.
+  std::string stack;
+
+  /// Reads the last report in a text; empty if there is none.
+  static CrashReport parse(std::string_view text);
+  /// " in ball-percept (region) of process cognition", or an empty text.
+  std::string place() const;
+
+  // In the program itself, once, in its main thread:
+  /// From now on writes a report to a file descriptor at fatal signals, at exit(), and at kAskSignal.
+  static void install(int descriptor);
+  /// The processes of which a report may say what they do; they must exist until the program ends.
+  static void watch(const std::vector<robotlink::Process*>& processes);
+};
+
+/// The signal at which a program writes a report and goes on.
+int askSignal();
+
+/// How a program ended, from its status of waitpid(): "crashed with a segmentation fault", "called exit(3)".
+std::string endInWords(int status);
+
+}  // namespace app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "robotcontrol/ProgramWire.pb.h"
+#include "robotlink/base/Clock.h"
+#include "robotlink/process/Platform.h"
+
+namespace app {
+
+/// Stands for the platform in the process of a robot's program: has the same senders and receivers, sends
+/// what the platform has sent, and takes what goes to it. The clock must outlive it.
+class MirrorPlatform final : public robotlink::Platform {
+ public:
+  MirrorPlatform(const robotcontrol::WireSetup& setup, const robotlink::Clock& clock);
+
+  /// What the next frame sends.
+  void setPackages(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages);
+  /// Adds what has arrived since the last call.
+  void takeTo(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage>& packages);
+  /// Adds the indices of senders, or of receivers, that are connected.
+  void connectedTo(google::protobuf::RepeatedField<std::uint32_t>& senders) const;
+  void fedTo(google::protobuf::RepeatedField<std::uint32_t>& receivers) const;
+
+  void actuate() override {}
+  void engageStop(bool) override {}
+  std::vector<robotlink::AnySender*> onRequest() override { return onRequest_; }
+
+ protected:
+  void execute() override;
+
+ private:
+  std::vector<std::unique_ptr<robotlink::AnySender>> senders_;
+  std::vector<std::unique_ptr<robotlink::AnyReceiver>> receivers_;
+  /// How many packages each receiver had taken when takeTo() was called last.
+  std::vector<std::uint64_t> taken_;
+  std::vector<robotlink::AnySender*> onRequest_;
+  google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages_;
+};
+
+/// A package in its form on the wire, and back: null if its type is unknown.
+void assign(robotcontrol::WirePackage& to, std::size_t port, const google::protobuf::Message& package);
+robotlink::PackagePtr packageIn(const robotcontrol::WirePackage& wire);
+
+}  // namespace app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/program/HostedProgram.h"
+
+namespace app {
+
+/// A robot's program in the process of the operating system that hosts it: all costs nothing, and whatever
+/// crashes in it crashes all.
+class InsideProgram final : public HostedProgram {
+ public:
+  static Made create(Parts parts);
+  ~InsideProgram() override;
+
+  void setListeners(Listeners listeners) override;
+  std::vector<robotcontrol::ParameterValues> parameters() const override;
+  void recordPackages(const std::set<std::string>& packages) override;
+  void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes) override;
+  const robotlink::Layout& layout() const override;
+  std::vector<std::string> yieldedPackages() const override;
+  const std::vector<robotlink::Process*>& processes() const override;
+  const robotlink::Process& debugProcess() const override;
+  robotlink::RobotProgram* inside() override { return program_.get(); }
+  bool request(const robotcontrol::Request& request) override;
+  std::unique_ptr<ProgramPreview> preview() override;
+  robotcontrol::HostingStatus hosting() const override { return {}; }
+  void stop() override;
+
+ private:
+  explicit InsideProgram(std::unique_ptr<robotlink::RobotProgram> program);
+
+  const std::unique_ptr<robotlink::RobotProgram> program_;
+};
+
+}  // namespace app
