@@ -14,6 +14,7 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
 #include "widgets/SplitterState.h"
+#include "widgets/processes/HostingBar.h"
 #include "widgets/processes/ProcessGraphWidget.h"
 #include "widgets/processes/TableGraph.h"
 
@@ -59,6 +60,7 @@ void ProcessesView::createActions() {
 }
 
 void ProcessesView::createViews() {
+  hosting_ = new HostingBar(this);
   graph_ = new ProcessGraphWidget(this);
   hint_ = new EmptyHint(graph_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
@@ -75,6 +77,7 @@ void ProcessesView::createViews() {
   top->addStretch();
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
+  layout->addWidget(hosting_);
   layout->addWidget(splitter_, 1);
 }
 
@@ -89,6 +92,14 @@ void ProcessesView::connectSignals() {
     request.mutable_send_tables();
     ask(session(), robot_, std::move(request));
   });
+  connect(hosting_, &HostingBar::chosen, this,
+          [this](const robotcontrol::HostProgram& choice, HostingBar::Robots robots) {
+            robotcontrol::Request request;
+            *request.mutable_host_program() = choice;
+            ask(session(), robots == HostingBar::Robots::kAll ? std::string() : robot_, std::move(request));
+            // What is shown is what the robot reports, whether the request is accepted or not.
+            shownHosting_ = nullptr;
+          });
   connect(graph_, &ProcessGraphWidget::selected, this, [this](const QString& process) {
     const int row = graph_->graph().find(process);
     if (row >= 0) table_->selectRow(row);
@@ -102,6 +113,7 @@ void ProcessesView::connectSignals() {
 
 void ProcessesView::tick() {
   const std::string& robot = session().selectedRobot();
+  showHosting();
   const auto* message =
       session().store().latest(robot + '/' + robotlink::streams::kProcesses, session().timeline().shown());
   const robotlink::PackagePtr value = message != nullptr ? message->value : nullptr;
@@ -109,6 +121,15 @@ void ProcessesView::tick() {
   robot_ = robot;
   shown_ = value;
   showTables();
+}
+
+void ProcessesView::showHosting() {
+  const auto* message = session().store().latest(
+      session().selectedRobot() + '/' + robotlink::streams::kHosting, session().timeline().shown());
+  const robotlink::PackagePtr value = message != nullptr ? message->value : nullptr;
+  if (value == shownHosting_ && value != nullptr) return;
+  shownHosting_ = value;
+  hosting_->setStatus(dynamic_cast<const robotcontrol::HostingStatus*>(value.get()));
 }
 
 void ProcessesView::showTables() {

@@ -12,6 +12,7 @@ class QTableView;
 namespace widgets {
 
 class EmptyHint;
+class HostingBar;
 class ProcessGraphWidget;
 
 /// The processes of the selected robot, as a graph with the packages between them and their rates, and as a
@@ -33,7 +34,11 @@ class ProcessesView final : public View {
   /// Rebuilds graph and table from the newest ProcessTable and the one two seconds before.
   void showTables();
 
+  /// Shows where the program runs.
+  void showHosting();
+
   ProcessTableModel model_;
+  HostingBar* hosting_ = nullptr;
   ProcessGraphWidget* graph_ = nullptr;
   QTableView* table_ = nullptr;
   QSplitter* splitter_ = nullptr;
@@ -50,6 +55,8 @@ class ProcessesView final : public View {
   std::string robot_;
   /// The ProcessTable that is shown, to detect a new one.
   robotlink::PackagePtr shown_;
+  /// The HostingStatus that is shown.
+  robotlink::PackagePtr shownHosting_;
 };
 
 }  // namespace widgets

@@ -20,6 +20,8 @@ namespace {
 constexpr std::string_view kHead = "report\n", kActivity = "activity ", kProcess = "process ",
                            kStack = "stack\n";
 constexpr int kMaxCalls = 64;
+/// Calls that belong to the report itself: two of this file, and that of the system at a signal.
+constexpr int kInSignal = 3, kInExit = 2;
 /// Signals that end a program because of what it did.
 constexpr std::array kFatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGXCPU, SIGTRAP};
 
@@ -37,7 +39,8 @@ void put(std::string_view text) {
   }
 }
 
-void putReport() {
+/// `skipped`: the innermost calls, which belong to the report.
+[[gnu::noinline]] void putReport(int skipped) {
   put(kHead);
   for (std::size_t i = 0; watched != nullptr && i < watched->size(); ++i) {
     const robotlink::Process& process = *(*watched)[i];
@@ -53,25 +56,31 @@ void putReport() {
   }
   put(kStack);
   std::array<void*, kMaxCalls> calls;
-  ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), kMaxCalls), reportTo);
+  const int count = ::backtrace(calls.data(), kMaxCalls);
+  if (count > skipped) ::backtrace_symbols_fd(calls.data() + skipped, count - skipped, reportTo);
 }
 
-void onSignal(int) {
+void onQuestion(int) {
   const int before = errno;
-  putReport();
+  putReport(kInSignal);
   errno = before;
-  // A fatal signal comes again when this returns, now without a handler.
+}
+
+void onFatal(int signal) {
+  putReport(kInSignal);
+  // It comes again when this returns, now without a handler.
+  ::raise(signal);
 }
 
 void onExit(int status, void*) {
-  putReport();
+  putReport(kInExit);
   // Destructors of static objects would run beside the robot's program.
   ::_exit(status);
 }
 
-void handle(int signal, int flags) {
+void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction action = {};
-  action.sa_handler = onSignal;
+  action.sa_handler = handler;
   action.sa_flags = SA_ONSTACK | flags;
   ::sigaction(signal, &action, nullptr);
 }
@@ -91,11 +100,6 @@ std::string readable(std::string_view line) {
   const std::unique_ptr<char, void (*)(void*)> plain(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
   return (status == 0 && plain ? std::string(plain.get()) : symbol) + offset + " (" + file + ")";
-}
-
-/// Whether a call belongs to the writing of the report.
-bool isOfReport(const std::string& call) {
-  return call.find("putReport") != call.npos || call.find("app::(anonymous namespace)::on") != call.npos;
 }
 
 std::string takeLine(std::string_view& text) {
@@ -120,8 +124,8 @@ void CrashReport::install(int descriptor) {
   stack.ss_sp = signalStack.data();
   stack.ss_size = signalStack.size();
   ::sigaltstack(&stack, nullptr);
-  for (const int signal : kFatal) handle(signal, static_cast<int>(SA_RESETHAND));
-  handle(askSignal(), SA_RESTART);
+  for (const int signal : kFatal) handle(signal, onFatal, static_cast<int>(SA_RESETHAND));
+  handle(askSignal(), onQuestion, SA_RESTART);
   ::on_exit(onExit, nullptr);
 }
 
@@ -142,8 +146,7 @@ CrashReport CrashReport::parse(std::string_view text) {
   }
   if (!text.empty()) text.remove_prefix(kStack.size());
   while (!text.empty()) {
-    const std::string call = readable(takeLine(text));
-    if (!isOfReport(call)) report.stack += call + "\n";
+    report.stack += readable(takeLine(text)) + "\n";
   }
   return report;
 }

@@ -47,7 +47,10 @@ int spawn(pid_t& pid, const std::string& executable, const std::string& name, in
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &all);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string program = executable, argument = kProgramArgument, robot = name;
+  // The name that lists of processes show.
+  std::error_code unknown;
+  const auto target = std::filesystem::read_symlink(executable, unknown);
+  std::string program = unknown ? executable : target.string(), argument = kProgramArgument, robot = name;
   std::array<char*, 4> arguments{program.data(), argument.data(), robot.data(), nullptr};
   const int failed =
       ::posix_spawn(&pid, executable.c_str(), &actions, &attributes, arguments.data(), environ);

@@ -15,7 +15,6 @@ namespace app {
 class StandInProcess final : public robotlink::Process {
  public:
   using Process::Process;
-  ~StandInProcess() override { stop(); }
 
   void addSender(const std::string& package) {
     ends_.push_back(std::make_unique<robotlink::AnySender>(*this, package, robotlink::Blocking::kNo));

@@ -74,6 +74,35 @@ class ProcessesViewTest : public QObject {
     }
   }
 
+  void aProgramThatEndedSaysWhatHappenedAndIsStartedAgainByAClick() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    QVERIFY(!child<QWidget>(*view, "hostingBar").isVisible());
+    robotcontrol::HostingStatus status;
+    status.set_own_process(true);
+    status.set_pid(4711);
+    bench.push("red1/hosting", status, 1);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "hostingText").text().contains(QStringLiteral("gdb -p 4711")));
+    QVERIFY(!child<QWidget>(*view, "hostingStack").isVisible());
+    QVERIFY(child<QToolButton>(*view, "hostingOwn").isChecked());
+    status.set_state(robotcontrol::HostingStatus::ENDED);
+    status.set_text("The program of red1 crashed in ball-percept (region).");
+    status.set_stack("Ball::find()");
+    bench.push("red1/hosting", status, 2);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "hostingText").text().contains(QStringLiteral("crashed in ball-percept")));
+    QVERIFY(child<QWidget>(*view, "hostingStack").isVisible());
+    click(child<QToolButton>(*view, "hostingStartAgain"));
+    QVERIFY(bench.requests.back().host_program().start_again());
+    QCOMPARE(bench.requests.back().robot(), std::string("red1"));
+    click(child<QToolButton>(*view, "hostingOwn"));
+    QCOMPARE(bench.requests.back().host_program().where(), robotcontrol::HostProgram::IN_WORKBENCH);
+    bench.tick(*view);
+    // Until the robot reports that it is so.
+    QVERIFY(child<QToolButton>(*view, "hostingOwn").isChecked());
+  }
+
   void whatDoesNotBlockFollowsTheOrderOfTheLayout() {
     ProcessTable table;
     addProcess(table, "cognition", 1);

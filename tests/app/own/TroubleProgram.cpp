@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The executable in which the programs of these tests run: all modules, and a task with solutions that crash
+// or hang.
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include "app/core/own/OwnProgramMain.h"
+#include "robotlink/debugging/Solution.h"
+
+namespace {
+
+using robotlink::Solution;
+using robotlink::SolutionBuilder;
+using robotlink::SolutionContext;
+using robotlink::SolutionRegistration;
+
+/// Does nothing in its first frames, then what the test wants.
+template <void (*kTrouble)()>
+class Troublemaker final : public Solution {
+ public:
+  explicit Troublemaker(SolutionContext&) {}
+  void execute() override {
+    if (++frames_ > 5) kTrouble();
+  }
+
+ private:
+  int frames_ = 0;
+};
+
+class Unmakeable final : public Solution {
+ public:
+  explicit Unmakeable(SolutionContext&) { std::abort(); }
+  void execute() override {}
+};
+
+void nothing() {}
+void writeNowhere() {
+  int* volatile nowhere = nullptr;
+  *nowhere = 1;
+}
+void abortAll() {
+  std::abort();
+}
+void leave() {
+  std::exit(3);
+}
+void loop() {
+  for (volatile int i = 0;; i = i + 1) {
+  }
+}
+void takeMemory() {
+  // As a whole vector of vectors: no single allocation is out of the ordinary.
+  std::vector<std::vector<char>> all;
+  while (all.size() < 4096) all.emplace_back(std::size_t{1} << 20U, 'x');
+}
+void sleepOnce() {
+  static bool slept = false;
+  if (!std::exchange(slept, true)) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+}
+
+const SolutionRegistration kCalm = SolutionBuilder<Troublemaker<nothing>>("trouble", "none", "Does nothing.");
+const SolutionRegistration kWrites =
+    SolutionBuilder<Troublemaker<writeNowhere>>("trouble", "segfault", "Writes where nothing is.");
+const SolutionRegistration kAborts =
+    SolutionBuilder<Troublemaker<abortAll>>("trouble", "abort", "Calls abort().");
+const SolutionRegistration kLeaves = SolutionBuilder<Troublemaker<leave>>("trouble", "exit", "Calls exit().");
+const SolutionRegistration kLoops = SolutionBuilder<Troublemaker<loop>>("trouble", "loop", "Never returns.");
+const SolutionRegistration kTakes =
+    SolutionBuilder<Troublemaker<takeMemory>>("trouble", "memory", "Allocates 4 GiB.");
+const SolutionRegistration kSleeps =
+    SolutionBuilder<Troublemaker<sleepOnce>>("trouble", "late", "Returns late, once.");
+const SolutionRegistration kUnmakeable =
+    SolutionBuilder<Unmakeable>("trouble", "unmakeable", "Calls abort() when it is made.");
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return app::ownProgramMain(argc, argv).value_or(2);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/processes/HostingBar.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QToolButton>
+
+#include "robotcontrol/Hosting.pb.h"
+#include "widgets/Controls.h"
+
+namespace widgets {
+
+using robotcontrol::HostingStatus;
+using robotcontrol::HostProgram;
+
+namespace {
+
+/// Lines of a stack that are seen at once.
+constexpr int kStackLines = 6;
+
+}  // namespace
+
+HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("hostingBar"));
+  createActions();
+  text_ = makeNote(this, "hostingText", tr("Where the program runs"));
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  stack_ = new QPlainTextEdit(this);
+  describe(*stack_, {"hostingStack", tr("Calls that led there"), {}});
+  stack_->setReadOnly(true);
+  stack_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  stack_->setMaximumHeight(kStackLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height());
+  auto* row = new QHBoxLayout;
+  row->addWidget(text_, 1);
+  for (QAction* action : {startAgain_, own_}) row->addWidget(makeLabeledButton(this, action));
+  auto* menu = new QMenu(this);
+  menu->addAction(allOwn_);
+  menu->addAction(allInside_);
+  row->addWidget(makeMenuButton(
+      this, {"hostingAll", tr("All robots"), tr("Where the programs of all robots run")}, menu));
+  auto* layout = makeColumn(this, {}, 4);
+  layout->addLayout(row);
+  layout->addWidget(stack_);
+  setStatus(nullptr);
+}
+
+void HostingBar::createActions() {
+  startAgain_ =
+      makeAction(this, "reset",
+                 {"hostingStartAgain", tr("Start again"),
+                  tr("Starts the program of this robot again; keys, solutions and parameters stay")});
+  own_ = makeToggle(
+      this, "processes",
+      {"hostingOwn", tr("Own process"),
+       tr("Runs the program of this robot in a process of its own: if it crashes or hangs, nothing "
+          "else is harmed")});
+  allOwn_ = makeAction(this, "processes",
+                       {"hostingAllOwn", tr("Each in a process of its own"),
+                        tr("Runs the program of each robot in a process of its own")});
+  allInside_ = makeAction(
+      this, "app", {"hostingAllInside", tr("In the workbench"), tr("Runs all programs in the workbench")});
+  connect(own_, &QAction::triggered, this, [this](bool own) { choose(own, Robots::kThis); });
+  connect(allOwn_, &QAction::triggered, this, [this] { choose(true, Robots::kAll); });
+  connect(allInside_, &QAction::triggered, this, [this] { choose(false, Robots::kAll); });
+  connect(startAgain_, &QAction::triggered, this, [this] {
+    HostProgram choice;
+    choice.set_start_again(true);
+    Q_EMIT chosen(choice, Robots::kThis);
+  });
+}
+
+void HostingBar::choose(bool own, Robots robots) {
+  HostProgram choice;
+  choice.set_where(own ? HostProgram::OWN_PROCESS : HostProgram::IN_WORKBENCH);
+  Q_EMIT chosen(choice, robots);
+}
+
+void HostingBar::setStatus(const HostingStatus* status) {
+  setVisible(status != nullptr);
+  if (status == nullptr) return;
+  const bool runs = status->state() == HostingStatus::RUNNING;
+  QString text = QString::fromStdString(status->text());
+  if (runs) {
+    text = status->own_process() ? tr("The program runs in a process of its own, number %1. A debugger looks "
+                                      "at it with: gdb -p %1")
+                                       .arg(status->pid())
+                                 : tr("The program runs in the workbench.");
+  }
+  showOutcome(*text_, text, !runs);
+  stack_->setPlainText(QString::fromStdString(status->stack()));
+  stack_->setVisible(!status->stack().empty());
+  own_->setChecked(status->own_process());
+}
+
+}  // namespace widgets
