@@ -70,10 +70,8 @@ Errors SimulatedRun::load() {
   world_ = std::move(*world);
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
-  for (const std::string& name : options_.otherwise) {
-    if (find(name) == nullptr)
-      return {{"request.no-robot", "there is no robot " + name + " in this scene", {name}, {}}};
-  }
+  // They may have been chosen in another scene.
+  std::erase_if(options_.otherwise, [this](const std::string& name) { return find(name) == nullptr; });
   if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (!options_.layout.empty()) {
     for (const auto& robot : robots_) options_.layouts[robot->description().name] = options_.layout;

@@ -139,47 +139,37 @@ void followSimulation(FormState& state, const std::string& changed) {
 }
 
 std::vector<PlatformField> robotFields() {
-  return {
-      {.name = "kind",
-       .kind = Kind::kChoice,
-       .label = "Kind:",
-       .help = "Kind of the robots to add to the world; by default that of the robots in it",
-       .initial = simcore::RobotsToAdd{}.model,
-       .noun = "kind of robots",
-       .items = kindItems,
-       .group = "Robots",
-       .option = "--robot",
-       .remembered = "simulation_setup/1"},
-      {.name = "robots",
-       .kind = Kind::kNumber,
-       .label = "Add:",
-       .help = "How many robots are added: at the map's home or the kick-off positions first, then where "
-               "there is room",
-       .initial = 0.0,
-       .noun = "number of robots",
-       .max = kMaxRobots,
-       .emptyText = "none",
-       .group = "Robots",
-       .option = "--robots",
-       .remembered = "simulation_setup/2"},
-      {.name = "kinematic",
-       .kind = Kind::kFlag,
-       .label = "Moved by their odometry, without forces",
-       .help = "Robots on wheels are moved by their odometry, without forces; faster with many robots: "
-               "nothing slips, and obstacles stop them",
-       .initial = false,
-       .group = "Robots",
-       .option = "--kinematic",
-       .remembered = "simulation_setup/3"},
-      {.name = "own",
-       .kind = Kind::kFlag,
-       .label = "Each program in a process of its own",
-       .help = "The program of each robot runs in a process of its own: if it crashes or hangs, only that "
-               "robot stands, and its program can be started again in the view Processes",
-       .initial = false,
-       .group = "Robots",
-       .option = "--own-process",
-       .remembered = "simulation_setup/7"}};
+  return {{.name = "kind",
+           .kind = Kind::kChoice,
+           .label = "Kind:",
+           .help = "Kind of the robots to add to the world; by default that of the robots in it",
+           .initial = simcore::RobotsToAdd{}.model,
+           .noun = "kind of robots",
+           .items = kindItems,
+           .group = "Robots",
+           .option = "--robot",
+           .remembered = "simulation_setup/1"},
+          {.name = "robots",
+           .kind = Kind::kNumber,
+           .label = "Add:",
+           .help = "How many robots are added: at the map's home or the kick-off positions first, then where "
+                   "there is room",
+           .initial = 0.0,
+           .noun = "number of robots",
+           .max = kMaxRobots,
+           .emptyText = "none",
+           .group = "Robots",
+           .option = "--robots",
+           .remembered = "simulation_setup/2"},
+          {.name = "kinematic",
+           .kind = Kind::kFlag,
+           .label = "Moved by their odometry, without forces",
+           .help = "Robots on wheels are moved by their odometry, without forces; faster with many robots: "
+                   "nothing slips, and obstacles stop them",
+           .initial = false,
+           .group = "Robots",
+           .option = "--kinematic",
+           .remembered = "simulation_setup/3"}};
 }
 
 std::vector<PlatformField> portFields() {
@@ -252,6 +242,14 @@ PlatformForm simulationForm() {
                          .isArgument = false,
                          .isShown = false,
                          .option = "--seed"});
+  form.fields.push_back({.name = "own",
+                         .kind = Kind::kFlag,
+                         .help = "The program of each robot runs in a process of its own: if it crashes or "
+                                 "hangs, only that robot stands",
+                         .initial = false,
+                         .isArgument = false,
+                         .isShown = false,
+                         .option = "--own-process"});
   form.follow = followSimulation;
   return form;
 }

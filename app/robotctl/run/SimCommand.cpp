@@ -149,6 +149,10 @@ int runOnce(const SimArguments& arguments) {
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
     return printErrors(run.error());
   }
+  for (const std::string& robot : arguments.ownProcesses) {
+    if (robot == kAllRobots || (*run)->description(robot)) continue;
+    return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
+  }
   printMapNotes(std::cerr, (*run)->map().get());
   const auto start = std::chrono::steady_clock::now();
   unfinished.reset();

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The executable in which the programs of these tests run: all modules, and a task with solutions that crash
 // or hang.
-#include <csignal>
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/core/own/OwnProgramMain.h"
 #include "robotlink/debugging/Solution.h"
-
-namespace {
 
 using robotlink::Solution;
 using robotlink::SolutionBuilder;
 using robotlink::SolutionContext;
 using robotlink::SolutionRegistration;
 
+// Not an unnamed namespace: only what is exported has a name in a stack.
+namespace trouble {
+
 /// Does nothing in its first frames, then what the test wants.
 template <void (*kTrouble)()>
 class Troublemaker final : public Solution {
  public:
-  explicit Troublemaker(SolutionContext&) {}
+  explicit Troublemaker(SolutionContext& /*context*/) {}
   void execute() override {
     if (++frames_ > 5) kTrouble();
   }
@@ -31,13 +36,19 @@ class Troublemaker final : public Solution {
 
 class Unmakeable final : public Solution {
  public:
-  explicit Unmakeable(SolutionContext&) { std::abort(); }
+  explicit Unmakeable(SolutionContext& /*context*/) { std::abort(); }
   void execute() override {}
 };
 
+}  // namespace trouble
+
+namespace {
+
+using trouble::Troublemaker, trouble::Unmakeable;
+
 void nothing() {}
 void writeNowhere() {
-  int* volatile nowhere = nullptr;
+  static volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
 }
 void abortAll() {
@@ -47,8 +58,8 @@ void leave() {
   std::exit(3);
 }
 void loop() {
-  for (volatile int i = 0;; i = i + 1) {
-  }
+  static std::atomic<int> turns = 0;
+  for (;;) ++turns;
 }
 void takeMemory() {
   // As a whole vector of vectors: no single allocation is out of the ordinary.
