@@ -9,7 +9,8 @@
 #include <set>
 #include <thread>
 
-#include "robotlink/foxglove/server/Listener.h"
+#include "robotlink/foxglove/server/ListenerOptions.h"
+#include "robotlink/foxglove/server/Server.h"
 
 namespace robotlink::websocket {
 
@@ -54,7 +55,7 @@ ConnectionPtr makeFirstByte(ListenerPort& port, ListenerSocket socket);
 /// runs in the thread.
 class ListenerPort {
  public:
-  ListenerPort(std::shared_ptr<Server> servedServer, Listener::Options chosen)
+  ListenerPort(std::shared_ptr<Server> servedServer, ListenerOptions chosen)
       : server(std::move(servedServer)),
         options(withClock(std::move(chosen), server)),
         admission(options.admission) {}
@@ -76,14 +77,14 @@ class ListenerPort {
   void remove(const ConnectionPtr& connection) { connections_.erase(connection); }
 
   const std::shared_ptr<Server> server;
-  const Listener::Options options;
+  const ListenerOptions options;
   Admission admission;
   /// Null: connections are not encrypted.
   std::shared_ptr<asio::ssl::context> tls;
   asio::io_context context{1};
 
  private:
-  static Listener::Options withClock(Listener::Options options, const std::shared_ptr<Server>& server) {
+  static ListenerOptions withClock(ListenerOptions options, const std::shared_ptr<Server>& server) {
     if (!options.clock) options.clock = {server, &server->clock()};
     return options;
   }

@@ -265,7 +265,7 @@ void StreamConnection<Stream>::onSent(error_code error, std::size_t) {
 
 template <typename Stream>
 void StreamConnection<Stream>::tick(Instant now) {
-  const Listener::Options& options = port_.options;
+  const ListenerOptions& options = port_.options;
   if (state_ < State::kOpen && now - beganAt_ > options.handshakeTime) {
     port_.server->report("A connection from " + from_ + " was closed, because its handshake took too long");
     return end();
@@ -281,7 +281,7 @@ void StreamConnection<Stream>::tick(Instant now) {
 
 template <typename Stream>
 void StreamConnection<Stream>::lookAtSilence(Instant now) {
-  const Listener::Options& options = port_.options;
+  const ListenerOptions& options = port_.options;
   const bool isSilent = now - heardAt_ > options.idleTime;
   const bool isTrickling = buffer_.size() > 0 && now - messageAt_ > options.messageTime;
   std::string reason = isSilent      ? "nothing was heard of it"
