@@ -89,7 +89,7 @@ RunOptions soccerRobot() {
   return options;
 }
 
-RunOptions pioneer() {
+RunOptions pioneerScene() {
   RunOptions options = defaultSimulation();
   options.scene = robotlink::resource("scenes/pioneer.sdf");
   options.solutions["driving"] = "obey";
@@ -142,7 +142,7 @@ TEST_P(ServedSteering, theRobotStandsWhileTheLinkIsSilentAndGoesOnAfterwards) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, ServedSteering,
                          testing::Values(Steered{"ers210", soccerRobot, "red1", 0.15, 2s},
-                                         Steered{"pioneer", pioneer, "p3at1", 0.2, 1500ms}),
+                                         Steered{"pioneer", pioneerScene, "p3at1", 0.2, 1500ms}),
                          [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

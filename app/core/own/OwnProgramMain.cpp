@@ -34,7 +34,7 @@ constexpr std::chrono::hours kForever{24 * 365};
 /// How long a program may take to end after its host has gone.
 constexpr std::chrono::milliseconds kGrace{1000};
 
-robotlink::Instant instantOf(std::int64_t nanoseconds) {
+robotlink::Instant orderedTime(std::int64_t nanoseconds) {
   return robotlink::Instant(robotlink::Duration(nanoseconds));
 }
 
@@ -103,7 +103,7 @@ class OwnProgramServer {
                        [this](const auto& process) {
                          addTrouble(process, "was stopped because it threw: " + process.failure());
                        }}) {
-    clock_.set(instantOf(setup.time()));
+    clock_.set(orderedTime(setup.time()));
   }
 
   /// Makes the program; what is wrong goes into the answer.
@@ -218,7 +218,7 @@ void OwnProgramServer::fulfill(const WireOrder& order) {
     case WireOrder::kPreview:
       return preview(order.preview());
     case WireOrder::kTakePreview:
-      return takePreview(instantOf(order.take_preview()));
+      return takePreview(orderedTime(order.take_preview()));
     default:
       return answer_.set_done(false);
   }
@@ -227,7 +227,7 @@ void OwnProgramServer::fulfill(const WireOrder& order) {
 // As an executor does it that runs the platform itself: the sensors, then all processes that can run, then
 // what goes to the actuators.
 void OwnProgramServer::step(const robotcontrol::WireStep& step) {
-  clock_.set(instantOf(step.time()));
+  clock_.set(orderedTime(step.time()));
   preview_.reset();
   if (step.platform_ran()) {
     platform_.setPackages(step.packages());

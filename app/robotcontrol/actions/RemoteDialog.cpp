@@ -25,7 +25,7 @@ namespace {
 
 using Phase = robotlink::websocket::ConnectionState::Phase;
 
-constexpr int kMaxRecent = 10;
+constexpr int kMaxRemembered = 10;
 constexpr int kConnectionLines = 4;
 
 QString joined(const std::vector<std::string>& robots) {
@@ -119,7 +119,7 @@ void RemoteDialog::createConnections() {
 }
 
 void RemoteDialog::setRecent(const QList<Recent>& servers) {
-  recent_ = servers.mid(0, kMaxRecent);
+  recent_ = servers.mid(0, kMaxRemembered);
   const QString text = url_->currentText();
   url_->clear();
   for (const Recent& server : recent_) {

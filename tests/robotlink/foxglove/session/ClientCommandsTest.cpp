@@ -11,9 +11,9 @@ namespace {
 using robotcontrol::MotionRequest;
 using testing::HasSubstr;
 
-ClientChannel channel(const std::string& topic, const std::string& encoding = "json",
+ClientChannel channel(const std::string& topic, const std::string& encodedAs = "json",
                       const std::string& schemaName = {}) {
-  return {1, topic, encoding, schemaName, {}, {}};
+  return {1, topic, encodedAs, schemaName, {}, {}};
 }
 
 TEST(ClientCommands, motionsAreJsonOrSerialized) {
