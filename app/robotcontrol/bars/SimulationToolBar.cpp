@@ -196,7 +196,7 @@ void SimulationToolBar::refresh() {
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;
   for (QAction* action : simulationActions_) action->setEnabled(there);
-  stop_->setEnabled(there || !session.robots().empty());
+  stop_->setEnabled(there || !session.remoteRobots().empty());
   speed_->setEnabled(there);
   if (!there) return;
   start_->setChecked(status->running());
