@@ -24,7 +24,7 @@ struct ServeOptions {
   bool texts = false;
   /// The folder where clients may record, and fetch recordings from (RecordingServices); empty: none.
   std::filesystem::path recordings = {};
-  /// Who may connect.
+  /// The conditions under which clients may connect.
   AccessOptions access = {};
   /// When a robot stands because the person who steers it is not heard.
   robotlink::websocket::Steering::Limits steering = {};

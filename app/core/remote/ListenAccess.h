@@ -10,7 +10,7 @@
 
 namespace app {
 
-/// Who may connect to the robots that are offered. A plain value.
+/// The conditions under which clients may connect to offered robots. A plain value.
 struct AccessOptions {
   /// No encryption and no tokens, also at addresses that others reach.
   bool isInsecure = false;

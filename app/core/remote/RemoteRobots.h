@@ -45,7 +45,7 @@ class RemoteRobots {
     robotlink::websocket::ConnectionState state;
     /// "connected, 12 ms, 1.3 MB/s".
     std::string text;
-    /// By their names in the session.
+    /// The names of its robots in the session.
     std::vector<std::string> robots;
   };
 

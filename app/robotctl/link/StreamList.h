@@ -34,7 +34,7 @@ class StreamList {
   };
 
   std::vector<Row> rows_;
-  /// Of the topics, at the last update.
+  /// What the topics had at the last update.
   std::map<std::string, Count> counts_;
 };
 

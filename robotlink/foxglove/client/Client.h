@@ -76,7 +76,7 @@ class Client {
   struct Counters {
     std::uint64_t thinned = 0, dropped = 0;
   };
-  /// By topic; empty if the server does not count.
+  /// The key is the topic; empty if the server does not count.
   std::map<std::string, Counters> counters() const;
 
   /// What the server offers now.

@@ -12,7 +12,7 @@ namespace robotlink::websocket {
 /// Bounds of what a server can cost. Over one of them its connection ends, with a reason.
 struct ClientLimits {
   std::size_t channels = 10'000, services = 10'000, statuses = 100;
-  /// Of all schemas that it advertises.
+  /// The limit of all schemas together that it advertises.
   std::size_t schemaBytes = 64U << 20U;
   /// Calls of this client that are not answered yet, and bytes that wait to be sent.
   std::size_t calls = 1000, waitingBytes = 32U << 20U;
@@ -28,7 +28,7 @@ struct ClientHandlers {
   std::function<void(const std::vector<Channel>&)> channelsAdded = {}, channelsRemoved = {};
   std::function<void(const std::vector<Service>&)> servicesAdded = {};
   std::function<void(const std::vector<std::string>& names)> servicesRemoved = {};
-  /// Of a topic that was subscribed to. The payload is valid during the call.
+  /// Called with each message of a subscribed topic. The payload is valid during the call.
   std::function<void(const Channel&, Instant time, std::string_view payload)> message = {};
   std::function<void(Instant)> time = {};
   std::function<void(const std::vector<Parameter>&)> parameters = {};

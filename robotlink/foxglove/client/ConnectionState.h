@@ -22,7 +22,7 @@ struct ConnectionState {
   Instant since;
   /// Why it is not connected, and what to do: a sentence. Empty while it is, and at the very beginning.
   std::string reason = {};
-  /// Of the newest sign of life that was answered.
+  /// How long the newest sign of life that was answered took, there and back.
   std::optional<Duration> roundTrip = {};
   /// Received, over the last second.
   double bytesPerSecond = 0;

@@ -68,7 +68,7 @@ void LinkWatch::failed(Failure failure, const std::string& reason, Instant now) 
   step_ = Step::kWaiting;
   nextTry_ = now + (failure == Failure::kRefused ? times_.refusedTime : times_.retryTime);
   if (failure == Failure::kRefused) return enter(Phase::kRefused, now, reason);
-  // Who was silent, and is not reached, still is.
+  // A server that was silent and is not reached is still silent.
   const bool isSilent =
       failure == Failure::kSilence && (wasOpen || phase_ == Phase::kSilent || phase_ == Phase::kConnected);
   if (isSilent)

@@ -93,7 +93,7 @@ struct ServerHandlers {
   std::function<void(const std::string&)> report = {};
 };
 
-/// Who may call a service.
+/// The clients that may call a service.
 enum class ServiceAccess {
   kControl,  ///< clients that may do everything
   kAnybody,  ///< also those that may only watch; the handler may object

@@ -54,7 +54,7 @@ class RemoteRobotList {
   std::string freeName(const std::string& wanted) const;
 
   std::function<bool(const std::string&)> isTaken_;
-  /// By their names at the server.
+  /// The key is the robot's name at the server.
   std::map<std::string, Robot> robots_;
   std::vector<std::string> names_;
   std::uint64_t version_ = 0;

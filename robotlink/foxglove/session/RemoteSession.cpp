@@ -299,7 +299,7 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
   return keys.hasTable() || isAlways(place.stream);
 }
 
-/// Of two channels with the same images one is wanted.
+/// Whether another channel has the same images in the coding that is wanted.
 bool RemoteSession::isOtherCoding(const RemoteChannel& channel) const {
   if (isJpegOfOther(channel)) return images != RemoteImages::kJpeg;
   return images == RemoteImages::kJpeg && asJpeg.contains(channel.topic);

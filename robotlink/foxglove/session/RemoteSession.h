@@ -49,7 +49,7 @@ class RemoteSession {
   void forward(const std::string& robot, const robotcontrol::Request& request);
   void answer(std::uint64_t id, bool isAccepted, const std::string& reason);
 
-  /// Of one stream: the newest message's time at the server, and in the session.
+  /// The time of a stream's newest message, at the server and in the session.
   struct Times {
     Instant remote, mapped;
   };
@@ -73,7 +73,7 @@ class RemoteSession {
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
   std::uint64_t restarts = 0;
-  /// By the client's clock: when the connection was lost and made.
+  /// When the connection was lost and made, by the client's clock.
   Instant lostAt, connectedAt;
   const std::shared_ptr<Client> client;
   /// Calls the handlers, so it goes first.

@@ -14,8 +14,7 @@
 
 namespace robotlink::websocket {
 
-/// Who steers which robot over a link, and what becomes of a robot whose person is not heard any more: it
-/// stands.
+/// Keeps who steers which robot over a link. A robot whose person is not heard any more stands.
 ///
 /// Whoever sends the first motion, goal or command to a base steers the robot; others are refused until that
 /// person gives up, goes, commands nothing for a while, or somebody takes over. People at the robot's own
@@ -94,7 +93,7 @@ class Steering {
     std::optional<Instant> silentSince;
     /// What was asked of the robot here, until it was accepted.
     std::deque<robotcontrol::Request> toAsk;
-    /// Of the request that has no answer yet, so that late answers to others do not count.
+    /// The id of the request that has no answer yet, so that late answers to others do not count.
     std::uint64_t asking = 0;
     Instant askAt;
     Status told;

@@ -91,7 +91,7 @@ class RemoteGuiTest : public WindowTest {
     QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(hall.isStopped(), kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QAction>("robot.stop").isChecked(), kWaitMs);
-    // Who is disconnected leaves the window.
+    // A robot that is disconnected leaves the window.
     desk.choose("remote.connect");
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QTreeWidget>("remoteConnections").topLevelItemCount() == 1, kWaitMs);
     QTest::mouseClick(&desk.find<QPushButton>("remoteDisconnect"), Qt::LeftButton);
