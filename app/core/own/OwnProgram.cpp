@@ -25,6 +25,8 @@ namespace {
 
 /// As many as a debug process takes.
 constexpr std::size_t kMaxWaitingRequests = 1000;
+/// More than a debug process has in the longest step.
+constexpr std::uint64_t kMaxDebugFrames = 1000;
 /// The name of what stands for the program in the executor.
 constexpr char kExchange[] = "program";
 
@@ -92,7 +94,7 @@ struct OwnProgram::Implementation {
   void silent();
   void heard();
   void ended();
-  void tell(HostingStatus::State state, const std::string& what, const std::string& stack);
+  void setState(HostingStatus::State state, const std::string& what, const std::string& stack);
 
   const Options options;
   const std::string robot;
@@ -224,8 +226,9 @@ void OwnProgram::Implementation::runStep() {
 }
 
 void OwnProgram::Implementation::apply(const robotcontrol::WireResult& result) {
-  // The debug process had at most one frame; those before told nothing.
-  const std::uint64_t ran = result.debug_frames();
+  // The debug process had at most one frame; those before published nothing. A program whose memory is
+  // damaged may claim any number.
+  const std::uint64_t ran = std::min(result.debug_frames(), debugProcess->frames() + kMaxDebugFrames);
   debugProcess->setFrame({});
   while (debugProcess->frames() + 1 < ran) debugProcess->runFrame();
   const auto events = [&] {
@@ -266,17 +269,18 @@ void OwnProgram::Implementation::silent() {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g s", seconds);
   ports.setBehind(true);
-  tell(HostingStatus::NOT_ANSWERING,
-       "The program of " + robot + " has not answered for " + text +
-           (report.activity.empty() ? std::string() : ": it does not return" + report.place()) +
-           ". The robot stands until it answers or is started again. A debugger looks at it with: gdb -p " +
-           std::to_string(child->pid()),
-       report.stack);
+  setState(
+      HostingStatus::NOT_ANSWERING,
+      "The program of " + robot + " has not answered for " + text +
+          (report.activity.empty() ? std::string() : ": it does not return" + report.place()) +
+          ". The robot stands until it answers or is started again. A debugger looks at it with: gdb -p " +
+          std::to_string(child->pid()),
+      report.stack);
 }
 
 void OwnProgram::Implementation::heard() {
   ports.setBehind(false);
-  tell(HostingStatus::RUNNING, "The program of " + robot + " answers again.", {});
+  setState(HostingStatus::RUNNING, "The program of " + robot + " answers again.", {});
 }
 
 void OwnProgram::Implementation::ended() {
@@ -285,14 +289,14 @@ void OwnProgram::Implementation::ended() {
   child.reset();
   waits = false;
   ports.close();
-  tell(HostingStatus::ENDED,
-       "The program of " + robot + " " + how + report.place() +
-           ". The robot stands until its program is started again.",
-       report.stack);
+  setState(HostingStatus::ENDED,
+           "The program of " + robot + " " + how + report.place() +
+               ". The robot stands until its program is started again.",
+           report.stack);
 }
 
-void OwnProgram::Implementation::tell(HostingStatus::State state, const std::string& what,
-                                      const std::string& stack) {
+void OwnProgram::Implementation::setState(HostingStatus::State state, const std::string& what,
+                                          const std::string& stack) {
   status.set_state(state);
   status.set_text(what);
   status.set_stack(stack);

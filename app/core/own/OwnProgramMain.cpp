@@ -127,7 +127,7 @@ class OwnProgramServer {
   std::unique_ptr<robotlink::RobotProgram> program_;
   robotlink::LockstepExecutor executor_;
   std::unique_ptr<robotlink::RequestPreview> preview_;
-  /// What the current step has to tell.
+  /// The result of the current step.
   robotcontrol::WireResult result_;
   WireAnswer answer_;
 };
@@ -139,7 +139,7 @@ void OwnProgramServer::addTrouble(const robotlink::Process& process, const std::
 }
 
 void OwnProgramServer::make(const robotcontrol::WireSetup& setup) {
-  auto& told = *answer_.mutable_program();
+  auto& described = *answer_.mutable_program();
   auto materials = materialsOf(setup);
   tl::expected<std::unique_ptr<robotlink::RobotProgram>, Errors> program =
       tl::unexpected(materials ? Errors{} : materials.error());
@@ -153,10 +153,10 @@ void OwnProgramServer::make(const robotcontrol::WireSetup& setup) {
     executor_.add(platform_);
     for (robotlink::Process* process : program_->processes()) executor_.add(*process);
     tapDebugProcess();
-    describe(told);
+    describe(described);
   } else {
     for (const robotlink::Error& error : program.error()) {
-      auto& problem = *told.add_problems();
+      auto& problem = *described.add_problems();
       problem.set_id(error.id);
       problem.set_text(error.text);
       problem.mutable_arguments()->Assign(error.arguments.begin(), error.arguments.end());

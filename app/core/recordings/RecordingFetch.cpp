@@ -158,9 +158,9 @@ Result<std::vector<RecordingFetch::Entry>> RecordingFetch::list(const Progress& 
   constexpr char kService[] = "recordings/list";
   const Answer answer = ask(kService, "{}", progress, 0);
   if (!answer) return tl::unexpected(answer.error());
-  const auto told = json::parse(*answer, nullptr, false);
-  const auto all = told.is_object() ? told.find("recordings") : told.end();
-  if (!told.is_object() || all == told.end() || !all->is_array()) return strange(kService);
+  const auto object = json::parse(*answer, nullptr, false);
+  const auto all = object.is_object() ? object.find("recordings") : object.end();
+  if (!object.is_object() || all == object.end() || !all->is_array()) return strange(kService);
   std::vector<Entry> entries;
   for (const json& entry : *all) {
     if (!entry.is_object()) return strange(kService);
@@ -179,10 +179,10 @@ Result<RecordingFetch::Checksum> RecordingFetch::check(const std::string& name, 
   constexpr char kService[] = "recordings/check";
   const Answer answer = ask(kService, jsonMessage(json{{"name", name}, {"bytes", bytes}}), progress, share);
   if (!answer) return tl::unexpected(answer.error());
-  const auto told = json::parse(*answer, nullptr, false);
-  if (!told.is_object()) return strange(kService);
-  const auto checked = numberIn<std::uint64_t>(told, "bytes");
-  const auto crc = numberIn<std::uint32_t>(told, "crc32");
+  const auto object = json::parse(*answer, nullptr, false);
+  if (!object.is_object()) return strange(kService);
+  const auto checked = numberIn<std::uint64_t>(object, "bytes");
+  const auto crc = numberIn<std::uint32_t>(object, "crc32");
   if (!checked || !crc) return strange(kService);
   return Checksum{*checked, *crc};
 }

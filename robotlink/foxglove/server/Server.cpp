@@ -229,7 +229,7 @@ void Server::watch(const std::set<std::uint64_t>& clientIds, Duration pingEvery)
     client->pingEvery = clientIds.contains(client->info.id) ? pingEvery.count() : 0;
 }
 
-void Server::tell(std::uint64_t clientId, const Status& status) {
+void Server::sendStatus(std::uint64_t clientId, const Status& status) {
   const std::lock_guard lock(mutex_);
   for (const ClientPtr& client : clients_)
     if (client->info.id == clientId) send(*client, status);
@@ -255,7 +255,7 @@ Result<ClientPtr> Server::connect(ClientInfo info, std::function<void()> wake) {
     client->heardAt = clock().now().time_since_epoch().count();
     clients_.push_back(client);
     greet(*client);
-    tellClients(calls);
+    reportClients(calls);
   }
   for (const auto& call : calls) call();
   return client;
@@ -301,7 +301,7 @@ void Server::disconnected(const ClientPtr& client) {
     while (!client->subscriptions.empty()) unsubscribe(client, client->subscriptions.begin()->first, calls);
     while (!client->channels.empty()) unadvertise(client, client->channels.begin()->first, calls);
     client->outbox.clear();
-    tellClients(calls);
+    reportClients(calls);
   }
   for (const auto& call : calls) call();
 }
@@ -322,7 +322,7 @@ void Server::report(const std::string& sentence) const {
   if (handlers_.report) handlers_.report(sentence);
 }
 
-void Server::tellClients(Calls& calls) const {
+void Server::reportClients(Calls& calls) const {
   if (!handlers_.clientsChanged) return;
   std::vector<ClientInfo> infos;
   for (const ClientPtr& client : clients_) infos.push_back(client->info);

@@ -61,7 +61,7 @@ class Server : public std::enable_shared_from_this<Server> {
   /// Asks these clients for signs of life after so long a silence, and others as the link does.
   void watch(const std::set<std::uint64_t>& clientIds, Duration pingEvery);
   /// Tells one client something, if it is still there.
-  void tell(std::uint64_t clientId, const Status& status);
+  void sendStatus(std::uint64_t clientId, const Status& status);
   /// Tells a client why, and closes its connection.
   void disconnect(std::uint64_t clientId, const std::string& reason);
 
@@ -107,8 +107,8 @@ class Server : public std::enable_shared_from_this<Server> {
   std::vector<Parameter> valuesFor(ServedClient& client, const std::vector<std::string>& names) const;
   Value countersOf(const ServedClient& client) const;
   void unsubscribe(const ClientPtr& client, std::uint32_t subscription, Calls& calls);
-  void tellSubscribers(const ChannelPtr& channel, Calls& calls) const;
-  void tellClients(Calls& calls) const;
+  void reportSubscribers(const ChannelPtr& channel, Calls& calls) const;
+  void reportClients(Calls& calls) const;
   void unadvertise(const ClientPtr& client, std::uint32_t channel, Calls& calls);
   std::string subscribe(const ClientPtr& client, const Subscription& wanted, Calls& calls);
   std::string advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls);

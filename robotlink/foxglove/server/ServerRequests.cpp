@@ -27,7 +27,7 @@ void add(std::string& problems, std::size_t& count, std::string problem) {
   if (count++ == 0) problems = std::move(problem);
 }
 
-std::string toldOf(const std::string& problems, std::size_t count) {
+std::string textOfProblems(const std::string& problems, std::size_t count) {
   return count < 2 ? problems : problems + " (and " + std::to_string(count - 1) + " more problems)";
 }
 
@@ -54,7 +54,7 @@ void Server::handle(const ClientPtr& client, const Subscribe& message, Calls& ca
   std::size_t count = 0;
   for (const Subscription& wanted : message.subscriptions)
     add(problems, count, subscribe(client, wanted, calls));
-  if (count > 0) complain(*client, toldOf(problems, count));
+  if (count > 0) complain(*client, textOfProblems(problems, count));
 }
 
 std::string Server::subscribe(const ClientPtr& client, const Subscription& wanted, Calls& calls) {
@@ -75,7 +75,7 @@ std::string Server::subscribe(const ClientPtr& client, const Subscription& wante
   ++channel->wanted_;
   if (channel->latched_)
     push(*channel, channel->subscribers_.back(), channel->latchedTime_, channel->latched_);
-  tellSubscribers(channel, calls);
+  reportSubscribers(channel, calls);
   return {};
 }
 
@@ -92,10 +92,10 @@ void Server::unsubscribe(const ClientPtr& client, std::uint32_t subscription, Ca
   std::erase_if(channel->subscribers_, [&](const auto& subscriber) { return subscriber.client == client; });
   --channel->wanted_;
   client->outbox.clear(channel->id());
-  tellSubscribers(channel, calls);
+  reportSubscribers(channel, calls);
 }
 
-void Server::tellSubscribers(const ChannelPtr& channel, Calls& calls) const {
+void Server::reportSubscribers(const ChannelPtr& channel, Calls& calls) const {
   if (!handlers_.subscribersChanged) return;
   std::vector<ClientInfo> infos;
   for (const auto& subscriber : channel->subscribers_) infos.push_back(subscriber.client->info);
@@ -110,7 +110,7 @@ void Server::handle(const ClientPtr& client, const ClientAdvertise& message, Cal
   std::size_t count = 0;
   for (const ClientChannel& channel : message.channels)
     add(problems, count, advertise(client, channel, calls));
-  if (count > 0) complain(*client, toldOf(problems, count));
+  if (count > 0) complain(*client, textOfProblems(problems, count));
 }
 
 std::string Server::advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls) {

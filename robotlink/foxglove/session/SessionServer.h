@@ -148,7 +148,7 @@ class SessionServer {
   ImageEncoder encoder_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;
-  /// What clients were told about their commands on a topic, so that they are told once.
+  /// What was reported to clients about their commands on a topic, so that it is reported once.
   std::map<std::pair<std::uint64_t, std::string>, std::string> complaints_;
   Instant newest_;
   /// Calls of tick() since it was newer than before.

@@ -74,7 +74,7 @@ ServerHandlers SessionServer::handlers(Report report) {
     const auto fits = checkCommandChannel(channel);
     if (!fits)
       post([client, why = fits.error().text](SessionServer& self) {
-        self.server_->tell(client.id, {StatusLevel::kWarning, why, ""});
+        self.server_->sendStatus(client.id, {StatusLevel::kWarning, why, ""});
       });
   };
   handlers.clientMessage = [posted = posted_](const ClientInfo& client, const ClientChannel& channel,
@@ -94,7 +94,8 @@ void SessionServer::noteClients(const std::vector<ClientInfo>& clients) {
     if (!clients_.contains(client.id)) steering_.joined(client);
   }
   clients_ = std::move(ids);
-  std::erase_if(complaints_, [this](const auto& told) { return !clients_.contains(told.first.first); });
+  std::erase_if(complaints_,
+                [this](const auto& reported) { return !clients_.contains(reported.first.first); });
 }
 
 void SessionServer::request(Request wanted, std::function<void(const RequestResult&)> onResult) {
@@ -193,10 +194,10 @@ void SessionServer::command(const ClientInfo& client, const ClientChannel& chann
 
 void SessionServer::complain(const ClientInfo& client, const std::string& topic, const std::string& why) {
   if (!clients_.contains(client.id)) return;
-  std::string& told = complaints_[{client.id, topic}];
-  if (told == why) return;
-  told = why;
-  if (!why.empty()) server_->tell(client.id, {StatusLevel::kWarning, why, ""});
+  std::string& reported = complaints_[{client.id, topic}];
+  if (reported == why) return;
+  reported = why;
+  if (!why.empty()) server_->sendStatus(client.id, {StatusLevel::kWarning, why, ""});
 }
 
 // ---- Parameters
