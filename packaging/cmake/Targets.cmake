@@ -34,8 +34,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   set(ROBOTCONTROL_WERROR_DEFAULT ON)
 endif()
 option(ROBOTCONTROL_WERROR "Warnings are errors" ${ROBOTCONTROL_WERROR_DEFAULT})
-# So many sources at a time: enough that their common headers are read seldom, few enough that an edit is compiled soon.
-set(ROBOTCONTROL_UNITY_BATCH 24)
+# So many sources at a time: enough that their common headers are read seldom. Those who edit choose fewer (CONTRIBUTING.md).
+set(ROBOTCONTROL_UNITY_BATCH 48 CACHE STRING "How many sources a unity build compiles at a time")
 
 # robotcontrol_unity(TARGET): in unity builds the target's sources are compiled together, as if they were one file. So names
 # in anonymous namespaces have to be unique in a target. A source that needs flags of its own is compiled by itself.

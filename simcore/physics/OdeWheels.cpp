@@ -24,7 +24,7 @@ constexpr double kAtLimit = 0.98;
 /// Fraction of the requested speed.
 constexpr double kHardlyTurns = 0.3;
 
-Vector3 toEigen(const dReal* v) {
+Vector3 fromOde(const dReal* v) {
   return {v[0], v[1], v[2]};
 }
 
@@ -32,13 +32,13 @@ Vector3 velocityAt(dBodyID body, const Vector3& point) {
   if (body == nullptr) return Vector3::Zero();
   dVector3 velocity;
   dBodyGetPointVel(body, point.x(), point.y(), point.z(), velocity);
-  return toEigen(velocity);
+  return fromOde(velocity);
 }
 
 Vector3 rotated(dBodyID body, const Vector3& vector) {
   dVector3 result;
   dBodyVectorToWorld(body, vector.x(), vector.y(), vector.z(), result);
-  return toEigen(result);
+  return fromOde(result);
 }
 
 void copy(const Vector3& from, dReal* to) {
@@ -74,7 +74,7 @@ void settleSide(OdeWheelSide& side, const SideForces& forces) {
 bool isFlank(const OdeWorld& ode, const OdeGeom& wheel, const dContactGeom& contact) {
   const Vector3 axle =
       rotated(dGeomGetBody(wheel.id), ode.wheels[static_cast<std::size_t>(wheel.wheel)].axisInBody);
-  return std::abs(toEigen(contact.normal).dot(axle)) > kFlank;
+  return std::abs(fromOde(contact.normal).dot(axle)) > kFlank;
 }
 
 void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& otherGeom,
@@ -83,11 +83,11 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   const OdeWheel& wheel = ode.wheels[index];
   const OdeWheelSide& side = ode.wheelSides[wheel.side];
   const dBodyID body = dGeomGetBody(wheelGeom.id);
-  const Vector3 normal = toEigen(geometry.normal), axle = rotated(body, wheel.axisInBody);
+  const Vector3 normal = fromOde(geometry.normal), axle = rotated(body, wheel.axisInBody);
   OdeWheelContact& touch = ode.nextWheelContact();
   touch.wheel = index;
   touch.other = dGeomGetBody(otherGeom.id);
-  touch.point = toEigen(geometry.pos);
+  touch.point = fromOde(geometry.pos);
   touch.normal = normal;
   touch.forward = axle.cross(normal).normalized();
   const Vector3 velocity = velocityAt(body, touch.point) - velocityAt(touch.other, touch.point);
@@ -123,7 +123,7 @@ void settleWheels(OdeWorld& ode) {
   for (std::size_t i = 0; i < ode.wheelContactCount; ++i) {
     const OdeWheelContact& touch = ode.wheelContacts[i];
     const OdeWheel& wheel = ode.wheels[touch.wheel];
-    const Vector3 force = toEigen(touch.feedback.f1);
+    const Vector3 force = fromOde(touch.feedback.f1);
     const double along = force.dot(touch.forward);
     const Vector3 velocity =
         velocityAt(ode.bodies[wheel.body].id, touch.point) - velocityAt(touch.other, touch.point);

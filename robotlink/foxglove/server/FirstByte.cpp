@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/socket.h>
 
+#include <cerrno>
+
 #include "robotlink/foxglove/server/ListenerPort.h"
 
 namespace robotlink::websocket {
@@ -12,10 +14,7 @@ class FirstByte final : public Connection, public std::enable_shared_from_this<F
   FirstByte(ListenerPort& port, ListenerSocket socket)
       : port_(port), machine_(farMachine(socket)), socket_(std::move(socket)), beganAt_(port.now()) {}
 
-  void start() override {
-    socket_.async_wait(ListenerSocket::wait_read,
-                       [self = shared_from_this()](error_code error) { error ? self->end() : self->look(); });
-  }
+  void start() override { await(); }
   void tick(Instant now) override {
     if (now - beganAt_ > port_.options.handshakeTime) end();
   }
@@ -29,10 +28,17 @@ class FirstByte final : public Connection, public std::enable_shared_from_this<F
   }
 
  private:
+  void await() {
+    socket_.async_wait(ListenerSocket::wait_read,
+                       [self = shared_from_this()](error_code error) { error ? self->end() : self->look(); });
+  }
   void look() {
     constexpr std::uint8_t kTlsHandshake = 0x16;
     std::uint8_t first = 0;
-    if (::recv(socket_.native_handle(), &first, 1, MSG_PEEK | MSG_DONTWAIT) != 1) return end();
+    const ssize_t received = ::recv(socket_.native_handle(), &first, 1, MSG_PEEK | MSG_DONTWAIT);
+    // The system may wake this without a byte, for instance for an earlier connection with the same number.
+    if (received < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return await();
+    if (received != 1) return end();
     const auto self = shared_from_this();
     port_.remove(self);
     port_.add(first == kTlsHandshake ? makeTlsConnection(port_, std::move(socket_), *port_.tls)

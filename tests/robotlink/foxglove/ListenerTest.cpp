@@ -239,10 +239,11 @@ TEST_F(ListenerTest, whoFloodsIsReadMoreSlowly) {
   for (int i = 0; i < 200; ++i) client->send(ClientMessageData{1, "{}"});
   EXPECT_TRUE(eventually([&] { return heard >= 5; }));
   EXPECT_LE(heard, 12) << "a tenth of a second at once";
-  EXPECT_TRUE(eventually([&] {
-    clock_->advance(seconds(1));
-    return heard == 200;
-  })) << "nothing is lost";
+  // The clock waits for the listener: a client that is silent for long would be given up.
+  for (int due = heard + 10; heard < 200; due += 10) {
+    clock_->advance(milliseconds(100));
+    ASSERT_TRUE(eventually([&] { return heard >= std::min(due, 200); })) << "nothing is lost";
+  }
 }
 
 TEST_F(ListenerTest, brokenFramesAndLyingLengthsEndOnlyTheirConnection) {
@@ -311,7 +312,7 @@ TEST_F(ListenerTest, silentClientsAreAskedForASignOfLifeAndThenGivenUp) {
     int looks = 0;
     EXPECT_TRUE(eventually([&] {
       if (answering->pings() >= i) return true;
-      if (++looks % 50 == 0) clock_->advance(seconds(1));
+      if (++looks % 200 == 0) clock_->advance(seconds(1));
       return false;
     })) << i;
   }

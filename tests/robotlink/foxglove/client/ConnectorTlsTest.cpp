@@ -44,6 +44,10 @@ class ConnectorTlsTest : public testing::Test {
     }));
     return client->state();
   }
+  void expectConnected() {
+    const ConnectionState state = connect();
+    EXPECT_EQ(state.phase, Phase::kConnected) << state.reason;
+  }
 
   const TestFolder folder_;
   const std::shared_ptr<Server> server_ = Server::make({.name = "red1"}, {});
@@ -54,11 +58,11 @@ class ConnectorTlsTest : public testing::Test {
 };
 
 TEST_F(ConnectorTlsTest, aRobotIsBelievedOnceAndKnownAfterwards) {
-  EXPECT_EQ(connect().phase, Phase::kConnected);
+  expectConnected();
   ASSERT_EQ(asked_.size(), 1U);
   EXPECT_THAT(asked_[0], HasSubstr("127.0.0.1:" + std::to_string(port_) + " SHA256:"));
   trusts_ = false;
-  EXPECT_EQ(connect().phase, Phase::kConnected);
+  expectConnected();
   EXPECT_EQ(asked_.size(), 1U);
 }
 
@@ -71,7 +75,7 @@ TEST_F(ConnectorTlsTest, aRobotThatIsNotBelievedIsNotConnected) {
 }
 
 TEST_F(ConnectorTlsTest, anotherCertificateAtTheSamePlaceIsRefused) {
-  EXPECT_EQ(connect().phase, Phase::kConnected);
+  expectConnected();
   listen(makeCertificate("red1").value());
   const ConnectionState state = connect();
   EXPECT_EQ(state.phase, Phase::kRefused);
