@@ -46,7 +46,15 @@ def without_template(head):
 
 
 def declared(head):
-    """(name, what makes it another thing) of a declaration's beginning, or None."""
+    """(name, what makes it another thing) of each thing that a declaration's beginning declares."""
+    if found := first_declared(head):
+        yield found
+        if found[1] == "variable":  # and others with values, as in "constexpr int kOne = 1, kTwo = 2"
+            yield from ((name, "variable") for name in re.findall(r", (\w+)(?: ?\[[^\]]*\])* ?=(?!=)", re.sub(r"\([^()]*\)", "", head)))
+
+
+def first_declared(head):
+    """(name, what makes it another thing) of the first, or None."""
     head = without_template(re.sub(r"\s+", " ", head).strip())
     if match := re.match(r", (\w+)$", head):  # the second of several variables with values in braces
         return match[1], "variable"
@@ -77,8 +85,8 @@ def names_of(path):
         outside = all(block != "other" for block in blocks)
         own = is_header or "anonymous" in blocks or re.match(r"\s*static\b", head)
         if letter != "}" and outside and own and not re.search(r"\bnamespace\b[^=]*$", head):
-            if found := declared(head):
-                yield found
+            if letter == "{" or not TYPE.match(head.strip()):  # "class Color;" only names another's
+                yield from declared(head)
         if letter == "{":
             match = re.search(r"\bnamespace\s*([\w:]*)\s*$", head)
             blocks.append("other" if match is None else "named" if match[1] else "anonymous")
@@ -106,10 +114,10 @@ def main():
             if source.exists() and source.suffix == ".cpp":
                 for name, kind in names_of(source):
                     found[name][kind].add(source.name)
-                header = source.with_suffix(".h")
-                for name, kind in names_of(header) if header.exists() else []:
-                    if kind == "type":
-                        shared[name].add(header.name)
+        for header in {header for folder in {source.parent for source in sources} for header in folder.glob("*.h")}:
+            for name, kind in names_of(header):
+                if kind == "type" or isinstance(kind, tuple) and kind[:1] != ("alias",):
+                    shared[name].add(header.name)
         for name, kinds in sorted(found.items()):
             for kind, files in kinds.items():
                 if len(files) > 1 and not (isinstance(kind, tuple) and kind[:1] == ("alias",)):

@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kMinWidth = 8, kMaxWidth = 4000;  // pixels; clamps widths of damaged states
+constexpr int kMinSection = 8, kMaxSection = 4000;  // pixels; clamps widths of damaged states
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void restoreHeader(QHeaderView& header, const QJsonValue& state) {
       fit->pin(column, width);
       continue;
     }
-    if (width > 0) header.resizeSection(column, std::clamp(width, kMinWidth, kMaxWidth));
+    if (width > 0) header.resizeSection(column, std::clamp(width, kMinSection, kMaxSection));
   }
   const int sorted = state[QLatin1String("sorted_by")].toInt(-1);
   if (!header.isSortIndicatorShown() || sorted < 0 || sorted >= header.count()) return;

@@ -102,7 +102,7 @@ std::string formatted(const char* format, double value) {
   return text.data();
 }
 
-std::string nameOf(const Camera& camera) {
+std::string cameraNameOf(const Camera& camera) {
   return camera.name.empty() ? "The camera" : "Camera " + camera.name;
 }
 
@@ -126,17 +126,17 @@ void estimateVignetting(Camera& camera, std::vector<std::string>& notes) {
                   red = fitRadial(radialSamples(camera.patches, 2), RadialModel::kTint);
   camera.correction.vignetting = {luma.coefficients, blue.coefficients, red.coefficients};
   if (blue.outcome == Outcome::kTooNarrow) {
-    notes.push_back(nameOf(camera) +
+    notes.push_back(cameraNameOf(camera) +
                     ": no vignetting is estimated; for that, make strokes of the same class in the middle of "
                     "the image and toward its corners.");
     return;
   }
   const auto atCorner = [](const RadialFit& fit) { return fit.coefficients[0] + fit.coefficients[1]; };
   if (camera.correction.none()) {
-    notes.push_back(nameOf(camera) + ": the corners of its images are like their middle.");
+    notes.push_back(cameraNameOf(camera) + ": the corners of its images are like their middle.");
     return;
   }
-  notes.push_back(nameOf(camera) + ": in the corners Y is " +
+  notes.push_back(cameraNameOf(camera) + ": in the corners Y is " +
                   formatted("%.0f %%", 100 * (1 + atCorner(luma))) +
                   " of what it is in the middle, Cb differs by " + formatted("%+.1f", atCorner(blue)) +
                   " and Cr by " + formatted("%+.1f", atCorner(red)) + ".");
@@ -206,11 +206,11 @@ void estimateLines(Camera& camera, const Camera& reference, std::vector<std::str
     for (std::size_t i = 0; i < 3; ++i) pairs[i].push_back({weight, mean.values[i], other->second.values[i]});
   }
   if (classes.empty()) {
-    notes.push_back(nameOf(camera) + ": cannot be compared with " + reference.name +
+    notes.push_back(cameraNameOf(camera) + ": cannot be compared with " + reference.name +
                     "; for that, make strokes of the same class and lighting in images of both.");
     return;
   }
-  std::string note = nameOf(camera) + ": to be like " + reference.name;
+  std::string note = cameraNameOf(camera) + ": to be like " + reference.name;
   for (std::size_t i = 0; i < 3; ++i) {
     ChannelLine& line = camera.correction.channels[i];
     line = lineThrough(pairs[i], classes.size() >= kMinClasses);

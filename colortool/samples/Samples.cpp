@@ -55,7 +55,7 @@ std::uint64_t imageLike(Samples& samples, const SampleImage& where) {
 }
 
 /// The stroke without the area; null if nothing remains.
-StrokePtr without(const StrokePtr& stroke, const PixelArea& area) {
+StrokePtr strokeWithout(const StrokePtr& stroke, const PixelArea& area) {
   auto rest = std::make_shared<Stroke>(*stroke);
   rest->area = colortool::without(stroke->area, area);
   if (rest->area == stroke->area) return stroke;
@@ -137,7 +137,7 @@ bool erase(Samples& samples, const SampleImage& where, const PixelArea& area) {
   for (StrokePtr& stroke : samples.strokes) {
     const SampleImage* image = samples.image(stroke->image);
     if (image == nullptr || image->name != where.name || image->camera != where.camera) continue;
-    StrokePtr rest = without(stroke, area);
+    StrokePtr rest = strokeWithout(stroke, area);
     changed = changed || rest != stroke;
     stroke = std::move(rest);
   }
@@ -148,7 +148,7 @@ bool erase(Samples& samples, const SampleImage& where, const PixelArea& area) {
 
 void erasePart(Samples& samples, std::uint64_t id, const PixelArea& area) {
   for (StrokePtr& stroke : samples.strokes) {
-    if (stroke->id == id) stroke = without(stroke, area);
+    if (stroke->id == id) stroke = strokeWithout(stroke, area);
   }
   std::erase(samples.strokes, nullptr);
   removeUnusedImages(samples);

@@ -46,7 +46,7 @@ std::uint64_t hashOf(mcap::Bytes data) {
   return hash & static_cast<std::uint64_t>(kLargestId);
 }
 
-std::uint64_t idOf(const foxglove::Event& event, mcap::Bytes data) {
+std::uint64_t eventIdOf(const foxglove::Event& event, mcap::Bytes data) {
   const std::string* text = metadata(event, "id");
   std::uint64_t id = 0;
   if (!text || std::from_chars(text->data(), text->data() + text->size(), id).ec != std::errc())
@@ -55,7 +55,7 @@ std::uint64_t idOf(const foxglove::Event& event, mcap::Bytes data) {
 }
 
 // A text for an event of another program that has none.
-std::string textOf(const foxglove::Event& event) {
+std::string eventTextOf(const foxglove::Event& event) {
   if (const std::string* text = metadata(event, "text")) return *text;
   std::string all;
   for (const auto& pair : event.metadata()) {
@@ -67,14 +67,14 @@ std::string textOf(const foxglove::Event& event) {
 void readEvent(mcap::Bytes data, BookmarkChanges& changes) {
   foxglove::Event event;
   if (!event.ParseFromArray(data.data(), static_cast<int>(data.size()))) return;
-  const std::uint64_t id = idOf(event, data);
+  const std::uint64_t id = eventIdOf(event, data);
   if (metadata(event, "removed")) {
     changes[id] = std::nullopt;
     return;
   }
   const Instant from = robotlink::instant(event.start_time());
   const Instant to = event.has_end_time() ? robotlink::instant(event.end_time()) : from;
-  changes[id] = Bookmark{id, from, std::max(from, to), textOf(event)};
+  changes[id] = Bookmark{id, from, std::max(from, to), eventTextOf(event)};
 }
 
 foxglove::Event eventOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {

@@ -36,7 +36,7 @@ Kind kindOf(Message::Place::Kind kind) {
   return Kind::kOther;
 }
 
-void assign(Message::Line& to, const GroundMap::Line& from) {
+void assignLine(Message::Line& to, const GroundMap::Line& from) {
   to.set_x1(from.from.x());
   to.set_y1(from.from.y());
   to.set_x2(from.to.x());
@@ -57,7 +57,7 @@ void assign(Message& to, const GroundMap& from) {
   to.Clear();
   to.set_name(from.name);
   to.mutable_lines()->Reserve(static_cast<int>(from.lines.size()));
-  for (const GroundMap::Line& line : from.lines) assign(*to.add_lines(), line);
+  for (const GroundMap::Line& line : from.lines) assignLine(*to.add_lines(), line);
   to.mutable_points()->Reserve(2 * static_cast<int>(from.points.size()));
   for (const Vector2& point : from.points) {
     to.add_points(static_cast<float>(point.x()));
@@ -70,7 +70,7 @@ void assign(Message& to, const GroundMap& from) {
     added.set_name(place.name);
     assign(*added.mutable_pose(), place.pose);
     added.set_has_heading(place.hasHeading);
-    assign(*added.mutable_extent(), place.extent);
+    assignLine(*added.mutable_extent(), place.extent);
   }
 }
 

@@ -25,7 +25,7 @@ constexpr std::size_t kMaxPoints = 2'000'000;
 
 constexpr Rgb kWallColor{176, 180, 188}, kFloorColor{226, 222, 212}, kSkyColor{200, 216, 232};
 
-Pose3 poseOf(const WallBox& box) {
+Pose3 boxPoseOf(const WallBox& box) {
   return Eigen::Translation3d(box.center.x(), box.center.y(), kWallHeight / 2) *
          Eigen::AngleAxisd(box.angle, Vector3::UnitZ());
 }
@@ -37,8 +37,8 @@ Shape shapeOf(const WallBox& box) {
 }
 
 /// Adds the sides and the top of a box, but not its bottom, which stands on the floor.
-void append(Mesh& mesh, const WallBox& box) {
-  const Pose3 pose = poseOf(box);
+void appendBox(Mesh& mesh, const WallBox& box) {
+  const Pose3 pose = boxPoseOf(box);
   const auto addFace = [&](const Vector3& middle, const Vector3& right, const Vector3& up) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
@@ -95,7 +95,7 @@ LinkDescription wallLink(const std::vector<WallBox>& boxes) {
   for (const WallBox& box : boxes) {
     CollisionDescription& collision = link.collisions.emplace_back();
     collision.name = "wall" + std::to_string(link.collisions.size());
-    collision.poseInLink = poseOf(box);
+    collision.poseInLink = boxPoseOf(box);
     collision.shape = shapeOf(box);
     collision.friction = kWallFriction;
     const auto tileOf = [](double coordinate) {
@@ -103,7 +103,7 @@ LinkDescription wallLink(const std::vector<WallBox>& boxes) {
     };
     auto& tile = tiles[{tileOf(box.center.x()), tileOf(box.center.y())}];
     if (!tile) tile = std::make_shared<Mesh>();
-    append(*tile, box);
+    appendBox(*tile, box);
   }
   for (auto& [place, mesh] : tiles) {
     VisualDescription& visual = link.visuals.emplace_back();

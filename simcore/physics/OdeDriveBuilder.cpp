@@ -36,7 +36,7 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
 }
 
 /// Computes what depends on all wheels of a drive, which begin at `first`.
-void settle(OdeWorld& ode, const ModelInstance& model, int index, std::size_t first) {
+void settleDrive(OdeWorld& ode, const ModelInstance& model, int index, std::size_t first) {
   const OdeModel& added = ode.models[static_cast<std::size_t>(index)];
   const DriveGeometry geometry = driveGeometry(*model.type);
   const std::span<OdeWheel> wheels = std::span(ode.wheels).subspan(first);
@@ -83,7 +83,7 @@ void addDrive(OdeWorld& ode, const ModelInstance& model, int index) {
       addWheel(ode, *model.type, model.type->joints[static_cast<std::size_t>(joint)], index, added);
     }
   }
-  settle(ode, model, index, first);
+  settleDrive(ode, model, index, first);
 }
 
 }  // namespace simcore

@@ -35,7 +35,7 @@ Vector3 velocityAt(dBodyID body, const Vector3& point) {
   return fromOde(velocity);
 }
 
-Vector3 rotated(dBodyID body, const Vector3& vector) {
+Vector3 rotatedByBody(dBodyID body, const Vector3& vector) {
   dVector3 result;
   dBodyVectorToWorld(body, vector.x(), vector.y(), vector.z(), result);
   return fromOde(result);
@@ -73,7 +73,7 @@ void settleSide(OdeWheelSide& side, const SideForces& forces) {
 
 bool isFlank(const OdeWorld& ode, const OdeGeom& wheel, const dContactGeom& contact) {
   const Vector3 axle =
-      rotated(dGeomGetBody(wheel.id), ode.wheels[static_cast<std::size_t>(wheel.wheel)].axisInBody);
+      rotatedByBody(dGeomGetBody(wheel.id), ode.wheels[static_cast<std::size_t>(wheel.wheel)].axisInBody);
   return std::abs(fromOde(contact.normal).dot(axle)) > kFlank;
 }
 
@@ -83,7 +83,7 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   const OdeWheel& wheel = ode.wheels[index];
   const OdeWheelSide& side = ode.wheelSides[wheel.side];
   const dBodyID body = dGeomGetBody(wheelGeom.id);
-  const Vector3 normal = fromOde(geometry.normal), axle = rotated(body, wheel.axisInBody);
+  const Vector3 normal = fromOde(geometry.normal), axle = rotatedByBody(body, wheel.axisInBody);
   OdeWheelContact& touch = ode.nextWheelContact();
   touch.wheel = index;
   touch.other = dGeomGetBody(otherGeom.id);

@@ -39,7 +39,7 @@ bool slopes(double along, double across, double radius, Interval& result) {
 }
 
 /// The cell of a slope; `margin` (in cells) allows for rounding in the kernel.
-int cellOf(double slope, double margin) {
+int slopeCellOf(double slope, double margin) {
   return std::clamp(static_cast<int>(std::floor((slope + 1) * kSize / 2 + margin)), 0, kSize - 1);
 }
 
@@ -175,8 +175,8 @@ std::size_t LampGrid::rectanglesAround(const Eigen::Vector3d& center, double rad
     Interval u{}, v{};
     if (!slopes(along, center[kU[axis]], radius, u) || !slopes(along, center[kV[axis]], radius, v)) continue;
     constexpr double kMargin = 0.01;
-    rectangles[count++] = {face, cellOf(u.low, -kMargin), cellOf(u.high, kMargin), cellOf(v.low, -kMargin),
-                           cellOf(v.high, kMargin)};
+    rectangles[count++] = {face, slopeCellOf(u.low, -kMargin), slopeCellOf(u.high, kMargin),
+                           slopeCellOf(v.low, -kMargin), slopeCellOf(v.high, kMargin)};
   }
   return count;
 }
@@ -186,7 +186,8 @@ double LampGrid::nearest(const Eigen::Vector3d& pointInWorld, int withoutInstanc
   Eigen::Index axis = 0;
   const double largest = std::max(direction.cwiseAbs().maxCoeff(&axis), 1e-30);
   const int face = static_cast<int>(axis) * 2 + (direction[axis] < 0 ? 1 : 0);
-  const int u = cellOf(direction[kU[axis]] / largest, 0), v = cellOf(direction[kV[axis]] / largest, 0);
+  const int u = slopeCellOf(direction[kU[axis]] / largest, 0),
+            v = slopeCellOf(direction[kV[axis]] / largest, 0);
   const LampCell& cell = cells_.data()[(face * kSize + v) * kSize + u];
   return cell.nearestInstance == withoutInstance && withoutInstance >= 0 ? cell.second : cell.nearest;
 }

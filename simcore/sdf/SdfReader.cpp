@@ -21,7 +21,7 @@ sdf::ParserConfig parserConfig() {
 }
 
 /// Parses a text into `root`; returns false, after adding errors, if that fails.
-bool load(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
+bool loadSdf(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
   const auto document = std::make_shared<sdf::SDF>();
   document->Root(spec.description().text->Root()->Clone());
   sdf::Errors found;
@@ -206,7 +206,7 @@ std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, co
                                                      robotlink::Errors& errors) {
   const SdfContext context{file, text, palette, errors};
   sdf::Root root;
-  if (!load(text, spec, context, root)) return nullptr;
+  if (!loadSdf(text, spec, context, root)) return nullptr;
   if (root.Model() == nullptr) {
     context.fail(root.Element(), "scene.no-model", "the file describes no model");
     return nullptr;
@@ -219,7 +219,7 @@ WorldDescription readSdfWorld(const std::string& text, const std::string& file, 
   const SdfContext context{file, text, palette, errors};
   WorldDescription result;
   sdf::Root root;
-  if (!load(text, spec, context, root)) return result;
+  if (!loadSdf(text, spec, context, root)) return result;
   if (root.WorldCount() != 1) {
     context.fail(root.Element(), "scene.no-world", "the file must describe one world");
     return result;

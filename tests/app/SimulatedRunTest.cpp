@@ -71,7 +71,7 @@ struct Ears {
   }
 };
 
-robotcontrol::Request keyRequest(const std::string& key) {
+robotcontrol::Request keyRequestOfRed1(const std::string& key) {
   robotcontrol::Request request;
   request.set_robot("red1");
   request.mutable_set_key()->set_name(key);
@@ -115,7 +115,7 @@ TEST(SimulatedRun, whatIsAskedForIsPublishedAlsoAfterAReset) {
   const auto run = makeRun(options(), ears.listeners());
   play(*run, 0.5);
   EXPECT_FALSE(ears.heard("camera/image"));
-  ASSERT_TRUE(run->request(keyRequest("package/camera/image")).has_value());
+  ASSERT_TRUE(run->request(keyRequestOfRed1("package/camera/image")).has_value());
   play(*run, 0.5);
   EXPECT_TRUE(ears.heard("camera/image"));
   ASSERT_TRUE(run->reset(1).empty());
@@ -196,7 +196,7 @@ struct Reported {
 std::vector<robotcontrol::Request> choices() {
   std::vector<robotcontrol::Request> all{solutionRequest("ball-model", "last-percept"),
                                          parameterRequest(0.125), tableRequest(),
-                                         keyRequest("package/colors/table")};
+                                         keyRequestOfRed1("package/colors/table")};
   for (std::size_t i = 0; i < all.size(); ++i) all[i].set_id(i + 1);
   return all;
 }
@@ -442,7 +442,7 @@ TEST(SimulatedRun, stopHoldsARobotWhateverItsProgramDoes) {
 
 TEST(SimulatedRun, aRobotThatDoesNotExistIsRefusedByName) {
   const auto run = makeRun(options());
-  robotcontrol::Request request = keyRequest("timing/tasks");
+  robotcontrol::Request request = keyRequestOfRed1("timing/tasks");
   request.set_robot("green9");
   const auto done = run->request(request);
   ASSERT_FALSE(done.has_value());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kPath[] = "oracle/classes";
 
-robotcontrol::Request keyRequest(const std::string& package, KeyMode::Kind kind) {
+robotcontrol::Request packageRequest(const std::string& package, KeyMode::Kind kind) {
   robotcontrol::Request request;
   request.set_robot("red1");
   request.mutable_set_key()->set_name("package/" + package);
@@ -43,7 +43,7 @@ struct Watched {
     run = std::move(*made);
   }
   void ask(const std::string& package, KeyMode::Kind kind = KeyMode::ALWAYS) const {
-    EXPECT_TRUE(run->request(keyRequest(package, kind)));
+    EXPECT_TRUE(run->request(packageRequest(package, kind)));
   }
   void play(double seconds) const {
     const robotlink::Instant end = run->world().clock().now() + robotlink::fromSeconds(seconds);

@@ -19,14 +19,14 @@ namespace {
 using namespace colortool;
 namespace fs = std::filesystem;
 
-constexpr int kFrameWidth = 320, kHeight = 240;
+constexpr int kFrameWidth = 320, kFrameHeight = 240;
 /// Mean recalls of repetitions with strokes at other places differ by so much.
 constexpr double kNoise = 0.002;
 constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
 
 struct Frame {
   std::string name;
-  ColorImage image{kFrameWidth, kHeight};
+  ColorImage image{kFrameWidth, kFrameHeight};
   std::vector<std::uint8_t> labels;
   std::array<std::vector<ImagePoint>, 9> places;  ///< by class, where a stroke lies inside of it
 };
@@ -46,7 +46,7 @@ Frame readFrame(const fs::path& data, const std::string& stem) {
   const auto label = [&](int x, int y) {
     return frame.labels[static_cast<std::size_t>(y * kFrameWidth + x)];
   };
-  for (int y = 3; y < kHeight - 3; ++y) {
+  for (int y = 3; y < kFrameHeight - 3; ++y) {
     for (int x = 3; x < kFrameWidth - 3; ++x) {
       bool inside = label(x, y) < frame.places.size();
       for (int off = -3; off <= 3 && inside; ++off) {
@@ -112,7 +112,7 @@ Samples strokes(const Fold& fold, int perClass, unsigned seed) {
     for (int i = 0; i < perClass && !places.empty(); ++i) {
       const auto& [frame, place] = places[random() % places.size()];
       addStroke(samples, {0, frame->name, "nao", "", 0, 0}, frame->image,
-                brushArea(kFrameWidth, kHeight, {&place, 1}, 3), {colorClass, false, 1, "brush"});
+                brushArea(kFrameWidth, kFrameHeight, {&place, 1}, 3), {colorClass, false, 1, "brush"});
     }
   }
   return samples;

@@ -38,7 +38,8 @@ std::shared_ptr<foxglove::Log> text(int number, Instant time) {
   return message;
 }
 
-std::shared_ptr<robotcontrol::FrameInfo> frameInfo(const std::string& process, int number, Instant time) {
+std::shared_ptr<robotcontrol::FrameInfo> sampleFrameInfo(const std::string& process, int number,
+                                                         Instant time) {
   auto message = std::make_shared<robotcontrol::FrameInfo>();
   robotlink::assign(*message->mutable_timestamp(), time);
   message->set_process(process);
@@ -68,8 +69,8 @@ std::vector<StreamMessage> cognitionFrame(const SampleLog& log, int i) {
                                       {log.robot + "/models/ball", time, ball, "cognition", frame}};
   if (i % 10 == 0) messages.push_back({log.robot + "/log", time, text(i, time), "cognition", frame});
   if (!log.cutLastFrame || i + 1 < log.frames) {
-    messages.push_back(
-        {log.robot + "/frames/cognition", time, frameInfo("cognition", i + 1, time), "cognition", frame});
+    messages.push_back({log.robot + "/frames/cognition", time, sampleFrameInfo("cognition", i + 1, time),
+                        "cognition", frame});
   }
   return messages;
 }
@@ -81,8 +82,9 @@ std::vector<StreamMessage> platformFrame(const SampleLog& log, int i) {
   joint->set_name("head_pan");
   joint->set_position(0.5 * i);
   const auto frame = static_cast<std::uint64_t>(i + 1);
-  return {{log.robot + "/joints/states", time, joints, "platform", frame},
-          {log.robot + "/frames/platform", time, frameInfo("platform", i + 1, time), "platform", frame}};
+  return {
+      {log.robot + "/joints/states", time, joints, "platform", frame},
+      {log.robot + "/frames/platform", time, sampleFrameInfo("platform", i + 1, time), "platform", frame}};
 }
 
 }  // namespace

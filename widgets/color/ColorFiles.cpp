@@ -25,7 +25,7 @@ constexpr int kTicksUntilKept = 60;
 constexpr double kCloseShare = 0.7;
 constexpr std::size_t kMaxProblemsShown = 12;
 
-QString pathText(const std::filesystem::path& path) {
+QString shownPath(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
 }
 
@@ -67,7 +67,7 @@ bool ColorFiles::changed() const {
 }
 
 QString ColorFiles::title() const {
-  const QString name = file_.empty() ? tr("unnamed") : pathText(file_.filename());
+  const QString name = file_.empty() ? tr("unnamed") : shownPath(file_.filename());
   return changed() ? name + QLatin1Char('*') : name;
 }
 
@@ -83,7 +83,7 @@ void ColorFiles::setFile(const std::filesystem::path& file) {
 
 void ColorFiles::remember(const std::filesystem::path& file) {
   std::error_code error;
-  folder_ = pathText(std::filesystem::absolute(file, error).parent_path());
+  folder_ = shownPath(std::filesystem::absolute(file, error).parent_path());
 }
 
 void ColorFiles::discard() {
@@ -126,7 +126,7 @@ robotlink::Result<void> ColorFiles::open(const std::filesystem::path& file) {
   show(read->problems,
        tr("Only a part of %1 could be read. It is open without a name, so that the file stays "
           "as it is:")
-           .arg(pathText(file)));
+           .arg(shownPath(file)));
   return {};
 }
 
@@ -139,7 +139,7 @@ robotlink::Result<void> ColorFiles::saveAs(const std::filesystem::path& file) {
   if (const auto saved = colortool::saveSamples(bench_.samples(), file); !saved) return saved;
   bench_.setSaved();
   setFile(file);
-  report(tr("Saved: %1").arg(pathText(file)));
+  report(tr("Saved: %1").arg(shownPath(file)));
   return {};
 }
 
@@ -149,11 +149,11 @@ robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
   colortool::Samples next = bench_.samples();
   colortool::merge(next, read->samples);
   const std::size_t more = next.strokes.size() - bench_.samples().strokes.size();
-  bench_.change(tr("Merge %1").arg(pathText(file.filename())), std::move(next));
+  bench_.change(tr("Merge %1").arg(shownPath(file.filename())), std::move(next));
   remember(file);
-  report(tr("%1 came from %2").arg(strokesText(more), pathText(file.filename())));
+  report(tr("%1 came from %2").arg(strokesText(more), shownPath(file.filename())));
   if (!read->problems.empty())
-    show(read->problems, tr("Only a part of %1 could be read and was added:").arg(pathText(file)));
+    show(read->problems, tr("Only a part of %1 could be read and was added:").arg(shownPath(file)));
   return {};
 }
 
@@ -171,7 +171,7 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   const colortool::NamedColorTable named{std::move(packed.file), samples.classes};
   if (const auto saved = named.save(file); !saved) return saved;
   remember(file);
-  QString said = tr("Exported: %1").arg(pathText(file));
+  QString said = tr("Exported: %1").arg(shownPath(file));
   if (packed.reducedCells > 0) {
     said += tr("\nCells of several classes, one of them above %1, that keep only the best one, since the "
                "format has no room for more: %2")
@@ -195,7 +195,7 @@ robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path&
   for (const std::string& name : names) {
     if (classes.index(name) == colortool::ColorClasses::kNone) unknown << QString::fromStdString(name);
   }
-  QString said = tr("Compared with %1").arg(pathText(file.filename()));
+  QString said = tr("Compared with %1").arg(shownPath(file.filename()));
   if (!unknown.isEmpty())
     said +=
         tr("; its classes %1 are not among yours and count as none").arg(unknown.join(QStringLiteral(", ")));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::seconds kPatience(5);
 
-void assign(robotcontrol::ColorCorrection& to, const colortool::ColorCorrection& from) {
+void assignCorrection(robotcontrol::ColorCorrection& to, const colortool::ColorCorrection& from) {
   const colortool::Vignetting& lens = from.vignetting;
   to.set_luma_r2(lens.luma[0]);
   to.set_luma_r4(lens.luma[1]);
@@ -91,7 +91,7 @@ void ColorSender::send() {
   table.set_cells(cells.data(), cells.size());
   // Samples identify cameras by their robots' names.
   const colortool::ColorCorrection correction = colors->samples.correctionOf(robot_);
-  if (!correction.none()) assign(*table.mutable_correction(), correction);
+  if (!correction.none()) assignCorrection(*table.mutable_correction(), correction);
   describeSource(table);
   expected_ = robotlink::checksum(table);
   report(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));

@@ -40,7 +40,7 @@ void paintCircle(QPainter& painter, const foxglove::CircleAnnotation& circle, co
 }
 
 /// The color of the i-th point or segment: its own if there is one for each, else the common one.
-const foxglove::Color& colorOf(const PointsAnnotation& points, int i) {
+const foxglove::Color& pointColorOf(const PointsAnnotation& points, int i) {
   return i < points.outline_colors_size() ? points.outline_colors(i) : points.outline_color();
 }
 
@@ -48,7 +48,7 @@ void paintDots(QPainter& painter, const PointsAnnotation& points, const QPolygon
   const double radius = std::max(1.0, points.thickness()) / 2;
   painter.setPen(Qt::NoPen);
   for (int i = 0; i < at.size(); ++i) {
-    painter.setBrush(qColor(colorOf(points, i)));
+    painter.setBrush(qColor(pointColorOf(points, i)));
     painter.drawEllipse(at[i], radius, radius);
   }
 }
@@ -56,7 +56,7 @@ void paintDots(QPainter& painter, const PointsAnnotation& points, const QPolygon
 void paintSegments(QPainter& painter, const PointsAnnotation& points, const QPolygonF& at) {
   const bool strip = points.type() == PointsAnnotation::LINE_STRIP;
   for (int i = 0, segment = 0; i + 1 < at.size(); i += strip ? 1 : 2, ++segment) {
-    painter.setPen(screenPen(colorOf(points, segment), points.thickness()));
+    painter.setPen(screenPen(pointColorOf(points, segment), points.thickness()));
     painter.drawLine(at[i], at[i + 1]);
   }
 }

@@ -41,7 +41,7 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
 }
 
 /// Returns " MobileSim (p3at-sh)", or an empty text before the robot has reported its identity.
-std::string nameOf(const arcos::ClientSession& session) {
+std::string robotNameOf(const arcos::ClientSession& session) {
   const auto* identity = session.identity();
   return identity != nullptr ? " " + identity->name + " (" + identity->subclass + ")" : std::string();
 }
@@ -177,7 +177,7 @@ void PioneerDriver::setUp(Instant now) {
   const bool motors = motorsWanted_ && !held_;
   if (motors) command(CommandId::kEnable, 1, now);
   const auto milliseconds = static_cast<long>(std::lround(1000 * robotlink::seconds(now - lineOpened_)));
-  report_ = "The robot" + nameOf(session()) + " was set up in " + std::to_string(milliseconds) +
+  report_ = "The robot" + robotNameOf(session()) + " was set up in " + std::to_string(milliseconds) +
             " ms: sonars on, " + (laser ? "laser on, " : "") + "motors " + (motors ? "on." : "off.");
 }
 

@@ -20,7 +20,7 @@ namespace {
 using Choices = std::map<std::string, std::string>;
 
 /// "layouts/compact.yaml" if it is below the resources, else its whole path.
-std::string nameOf(const std::filesystem::path& file) {
+std::string layoutNameOf(const std::filesystem::path& file) {
   const auto relative = file.lexically_relative(robotlink::resourceDirectory());
   const bool shipped = !relative.empty() && *relative.begin() != "..";
   return (shipped ? relative : file).generic_string();
@@ -29,11 +29,11 @@ std::string nameOf(const std::filesystem::path& file) {
 /// Fills in name and text of a file; an empty path leaves both empty.
 void fill(ProgramSetup::File& to, const std::filesystem::path& file) {
   if (file.empty()) return;
-  to.set_name(nameOf(file));
+  to.set_name(layoutNameOf(file));
   if (auto text = robotlink::readFile(file)) to.set_text(std::move(*text));
 }
 
-Choices solutionsOf(const robotlink::Layout& layout) {
+Choices choicesIn(const robotlink::Layout& layout) {
   Choices choices;
   for (const auto& process : layout.processes) {
     for (const auto& task : process.tasks) choices[task.task] = task.solution;
@@ -41,13 +41,13 @@ Choices solutionsOf(const robotlink::Layout& layout) {
   return choices;
 }
 
-Choices solutionsOf(const ProgramSetup& setup) {
+Choices choicesIn(const ProgramSetup& setup) {
   Choices choices;
   for (const auto& choice : setup.solutions()) choices[choice.task()] = choice.solution();
   return choices;
 }
 
-void assign(ProgramSetup& setup, const Choices& choices) {
+void assignChoices(ProgramSetup& setup, const Choices& choices) {
   setup.clear_solutions();
   for (const auto& [task, solution] : choices) {
     auto& choice = *setup.add_solutions();
@@ -59,7 +59,7 @@ void assign(ProgramSetup& setup, const Choices& choices) {
 /// The solutions in the text of the setup's layout, without those that were chosen instead.
 Choices defaultsOf(const ProgramSetup& setup) {
   const auto layout = robotlink::parseLayout(setup.layout().text(), setup.layout().name());
-  return layout ? solutionsOf(*layout) : Choices{};
+  return layout ? choicesIn(*layout) : Choices{};
 }
 
 /// Adds the packages that a process offers to the program, except those for debugging.
@@ -71,7 +71,7 @@ void addOffered(ProgramSetup& setup, const robotlink::Process& process) {
 
 /// Keeps in the setup only the solutions that differ from the layout's.
 bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& table) {
-  const Choices before = solutionsOf(setup);
+  const Choices before = choicesIn(setup);
   const Choices defaults = defaultsOf(setup);
   Choices after = before;
   for (const auto& task : table.tasks()) {
@@ -83,7 +83,7 @@ bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& tab
     }
   }
   if (after == before) return false;
-  assign(setup, after);
+  assignChoices(setup, after);
   return true;
 }
 
@@ -121,12 +121,12 @@ ProgramSetup programSetup(const HostedRobot& robot, const HostedProgram& program
   fill(*setup.mutable_layout(), files.layout);
   fill(*setup.mutable_description(), files.description);
   fill(*setup.mutable_field(), files.field);
-  Choices chosen = solutionsOf(program.layout());
+  Choices chosen = choicesIn(program.layout());
   for (const auto& [task, solution] : defaultsOf(setup)) {
     if (const auto found = chosen.find(task); found != chosen.end() && found->second == solution)
       chosen.erase(found);
   }
-  assign(setup, chosen);
+  assignChoices(setup, chosen);
   for (auto& values : program.parameters()) *setup.add_parameters() = std::move(values);
   setup.set_executor(files.executor);
   addOffered(setup, platform);

@@ -20,7 +20,7 @@ namespace app {
 namespace {
 
 /// A caption as an accessible name: "&First port:" is "First port".
-QString nameOf(const QString& caption) {
+QString objectNameOf(const QString& caption) {
   QString name = caption;
   name.remove(QLatin1Char('&'));
   if (name.endsWith(QLatin1Char(':'))) name.chop(1);
@@ -59,7 +59,7 @@ FieldEditor::FieldEditor(const PlatformField& field, const std::string& form, QW
 void FieldEditor::addWidget(QWidget* widget, const QString& suffix) {
   widget->setObjectName(widgetName(form_, field_.name) + suffix);
   if (widget->toolTip().isEmpty()) widget->setToolTip(formText(field_.help));
-  if (widget->accessibleName().isEmpty()) widget->setAccessibleName(nameOf(formText(field_.label)));
+  if (widget->accessibleName().isEmpty()) widget->setAccessibleName(objectNameOf(formText(field_.label)));
   widgets_ << widget;
 }
 
@@ -123,7 +123,7 @@ void FieldEditor::createButtons() {
     auto* button = new QRadioButton(formText(item.title), parent_);
     addWidget(button);
     button->setObjectName(widgetName(form_, item.value));
-    button->setAccessibleName(nameOf(formText(item.title)));
+    button->setAccessibleName(objectNameOf(formText(item.title)));
     button->setToolTip(formText(item.help));
     button->setProperty("value", QString::fromStdString(item.value));
     buttons_->addButton(button);
@@ -151,7 +151,7 @@ void FieldEditor::createTools() {
 void FieldEditor::browse() {
   const QString before = line_ != nullptr ? line_->text() : chosenText();
   const QString file =
-      QFileDialog::getOpenFileName(parent_, nameOf(formText(field_.label)), QFileInfo(before).path(),
+      QFileDialog::getOpenFileName(parent_, objectNameOf(formText(field_.label)), QFileInfo(before).path(),
                                    formText(field_.files) + QStringLiteral(";;") + tr("All files (*)"));
   if (file.isEmpty()) return;
   setValue(file.toStdString());

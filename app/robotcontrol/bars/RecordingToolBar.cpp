@@ -36,13 +36,13 @@ QString megabytes(std::uint64_t bytes) {
   return RecordingToolBar::tr("%1 MB").arg(1e-6 * static_cast<double>(bytes), 0, 'f', 1);
 }
 
-QString nameOf(ControlRecording::ImageCoding coding) {
+QString labelOf(ControlRecording::ImageCoding coding) {
   return coding == ControlRecording::JPEG  ? QStringLiteral("jpeg")
          : coding == ControlRecording::PNG ? QStringLiteral("png")
                                            : QStringLiteral("as-is");
 }
 
-QString nameOf(ControlRecording::Compression compression) {
+QString labelOf(ControlRecording::Compression compression) {
   return compression == ControlRecording::LZ4    ? QStringLiteral("lz4")
          : compression == ControlRecording::ZSTD ? QStringLiteral("zstd")
                                                  : QStringLiteral("none");
@@ -210,8 +210,8 @@ void RecordingToolBar::refresh() {
 }
 
 void RecordingToolBar::refreshChoices(const RecordingStatus& status) {
-  check(*images_, nameOf(status.image_coding()));
-  check(*compression_, nameOf(status.compression()));
+  check(*images_, labelOf(status.image_coding()));
+  check(*compression_, labelOf(status.compression()));
   check(*keep_, status.keep_last());
   trigger_->setText(status.trigger().empty()
                         ? tr("&Trigger…")

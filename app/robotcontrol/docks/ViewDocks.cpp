@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 
-QString nameOf(const QString& id, int number) {
+QString dockNameOf(const QString& id, int number) {
   return QStringLiteral("%1#%2").arg(id).arg(number);
 }
 
@@ -58,7 +58,7 @@ int ViewDocks::freeNumber(const QString& id) const {
   int number = 1;
   const auto taken = [&] {
     return std::any_of(docks_.begin(), docks_.end(),
-                       [&](const Dock& dock) { return dock.dock->objectName() == nameOf(id, number); });
+                       [&](const Dock& dock) { return dock.dock->objectName() == dockNameOf(id, number); });
   };
   while (taken()) ++number;
   return number;
@@ -69,7 +69,7 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   if (type == nullptr) return nullptr;
   const QString title = QCoreApplication::translate("View", type->title);
   auto* dock = new ads::CDockWidget(number > 1 ? QStringLiteral("%1 %2").arg(title).arg(number) : title);
-  dock->setObjectName(nameOf(id, number));
+  dock->setObjectName(dockNameOf(id, number));
   dock->setIcon(widgets::icon(type->icon));
   dock->setTabToolTip(QCoreApplication::translate("View", type->help));
   dock->tabWidget()->installEventFilter(&space_);

@@ -20,7 +20,7 @@ const robotlink::RobotDescription& pioneer() {
   return *description;
 }
 
-StandardInformation at(int xMm, int yMm, int heading4096) {
+StandardInformation informationAt(int xMm, int yMm, int heading4096) {
   StandardInformation information;
   information.xMm = static_cast<std::int16_t>(xMm);
   information.yMm = static_cast<std::int16_t>(yMm);
@@ -47,33 +47,33 @@ class PioneerPackagesTest : public testing::Test {
 }  // namespace
 
 TEST_F(PioneerPackagesTest, theOdometryBeginsAtZeroAndGoesOnPastSixteenBits) {
-  EXPECT_EQ(state(at(32700, 0, 0)).odometry().x(), 0);
-  EXPECT_NEAR(state(at(32750, 0, 0)).odometry().x(), 0.05, 1e-9);
-  EXPECT_NEAR(state(at(32750 + 100 - 65536, 0, 0)).odometry().x(), 0.15, 1e-9);
+  EXPECT_EQ(state(informationAt(32700, 0, 0)).odometry().x(), 0);
+  EXPECT_NEAR(state(informationAt(32750, 0, 0)).odometry().x(), 0.05, 1e-9);
+  EXPECT_NEAR(state(informationAt(32750 + 100 - 65536, 0, 0)).odometry().x(), 0.15, 1e-9);
 }
 
 TEST_F(PioneerPackagesTest, afterAnotherConnectionTheOdometryGoesOnFromWhereItWas) {
-  state(at(0, 0, 0));
-  state(at(500, 0, 1024));  // a quarter to the left
+  state(informationAt(0, 0, 0));
+  state(informationAt(500, 0, 1024));  // a quarter to the left
   restart();
-  state(at(0, 0, 0));  // the robot was switched on anew
-  const auto last = state(at(200, 0, 0)).odometry();
+  state(informationAt(0, 0, 0));  // the robot was switched on anew
+  const auto last = state(informationAt(200, 0, 0)).odometry();
   EXPECT_NEAR(last.x(), 0.5, 1e-9);
   EXPECT_NEAR(last.y(), 0.2, 1e-9);
   EXPECT_NEAR(last.heading(), robotlink::kPi / 2, 1e-9);
 }
 
 TEST_F(PioneerPackagesTest, aLeapIsNoWayThatItWent) {
-  state(at(0, 0, 0));
-  state(at(800, 0, 0));
-  state(at(5000, 0, 0));  // somebody has set it
-  EXPECT_NEAR(state(at(5100, 0, 0)).odometry().x(), 0.9, 1e-9);
+  state(informationAt(0, 0, 0));
+  state(informationAt(800, 0, 0));
+  state(informationAt(5000, 0, 0));  // somebody has set it
+  EXPECT_NEAR(state(informationAt(5100, 0, 0)).odometry().x(), 0.9, 1e-9);
   packages_.resetOdometry();
-  EXPECT_NEAR(state(at(5200, 0, 0)).odometry().x(), 0.1, 1e-9);
+  EXPECT_NEAR(state(informationAt(5200, 0, 0)).odometry().x(), 0.1, 1e-9);
 }
 
 TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetersAndRadians) {
-  StandardInformation information = at(0, 0, 0);
+  StandardInformation information = informationAt(0, 0, 0);
   information.leftSpeedMmS = 206;
   information.rightSpeedMmS = 794;
   information.batteryDecivolts = 124;
@@ -99,8 +99,8 @@ TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetersAndRadians) {
 }
 
 TEST_F(PioneerPackagesTest, sonarReadingsSayWhereTheirSensorsAre) {
-  EXPECT_EQ(packages_.sonars(at(0, 0, 0), 0.001, time_), nullptr);
-  StandardInformation information = at(0, 0, 0);
+  EXPECT_EQ(packages_.sonars(informationAt(0, 0, 0), 0.001, time_), nullptr);
+  StandardInformation information = informationAt(0, 0, 0);
   information.sonars = {{3, 1500}, {8, 9999}, {31, 700}};  // there is no 31
   const auto readings = packages_.sonars(information, 0.001, time_);
   ASSERT_EQ(readings->readings_size(), 2);

@@ -19,7 +19,7 @@ namespace {
 
 using robotlink::Instant;
 
-Instant at(int milliseconds) {
+Instant instantAt(int milliseconds) {
   return Instant(std::chrono::milliseconds(milliseconds));
 }
 
@@ -37,7 +37,7 @@ class PublishGateTest : public testing::Test {
     return all;
   }
   void publish(const std::string& text, int time) {
-    gate.publishText("red1", "test", at(time), foxglove::Log::INFO, text);
+    gate.publishText("red1", "test", instantAt(time), foxglove::Log::INFO, text);
   }
 
   robotlink::Session session;
@@ -78,9 +78,9 @@ TEST_F(PublishGateTest, notesOfAMapAreWarningsWhereItIsIncomplete) {
   map.notes = {"a line is missing"};
   map.incomplete = true;
   gate.open();
-  gate.publishMapNotes("red1", at(1), map);
+  gate.publishMapNotes("red1", instantAt(1), map);
   session.tick();
-  const auto* entry = session.store().latestAs<foxglove::Log>("red1/log", at(2));
+  const auto* entry = session.store().latestAs<foxglove::Log>("red1/log", instantAt(2));
   ASSERT_NE(entry, nullptr);
   EXPECT_EQ(entry->level(), foxglove::Log::WARNING);
   EXPECT_EQ(entry->name(), "map");
@@ -95,7 +95,7 @@ TEST_F(PublishGateTest, fromAnyThreadAllOfItComes) {
   for (const std::string& robot : robots) {
     threads.emplace_back([this, robot] {
       for (int i = 1; i <= kTexts; ++i)
-        gate.publishText(robot, "test", at(i), foxglove::Log::INFO, std::to_string(i));
+        gate.publishText(robot, "test", instantAt(i), foxglove::Log::INFO, std::to_string(i));
     });
   }
   gate.open();
@@ -119,7 +119,7 @@ TEST(RecordedPublishGate, whatItKeptBackIsRecordedToo) {
   PublishGate gate(session, &recorder);
   gate.open();
   for (int i = 1; i <= 3; ++i)
-    gate.publishText("red1", "test", at(i), foxglove::Log::INFO, "text " + std::to_string(i));
+    gate.publishText("red1", "test", instantAt(i), foxglove::Log::INFO, "text " + std::to_string(i));
   control.set_action(robotcontrol::ControlRecording::STOP);
   ASSERT_TRUE(recorder.control(control));
   recorder.finish();

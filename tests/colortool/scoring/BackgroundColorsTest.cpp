@@ -10,7 +10,7 @@ namespace colortool {
 namespace {
 
 constexpr robotlink::YCbCr kPaleWall{150, 118, 122}, kCarpet{90, 100, 90};
-constexpr std::uint8_t kGreenClass = 1;
+constexpr std::uint8_t kFieldClass = 1;
 
 /// An image whose upper part is a wall with some grain, and the rest carpet.
 ColorImage room(int wallRows) {
@@ -40,8 +40,8 @@ class BackgroundColorsTest : public testing::Test {
  protected:
   BackgroundColorsTest() {
     samples_.classes = ColorClasses({{"green", {0, 130, 50}}});
-    paint(kGreenClass, {2, 24}, {37, 28});
-    paint(kGreenClass, {2, 20}, {37, 23});
+    paint(kFieldClass, {2, 24}, {37, 28});
+    paint(kFieldClass, {2, 20}, {37, 23});
   }
   void paint(std::uint8_t colorClass, ImagePoint from, ImagePoint to) {
     const ColorImage image = room(18);
@@ -64,26 +64,26 @@ TEST_F(BackgroundColorsTest, ofWhatIsBackgroundNothingIsTakenByAGoodTable) {
   const auto counts = countsIn({bytesOf(room(10)), bytesOf(room(25))});
   EXPECT_EQ(counts.pixels, 2U * 40 * 30);
   EXPECT_GT(counts.background, 1000U);
-  EXPECT_EQ(counts.taken[kGreenClass], 0U);
+  EXPECT_EQ(counts.taken[kFieldClass], 0U);
 }
 
 TEST_F(BackgroundColorsTest, twoStrokesThatVouchForEachOtherAreSeenThroughInOtherImages) {
   paint(0, {3, 3}, {8, 5});
-  paint(kGreenClass, {0, 0}, {39, 8});
-  paint(kGreenClass, {0, 9}, {39, 17});
+  paint(kFieldClass, {0, 0}, {39, 8});
+  paint(kFieldClass, {0, 9}, {39, 17});
   const StrokeQuality quality = crossValidate(samples_).value();
   EXPECT_EQ(quality.strokes.back().right, 1) << "each of the two finds the other one right";
   EXPECT_EQ(quality.strokes[quality.strokes.size() - 2].right, 1);
   const auto counts = countsIn({bytesOf(room(25))});
   EXPECT_GT(counts.background, 500U);
-  EXPECT_EQ(counts.taken[kGreenClass], counts.background) << "all of the wall is green";
-  EXPECT_EQ(counts.covered[kGreenClass], counts.pixels);
+  EXPECT_EQ(counts.taken[kFieldClass], counts.background) << "all of the wall is green";
+  EXPECT_EQ(counts.covered[kFieldClass], counts.pixels);
 }
 
 TEST_F(BackgroundColorsTest, withoutStrokesOfTheBackgroundNothingIsKnownOfIt) {
   const auto counts = countsIn({bytesOf(room(10))});
   EXPECT_EQ(counts.background, 0U);
-  EXPECT_GT(counts.covered[kGreenClass], counts.pixels / 2);
+  EXPECT_GT(counts.covered[kFieldClass], counts.pixels / 2);
 }
 
 TEST_F(BackgroundColorsTest, whatMustNotBeGreenIsNoBackground) {

@@ -10,25 +10,25 @@ using robotlink::Instant;
 
 constexpr Instant kTime{std::chrono::milliseconds(1'700'000'000'250)};
 
-Instant at(double seconds) {
+Instant timeAt(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
 }
 
 }  // namespace
 
 TEST(LogDates, timesOfThisCenturyAreDates) {
-  EXPECT_FALSE(isDate(at(12.5)));
-  EXPECT_FALSE(isDate(at(946'684'799)));
-  EXPECT_TRUE(isDate(at(946'684'800)));
-  EXPECT_FALSE(isDate(at(4'102'444'800)));
+  EXPECT_FALSE(isDate(timeAt(12.5)));
+  EXPECT_FALSE(isDate(timeAt(946'684'799)));
+  EXPECT_TRUE(isDate(timeAt(946'684'800)));
+  EXPECT_FALSE(isDate(timeAt(4'102'444'800)));
   EXPECT_EQ(dateText(kTime), "2023-11-14 22:13:20.250 UTC");
 }
 
 TEST(LogDates, whatIsWrittenIsRead) {
   EXPECT_EQ(instantOfDate(dateText(kTime)), kTime);
   EXPECT_EQ(instantOfDate("2023-11-14T22:13:20.25Z"), kTime);
-  EXPECT_EQ(instantOfDate("2023-11-14 22:13"), at(1'699'999'980));
-  EXPECT_EQ(instantOfDate("2000-01-01"), at(946'684'800));
+  EXPECT_EQ(instantOfDate("2023-11-14 22:13"), timeAt(1'699'999'980));
+  EXPECT_EQ(instantOfDate("2000-01-01"), timeAt(946'684'800));
 }
 
 TEST(LogDates, whatIsNoDateIsNone) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSteps = 200;  // steps of the sliders
 
-QIcon swatch(robotlink::Rgb color) {
+QIcon colorSwatch(robotlink::Rgb color) {
   QPixmap pixmap(14, 14);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
@@ -149,7 +149,7 @@ void ColorSpacePanel::listClasses() {
   for (int i = 0; i < classes_.size(); ++i) {
     const bool none = i == colortool::ColorClasses::kNone;
     auto* item =
-        new QListWidgetItem(swatch(none ? robotlink::Rgb{128, 128, 128} : classes_.shownColor(i)),
+        new QListWidgetItem(colorSwatch(none ? robotlink::Rgb{128, 128, 128} : classes_.shownColor(i)),
                             none ? tr("background") : QString::fromStdString(classes_.name(i)), list_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     const bool hidden = std::ranges::find(hidden_, classes_.name(i)) != hidden_.end();
