@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "app/core/PlatformThread.h"
+#include "app/core/body/BodyInbox.h"
+#include "app/core/body/BodyStreams.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ImageCodings.h"
@@ -59,6 +61,19 @@ void printLog(std::ostream& out, const robotlink::StreamMessage& message) {
   printText(out, message.time, robot + "/" + text->name(), text->message());
 }
 
+/// What clients publish for bodies goes to these.
+void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodies) {
+  server.takeFromClients(
+      {kBodyCommands, robotcontrol::BodyCommands::descriptor()->full_name(),
+       [bodies, server = server.server()](const auto& client, const auto& robot, const auto& payload) {
+         robotcontrol::BodyCommands commands;
+         if (client.isReadOnly) return std::string("you may only watch");
+         if (!commands.ParseFromString(payload)) return std::string("these commands make no sense");
+         return bodies->put(robot, {client.id, shownName(client)}, std::move(commands),
+                            server->clock().now());
+       }});
+}
+
 }  // namespace
 
 robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, logplayer::Recorder& recorder,
@@ -74,6 +89,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
       });
   const auto report = [&](const std::string& sentence) { out << sentence + "\n" << std::flush; };
   SessionServer server(session, {}, report, options.steering);
+  if (options.bodies) takeCommands(server, options.bodies);
   if (options.texts)
     session.addListener({[&](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
   std::optional<RecordingServices> recordings;

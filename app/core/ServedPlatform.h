@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <ostream>
 
@@ -12,6 +13,8 @@
 #include "robotlink/foxglove/session/Steering.h"
 
 namespace app {
+
+class BodyInbox;
 
 /// How a platform is served. A plain value.
 struct ServeOptions {
@@ -26,6 +29,8 @@ struct ServeOptions {
   std::filesystem::path recordings = {};
   /// The conditions under which clients may connect.
   AccessOptions access = {};
+  /// Not null: the robots are only bodies, and programs elsewhere command them by this (REMOTE_BODY.md).
+  std::shared_ptr<BodyInbox> bodies = nullptr;
   /// When a robot stands because the person who steers it is not heard.
   robotlink::websocket::Steering::Limits steering = {};
 };

@@ -20,6 +20,7 @@ void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
+void addPlatformCommand(CLI::App& app, int& status);
 void addWatchCommand(CLI::App& app, int& status);
 void addRequestCommand(CLI::App& app, int& status);
 

@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   addLayoutCommand(app, status);
   addLogCommand(app, status);
   addRunCommand(app, status);
+  addPlatformCommand(app, status);
   addWatchCommand(app, status);
   addRequestCommand(app, status);
   addColorCommand(app, status);

@@ -5,6 +5,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/debugging/Streams.h"
@@ -39,13 +40,18 @@ tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::creat
 }
 
 PioneerRun::Listeners PioneerFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            gate_.publishTrouble(robot, process, text);
-          },
-          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            gate_.publishPlatform(robot, time, text);
-          }};
+  return {
+      [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
+      [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+        gate_.publishTrouble(robot, process, text);
+      },
+      [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+        gate_.publishPlatform(robot, time, text);
+      },
+      {},
+      [this](const std::string& robot, robotlink::Instant time, const robotcontrol::HostingStatus& status) {
+        if (!status.text().empty()) gate_.publishHosting(robot, time, status);
+      }};
 }
 
 std::vector<std::string> PioneerFeed::end() {

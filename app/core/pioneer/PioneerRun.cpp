@@ -88,7 +88,10 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  return robot_->make({.platform = std::move(platform), .file = file, .layout = std::move(*layout)});
+  return robot_->make({.platform = std::move(platform),
+                       .file = file,
+                       .layout = std::move(*layout),
+                       .maker = options_.instead});
 }
 
 void PioneerRun::start(RobotHost::Candidate program) {

@@ -43,6 +43,8 @@ struct PioneerOptions {
   std::map<std::string, std::string> solutions = {};
   /// Whether the motors are switched on when the robot is connected.
   bool motorsOn = false;
+  /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
+  HostedProgram::Maker instead = {};
   /// What the user chose for this robot when it was connected before.
   ProgramOverrides overrides = {};
 };

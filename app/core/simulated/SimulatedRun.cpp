@@ -180,10 +180,13 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});
   }
-  return robot.make({.platform = std::move(*platform),
-                     .file = file,
-                     .layout = layout,
-                     .maker = runsInOwnProcess(robot.name()) ? OwnProgram::maker(options_.own) : nullptr});
+  return robot.make(
+      {.platform = std::move(*platform), .file = file, .layout = layout, .maker = makerFor(robot.name())});
+}
+
+HostedProgram::Maker SimulatedRun::makerFor(const std::string& robot) const {
+  if (options_.instead) return options_.instead;
+  return runsInOwnProcess(robot) ? OwnProgram::maker(options_.own) : nullptr;
 }
 
 bool SimulatedRun::runsInOwnProcess(const std::string& robot) const {
@@ -257,10 +260,8 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgramOnPlatform(R
   const std::filesystem::path file = layoutOf(robot, options_.layouts);
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  return robot.make({.platform = nullptr,
-                     .file = file,
-                     .layout = std::move(*layout),
-                     .maker = runsInOwnProcess(robot.name()) ? OwnProgram::maker(options_.own) : nullptr});
+  return robot.make(
+      {.platform = nullptr, .file = file, .layout = std::move(*layout), .maker = makerFor(robot.name())});
 }
 
 void SimulatedRun::stopPrograms() {

@@ -56,6 +56,8 @@ struct RunOptions {
   std::set<std::string> otherwise = {};
   /// How those in processes of their own are run.
   OwnProgram::Options own = {};
+  /// Makes what runs instead of programs, such as links to programs elsewhere; empty: programs.
+  HostedProgram::Maker instead = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions;
   /// Whether ball and robots are put back after a goal; see KickOff.
@@ -179,6 +181,8 @@ class SimulatedRun {
                                                                     const robotlink::Layout& layout);
   /// The same on the platform that the robot has.
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgramOnPlatform(RobotHost& robot);
+  /// What makes the program of a robot; empty: it is one inside.
+  HostedProgram::Maker makerFor(const std::string& robot) const;
   /// Where the program of a robot is to run.
   bool runsInOwnProcess(const std::string& robot) const;
   /// Begins programs in a new executor; those of other robots continue in it.

@@ -118,6 +118,10 @@ std::optional<Instant> SessionClient::newest() const {
   return parts_->shift.newest();
 }
 
+void SessionClient::updateSubscriptions() {
+  parts_->hasChanged = true;
+}
+
 void SessionClient::setImages(Images images) {
   parts_->hasChanged |= std::exchange(parts_->images, images) != images;
 }

@@ -74,6 +74,8 @@ class SessionClient {
   /// The newest time of its messages in the session.
   std::optional<Instant> newest() const;
 
+  /// To be called when what `alsoWanted` says has changed.
+  void updateSubscriptions();
   /// How images are sent; at first raw.
   void setImages(Images images);
   /// Bytes a second that the server may send; 0 without limit.

@@ -56,6 +56,18 @@ class SessionServer {
   /// are encoded once for all clients, while somebody subscribes.
   void setImageEncoder(ImageEncoder encoder);
 
+  /// What clients may publish for somebody else than the robots' programs.
+  struct ClientStream {
+    /// "body/commands" for "red1/body/commands".
+    std::string stream;
+    /// The type of its messages, which are encoded as protobuf.
+    std::string type;
+    /// Called by tick() with the newest message of a client; returns why it is refused, empty if it is not.
+    std::function<std::string(const ClientInfo& client, const std::string& robot, const std::string& payload)>
+        take;
+  };
+  void takeFromClients(ClientStream stream) { clientStreams_.push_back(std::move(stream)); }
+
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
@@ -130,6 +142,10 @@ class SessionServer {
              const ServiceCallRequest& call, const Reply& reply);
   void noteClients(const std::vector<ClientInfo>& clients);
   void command(const ClientInfo& client, const ClientChannel& channel, const std::string& payload);
+  /// Null: the channel is for the programs.
+  const ClientStream* clientStreamOf(const ClientChannel& channel) const;
+  /// What is wrong with a channel that a client has announced; empty if nothing is.
+  std::string problemOf(const ClientChannel& channel) const;
   /// Tells a client what is wrong with what it publishes, if that is news; empty: nothing is.
   void complain(const ClientInfo& client, const std::string& topic, const std::string& why);
   /// Makes a request as a client's, not as one of somebody here. The handler is called unless this object is
@@ -146,6 +162,7 @@ class SessionServer {
   Steering steering_;
   ModuleParameters modules_;
   ImageEncoder encoder_;
+  std::vector<ClientStream> clientStreams_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;
   /// What was reported to clients about their commands on a topic, so that it is reported once.

@@ -2,6 +2,8 @@
 // What clients of a SessionServer ask for.
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
+
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/session/ClientCommands.h"
@@ -71,11 +73,10 @@ ServerHandlers SessionServer::handlers(Report report) {
     post([control](SessionServer& self) { self.play(control); });
   };
   handlers.clientAdvertised = [post](const ClientInfo& client, const ClientChannel& channel) {
-    const auto fits = checkCommandChannel(channel);
-    if (!fits)
-      post([client, why = fits.error().text](SessionServer& self) {
-        self.server_->sendStatus(client.id, {StatusLevel::kWarning, why, ""});
-      });
+    post([client, channel](SessionServer& self) {
+      const std::string why = self.problemOf(channel);
+      if (!why.empty()) self.server_->sendStatus(client.id, {StatusLevel::kWarning, why, ""});
+    });
   };
   handlers.clientMessage = [posted = posted_](const ClientInfo& client, const ClientChannel& channel,
                                               std::string_view payload) {
@@ -178,8 +179,29 @@ void SessionServer::steer(const std::string& robot, const std::string& service, 
 
 // ---- What clients publish
 
+const SessionServer::ClientStream* SessionServer::clientStreamOf(const ClientChannel& channel) const {
+  const std::string stream = splitAtSlash(channel.topic).second;
+  const auto found = std::ranges::find(clientStreams_, stream, &ClientStream::stream);
+  return found == clientStreams_.end() ? nullptr : &*found;
+}
+
+std::string SessionServer::problemOf(const ClientChannel& channel) const {
+  const ClientStream* stream = clientStreamOf(channel);
+  if (stream == nullptr) {
+    const auto fits = checkCommandChannel(channel);
+    return fits ? std::string() : fits.error().text;
+  }
+  const bool isRight = channel.encoding == "protobuf" && channel.schemaName == stream->type;
+  return isRight ? std::string() : channel.topic + " takes messages of " + stream->type + " as protobuf";
+}
+
 void SessionServer::command(const ClientInfo& client, const ClientChannel& channel,
                             const std::string& payload) {
+  if (const ClientStream* stream = clientStreamOf(channel)) {
+    std::string why = problemOf(channel);
+    if (why.empty()) why = stream->take(client, splitAtSlash(channel.topic).first, payload);
+    return complain(client, channel.topic, why);
+  }
   Result<Request> wanted = commandOf(channel, payload);
   if (!wanted) return complain(client, channel.topic, wanted.error().text);
   const auto robot = robots_.find(wanted->robot());

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapter of bodies elsewhere, whose programs run here.
+#include "app/core/body/BodyFeed.h"
+#include "app/core/body/BodyHeadless.h"
+#include "app/core/platform/PlatformAdapter.h"
+#include "app/core/program/ShippedFiles.h"
+#include "robotlink/foxglove/client/ServerUrl.h"
+
+namespace app {
+namespace {
+
+robotlink::Result<PlatformOpening> openBody(const PlatformChoices& choices) {
+  BodyOptions options{.url = choices.sources.front()};
+  if (const auto url = robotlink::websocket::parseServerUrl(options.url); !url)
+    return tl::unexpected(url.error());
+  options.token = textOf(choices.values, "token");
+  options.robot = textOf(choices.values, "robot");
+  if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
+    options.layout = layoutNamed(layout);
+  options.map = textOf(choices.values, "map");
+  options.asJpeg = flagOf(choices.values, "jpeg");
+  return BodyFeed::opening(std::move(options));
+}
+
+/// Only a command: the dialog is that of all connections, Robot > Connect…
+PlatformForm bodyForm() {
+  using Kind = PlatformField::Kind;
+  PlatformForm form{.name = "body",
+                    .command = "remote.host",
+                    .commandHelp =
+                        "Runs the program of a robot here whose body is elsewhere, where 'robotctl platform "
+                        "... --listen' runs"};
+  form.fields = {
+      {.name = "url", .help = "ws://HOST[:PORT]", .noun = "URL", .isSource = true},
+      {.name = "token", .help = "that was printed there, or ''", .noun = "token"},
+      {.name = "robot", .help = "whose body it is; '': the first that is offered", .noun = "robot"},
+      {.name = "layout",
+       .help = "a layout file or the name of a shipped one; '': the robot's",
+       .noun = "layout"},
+      {.name = "map", .help = "a map of where it drives, or ''", .noun = "map"},
+      {.name = "jpeg",
+       .kind = Kind::kFlag,
+       .help = "whether images come as JPEG, for narrow lines",
+       .initial = false,
+       .noun = "choice of JPEG"}};
+  return form;
+}
+
+const PlatformRegistration kBodyRegistration{
+    {.name = BodyFeed::kAdapter,
+     .sources = "a body elsewhere whose program shall run here (ws://HOST[:PORT], with --program here)",
+     .time = PlatformTime::kReal,
+     .opens = [](const std::string& source) { return robotlink::websocket::isServerUrl(source); },
+     .order = 1,
+     .open = openBody,
+     .form = bodyForm,
+     .headless = headlessBody}};
+
+}  // namespace
+}  // namespace app

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/body/BodyFeed.h"
+
+#include <thread>
+
+#include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RobotFiles.h"
+#include "app/core/program/SceneMessages.h"
+#include "app/core/program/SolutionChoices.h"
+#include "foxglove/Robot.pb.h"
+#include "logplayer/record/Recorder.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+
+using robotlink::Errors;
+using robotlink::websocket::ConnectionState;
+
+namespace {
+
+/// Readings come at 125 Hz and wait for the next step.
+constexpr std::chrono::milliseconds kBodyStep{4};
+constexpr std::chrono::milliseconds kBodyStatusEvery{100};
+constexpr std::chrono::milliseconds kBodyLook{5};
+/// A server that has told its robots offers its bodies within this time, if it has some.
+constexpr robotlink::Duration kOfferTime = std::chrono::seconds(2);
+
+Errors bodyError(const std::string& text) {
+  return {{"body.none", text, {}, {}}};
+}
+
+/// "red1, red2".
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+// ---- Making it
+
+PlatformOpening BodyFeed::opening(BodyOptions options) {
+  if (const auto url = robotlink::websocket::parseServerUrl(options.url)) options.url = toString(*url);
+  return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
+            BodyOptions chosen = options;
+            const auto before = context.overrides.find(chosen.robot);
+            if (before != context.overrides.end()) chosen.overrides = before->second;
+            // The only robot that was open there, whatever its name.
+            if (chosen.robot.empty() && context.overrides.size() == 1)
+              chosen.overrides = context.overrides.begin()->second;
+            return create(std::move(chosen), context.session, context.recorder);
+          }};
+}
+
+tl::expected<std::unique_ptr<BodyFeed>, Errors> BodyFeed::create(BodyOptions options,
+                                                                 robotlink::Session& session,
+                                                                 logplayer::Recorder& recorder) {
+  auto feed = std::unique_ptr<BodyFeed>(new BodyFeed(std::move(options), session, recorder));
+  for (const auto part : {&BodyFeed::findBody, &BodyFeed::describeRobot, &BodyFeed::startProgram})
+    if (Errors errors = (feed.get()->*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
+  return feed;
+}
+
+BodyFeed::BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder)
+    : options_(std::move(options)),
+      gate_(session),
+      recorder_(recorder),
+      tap_(std::make_unique<RecordingTap>(recorder)) {}
+
+BodyFeed::~BodyFeed() {
+  stopProgram();
+  if (stopSwitch_) stopSwitch_->forget();
+  tap_->clear();
+}
+
+Errors BodyFeed::findBody() {
+  const auto url = robotlink::websocket::parseServerUrl(options_.url);
+  if (!url) return {url.error()};
+  BodyLink::Options linking;
+  linking.connection.url = *url;
+  linking.connection.token = options_.token;
+  linking.robot = options_.robot;
+  linking.asJpeg = options_.asJpeg;
+  link_ = std::make_unique<BodyLink>(std::move(linking));
+  const robotlink::Instant end = local_.now() + options_.patience;
+  std::optional<robotlink::Instant> told;
+  while (!link_->body()) {
+    link_->tick();
+    const auto state = link_->state();
+    if (state.phase == ConnectionState::Phase::kRefused) return bodyError(options_.url + ": " + state.reason);
+    const auto others = link_->robotsWithPrograms();
+    if (!others.empty() && !told) told = local_.now();
+    if (told && local_.now() - *told > kOfferTime)
+      return bodyError("the program of " + listed(others) + " runs at " + options_.url +
+                       "; connect with \"program: there\", or start 'robotctl platform ... --listen' there");
+    if (local_.now() > end)
+      return bodyError("no body" + (options_.robot.empty() ? "" : " of " + options_.robot) +
+                       " was found at " + options_.url + (state.reason.empty() ? "" : ": " + state.reason));
+    std::this_thread::sleep_for(kBodyLook);
+  }
+  return {};
+}
+
+Errors BodyFeed::describeRobot() {
+  const BodyLink::Body& body = *link_->body();
+  auto description = body.known.description;
+  if (!description) {
+    auto read = readRobot(body.offer.kind());
+    if (!read) return read.error();
+    description = *read;
+  }
+  auto field = body.known.field;
+  if (!field) {
+    const auto none = readField({});
+    if (!none) return none.error();
+    field = *none;
+  }
+  std::shared_ptr<const robotlink::GroundMap> map;
+  if (!options_.map.empty()) {
+    auto read = robotlink::GroundMap::load(options_.map);
+    if (!read) return read.error();
+    map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
+  }
+  robot_ = std::make_unique<RobotHost>(HostedRobot{body.offer.robot(), body.offer.team(), description, field,
+                                                   map, fieldFile(field->name), options_.map},
+                                       listeners(), tap_.get(), options_.overrides);
+  return {};
+}
+
+Errors BodyFeed::startProgram() {
+  if (const auto plain = robotlink::readLayout(layoutFileInUse())) {
+    Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
+    if (!errors.empty()) return errors;
+  }
+  auto platform = std::make_unique<RemoteBodyPlatform>(*link_, clock_, local_);
+  platform_ = platform.get();
+  stopSwitch_ =
+      std::make_shared<StopSwitch>(name(), [this](bool engaged) { platform_->engageStop(engaged); });
+  auto program = makeProgram(std::move(platform), layoutFileInUse());
+  if (!program) return program.error();
+  tap_->restart();
+  adopt(std::move(*program));
+  return {};
+}
+
+std::filesystem::path BodyFeed::layoutFileInUse() const {
+  return !options_.layout.empty() ? options_.layout : layoutFile(robot_->description());
+}
+
+tl::expected<RobotHost::Candidate, Errors> BodyFeed::makeProgram(
+    std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
+  auto layout = readLayoutWith(file, options_.solutions);
+  if (!layout) return tl::unexpected(layout.error());
+  return robot_->make({.platform = std::move(platform), .file = file, .layout = std::move(*layout)});
+}
+
+void BodyFeed::adopt(RobotHost::Candidate program) {
+  robot_->adopt(std::move(program));
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      .kind = ExecutorKind::kThreads,
+      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); }});
+  lostChoices_ = robot_->begin(*executor_);
+  if (const auto& map = robot_->robot().map)
+    tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map, clock_.now())});
+  executor_->start();
+}
+
+void BodyFeed::stopProgram() {
+  executor_.reset();
+  if (robot_) robot_->stop();
+}
+
+RobotHost::Listeners BodyFeed::listeners() {
+  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            gate_.publishTrouble(robot, process, text);
+          },
+          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+            gate_.publishPlatform(robot, time, text);
+          }};
+}
+
+// ---- Running it
+
+void BodyFeed::begin() {
+  gate_.open();
+  due_ = Clock::now();
+  if (const auto& map = robot_->robot().map) {
+    const auto now = clock_.now();
+    gate_.publish({robotlink::streams::kMap, now, mapMessage(*map, now)});
+    gate_.publishMapNotes(name(), now, *map);
+  }
+  publishStatus();
+}
+
+void BodyFeed::step() {
+  robot_->enqueueRequests();
+  tap_->askForPackages();
+  executor_->step();
+  robot_->reportPlatform();
+  tap_->endStep();
+  const auto real = Clock::now();
+  // Missed steps are not made up for.
+  due_ = std::max(due_ + kBodyStep, real);
+  if (real - lastStatus_ >= kBodyStatusEvery) publishStatus();
+}
+
+robotlink::Result<void> BodyFeed::requestRobot(const robotcontrol::Request& request) {
+  if (request.robot() == name()) return robot_->request(request);
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
+                            {request.robot()});
+}
+
+std::map<std::string, ProgramOverrides> BodyFeed::overrides() const {
+  return {{name(), robot_->overrides()}};
+}
+
+Errors BodyFeed::setLayout(const std::filesystem::path& file) {
+  auto program = makeProgram(nullptr, file);
+  if (!program) return program.error();
+  stopProgram();
+  options_.layout = file;
+  adopt(std::move(*program));
+  for (const std::string& lost : lostChoices_)
+    gate_.publishText(name(), "layout", clock_.now(), foxglove::Log::WARNING, lost);
+  return {};
+}
+
+LoadedPlatform BodyFeed::describe() const {
+  LoadedPlatform loaded;
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kReal;
+  loaded.sources = {options_.url};
+  loaded.title = name() + " at " + options_.url;
+  loaded.lostChoices = lostChoices_;
+  loaded.robots[name()] = robot_->robot().description;
+  if (!robot_->robot().field->name.empty()) loaded.field = robot_->robot().field;
+  loaded.layout = layoutFileInUse();
+  return loaded;
+}
+
+std::vector<std::string> BodyFeed::end() {
+  gate_.keepReports();
+  stopProgram();
+  if (stopSwitch_) stopSwitch_->forget();
+  robot_->reportPlatform();
+  return gate_.keptReports();
+}
+
+void BodyFeed::publishStatus() {
+  lastStatus_ = Clock::now();
+  const auto now = clock_.now();
+  auto status = std::make_shared<robotcontrol::SimulationStatus>();
+  status->set_time(robotlink::seconds(now));
+  status->set_speed(1);
+  status->set_requested_speed(1);
+  status->set_running(true);
+  status->set_scene(options_.url);
+  status->add_robots(name());
+  if (platform_->stopEngaged()) status->add_stopped_robots(name());
+  gate_.publish({robotlink::streams::kSimulation, now, std::move(status)});
+  gate_.publish({robotlink::streams::kRecording, now,
+                 std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+}
+
+}  // namespace app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/core/body/RemoteBodyPlatform.h"
+#include "app/core/platform/PlatformFeed.h"
+#include "app/core/platform/PublishGate.h"
+#include "app/core/program/RecordingTap.h"
+#include "app/core/program/RobotHost.h"
+
+namespace app {
+
+/// A body elsewhere and the program that runs for it here. A plain value.
+struct BodyOptions {
+  /// "ws://HOST:PORT" or "wss://...".
+  std::string url;
+  std::string token = {};
+  /// The robot whose body it is; empty: the first that is offered there.
+  std::string robot = {};
+  /// The file of the process layout; empty: that of its kind.
+  std::filesystem::path layout = {};
+  /// The file of the map by which it drives; empty if it knows none.
+  std::filesystem::path map = {};
+  /// Maps tasks to the solutions at the start, instead of the layout's.
+  std::map<std::string, std::string> solutions = {};
+  bool asJpeg = false;
+  /// What the user chose for this robot when it was open before.
+  ProgramOverrides overrides = {};
+  /// How long the body is looked for.
+  robotlink::Duration patience = std::chrono::seconds(5);
+};
+
+/// A robot whose body is elsewhere (`robotctl platform ... --listen`), while its program runs here in real
+/// time, each process in a thread of its own. Publishes to a session what robot and program send, and to the
+/// recorder what a log may contain; both must outlive it.
+///
+/// It is made as a whole or refused with all reasons; the body must be within reach then. Later the
+/// connection is lost and found again by itself.
+class BodyFeed final : public PlatformFeed {
+ public:
+  /// The name of its PlatformAdapter.
+  static constexpr const char* kAdapter = "body";
+
+  /// Returns the opening for PlatformThread. The robot's overrides are those of the last time it was open.
+  static PlatformOpening opening(BodyOptions options);
+  static tl::expected<std::unique_ptr<BodyFeed>, robotlink::Errors> create(BodyOptions options,
+                                                                           robotlink::Session& session,
+                                                                           logplayer::Recorder& recorder);
+  ~BodyFeed() override;
+
+  void begin() override;
+  std::optional<PacedThread::Clock::time_point> due() override { return due_; }
+  void step() override;
+  robotlink::Errors setLayout(const std::filesystem::path& file) override;
+  LoadedPlatform describe() const override;
+  void publishStatus() override;
+  std::vector<std::string> end() override;
+  std::shared_ptr<StopSwitch> stopSwitch() const override { return stopSwitch_; }
+  std::map<std::string, ProgramOverrides> overrides() const override;
+
+  const RemoteBodyPlatform& platform() const { return *platform_; }
+  const BodyLink& link() const { return *link_; }
+  const robotlink::Clock& clock() const { return clock_; }
+
+ protected:
+  robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+
+ private:
+  using Clock = PacedThread::Clock;
+
+  BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder);
+  // In this order:
+  robotlink::Errors findBody();
+  robotlink::Errors describeRobot();
+  robotlink::Errors startProgram();
+
+  RobotHost::Listeners listeners();
+  std::filesystem::path layoutFileInUse() const;
+  tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
+      std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  /// Adopts a program and starts its threads.
+  void adopt(RobotHost::Candidate program);
+  void stopProgram();
+  const std::string& name() const { return robot_->name(); }
+
+  BodyOptions options_;
+  /// Publishes to the session from begin() on.
+  PublishGate gate_;
+  logplayer::Recorder& recorder_;
+  robotlink::SteadyClock local_;
+  BodyClock clock_{local_};
+  std::unique_ptr<BodyLink> link_;
+  std::unique_ptr<RecordingTap> tap_;
+  /// Owned by robot_.
+  RemoteBodyPlatform* platform_ = nullptr;
+  std::unique_ptr<RobotHost> robot_;
+  std::vector<std::string> lostChoices_;
+  std::shared_ptr<StopSwitch> stopSwitch_;
+  std::unique_ptr<ProgramExecutor> executor_;
+  /// When the next step is due, and when the status was last published.
+  Clock::time_point due_, lastStatus_;
+};
+
+}  // namespace app

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/core/remote/ProgramNotes.h"
+#include "robotcontrol/Body.pb.h"
+#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/session/Session.h"
+
+namespace robotcontrol {
+class ControlDrive;
+}
+
+namespace app {
+
+/// The connection from a robot's program to its body elsewhere (REMOTE_BODY.md): it is made again and again
+/// by itself. Of each sensor package the newest is kept until it is taken.
+///
+/// One thread, but for engageStop(), which any thread may call.
+class BodyLink {
+ public:
+  struct Options {
+    robotlink::websocket::Connector::Options connection;
+    /// The robot whose body it is; empty: the first that is offered.
+    std::string robot = {};
+    /// Images are sent as JPEG, for narrow lines.
+    bool asJpeg = false;
+  };
+  /// What the body is, once it is known.
+  struct Body {
+    robotcontrol::BodyOffer offer;
+    KnownRobot known;
+  };
+  /// What came since the last call of take().
+  struct Arrived {
+    /// The newest of each package, by its name.
+    std::map<std::string, robotlink::PackagePtr> sensors;
+    /// Null: no frame has ended since.
+    std::shared_ptr<const robotcontrol::BodyState> state;
+    /// The body's texts.
+    std::vector<std::string> texts;
+  };
+
+  explicit BodyLink(Options options);
+  ~BodyLink();
+  BodyLink(const BodyLink&) = delete;
+  BodyLink& operator=(const BodyLink&) = delete;
+
+  /// Takes in what came.
+  void tick();
+  const std::optional<Body>& body() const { return body_; }
+  /// Whether another body than this one is offered under its name now.
+  bool isOther() const { return isOther_; }
+  /// The robots at the server that are no bodies, since their programs run there.
+  std::vector<std::string> robotsWithPrograms() const;
+  /// From now on only these of the body's packages are sent.
+  void want(const std::set<std::string>& packages);
+  Arrived take() { return std::exchange(arrived_, {}); }
+
+  /// Sends commands if there is a connection; they replace those that wait.
+  void send(const robotcontrol::BodyCommands& commands);
+  /// Engages or releases STOP at the body, ahead of all that waits. The handler is called in any thread, with
+  /// the reason why it was not done; empty if it was.
+  void engageStop(bool engaged, std::function<void(const std::string& why)> done);
+  /// The same for a request to its base.
+  void control(const robotcontrol::ControlDrive& details, std::function<void(const std::string& why)> done);
+
+  robotlink::websocket::ConnectionState state() const { return client_->state(); }
+  /// "connected, 12 ms, 1.3 MB/s"
+  std::string stateText() const { return client_->stateText(); }
+  std::string url() const { return toString(client_->url()); }
+
+ private:
+  /// Looks at a message of the server.
+  void look(const robotlink::StreamMessage& message);
+  bool wants(const std::string& path) const;
+  void lookForBody();
+  void call(const std::string& service, const std::string& argument, bool isUrgent,
+            std::function<void(const std::string& why)> done);
+
+  const std::string wantedRobot_;
+  std::map<std::string, robotcontrol::BodyOffer> offers_;
+  std::map<std::string, robotlink::PackagePtr> setups_;
+  /// Does not change once it is set.
+  std::optional<Body> body_;
+  bool isOther_ = false;
+  std::set<std::string> packages_;
+  Arrived arrived_;
+  /// Nobody looks at it.
+  robotlink::Session session_;
+  /// The last member, since it uses the others.
+  std::unique_ptr<robotlink::websocket::SessionClient> client_;
+};
+
+}  // namespace app

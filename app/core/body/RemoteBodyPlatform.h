@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/core/body/BodyClock.h"
+#include "app/core/body/BodyLink.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/base/BoundedQueue.h"
+#include "robotlink/process/Platform.h"
+
+namespace google::protobuf {
+class Descriptor;
+}
+
+namespace app {
+
+/// The platform of a robot whose body is elsewhere: sends the sensor readings that come over the link, and
+/// the newest commands over it as one message, which says what readings they answer. Its time is the body's
+/// (BodyClock).
+///
+/// The owner lets it run a few hundred frames a second. While the line is cut, the program goes on with what
+/// it knows, and the body's watchdog lets the robot stand. `link` and `clock` must outlive it; `local` is
+/// real time.
+class RemoteBodyPlatform final : public robotlink::Platform {
+ public:
+  /// The link knows its body.
+  RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const robotlink::Clock& local);
+  ~RemoteBodyPlatform() override;
+
+  /// Takes in what came, and sends commands.
+  void actuate() override;
+  /// At once; repeated until the body has accepted it. Any thread.
+  void engageStop(bool engaged) override;
+  /// Whether it is engaged, here or by somebody at the body.
+  bool stopEngaged() const override { return stopWanted_.load() || stoppedThere_.load(); }
+  std::vector<robotlink::AnySender*> onRequest() override;
+  /// The request goes to the body; a refusal is reported as a text.
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
+
+  /// What was sent and received.
+  struct Counts {
+    std::uint64_t frames = 0, commands = 0, cuts = 0;
+    /// As the body counts: commands that it obeyed, and those that came too late.
+    std::uint64_t obeyed = 0, late = 0;
+    robotlink::Duration longestSilence{0};
+  };
+  const Counts& counts() const { return counts_; }
+  /// For users: how link and body are.
+  std::string describe() const;
+
+ protected:
+  /// Sends the packages.
+  void execute() override;
+
+ private:
+  struct Sensor {
+    std::unique_ptr<robotlink::AnySender> sender;
+    const google::protobuf::Descriptor* type = nullptr;
+    robotlink::PackagePtr waiting = nullptr;
+  };
+  struct Command {
+    std::unique_ptr<robotlink::AnyReceiver> receiver;
+    const google::protobuf::Descriptor* type = nullptr;
+    /// The number of packages that were sent on.
+    std::uint64_t taken = 0;
+  };
+
+  void subscribe();
+  void takeArrived();
+  void takeState(const robotcontrol::BodyState& state);
+  void takeSensor(const std::string& package, const robotlink::PackagePtr& value);
+  void followConnection();
+  void sendCommands();
+  bool hasNewCommands();
+  void repeatStop(robotlink::Instant now);
+  void sendStop(bool engaged);
+  void sendStatus(robotlink::Instant now);
+
+  BodyLink& link_;
+  BodyClock& bodyClock_;
+  const robotlink::Clock& local_;
+  const double watchdog_;
+  std::map<std::string, Sensor> sensors_;
+  std::map<std::string, Command> commands_;
+  robotlink::Sender<robotcontrol::LinkStatus> status_;
+  std::set<std::string> wanted_;
+  Counts counts_;
+  std::uint64_t number_ = 0;
+  /// By local time: when a command or the status was sent, and when the body was heard last.
+  robotlink::Instant sentAt_, statusAt_;
+  std::optional<robotlink::Instant> heardAt_;
+  bool isConnected_ = false, wasConnected_ = false, isOther_ = false;
+  /// The newest state of the body; its text was reported.
+  std::string bodyText_;
+  /// The state of the body's own line, such as a serial one; null: it has none.
+  std::shared_ptr<const robotcontrol::LinkStatus> bodyLine_;
+  std::atomic<bool> stopWanted_{false}, stoppedThere_{false};
+  /// What the body has not accepted yet: 0 nothing, 1 engage, 2 release.
+  std::shared_ptr<std::atomic<int>> stopOpen_ = std::make_shared<std::atomic<int>>(0);
+  robotlink::Instant stopSentAt_;
+  /// From the link's thread, which may be later than the end of this object.
+  std::shared_ptr<robotlink::BoundedQueue<std::string>> refusals_ =
+      std::make_shared<robotlink::BoundedQueue<std::string>>(20);
+};
+
+}  // namespace app
