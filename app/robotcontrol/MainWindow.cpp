@@ -138,6 +138,7 @@ void MainWindow::connectSignals() {
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
     platforms_->fail(QString::fromStdString(robotlink::describe(errors)));
+    remote_->fail(QString::fromStdString(robotlink::describe(errors)));
     toolBar_->showLoaded();
   });
   workbench_.session().setRefusalHandler([this](const std::string& what, const std::string& reason) {

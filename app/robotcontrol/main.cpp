@@ -32,6 +32,8 @@ struct Arguments {
   /// What is opened, and the URLs.
   std::vector<std::string> files, servers;
   std::string token;
+  /// Where the programs of robots elsewhere run: "there", or "here" if only their bodies are there.
+  std::string program = "there";
   /// Those of the platforms' forms.
   app::FieldOptions platform;
   bool paused = false;
@@ -57,6 +59,12 @@ void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.sources, helpOnFiles());
   app.add_option("--token", arguments.token, "What the robots at these URLs ask for");
+  app.add_option(
+         "--program", arguments.program,
+         "With a robot elsewhere: whether its program runs there, or here, where only its body is there "
+         "(robotctl platform)")
+      ->check(CLI::IsMember({"there", "here"}))
+      ->capture_default_str();
   app.add_option_function<std::string>(
       "--layout", [&arguments](const std::string& layout) { arguments.platform.values["layout"] = layout; },
       "A process layout: a file, or the name of a shipped one");
@@ -248,8 +256,11 @@ int start(int argc, char** argv) {
     parser.exit(error);
     return kUsage;
   }
+  const bool isHere = arguments.program == "here";
+  if (isHere && !arguments.token.empty()) arguments.platform.values["token"] = arguments.token;
   for (const std::string& source : arguments.sources)
-    (robotlink::websocket::isServerUrl(source) ? arguments.servers : arguments.files).push_back(source);
+    (robotlink::websocket::isServerUrl(source) && !isHere ? arguments.servers : arguments.files)
+        .push_back(source);
   if (const auto found = robotlink::checkResources(); !found) {
     return refuse(found.error().describe(), argv);
   }

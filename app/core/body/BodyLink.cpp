@@ -92,6 +92,7 @@ void BodyLink::lookForBody() {
   client_->client().advertise({0, offer->first + "/" + kBodyCommands, "protobuf",
                                BodyCommands::descriptor()->full_name(),
                                robotlink::schemaOf(*BodyCommands::descriptor()), "protobuf"});
+  client_->updateSubscriptions();
 }
 
 std::vector<std::string> BodyLink::robotsWithPrograms() const {

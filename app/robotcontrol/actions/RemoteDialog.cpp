@@ -44,7 +44,8 @@ RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots
   auto* layout = new QVBoxLayout(this);
   auto* what = new QLabel(tr("Robots whose programs run elsewhere: there, robotctl sim or robotctl run was "
                              "started with --listen, or somebody chose Robot > Offer this session. They are "
-                             "shown beside those that are open here."),
+                             "shown beside those that are open here. Where only robotctl platform was "
+                             "started, the program runs here, in place of what is open."),
                           this);
   what->setWordWrap(true);
   layout->addWidget(what);
@@ -72,6 +73,14 @@ void RemoteDialog::createFields() {
   token_->setPlaceholderText(tr("none"));
   token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
   form->addRow(tr("&Token:"), token_);
+  program_ = new QComboBox(this);
+  widgets::describe(*program_,
+                    {"remoteProgram", tr("Program"),
+                     tr("Where the robot's program runs: there, where it is watched and steered; or here, "
+                        "if there is only the body (robotctl platform)")});
+  program_->addItem(tr("there: it is watched and steered"));
+  program_->addItem(tr("here: only the body is there"));
+  form->addRow(tr("&Program:"), program_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   state_ = widgets::makeNote(this, "remoteState", tr("State"));
   state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -159,12 +168,39 @@ void RemoteDialog::connectUrl() {
   if (!parsed) return fail(QString::fromStdString(parsed.error().text));
   wanted_ = QString::fromStdString(toString(*parsed));
   widgets::setMeaning(*state_, {});
+  wantsProgram_ = program_->currentIndex() == 1;
+  if (wantsProgram_) return hostUrl(url.toStdString());
   const auto done = commands_.run("remote.connect", {url.toStdString(), token_->text().toStdString()});
   if (!done) return fail(QString::fromStdString(done.error().text));
   const auto known = std::ranges::find_if(recent_, [this](const Recent& one) { return one.url == wanted_; });
   remember({wanted_, known == recent_.end() ? QString() : known->robots});
   showConnections();
   showProgress();
+}
+
+void RemoteDialog::hostUrl(const std::string& url) {
+  const auto done = commands_.run(
+      "remote.host", {url, token_->text().toStdString(), std::string(), std::string(), std::string(), false});
+  if (!done) return fail(QString::fromStdString(done.error().text));
+  remember({wanted_, QString(), true});
+  progress_->show();
+  widgets::showOutcome(*state_, tr("Looking for a body at %1…").arg(wanted_), false);
+}
+
+void RemoteDialog::showHosted(const QString& url) {
+  if (!wantsProgram_ || wanted_.isEmpty() || url != wanted_) return;
+  wantsProgram_ = false;
+  wanted_.clear();
+  token_->clear();
+  progress_->hide();
+  state_->clear();
+  accept();
+}
+
+void RemoteDialog::failHosted(const QString& reason) {
+  if (!wantsProgram_ || wanted_.isEmpty()) return;
+  wantsProgram_ = false;
+  fail(reason);
 }
 
 void RemoteDialog::disconnectSelected() {
@@ -222,6 +258,7 @@ void RemoteDialog::showSelected() {
 }
 
 void RemoteDialog::showProgress() {
+  if (wantsProgram_) return;
   const auto connections = robots_.connections();
   const auto found = std::ranges::find_if(connections, [this](const auto& connection) {
     return QString::fromStdString(connection.url) == wanted_;

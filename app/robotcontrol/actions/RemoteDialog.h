@@ -33,12 +33,18 @@ class RemoteDialog final : public QDialog {
     QString url;
     /// "red1, red2"
     QString robots;
+    /// Whether the program ran here, and only the body there.
+    bool isHosted = false;
   };
   /// Those that were connected last, the newest first.
   const QList<Recent>& recent() const { return recent_; }
   void setRecent(const QList<Recent>& servers);
   /// Shows the states of the connections.
   void tick();
+  /// Says which body elsewhere has its program here; empty: none.
+  void showHosted(const QString& url);
+  /// Shows why a body that the user asked for could not be opened.
+  void failHosted(const QString& reason);
 
  private:
   void createFields();
@@ -48,6 +54,8 @@ class RemoteDialog final : public QDialog {
   /// Remembers what is connected, also by commands.
   void rememberConnected();
   void connectUrl();
+  /// Runs the program of the body at this URL here.
+  void hostUrl(const std::string& url);
   void disconnectSelected();
   /// Shows why a URL cannot be connected.
   void fail(const QString& reason);
@@ -59,6 +67,7 @@ class RemoteDialog final : public QDialog {
   robotlink::CommandTable& commands_;
   const RemoteRobots& robots_;
   QComboBox* url_ = nullptr;
+  QComboBox* program_ = nullptr;
   QLineEdit* token_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;
@@ -67,6 +76,8 @@ class RemoteDialog final : public QDialog {
   QList<Recent> recent_;
   /// That the user asked for and that was not connected yet; empty: none.
   QString wanted_;
+  /// Whether its program is to run here.
+  bool wantsProgram_ = false;
 };
 
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "app/core/Workbench.h"
+#include "app/core/body/BodyFeed.h"
 #include "app/robotcontrol/actions/OfferDialog.h"
 #include "app/robotcontrol/actions/RemoteDialog.h"
 #include "widgets/Icon.h"
@@ -39,7 +40,9 @@ void RemoteMenus::fillAgain() {
   again_->clear();
   for (const RemoteDialog::Recent& server : connect_->recent()) {
     const QString text = server.robots.isEmpty() ? server.url : tr("%1 at %2").arg(server.robots, server.url);
-    again_->addAction(text, this, [this, url = server.url.toStdString()] {
+    const QString entry = server.isHosted ? tr("%1, program here").arg(text) : text;
+    again_->addAction(entry, this, [this, url = server.url.toStdString(), here = server.isHosted] {
+      if (here) return host(url);
       // With a token it has to be entered again.
       if (!workbench_.commands().run("remote.connect", {url, std::string()})) showConnect();
     });
@@ -61,8 +64,21 @@ void RemoteMenus::showOffer() {
   show(*offer_);
 }
 
+void RemoteMenus::host(const std::string& url) {
+  const auto done = workbench_.commands().run(
+      "remote.host", {url, std::string(), std::string(), std::string(), std::string(), false});
+  if (!done) showConnect();
+}
+
+void RemoteMenus::fail(const QString& reason) {
+  connect_->failHosted(reason);
+}
+
 void RemoteMenus::tick() {
   connect_->tick();
+  const LoadedPlatform* loaded = workbench_.loaded();
+  const bool isBody = loaded != nullptr && loaded->adapter == BodyFeed::kAdapter && !workbench_.loading();
+  connect_->showHosted(isBody ? QString::fromStdString(loaded->sources.front()) : QString());
   offer_->tick();
 }
 
@@ -71,7 +87,8 @@ void RemoteMenus::load(const QJsonObject& window) {
   for (const QJsonValue& value : window.value(QStringLiteral("recent_servers")).toArray()) {
     const QString url = value.toObject().value(QStringLiteral("url")).toString();
     if (url.isEmpty()) continue;
-    servers.append({url, value.toObject().value(QStringLiteral("robots")).toString()});
+    servers.append({url, value.toObject().value(QStringLiteral("robots")).toString(),
+                    value.toObject().value(QStringLiteral("program_here")).toBool()});
   }
   connect_->setRecent(servers);
   offer_->setAddress(window.value(QStringLiteral("offer_address")).toString());
@@ -80,8 +97,9 @@ void RemoteMenus::load(const QJsonObject& window) {
 void RemoteMenus::save(QJsonObject& window) const {
   QJsonArray servers;
   for (const RemoteDialog::Recent& server : connect_->recent())
-    servers.append(
-        QJsonObject{{QStringLiteral("url"), server.url}, {QStringLiteral("robots"), server.robots}});
+    servers.append(QJsonObject{{QStringLiteral("url"), server.url},
+                               {QStringLiteral("robots"), server.robots},
+                               {QStringLiteral("program_here"), server.isHosted}});
   window.insert(QStringLiteral("recent_servers"), servers);
   window.insert(QStringLiteral("offer_address"), offer_->address());
 }

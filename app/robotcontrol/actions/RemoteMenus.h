@@ -29,6 +29,8 @@ class RemoteMenus final : public QObject {
   void showOffer();
   /// To be called in each tick of the session.
   void tick();
+  /// What was opened could not be.
+  void fail(const QString& reason);
 
   /// What the user entered last, in the state of the window.
   void load(const QJsonObject& window);
@@ -38,6 +40,8 @@ class RemoteMenus final : public QObject {
   static void show(QWidget& dialog);
   /// Lists the servers that were connected last.
   void fillAgain();
+  /// Runs the program of a body elsewhere here.
+  void host(const std::string& url);
 
   Workbench& workbench_;
   QMenu* again_ = nullptr;
