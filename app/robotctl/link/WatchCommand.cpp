@@ -31,7 +31,7 @@ struct WatchArguments {
   std::string csv;
   std::optional<double> seconds;
   double budget = 0;
-  bool asJson = false, asJpeg = false;
+  bool asJson = false, asJpeg = false, asRaw = false;
 };
 
 constexpr std::chrono::milliseconds kWatchTick{10};
@@ -74,6 +74,7 @@ class Watch {
         session_(kWatchHistory),
         client_(session_, optionsFor(std::move(connection))) {
     if (arguments.asJpeg) client_.setImages(SessionClient::Images::kJpeg);
+    if (arguments.asRaw) client_.setImages(SessionClient::Images::kRaw);
     if (arguments.budget > 0) client_.setBudget(arguments.budget);
   }
 
@@ -186,7 +187,12 @@ void addWatchCommand(CLI::App& app, int& status) {
       ->add_option("--budget", arguments->budget,
                    "Bytes a second that the robot may send; 0 is without limit")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
+  auto* jpeg =
+      command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
+  command
+      ->add_flag("--raw", arguments->asRaw,
+                 "Leaves images raw, also where the line is too narrow; else they come as JPEG then")
+      ->excludes(jpeg);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object at the end");
   command->footer(
       "What is subscribed to is what a workbench would: tables, states and texts, what debug keys that are "

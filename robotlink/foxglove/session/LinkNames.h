@@ -14,4 +14,8 @@ inline constexpr char kOnDemandGroup[] = "on-demand";
 /// What is behind the path of a channel of images for the channel of the same images as JPEG.
 inline constexpr char kJpegChannel[] = "/jpeg";
 
+/// How the id of a status begins by which a server offers a client to send images as JPEG, because its line
+/// does not carry raw ones; the topic follows.
+inline constexpr char kNarrowStatus[] = "narrow-line/";
+
 }  // namespace robotlink::websocket

@@ -165,6 +165,7 @@ void RemoteSession::onConnected(const ServerInfo& info) {
   connectedAt = options.connection.clock->now();
   isOurs = info.metadata.contains(kSessionKey);
   if (!serverSession.empty() && info.sessionId != serverSession) {
+    hasChanged |= std::exchange(isNarrow, false);
     shift.continueAfter(connectedAt - lostAt);
     for (auto& [path, times] : newestOf) times.remote = Instant::min();
   }
@@ -213,15 +214,24 @@ void RemoteSession::onParameters(const std::vector<Parameter>& parameters) {
   }
 }
 
+std::string RemoteSession::takeJpegOffer(const std::string& text) {
+  if (images != RemoteImages::kAutomatic || isNarrow) return text;
+  isNarrow = hasChanged = true;
+  ++fallbacks;
+  return "Images come as JPEG from now on: " + text;
+}
+
 /// What the server says about this client's doings is a text of the first robot.
 void RemoteSession::onStatus(const Status& status) {
+  const bool isOffer = isOurs && status.id.starts_with(kNarrowStatus);
+  const std::string said = isOffer ? takeJpegOffer(status.message) : status.message;
   if (robots.names().empty()) return;
   const auto text = std::make_shared<foxglove::Log>();
   text->set_level(status.level == StatusLevel::kError     ? foxglove::Log::ERROR
                   : status.level == StatusLevel::kWarning ? foxglove::Log::WARNING
                                                           : foxglove::Log::INFO);
   text->set_name("link/" + validUtf8(client->state().serverName));
-  text->set_message(validUtf8(status.message));
+  text->set_message(validUtf8(said));
   const std::string path = robots.names().front() + "/" + streams::kLog;
   const Instant time = shift.newest().value_or(Instant());
   enter({path, std::max(time, newestOf[path].mapped), text, "link"});
@@ -301,8 +311,8 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
 
 /// Whether another channel has the same images in the coding that is wanted.
 bool RemoteSession::isOtherCoding(const RemoteChannel& channel) const {
-  if (isJpegOfOther(channel)) return images != RemoteImages::kJpeg;
-  return images == RemoteImages::kJpeg && asJpeg.contains(channel.topic);
+  if (isJpegOfOther(channel)) return !sendsJpeg();
+  return sendsJpeg() && asJpeg.contains(channel.topic);
 }
 
 void RemoteSession::updateSubscriptions() {

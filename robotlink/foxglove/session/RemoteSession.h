@@ -38,6 +38,11 @@ class RemoteSession {
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
   bool wants(const RemoteChannel& channel);
   bool isOtherCoding(const RemoteChannel& channel) const;
+  bool sendsJpeg() const {
+    return images == RemoteImages::kJpeg || (images == RemoteImages::kAutomatic && isNarrow);
+  }
+  /// The server offers JPEG, since the line does not carry raw images; returns what follows, as a sentence.
+  std::string takeJpegOffer(const std::string& text);
   void updateSubscriptions();
   void updateChannelKeys();
   void lookAtRestart();
@@ -69,7 +74,11 @@ class RemoteSession {
   /// To be pushed again when the session was restarted.
   LatchedMessages latched;
   std::vector<SessionGap> gaps;
-  RemoteImages images = RemoteImages::kRaw;
+  RemoteImages images = RemoteImages::kAutomatic;
+  /// Whether the server has found that the line does not carry raw images, and how often that changed what is
+  /// subscribed to.
+  bool isNarrow = false;
+  std::uint64_t fallbacks = 0;
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
   std::uint64_t restarts = 0;

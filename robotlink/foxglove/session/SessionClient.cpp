@@ -68,7 +68,10 @@ ConnectionState SessionClient::state() const {
 }
 
 std::string SessionClient::stateText() const {
-  return describe(state(), parts_->options.connection.clock->now());
+  const std::string text = describe(state(), parts_->options.connection.clock->now());
+  return parts_->isNarrow && parts_->sendsJpeg()
+             ? text + ", images as JPEG: the line is too narrow for raw ones"
+             : text;
 }
 
 const std::vector<std::string>& SessionClient::robots() const {
@@ -123,7 +126,12 @@ void SessionClient::updateSubscriptions() {
 }
 
 void SessionClient::setImages(Images images) {
+  parts_->isNarrow = false;
   parts_->hasChanged |= std::exchange(parts_->images, images) != images;
+}
+
+std::uint64_t SessionClient::jpegFallbacks() const {
+  return parts_->fallbacks;
 }
 
 void SessionClient::setBudget(double bytesPerSecond) {

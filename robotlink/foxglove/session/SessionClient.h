@@ -76,8 +76,10 @@ class SessionClient {
 
   /// To be called when what `alsoWanted` says has changed.
   void updateSubscriptions();
-  /// How images are sent; at first raw.
+  /// How images are sent; at first automatic.
   void setImages(Images images);
+  /// How often images were changed to JPEG without anybody choosing that.
+  std::uint64_t jpegFallbacks() const;
   /// Bytes a second that the server may send; 0 without limit.
   void setBudget(double bytesPerSecond);
   /// For what sessions know nothing of: client channels, parameters, playback.

@@ -50,6 +50,7 @@ struct RemoteStream {
 
 /// How images are sent.
 enum class RemoteImages {
+  kAutomatic,  ///< raw, and as JPEG from when the server finds that the line does not carry raw ones
   kRaw,
   kJpeg  ///< where the server offers them; `convert` makes them raw again
 };

@@ -33,6 +33,8 @@ using robotcontrol::SolutionTable;
 
 /// What a line of 1 Mbit/s sends in 65 ms.
 constexpr std::size_t kCalmBytes = 8U << 10U;
+/// How often it is looked whether lines carry what is sent.
+constexpr Duration kLookAtLines = std::chrono::milliseconds(250);
 constexpr char kRawImage[] = "foxglove.RawImage";
 
 /// After so many ticks without anything new the session counts as paused.
@@ -109,6 +111,7 @@ void SessionServer::tick() {
   offerPlayback();
   getParameters();
   watchLinks();
+  offerJpeg();
   publishSubscribers();
   if (++stillTicks_ > kStillTicks) publishUnheard();
   if (session_.store().newest() == newest_) return;
@@ -338,6 +341,17 @@ void SessionServer::watchLinks() {
   // Several signs of life must be missing before a link counts as silent.
   server_->watch(steering_.clients(), steering_.limits().linkTime / 4);
   steering_.tick(server_->clock().now());
+}
+
+void SessionServer::offerJpeg() {
+  const Instant now = server_->clock().now();
+  if (!encoder_ || clients_.empty() || now - lookedAtLines_ < kLookAtLines) return;
+  lookedAtLines_ = now;
+  std::set<std::string> topics;
+  for (const auto& [path, channel] : channels_)
+    if (channel->setup().schemaName == kRawImage) topics.insert(path);
+  for (const auto& found : narrowLines_.look(server_->clients(), topics, now))
+    server_->sendStatus(found.client, {StatusLevel::kInfo, found.text, kNarrowStatus + found.topic});
 }
 
 void SessionServer::publishSteering(const std::string& robot, const Steering::Status& status) {

@@ -12,6 +12,7 @@
 #include "robotlink/foxglove/server/Server.h"
 #include "robotlink/foxglove/session/KeyRequests.h"
 #include "robotlink/foxglove/session/ModuleParameters.h"
+#include "robotlink/foxglove/session/NarrowLines.h"
 #include "robotlink/foxglove/session/Steering.h"
 #include "robotlink/session/Session.h"
 
@@ -122,6 +123,8 @@ class SessionServer {
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
   // What follows from what clients do.
   void getParameters();
+  /// Offers JPEG to clients whose lines do not carry raw images.
+  void offerJpeg();
   void watchLinks();
   void publishSubscribers();
   void publishSteering(const std::string& robot, const Steering::Status& status);
@@ -162,6 +165,8 @@ class SessionServer {
   Steering steering_;
   ModuleParameters modules_;
   ImageEncoder encoder_;
+  NarrowLines narrowLines_;
+  Instant lookedAtLines_;
   std::vector<ClientStream> clientStreams_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   std::map<std::string, Robot> robots_;

@@ -194,6 +194,20 @@ TEST_F(BadLine, imagesAreNeverOlderThanASecondAsJpeg) {
   EXPECT_LT(oldestImage(), 1s);
 }
 
+TEST_F(BadLine, imagesAreNeverOlderThanASecondThoughNobodyChoseJpeg) {
+  subscribeToImages(SessionClient::Images::kAutomatic);
+  ASSERT_TRUE(soon([&] { return client_->jpegFallbacks() == 1; }));
+  EXPECT_LT(oldestImage(), 1s);
+  EXPECT_THAT(client_->stateText(), testing::HasSubstr("images as JPEG: the line is too narrow"));
+  EXPECT_TRUE(soon([&] {
+    const auto* texts = session_.store().find("red1/log");
+    return std::ranges::any_of(texts->messages, [](const StreamMessage& message) {
+      const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+      return text->message().starts_with("Images come as JPEG from now on: the line carries");
+    });
+  }));
+}
+
 TEST_F(BadLine, alsoRawImagesDoNotGrowOlder) {
   subscribeToImages(SessionClient::Images::kRaw);
   // One takes 0.4 s on this line, and is shown until the next one has come.
