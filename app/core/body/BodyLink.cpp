@@ -74,7 +74,8 @@ void BodyLink::look(const robotlink::StreamMessage& message) {
     if (auto state = std::dynamic_pointer_cast<const BodyState>(message.value)) arrived_.state = state;
   } else if (stream == streams::kLog) {
     const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
-    if (text != nullptr && arrived_.texts.size() < kMaxTexts)
+    // Whether it stands, and why, is in its state.
+    if (text != nullptr && text->name() != "program" && arrived_.texts.size() < kMaxTexts)
       arrived_.texts.push_back(text->name() + ": " + text->message());
   } else if (packages_.contains(stream)) {
     arrived_.sensors[stream] = message.value;

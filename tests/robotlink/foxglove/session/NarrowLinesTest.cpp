@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 
 class NarrowLinesTest : public testing::Test {
  protected:
+  NarrowLinesTest() { client_.info.id = 7; }
   /// A quarter of a second passes, in which so many images were sent to the client and thinned.
   std::vector<NarrowLines::Finding> pass(std::uint64_t sent, std::uint64_t thinned) {
     now_ += 250ms;
@@ -25,7 +26,7 @@ class NarrowLinesTest : public testing::Test {
     return found;
   }
 
-  ClientState client_{.info = {.id = 7}};
+  ClientState client_;
   Instant now_{10s};
   NarrowLines lines_;
 };
