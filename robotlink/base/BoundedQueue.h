@@ -28,6 +28,12 @@ class BoundedQueue {
     return true;
   }
 
+  /// Enqueues `value` however full the queue is: for what must arrive, and of which its producer has few.
+  void pushAlways(T value) {
+    const std::lock_guard lock(mutex_);
+    values_.push_back(std::move(value));
+  }
+
   /// Removes and returns all queued values, oldest first.
   std::vector<T> drain() {
     const std::lock_guard lock(mutex_);

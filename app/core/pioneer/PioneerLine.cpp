@@ -36,8 +36,18 @@ void PioneerLine::send(Bytes bytes) {
   if (open_) outgoing_.push(std::move(bytes));
 }
 
+void PioneerLine::sendUrgent(Bytes bytes) {
+  if (open_) outgoing_.pushAlways(std::move(bytes));
+}
+
 void PioneerLine::report(std::variant<Opened, Bytes, Lost> what) {
-  events_.push({std::move(what), clock_.now()});
+  Event event{std::move(what), clock_.now()};
+  if (std::holds_alternative<Bytes>(event.what)) {
+    events_.push(std::move(event));
+  } else {
+    // Each follows an open(), and the robot's driver would wait for it for ever.
+    events_.pushAlways(std::move(event));
+  }
 }
 
 void PioneerLine::open() {

@@ -52,6 +52,8 @@ class PioneerLine {
   std::vector<Event> take() { return events_.drain(); }
   /// Enqueues bytes for the robot; drops them while the line is not open.
   void send(Bytes bytes);
+  /// As send(), but not even dropped if the robot has not taken what waits before: for STOP.
+  void sendUrgent(Bytes bytes);
   /// Opens the line if it is not open. Either an Opened or a Lost follows.
   void open();
   /// Closes the line after sending what is waiting. No event follows.

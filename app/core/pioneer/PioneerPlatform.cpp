@@ -47,14 +47,17 @@ void PioneerPlatform::sendWaiting() {
 void PioneerPlatform::engageStop(bool engaged) {
   stopEngaged_.store(engaged);
   if (!engaged) return;  // The motors are switched on again by actuate(), if they were.
+  stopSent_.store(true);
   using robotlink::arcos::CommandId;
   for (const auto& command :
        {robotlink::arcos::command(CommandId::kEStop), robotlink::arcos::command(CommandId::kEnable, 0)})
-    line_.send(robotlink::arcos::encode(toPacket(command)));
+    line_.sendUrgent(robotlink::arcos::encode(toPacket(command)));
 }
 
 void PioneerPlatform::actuate() {
   takeEvents();
+  // STOP may have been engaged and released again since the last step: its commands were sent all the same.
+  if (stopSent_.exchange(false)) driver_.actuate(true, clock().now());
   driver_.actuate(mustStand(), clock().now());
   sendWaiting();
   if (const std::string text = driver_.takeReport(); !text.empty()) report(text);

@@ -50,6 +50,8 @@ class PioneerPlatform final : public robotlink::Platform {
   void sendWaiting();
 
   std::atomic<bool> stopEngaged_{false};
+  /// Whether STOP's commands were sent since the last actuate().
+  std::atomic<bool> stopSent_{false};
   /// Whether shutDown() was called, which acts only once.
   bool shutDown_ = false;
   PioneerDriver driver_;

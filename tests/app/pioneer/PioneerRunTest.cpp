@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
@@ -144,6 +145,18 @@ TEST_F(PioneerRunTest, stopTakesTheMotorsOff) {
   ASSERT_TRUE(run_->request(stop));
   EXPECT_TRUE(playUntil([&] { return !state()->motors_on(); }));
   EXPECT_FALSE(motors(true));
+}
+
+TEST_F(PioneerRunTest, afterAStopThatIsReleasedBeforeTheNextStepTheMotorsAreOnAgain) {
+  connect();
+  ASSERT_TRUE(playUntil([&] { return connected(); }));
+  ASSERT_TRUE(motors(true));
+  ASSERT_TRUE(playUntil([&] { return state() && state()->motors_on(); }));
+  for (const bool engaged : {true, false}) run_->stopSwitch()->engage("p3at1", engaged);
+  // Long enough for the commands to have reached the robot and its answers to have come back.
+  std::set<std::shared_ptr<const robotcontrol::DriveState>> states;
+  ASSERT_TRUE(playUntil([&] { return states.insert(state()).second && states.size() > 10; }));
+  EXPECT_TRUE(playUntil([&] { return state()->motors_on(); }));
 }
 
 TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) {

@@ -30,6 +30,15 @@ TEST(BoundedQueue, whatIsPushedIntoAFullQueueIsDroppedAndCounted) {
   EXPECT_EQ(queue.dropped(), 2U) << "draining does not forget what was lost";
 }
 
+TEST(BoundedQueue, whatMustArriveIsQueuedInItsOrderEvenIfItIsFull) {
+  BoundedQueue<int> queue(1);
+  EXPECT_TRUE(queue.push(1));
+  queue.pushAlways(2);
+  EXPECT_FALSE(queue.push(3));
+  EXPECT_EQ(queue.dropped(), 1U);
+  EXPECT_THAT(queue.drain(), ElementsAre(1, 2));
+}
+
 TEST(BoundedQueue, aQueueWithoutCapacityDropsEverything) {
   BoundedQueue<int> queue(0);
   EXPECT_FALSE(queue.push(1));
