@@ -8,6 +8,12 @@
 #include "robotlink/session/Session.h"
 
 namespace app {
+namespace {
+
+/// As many as a session waits for at most.
+constexpr std::size_t kMaxForwarded = 10'000;
+
+}  // namespace
 
 struct PlatformThread::Asked {
   robotcontrol::Request request;
@@ -44,6 +50,7 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   reportedAtEnd_.clear();
   if (feed_) reportedAtEnd_ = feed_->end();
   feed_.reset();
+  refuseForwarded();
   recorder_.setLive(!feed || !feed->describe().isLogged());
   feed_ = std::move(feed);
   {
@@ -176,16 +183,28 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
       "platform.none",
       "nothing is running that can do this; open a scene or a log, or connect a robot first");
   if (feed_) done = feed_->fulfil(request);
-  if (done && *done == PlatformFeed::Answer::kByProgram) return;
+  if (done && *done == PlatformFeed::Answer::kByProgram) {
+    forwarded_.insert(forwarded_.end(), ids.begin(), ids.end());
+    while (forwarded_.size() > kMaxForwarded) forwarded_.pop_front();
+    return;
+  }
   // First, so that whoever gets the result sees the effect.
   if (feed_) feed_->publishStatus();
-  for (const std::uint64_t id : ids) {
-    robotcontrol::RequestResult result;
-    result.set_id(id);
-    result.set_accepted(done.has_value());
-    if (!done) result.set_reason(done.error().text);
-    session_.pushResult(result);
-  }
+  for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().text);
+}
+
+void PlatformThread::refuseForwarded() {
+  for (const std::uint64_t id : forwarded_)
+    pushResult(id, "the robot's program ended before it answered; ask the one that runs now");
+  forwarded_.clear();
+}
+
+void PlatformThread::pushResult(std::uint64_t id, const std::string& refusal) {
+  robotcontrol::RequestResult result;
+  result.set_id(id);
+  result.set_accepted(refusal.empty());
+  result.set_reason(refusal);
+  session_.pushResult(result);
 }
 
 }  // namespace app

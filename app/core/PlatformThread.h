@@ -2,6 +2,8 @@
 #pragma once
 
 #include <any>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -74,6 +76,11 @@ class PlatformThread {
   LoadedPlatform describe() const;
   /// Fulfills a request and pushes the result for each of the ids, unless the program will answer.
   void fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
+  /// Refuses the requests that the platform's programs did not answer; the session ignores those that they
+  /// did.
+  void refuseForwarded();
+  /// An empty refusal means that the request was accepted.
+  void pushResult(std::uint64_t id, const std::string& refusal);
   /// Fulfills STOP if there is such a robot, otherwise when what was asked before is done.
   void stop(const robotcontrol::Request& request);
   /// Enqueues a job that no move can be joined across.
@@ -85,6 +92,9 @@ class PlatformThread {
   std::unique_ptr<PlatformFeed> feed_;
   /// Only in the platform's thread.
   Ended ended_;
+  /// Requests that were forwarded to a program of this platform, the newest last. Only in the platform's
+  /// thread.
+  std::deque<std::uint64_t> forwarded_;
   /// What the platform before the present one reported about its end. Only in the platform's thread.
   std::vector<std::string> reportedAtEnd_;
   /// PlatformContext::memory by the adapter's name. Only in the platform's thread.

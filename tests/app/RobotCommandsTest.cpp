@@ -96,6 +96,23 @@ TEST_F(RobotCommandsTest, keysThatAreBeingSwitchedOnAreNotLostToTheNextStart) {
   EXPECT_FALSE(wasLost);
 }
 
+TEST_F(RobotCommandsTest, whatAProgramWasAskedIsAnsweredEvenIfItsPlatformIsClosed) {
+  workbench_.open(SimulationFeed::opening(defaultSimulation()));
+  ASSERT_TRUE(test::tickUntil(workbench_, [&] { return workbench_.loaded() != nullptr; }));
+  ASSERT_TRUE(workbench_.commands().run("simulation.start"));
+  int answers = 0;
+  constexpr int kRequests = 20;
+  for (int i = 0; i < kRequests; ++i) {
+    robotcontrol::Request request;
+    request.set_robot("red1");
+    request.mutable_set_key()->set_name("package/camera/image");
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    workbench_.session().request(request, [&](const auto&) { ++answers; });
+  }
+  workbench_.close();
+  EXPECT_TRUE(test::tickUntil(workbench_, [&] { return answers == kRequests; })) << answers;
+}
+
 TEST_F(RobotCommandsTest, loadingEndsHoweverManyLayoutsWereAskedForAtOnce) {
   int refused = 0;
   workbench_.onErrors([&](const robotlink::Errors&) { ++refused; });

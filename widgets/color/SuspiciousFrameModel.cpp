@@ -74,7 +74,8 @@ QString SuspiciousFrameModel::classesOf(const SuspiciousFrame& frame) const {
   QStringList texts;
   for (const auto& [count, colorClass] : counts) {
     if (colorClass < classes_.size())
-      texts << QStringLiteral("%1 %2").arg(QString::fromStdString(classes_.name(colorClass))).arg(count);
+      texts << QStringLiteral("%1 %2").arg(QString::fromStdString(classes_.name(colorClass)),
+                                           QString::number(count));
   }
   return texts.join(QStringLiteral(", "));
 }

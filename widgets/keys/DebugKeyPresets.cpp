@@ -83,8 +83,9 @@ void DebugKeysView::savePreset() {
   }
   const auto saved = presets().save(name.toStdString(), table);
   listPresets();
-  notify(saved ? tr("Saved the preset %1 (keys that are on: %2).").arg(name).arg(table.keys_size())
-               : QString::fromStdString(saved.error().describe()));
+  notify(saved
+             ? tr("Saved the preset %1 (keys that are on: %2).").arg(name, QString::number(table.keys_size()))
+             : QString::fromStdString(saved.error().describe()));
 }
 
 void DebugKeysView::removePreset() {

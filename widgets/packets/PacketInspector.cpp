@@ -256,7 +256,7 @@ void PacketInspector::listNames() {
       ->setObjectName(QStringLiteral("packetsAllNames"));
   namesMenu_->addSeparator();
   for (const auto& [name, count] : shownModel().names()) {
-    QAction* action = namesMenu_->addAction(tr("%1 (%2)").arg(name).arg(count));
+    QAction* action = namesMenu_->addAction(tr("%1 (%2)").arg(name, QString::number(count)));
     action->setCheckable(true);
     action->setChecked(!filter_->hiddenNames().contains(name));
     connect(action, &QAction::toggled, this, [this, hide, name = name](bool shown) {

@@ -88,21 +88,21 @@ void RecordedBar::noticeRecording(const RecordingStatus& status) {
       others > 0 ? tr(" (the last of %1 files: each reset starts a new one)").arg(others + 1) : QString();
   const QString length = RecordingToolBar::lengthText(status);
   showFile(QString::fromStdString(files_.back()),
-           tr("%1 %2 into %3").arg(how, length, QStringLiteral("%1")) + more);
+           [&](const QString& place) { return tr("%1 %2 into %3").arg(how, length, place) + more; });
 }
 
 void RecordedBar::noticeSaved(const RecordingStatus& status) {
   if (status.saved_path() == saved_) return;
   saved_ = status.saved_path();
-  if (!saved_.empty()) showFile(QString::fromStdString(saved_), tr("The last seconds are in %1"));
+  if (!saved_.empty())
+    showFile(QString::fromStdString(saved_),
+             [](const QString& place) { return tr("The last seconds are in %1").arg(place); });
 }
 
-/// `text`: %1 is replaced by the file name.
-void RecordedBar::showFile(const QString& file, const QString& text) {
+void RecordedBar::showFile(const QString& file, const std::function<QString(const QString& place)>& text) {
   file_ = file;
   const QFileInfo info(file);
-  text_->setText(
-      text.arg(tr("%1, in %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))));
+  text_->setText(text(tr("%1, in %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))));
   text_->setToolTip(QDir::toNativeSeparators(info.absoluteFilePath()));
   show();
 }

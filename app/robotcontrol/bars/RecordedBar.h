@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 class QLabel;
@@ -32,7 +33,8 @@ class RecordedBar : public QWidget {
   void noticeRecording(const robotcontrol::RecordingStatus& status);
   /// Shows the bar when the last seconds were saved.
   void noticeSaved(const robotcontrol::RecordingStatus& status);
-  void showFile(const QString& file, const QString& text);
+  /// `text` makes the sentence of the words for where the file is.
+  void showFile(const QString& file, const std::function<QString(const QString& place)>& text);
   void open();
   void showFolder();
 

@@ -68,7 +68,8 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr) return nullptr;
   const QString title = QCoreApplication::translate("View", type->title);
-  auto* dock = new ads::CDockWidget(number > 1 ? QStringLiteral("%1 %2").arg(title).arg(number) : title);
+  auto* dock =
+      new ads::CDockWidget(number > 1 ? QStringLiteral("%1 %2").arg(title, QString::number(number)) : title);
   dock->setObjectName(dockNameOf(id, number));
   dock->setIcon(widgets::icon(type->icon));
   dock->setTabToolTip(QCoreApplication::translate("View", type->help));
