@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/decoding", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -23,6 +23,7 @@ TARGETS = {
     "robotlink/process": ["robotlink/base", "robotlink/config", "robotlink/packages"],
     "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
     "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
+    "robotlink/dds": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
                           "robotlink/debugging"],
     "robotlink/motions": ["robotlink/base"],
@@ -65,6 +66,7 @@ OUTSIDE = {
     r"^ode/": ["simcore"],
     r"^embree3/": ["simcore"],
     r"^boost/": ["robotlink/arcos", "robotlink/arcos/server", "robotlink/foxglove"],
+    r"^dds/": ["robotlink/dds"],
     r"^openssl/": ["robotlink/foxglove"],
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],

@@ -9,6 +9,7 @@ find_package(tl-expected REQUIRED)
 find_package(Boost 1.81 REQUIRED)  # headers only: Asio, Beast
 find_package(OpenSSL 3 REQUIRED)
 find_package(Protobuf REQUIRED)
+find_package(CycloneDDS REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)

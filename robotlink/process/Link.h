@@ -37,7 +37,13 @@ class Link {
   /// still be taken. After it returns, the link touches neither process, so both may be destroyed.
   /// Idempotent; any thread.
   virtual void close() = 0;
+  /// Whether nothing is passed on: an end was stopped, or the program at the other end does not run.
   virtual bool closed() const = 0;
+  /// Whether it is closed for good. A link between programs opens again when the other one runs again.
+  virtual bool ended() const { return closed(); }
+  /// How many senders it has had: it grows when the program of the sender was started again. Always 0 within
+  /// a program.
+  virtual std::uint64_t generation() const { return 0; }
   /// How many packages were replaced by newer ones before they were taken. Any thread.
   virtual std::uint64_t missed() const = 0;
 };

@@ -29,6 +29,11 @@ std::string AnyReceiver::typeName() const {
   return type != nullptr ? type->full_name() : std::string();
 }
 
+std::uint64_t AnyReceiver::generation() const {
+  const std::lock_guard lock(mutex_);
+  return link_ ? link_->generation() : 0;
+}
+
 void AnyReceiver::connect(std::shared_ptr<Link> link, std::string peer) {
   {
     const std::lock_guard lock(mutex_);
@@ -73,7 +78,8 @@ std::string AnyReceiver::waitsFor() const {
   const std::lock_guard lock(mutex_);
   const std::string what = "package " + package_;
   if (!link_) return what + ", which nobody sends";
-  return what + " of " + peer_ + (link_->closed() ? ", which has stopped" : "");
+  const char* state = taken() > 0 ? ", which has stopped" : ", which does not run";
+  return what + " of " + peer_ + (link_->closed() ? state : "");
 }
 
 }  // namespace robotlink

@@ -39,6 +39,8 @@ class AnyReceiver {
   std::string peer() const;
   /// The type of the received packages, "robotcontrol.BallModel"; empty before the first.
   std::string typeName() const;
+  /// How many senders in other programs it has had; it grows when their program was started again.
+  std::uint64_t generation() const;
 
   /// Replaces the link and closes the old one; the last package stays. Null disconnects.
   void connect(std::shared_ptr<Link> link, std::string peer);

@@ -30,7 +30,7 @@ std::string AnySender::typeName() const {
 
 void AnySender::connect(std::shared_ptr<Link> link) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(links_, [](const auto& old) { return old->closed(); });
+  std::erase_if(links_, [](const auto& old) { return old->ended(); });
   links_.push_back(std::move(link));
 }
 

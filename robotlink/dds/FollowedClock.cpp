@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/dds/FollowedClock.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <thread>
+
+#include "robotlink/dds/Wire.h"
+
+namespace robotlink::dds {
+namespace {
+
+constexpr std::chrono::milliseconds kAnnounceEvery{100};
+
+std::string clockTopic(const std::string& robot) {
+  return "robotcontrol/" + robot + "/clock";
+}
+
+}  // namespace
+
+struct FollowedClock::Reader {
+  explicit Reader(FollowedClock& clock) : owner(clock) {}
+  void take();
+
+  FollowedClock& owner;
+  std::shared_ptr<Node> node;
+  std::mutex mutex;  // protects sample
+  Sample sample;
+  Entity entity;  // last, so that it is deleted first, which waits for its listener
+};
+
+FollowedClock::FollowedClock() = default;
+FollowedClock::~FollowedClock() = default;
+
+Result<void> FollowedClock::follow(const std::shared_ptr<Node>& node, const std::string& robot) {
+  auto reader = std::make_unique<Reader>(*this);
+  auto entity = openReader(node->participant(), clockTopic(robot), History::kNewest);
+  if (!entity) return tl::unexpected(entity.error());
+  reader->node = node;
+  reader->entity = std::move(*entity);
+  const std::unique_ptr<dds_listener_t, void (*)(dds_listener_t*)> listener(
+      dds_create_listener(reader.get()), &dds_delete_listener);
+  dds_lset_data_available(listener.get(),
+                          [](dds_entity_t, void* self) { static_cast<Reader*>(self)->take(); });
+  dds_set_listener(reader->entity.get(), listener.get());
+  reader_ = std::move(reader);
+  return {};
+}
+
+void FollowedClock::Reader::take() {
+  const std::lock_guard lock(mutex);
+  while (const auto from = dds::take(entity.get(), sample)) {
+    const auto local = std::chrono::steady_clock::now() - owner.start_;
+    owner.note(*from, Instant(Duration(sample.package.time)), std::chrono::duration_cast<Duration>(local));
+  }
+}
+
+void FollowedClock::note(std::uint64_t source, Instant announced, Duration local) {
+  const std::lock_guard lock(mutex_);
+  const bool isNew = source != source_ || !isSet();
+  if (isNew) count_ = 0;
+  source_ = source;
+  ahead_[count_++ % ahead_.size()] = announced.time_since_epoch() - local;
+  // Announcements that were under way for long seem to be less ahead.
+  const auto known = static_cast<std::ptrdiff_t>(std::min(count_, ahead_.size()));
+  offset_.store(std::max_element(ahead_.begin(), ahead_.begin() + known)->count());
+  if (isNew) shown_.store(announced.time_since_epoch().count());
+  isSet_.store(true);
+}
+
+Instant FollowedClock::at(Duration local) const {
+  const Duration::rep time = local.count() + offset_.load();
+  Duration::rep before = shown_.load();
+  while (time > before && !shown_.compare_exchange_weak(before, time)) {
+  }
+  return Instant(Duration(std::max(time, before)));
+}
+
+Instant FollowedClock::now() const {
+  return at(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - start_));
+}
+
+struct ClockSource::Implementation {
+  const Clock& clock;
+  std::shared_ptr<Node> node;
+  Entity writer;
+  std::jthread thread = {};  // no Worker: it has no jobs, only a pace
+};
+
+ClockSource::ClockSource(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {
+  Implementation& self = *implementation_;
+  self.thread = std::jthread([&self](const std::stop_token& stop) {
+    std::mutex mutex;
+    std::condition_variable_any pace;
+    const std::string none;
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+      write(self.writer.get(), {.name = none,
+                                .type = none,
+                                .sender = none,
+                                .time = self.clock.now().time_since_epoch().count()});
+      pace.wait_for(lock, stop, kAnnounceEvery, [] { return false; });
+    }
+  });
+}
+
+ClockSource::~ClockSource() = default;
+
+Result<std::unique_ptr<ClockSource>> ClockSource::open(const std::shared_ptr<Node>& node,
+                                                       const std::string& robot, const Clock& clock) {
+  auto writer = openWriter(node->participant(), clockTopic(robot), History::kNewest);
+  if (!writer) return tl::unexpected(writer.error());
+  return std::unique_ptr<ClockSource>(
+      new ClockSource(std::make_unique<Implementation>(Implementation{clock, node, std::move(*writer)})));
+}
+
+}  // namespace robotlink::dds
