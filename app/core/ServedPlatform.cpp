@@ -16,6 +16,7 @@
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/dds/RobotDiscovery.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 
@@ -51,6 +52,23 @@ std::string offerOf(const LoadedPlatform& platform, const std::string& scheme, c
   std::string robots;
   for (const auto& [name, robot] : platform.robots) robots += (robots.empty() ? "" : ", ") + name;
   return (robots.empty() ? platform.title : robots) + " at " + scheme + "://" + toString(listener.address());
+}
+
+/// Lets others on the networks of the address find the robots; null on the loopback interface, or where that
+/// does not work.
+std::unique_ptr<robotlink::dds::RobotAnnouncement> announced(const std::vector<std::string>& robots,
+                                                             const ListenAccess& access,
+                                                             const Listener& listener) {
+  auto nodes = robotlink::dds::announcementNodes(listener.address().address);
+  if (nodes.empty()) return nullptr;
+  const auto& certificate = access.listening.certificate;
+  auto made = robotlink::dds::RobotAnnouncement::open(
+      std::move(nodes), {.names = robots,
+                         .address = {},
+                         .port = listener.address().port,
+                         .isEncrypted = certificate.has_value(),
+                         .fingerprint = certificate ? certificate->fingerprint : std::string()});
+  return made ? std::move(*made) : nullptr;
 }
 
 /// Prints a text of a program.
@@ -121,6 +139,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   publishPrograms(session, *outcome);
   if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
   tick();  // who connects at once finds everything
+  const auto announcement = announced(robots, *access, **listener);
   out << offerOf(*outcome, access->scheme(), **listener) << std::endl;
 
   std::optional<robotlink::Instant> end;

@@ -21,6 +21,7 @@ void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 void addPlatformCommand(CLI::App& app, int& status);
+void addLaunchCommand(CLI::App& app, int& status);
 void addWatchCommand(CLI::App& app, int& status);
 void addRequestCommand(CLI::App& app, int& status);
 

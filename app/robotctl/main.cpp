@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
   addLogCommand(app, status);
   addRunCommand(app, status);
   addPlatformCommand(app, status);
+  addLaunchCommand(app, status);
   addWatchCommand(app, status);
   addRequestCommand(app, status);
   addColorCommand(app, status);

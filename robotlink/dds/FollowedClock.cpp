@@ -16,6 +16,39 @@ std::string clockTopic(const std::string& robot) {
   return "robotcontrol/" + robot + "/clock";
 }
 
+std::string lifeTopic(const std::string& robot) {
+  return "robotcontrol/" + robot + "/alive";
+}
+
+/// Writes the time of a clock again and again.
+class Announcer {
+ public:
+  /// Without a clock the time is 0.
+  Announcer(std::shared_ptr<Node> node, Entity writer, const Clock* clock)
+      : node_(std::move(node)),
+        writer_(std::move(writer)),
+        clock_(clock),
+        thread_([this](const auto& stop) { run(stop); }) {}
+
+ private:
+  void run(const std::stop_token& stop) {
+    std::mutex mutex;
+    std::condition_variable_any pace;
+    const std::string none;
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested()) {
+      const auto time = clock_ != nullptr ? clock_->now().time_since_epoch().count() : 0;
+      write(writer_.get(), {.name = none, .type = none, .sender = none, .time = time});
+      pace.wait_for(lock, stop, kAnnounceEvery, [] { return false; });
+    }
+  }
+
+  const std::shared_ptr<Node> node_;
+  const Entity writer_;
+  const Clock* const clock_;
+  const std::jthread thread_;  // no Worker: it has no jobs, only a pace
+};
+
 }  // namespace
 
 struct FollowedClock::Reader {
@@ -38,8 +71,8 @@ Result<void> FollowedClock::follow(const std::shared_ptr<Node>& node, const std:
   if (!entity) return tl::unexpected(entity.error());
   reader->node = node;
   reader->entity = std::move(*entity);
-  const std::unique_ptr<dds_listener_t, void (*)(dds_listener_t*)> listener(
-      dds_create_listener(reader.get()), &dds_delete_listener);
+  const std::unique_ptr<dds_listener_t, void (*)(dds_listener_t*)> listener(dds_create_listener(reader.get()),
+                                                                            &dds_delete_listener);
   dds_lset_data_available(listener.get(),
                           [](dds_entity_t, void* self) { static_cast<Reader*>(self)->take(); });
   dds_set_listener(reader->entity.get(), listener.get());
@@ -81,38 +114,39 @@ Instant FollowedClock::now() const {
 }
 
 struct ClockSource::Implementation {
-  const Clock& clock;
-  std::shared_ptr<Node> node;
-  Entity writer;
-  std::jthread thread = {};  // no Worker: it has no jobs, only a pace
+  Entity lifeSigns;
+  std::unique_ptr<Announcer> announcer;
 };
 
 ClockSource::ClockSource(std::unique_ptr<Implementation> implementation)
-    : implementation_(std::move(implementation)) {
-  Implementation& self = *implementation_;
-  self.thread = std::jthread([&self](const std::stop_token& stop) {
-    std::mutex mutex;
-    std::condition_variable_any pace;
-    const std::string none;
-    std::unique_lock lock(mutex);
-    while (!stop.stop_requested()) {
-      write(self.writer.get(), {.name = none,
-                                .type = none,
-                                .sender = none,
-                                .time = self.clock.now().time_since_epoch().count()});
-      pace.wait_for(lock, stop, kAnnounceEvery, [] { return false; });
-    }
-  });
-}
-
+    : implementation_(std::move(implementation)) {}
 ClockSource::~ClockSource() = default;
 
 Result<std::unique_ptr<ClockSource>> ClockSource::open(const std::shared_ptr<Node>& node,
                                                        const std::string& robot, const Clock& clock) {
   auto writer = openWriter(node->participant(), clockTopic(robot), History::kNewest);
   if (!writer) return tl::unexpected(writer.error());
-  return std::unique_ptr<ClockSource>(
-      new ClockSource(std::make_unique<Implementation>(Implementation{clock, node, std::move(*writer)})));
+  auto lifeSigns = openReader(node->participant(), lifeTopic(robot), History::kNewest);
+  if (!lifeSigns) return tl::unexpected(lifeSigns.error());
+  auto announcer = std::make_unique<Announcer>(node, std::move(*writer), &clock);
+  return std::unique_ptr<ClockSource>(new ClockSource(
+      std::make_unique<Implementation>(Implementation{std::move(*lifeSigns), std::move(announcer)})));
+}
+
+struct LifeSign::Implementation {
+  std::unique_ptr<Announcer> announcer;
+};
+
+LifeSign::LifeSign(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+LifeSign::~LifeSign() = default;
+
+Result<std::unique_ptr<LifeSign>> LifeSign::open(const std::shared_ptr<Node>& node,
+                                                 const std::string& robot) {
+  auto writer = openWriter(node->participant(), lifeTopic(robot), History::kNewest);
+  if (!writer) return tl::unexpected(writer.error());
+  return std::unique_ptr<LifeSign>(new LifeSign(std::make_unique<Implementation>(
+      Implementation{std::make_unique<Announcer>(node, std::move(*writer), nullptr)})));
 }
 
 }  // namespace robotlink::dds

@@ -49,7 +49,8 @@ class FollowedClock final : public Clock {
   std::unique_ptr<Reader> reader_;
 };
 
-/// Announces a clock to all FollowedClocks of a robot, in a thread of its own. The clock must outlive it.
+/// Announces a clock to all FollowedClocks of a robot, in a thread of its own. The clock must outlive it. It
+/// also listens to the LifeSigns of the robot's other programs, so that DDS misses them soon when they end.
 class ClockSource {
  public:
   static Result<std::unique_ptr<ClockSource>> open(const std::shared_ptr<Node>& node,
@@ -59,6 +60,18 @@ class ClockSource {
  private:
   struct Implementation;
   explicit ClockSource(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// A sign of life ten times a second, in a thread of its own, of a program that announces no clock.
+class LifeSign {
+ public:
+  static Result<std::unique_ptr<LifeSign>> open(const std::shared_ptr<Node>& node, const std::string& robot);
+  ~LifeSign();
+
+ private:
+  struct Implementation;
+  explicit LifeSign(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
 };
 

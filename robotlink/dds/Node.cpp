@@ -37,7 +37,7 @@ std::string settingsOf(const NodeOptions& options) {
          "</ExternalDomainId><ParticipantIndex>auto</ParticipantIndex>"
          "<MaxAutoParticipantIndex>31</MaxAutoParticipantIndex><Peers>" +
          peers +
-         "</Peers><SPDPInterval>500ms</SPDPInterval><LeaseDuration>2s</LeaseDuration></Discovery>"
+         "</Peers><SPDPInterval>300ms</SPDPInterval><LeaseDuration>1s</LeaseDuration></Discovery>"
          "<Internal><Watermarks><WhcHigh>64MB</WhcHigh></Watermarks></Internal>"
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }
@@ -54,17 +54,16 @@ Result<std::shared_ptr<Node>> Node::open(const NodeOptions& options) {
   dds_entity_t domain = DDS_RETCODE_PRECONDITION_NOT_MET;
   while (domain == DDS_RETCODE_PRECONDITION_NOT_MET && local < kMaxLocalDomains)
     domain = dds_create_domain(local++, settings.c_str());
-  const dds_entity_t participant =
-      domain < 0 ? domain : dds_create_participant(local - 1, nullptr, nullptr);
+  const dds_entity_t participant = domain < 0 ? domain : dds_create_participant(local - 1, nullptr, nullptr);
   if (participant < 0) {
     if (domain >= 0) dds_delete(domain);
-    return failure("dds.open",
-                   "DDS cannot be used on the interface " +
-                       (options.address.empty() ? "127.0.0.1" : options.address) + ": " +
-                       dds_strretcode(participant) + "; check the address, and how many programs use domain " +
-                       std::to_string(options.domain));
+    return failure("dds.open", "DDS cannot be used on the interface " +
+                                   (options.address.empty() ? "127.0.0.1" : options.address) + ": " +
+                                   dds_strretcode(participant) +
+                                   "; check the address, and how many programs use domain " +
+                                   std::to_string(options.domain));
   }
-  return std::shared_ptr<Node>(new Node(domain, participant));
+  return std::shared_ptr<Node>(new Node(domain, participant, options.address));
 }
 
 Node::~Node() {

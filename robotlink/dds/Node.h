@@ -24,7 +24,7 @@ struct NodeOptions {
 
 /// A participant in DDS, on one network interface only, with settings of its own: the environment variable
 /// CYCLONEDDS_URI is ignored. A program may have several, which find each other as if they were in different
-/// programs. A peer that ends without a farewell is given up after two seconds. Any thread.
+/// programs. A peer that ends without a farewell is given up after a second. Any thread.
 class Node {
  public:
   /// Fails if there is no such interface or the domain has no free port.
@@ -35,12 +35,16 @@ class Node {
 
   /// The handle of the participant, for the other classes of this folder.
   std::int32_t participant() const { return participant_; }
+  /// That of its interface; empty: the loopback interface.
+  const std::string& address() const { return address_; }
 
  private:
-  Node(std::int32_t domain, std::int32_t participant) : domain_(domain), participant_(participant) {}
+  Node(std::int32_t domain, std::int32_t participant, std::string address)
+      : domain_(domain), participant_(participant), address_(std::move(address)) {}
 
   const std::int32_t domain_;
   const std::int32_t participant_;
+  const std::string address_;
 };
 
 }  // namespace robotlink::dds

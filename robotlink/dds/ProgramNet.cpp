@@ -9,10 +9,7 @@
 namespace robotlink::dds {
 
 ProgramNet::ProgramNet(std::shared_ptr<Node> node, Identity identity, const Clock& clock, Behavior behavior)
-    : node_(std::move(node)),
-      identity_(std::move(identity)),
-      clock_(clock),
-      behavior_(std::move(behavior)) {
+    : node_(std::move(node)), identity_(std::move(identity)), clock_(clock), behavior_(std::move(behavior)) {
   if (!behavior_.fingerprint) behavior_.fingerprint = &fingerprintOf;
   if (!behavior_.report) behavior_.report = [](const std::string&) {};
 }
@@ -44,8 +41,8 @@ Result<void> ProgramNet::link(AnySender& sender, const std::string& from) {
 
 Result<void> ProgramNet::link(AnyReceiver& receiver, const std::string& from) {
   const std::lock_guard lock(mutex_);
-  auto end = ReceivingEnd::open(setupOf(receiver.package(), from, receiver.process().name()),
-                                receiver.process());
+  auto end =
+      ReceivingEnd::open(setupOf(receiver.package(), from, receiver.process().name()), receiver.process());
   if (!end) return tl::unexpected(end.error());
   receivers_[&receiver] = *end;
   receiver.connect(std::move(*end), from);

@@ -33,7 +33,7 @@ PackagePtr parsed(const robotlink_wire_Package& sample) {
   if (prototype == nullptr) return nullptr;
   const std::shared_ptr<pb::Message> package(prototype->New());
   return package->ParseFromArray(sample.data._buffer, static_cast<int>(sample.data._length)) ? package
-                                                                                            : nullptr;
+                                                                                             : nullptr;
 }
 
 }  // namespace
@@ -132,9 +132,10 @@ bool ReceivingEnd::accepts(const robotlink_wire_Package& sample) {
   }
   answer();
   const std::string sender = sample.sender != nullptr ? sample.sender : "";
-  setup_.report("Program " + setup_.program + " refuses " + setup_.package + " of program " +
-                sender.substr(0, sender.find('/')) +
-                ": the two were built from different versions of this package. Build both from the same sources.");
+  setup_.report(
+      "Program " + setup_.program + " refuses " + setup_.package + " of program " +
+      sender.substr(0, sender.find('/')) +
+      ": the two were built from different versions of this package. Build both from the same sources.");
   return false;
 }
 

@@ -48,9 +48,10 @@ Result<void> SendingEnd::open() {
   guid_ = guidOf(writer_.get());
   const std::unique_ptr<dds_listener_t, void (*)(dds_listener_t*)> listener(dds_create_listener(this),
                                                                             &dds_delete_listener);
-  dds_lset_publication_matched(listener.get(), [](dds_entity_t, dds_publication_matched_status_t, void* self) {
-    static_cast<SendingEnd*>(self)->takeAnswers();
-  });
+  dds_lset_publication_matched(listener.get(),
+                               [](dds_entity_t, dds_publication_matched_status_t, void* self) {
+                                 static_cast<SendingEnd*>(self)->takeAnswers();
+                               });
   dds_set_listener(writer_.get(), listener.get());
   dds_reset_listener(listener.get());
   dds_lset_data_available(listener.get(),
@@ -150,15 +151,16 @@ void SendingEnd::takeAnswer(std::uint64_t from, const robotlink_wire_Package& sa
   }
   if (!isRefused) return;
   const std::string receiver = sample.sender != nullptr ? sample.sender : "";
-  setup_.report("Program " + receiver.substr(0, receiver.find('/')) + " refuses " + setup_.package +
-                " of program " + setup_.program +
-                ": the two were built from different versions of this package. Build both from the same sources.");
+  setup_.report(
+      "Program " + receiver.substr(0, receiver.find('/')) + " refuses " + setup_.package + " of program " +
+      setup_.program +
+      ": the two were built from different versions of this package. Build both from the same sources.");
 }
 
 void SendingEnd::followMatches() {
   dds_instance_handle_t handles[kMaxMatches];
-  const auto count = std::min<std::int32_t>(dds_get_matched_publications(answers_.get(), handles, kMaxMatches),
-                                            kMaxMatches);
+  const auto count =
+      std::min<std::int32_t>(dds_get_matched_publications(answers_.get(), handles, kMaxMatches), kMaxMatches);
   std::erase_if(peers_, [&](const auto& peer) {
     return count >= 0 && std::find(handles, handles + count, peer.first) == handles + count;
   });
@@ -175,8 +177,8 @@ bool SendingEnd::anyOpen() const {
 }
 
 void SendingEnd::update() {
-  const bool kept = std::any_of(peers_.begin(), peers_.end(),
-                                [](const auto& peer) { return peer.second.pending != 0; });
+  const bool kept =
+      std::any_of(peers_.begin(), peers_.end(), [](const auto& peer) { return peer.second.pending != 0; });
   const bool wasKept = kept_.exchange(blocking_ && kept, std::memory_order_acq_rel);
   reachable_.store(owner_ != nullptr && anyOpen(), std::memory_order_release);
   if (wasKept && !kept && owner_ != nullptr) owner_->wake();

@@ -20,8 +20,8 @@ namespace robotlink::dds {
 ///
 /// Each package that is offered is written at once, and the newest replaces what a receiver has not taken.
 /// It counts as delivered under the same conditions as on an InProcessLink: receivers answer what they take,
-/// if the sender is blocking. A receiver whose program ends holds nothing back, at the latest after the two
-/// seconds in which DDS misses it. Packages of types that a receiver has in another version are not delivered
+/// if the sender is blocking. A receiver whose program ends holds nothing back, at the latest after the
+/// second in which DDS misses it. Packages of types that a receiver has in another version are not delivered
 /// to it; both programs report that once.
 class SendingEnd final : public Link {
  public:

@@ -12,7 +12,8 @@ namespace {
 /// How long a write may wait for readers that are slow.
 constexpr dds_duration_t kMaxBlocking = DDS_MSECS(20);
 
-/// DDS permits letters, digits, '_' and '/'; what else there is becomes "_" with its code, and "_" is doubled.
+/// DDS permits letters, digits, '_' and '/'; what else there is becomes "_" with its code, and "_" is
+/// doubled.
 std::string topicName(const std::string& name) {
   std::string result;
   for (const char c : name) {
@@ -37,7 +38,8 @@ struct QosDeleter {
 std::unique_ptr<dds_qos_t, QosDeleter> qosOf(History history, bool isReader) {
   std::unique_ptr<dds_qos_t, QosDeleter> qos(dds_create_qos());
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, kMaxBlocking);
-  dds_qset_durability(qos.get(), history == History::kLatched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_durability(
+      qos.get(), history == History::kLatched ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
   const bool keepsAll = history == History::kLatched && isReader;
   dds_qset_history(qos.get(), keepsAll ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST, keepsAll ? 0 : 1);
   return qos;
@@ -80,14 +82,18 @@ void Entity::reset() {
 }
 
 Result<Entity> openReader(dds_entity_t participant, const std::string& topic, History history) {
-  auto made = opened(dds_create_topic(participant, &robotlink_wire_Package_desc, topicName(topic).c_str(), nullptr, nullptr), topic);
+  auto made = opened(
+      dds_create_topic(participant, &robotlink_wire_Package_desc, topicName(topic).c_str(), nullptr, nullptr),
+      topic);
   if (!made) return made;
   // The topic is only needed to make the reader, which keeps it.
   return opened(dds_create_reader(participant, made->get(), qosOf(history, true).get(), nullptr), topic);
 }
 
 Result<Entity> openWriter(dds_entity_t participant, const std::string& topic, History history) {
-  auto made = opened(dds_create_topic(participant, &robotlink_wire_Package_desc, topicName(topic).c_str(), nullptr, nullptr), topic);
+  auto made = opened(
+      dds_create_topic(participant, &robotlink_wire_Package_desc, topicName(topic).c_str(), nullptr, nullptr),
+      topic);
   if (!made) return made;
   return opened(dds_create_writer(participant, made->get(), qosOf(history, false).get(), nullptr), topic);
 }

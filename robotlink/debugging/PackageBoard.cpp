@@ -19,9 +19,9 @@ void PackageBoard::addReceiver(const std::string& package, Blocking blocking) {
   entry(package).receiver = std::make_unique<AnyReceiver>(process_, package, blocking);
 }
 
-void PackageBoard::addSender(const std::string& package) {
+void PackageBoard::addSender(const std::string& package, Blocking blocking) {
   Entry& yielded = entry(package);
-  if (!yielded.sender) yielded.sender = std::make_unique<AnySender>(process_, package, Blocking::kNo);
+  if (!yielded.sender) yielded.sender = std::make_unique<AnySender>(process_, package, blocking);
 }
 
 void PackageBoard::beginFrame() {

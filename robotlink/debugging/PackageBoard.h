@@ -43,7 +43,7 @@ class PackageBoard {
   Entry& entry(const std::string& package);
   /// Before the process runs.
   void addReceiver(const std::string& package, Blocking blocking);
-  void addSender(const std::string& package);
+  void addSender(const std::string& package, Blocking blocking);
 
   /// Copies the packages that the receivers took for this frame to the board.
   void beginFrame();

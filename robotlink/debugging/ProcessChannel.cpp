@@ -2,6 +2,7 @@
 #include "robotlink/debugging/ProcessChannel.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace robotlink {
@@ -20,6 +21,12 @@ std::vector<robotcontrol::Request> ProcessChannel::takePending() {
   std::vector<robotcontrol::Request> result(pending_.begin(), pending_.end());
   pending_.clear();
   return result;
+}
+
+void ProcessChannel::restart() {
+  sent_ = 0;
+  acknowledged_ = 0;
+  taken_ = std::numeric_limits<std::uint64_t>::max();
 }
 
 void ProcessChannel::send() {

@@ -30,6 +30,12 @@ class ProcessChannel {
   void add(const robotcontrol::Request& request) { pending_.push_back(request); }
   /// Removes and returns the requests that were never done.
   std::vector<robotcontrol::Request> takePending();
+  /// Whether the process can be reached, which is always so inside a program.
+  bool connected() const { return queue_.connected() && requests_.connected(); }
+  /// Grows when the process was started again in another program.
+  std::uint64_t generation() const { return queue_.generation(); }
+  /// To be called then: all that is pending is sent again, and every queue is acknowledged.
+  void restart();
   /// Sends pending requests and acknowledgments, if anything is new.
   void send();
 

@@ -51,6 +51,7 @@ struct TaskProcess::Implementation {
   }
 
   Errors build(const Clock& clock);
+  Blocking blockingOutput(const std::string& package) const;
   void connectPackages();
   void runTasks();
   void takeRequests();
@@ -82,6 +83,9 @@ struct TaskProcess::Implementation {
   AnyReceiver requests;
   AnySender queue;
   TaskRunners tasks;
+  void noticeRestart();
+  /// The debug process in another program whose requests are counted.
+  std::uint64_t generation = 0;
   // The number of the last one.
   std::uint64_t requestsDone = 0;
   std::uint64_t queuesSent = 0;
@@ -144,6 +148,14 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
   return errors;
 }
 
+Blocking TaskProcess::Implementation::blockingOutput(const std::string& package) const {
+  const auto& outputs = setup.process.blockingOutputs;
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [&](const Layout::Input& output) { return output.package == package; })
+             ? Blocking::kYes
+             : Blocking::kNo;
+}
+
 void TaskProcess::Implementation::connectPackages() {
   for (const LayoutLink& link : layoutLinks(setup.layout, catalog, setup.platform)) {
     if (link.to == setup.process.name) {
@@ -153,7 +165,7 @@ void TaskProcess::Implementation::connectPackages() {
   for (const Layout::Task& task : setup.process.tasks) {
     for (const TaskCatalog::Solution& solution : catalog.tasks[task.task].solutions) {
       for (const std::string& package : solution.outputs) {
-        if (!setup.layout.withheld.contains(package)) board.addSender(package);
+        if (!setup.layout.withheld.contains(package)) board.addSender(package, blockingOutput(package));
       }
     }
   }
@@ -260,7 +272,7 @@ void TaskProcess::Implementation::sendTables() {
 
 /// Sends a queue only after the previous one was acknowledged, because a newer package would replace it.
 void TaskProcess::Implementation::sendQueue() {
-  if (queuesSent != queuesTaken || !debug.hasQueue() || !queue.connected()) return;
+  if (queuesSent > queuesTaken || !debug.hasQueue() || !queue.connected()) return;
   const std::shared_ptr<SharedDebugQueue> taken = debug.takeQueue();
   taken->number = ++queuesSent;
   taken->requestsDone = requestsDone;
@@ -269,7 +281,15 @@ void TaskProcess::Implementation::sendQueue() {
 
 // ---- Requests
 
+/// A debug process that was started again, in another program, counts from the beginning.
+void TaskProcess::Implementation::noticeRestart() {
+  if (std::exchange(generation, requests.generation()) == generation) return;
+  requestsDone = queuesSent = queuesTaken = 0;
+  keysChanged = solutionsChanged = true;
+}
+
 void TaskProcess::Implementation::takeRequests() {
+  noticeRestart();
   if (!requests.isNew()) return;
   const auto& package = static_cast<const RequestQueue&>(*requests.value());
   queuesTaken = package.queues_taken();

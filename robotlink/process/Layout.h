@@ -51,6 +51,21 @@ struct Layout {
     std::vector<Task> tasks;
     /// No frame starts without a new one of each of these packages of other processes.
     std::vector<Input> blocking;
+    /// No frame starts before all receivers have taken what its tasks sent of each of these packages.
+    std::vector<Input> blockingOutputs = {};
+    FilePosition where;
+  };
+  /// A program of the operating system that runs some of the processes (LAYOUTS.md).
+  struct Program {
+    /// A process that it runs.
+    struct Part {
+      std::string process;
+      FilePosition where;
+    };
+    std::string name;
+    /// The address of the machine that it runs on; empty: all programs run on one machine.
+    std::string host;
+    std::vector<Part> processes;
     FilePosition where;
   };
   /// A task that the layout has but that cannot run here; kept so that users can see why.
@@ -65,6 +80,14 @@ struct Layout {
   std::string file;
   /// In lockstep they run in this order.
   std::vector<Process> processes;
+  /// Empty: one program runs all processes.
+  std::vector<Program> programs = {};
+
+  /// The program that runs a process; null if the layout names none.
+  const Program* programOf(const std::string& process) const;
+  const Program* findProgram(const std::string& program) const;
+  /// The program with the debug process, which has the platform, too. Null if the layout names none.
+  const Program* mainProgram() const;
 
   // Not in files: set when the layout is applied to a platform with fewer packages, such as a log.
   std::vector<Absence> absent;
@@ -103,7 +126,8 @@ struct LayoutLink {
 /// unknown or repeated task, solution or name; a default solution that is unavailable; an input that nothing
 /// produces; an output produced twice; a cycle inside a process; a cycle of blocking inputs between
 /// processes; a process with neither a blocking input nor a period; a blocking input that no task of the
-/// process uses. Empty: the layout can run. The ids are listed in LAYOUTS.md.
+/// process uses; a blocking output that none yields; a process that is in no program or in two. Empty: the
+/// layout can run. The ids are listed in LAYOUTS.md.
 Errors checkLayout(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
 /// The reason why a solution cannot run in a layout that checkLayout() accepted, "unavailable because nobody

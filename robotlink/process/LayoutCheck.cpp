@@ -4,6 +4,7 @@
 
 #include "robotlink/base/Spelling.h"
 #include "robotlink/process/LayoutIndex.h"
+#include "robotlink/process/LayoutPrograms.h"
 
 namespace robotlink {
 namespace {
@@ -17,7 +18,11 @@ std::string line(const FilePosition& where) {
 class Checker {
  public:
   Checker(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform)
-      : layout_(layout), catalog_(catalog), index_(layout, catalog, platform) {}
+      : layout_(layout),
+        catalog_(catalog),
+        index_(layout, catalog, platform),
+        links_(index_.debugProcess() != nullptr ? layoutLinks(layout, catalog, platform)
+                                                : std::vector<LayoutLink>()) {}
 
   Errors check() {
     checkDebugProcesses();
@@ -28,7 +33,12 @@ class Checker {
     for (const Layout::Process& process : layout_.processes) {
       for (const Layout::Input& input : process.blocking) checkBlocking(process, input);
     }
+    for (const Layout::Process& process : layout_.processes) {
+      for (const Layout::Input& output : process.blockingOutputs) checkBlockingOutput(process, output);
+    }
     checkBlockingCycles();
+    const Errors ofPrograms = checkPrograms(layout_);
+    errors_.insert(errors_.end(), ofPrograms.begin(), ofPrograms.end());
     std::stable_sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) {
       return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
     });
@@ -50,6 +60,7 @@ class Checker {
   void reportLater(const Place& place, const Place& later, const std::string& package);
   bool dependsOn(const Place& place, const Place& on, std::vector<const Place*>& seen) const;
   void checkBlocking(const Layout::Process& process, const Layout::Input& input);
+  void checkBlockingOutput(const Layout::Process& process, const Layout::Input& output);
   bool isRead(const Layout::Process& process, const std::string& package) const;
   void checkBlockingCycles();
   void followBlocking(const Layout::Process& process, std::vector<const Layout::Process*>& path,
@@ -58,6 +69,7 @@ class Checker {
   const Layout& layout_;
   const TaskCatalog& catalog_;
   LayoutIndex index_;
+  std::vector<LayoutLink> links_;  // empty if there is no debug process
   Errors errors_;
 };
 
@@ -249,6 +261,28 @@ void Checker::checkBlocking(const Layout::Process& process, const Layout::Input&
   if (from == nullptr && !index_.platformOffers(input.package) && !index_.debugOffers(input.package)) {
     complain("blocking-missing", ", which nobody yields here");
   }
+}
+
+/// Cycles of blocking outputs need no check: a process takes packages while it waits, too.
+void Checker::checkBlockingOutput(const Layout::Process& process, const Layout::Input& output) {
+  const auto first =
+      std::find_if(process.blockingOutputs.begin(), process.blockingOutputs.end(),
+                   [&](const Layout::Input& other) { return other.package == output.package; });
+  const auto complain = [&](const char* id, const std::string& text) {
+    add(output.where, id,
+        "process " + process.name + " waits until " + output.package + text +
+            "; remove it from 'blocking_outputs'",
+        {process.name, output.package});
+  };
+  if (&*first != &output) return complain("blocking-output-twice", " is taken, twice");
+  const Place* from = index_.producer(output.package);
+  if (from == nullptr || from->process != &process)
+    return complain("blocking-output-missing", " is taken, which none of its tasks yields");
+  const bool isTaken = std::any_of(links_.begin(), links_.end(), [&](const LayoutLink& link) {
+    return link.package == output.package && link.from == process.name;
+  });
+  if (!isTaken)
+    complain("blocking-output-unused", " is taken, but no other process and no platform receives it");
 }
 
 void Checker::checkBlockingCycles() {

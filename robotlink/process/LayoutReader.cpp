@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // readLayout() and parseLayout() of Layout.h: the form of layout files.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "robotlink/config/YamlReader.h"
@@ -15,6 +16,13 @@ constexpr double kMaxPeriodMs = 60'000;
 bool isPlainName(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+/// Whether it can be the address or the name of a machine; whether there is one is seen when it is used.
+bool isHost(const std::string& host) {
+  return !host.empty() && std::all_of(host.begin(), host.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == ':';
   });
 }
 
@@ -61,9 +69,28 @@ Layout::Process readProcess(const YamlNode& node) {
   for (const YamlNode& item : blocking.items()) {
     process.blocking.push_back({item.as<std::string>(), item.where()});
   }
+  const YamlNode outputs = node.optionalChild("blocking_outputs");
+  for (const YamlNode& item : outputs.items())
+    process.blockingOutputs.push_back({item.as<std::string>(), item.where()});
   const YamlNode tasks = process.debug ? node.optionalChild("tasks") : node.child("tasks");
   for (const YamlNode& item : tasks.items()) process.tasks.push_back(readTask(item));
   return process;
+}
+
+Layout::Program readProgram(const YamlNode& node) {
+  Layout::Program program;
+  program.where = node.where();
+  program.name = node.required<std::string>("name");
+  checkName(node.optionalChild("name"), program.name);
+  const YamlNode host = node.optionalChild("host");
+  program.host = host.empty() ? std::string() : host.as<std::string>();
+  if (!host.empty() && !isHost(program.host)) {
+    host.fail("layout.host", "'" + program.host + "' is neither the IP address of a machine nor its name",
+              {program.host});
+  }
+  for (const YamlNode& item : node.child("processes").items())
+    program.processes.push_back({item.as<std::string>(), item.where()});
+  return program;
 }
 
 tl::expected<Layout, Errors> read(Result<YamlReader> reader, const std::string& file) {
@@ -79,6 +106,8 @@ tl::expected<Layout, Errors> read(Result<YamlReader> reader, const std::string& 
   checkName(root.optionalChild("name"), layout.name);
   layout.help = root.optional<std::string>("help", "");
   for (const YamlNode& node : root.child("processes").items()) layout.processes.push_back(readProcess(node));
+  const YamlNode programs = root.optionalChild("programs");
+  for (const YamlNode& node : programs.items()) layout.programs.push_back(readProgram(node));
   if (auto finished = reader->finish(); !finished) return tl::unexpected(finished.error());
   return layout;
 }

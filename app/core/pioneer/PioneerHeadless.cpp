@@ -11,8 +11,13 @@
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/RobotName.h"
 #include "app/core/platform/TextMessages.h"
+#include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
+#include "app/core/spread/OtherProgram.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/config/RobotUse.h"
 
 namespace app {
 namespace {
@@ -107,6 +112,11 @@ tl::expected<HeadlessSummary, robotlink::Errors> runPioneer(const PioneerOptions
   return HeadlessSummary{jsonOutput(figures), figuresText(figures), connected ? recorded : kFailed};
 }
 
+/// Prints what concerns the links between programs, which users should see without asking for it.
+std::function<void(const std::string& text)> spreadReport(const HeadlessConsole& console) {
+  return [&console](const std::string& text) { console.errors << text + "\n" << std::flush; };
+}
+
 PioneerOptions pioneerOptionsOf(const HeadlessChoices& choices) {
   const FormValues& values = choices.options.values;
   PioneerOptions options{.url = choices.platform};
@@ -115,13 +125,16 @@ PioneerOptions pioneerOptionsOf(const HeadlessChoices& choices) {
   options.map = textOf(values, kMap);
   options.solutions = choices.solutions;
   options.motorsOn = flagOf(values, kMotors);
+  options.spread = choices.spread;
   return options;
 }
 
 robotlink::Result<HeadlessServing> prepareServedPioneer(const HeadlessChoices& choices,
-                                                        const HeadlessConsole&) {
+                                                        const HeadlessConsole& console) {
   const FormValues& values = choices.options.values;
-  HeadlessServing serving{PioneerFeed::opening(pioneerOptionsOf(choices))};
+  PioneerOptions options = pioneerOptionsOf(choices);
+  options.spreadReport = spreadReport(console);
+  HeadlessServing serving{PioneerFeed::opening(std::move(options))};
   if (const double seconds = numberOf(values, kSeconds); seconds > 0) serving.seconds = seconds;
   serving.texts = flagOf(values, kTexts);
   return serving;
@@ -129,7 +142,72 @@ robotlink::Result<HeadlessServing> prepareServedPioneer(const HeadlessChoices& c
 
 robotlink::Result<HeadlessPlatform::Run> preparePioneer(const HeadlessChoices& choices) {
   return [options = pioneerOptionsOf(choices), choices](const HeadlessConsole& console) {
-    return runPioneer(options, choices, console);
+    PioneerOptions reporting = options;
+    reporting.spreadReport = spreadReport(console);
+    return runPioneer(reporting, choices, console);
+  };
+}
+
+/// What the robot of a program without the platform is.
+tl::expected<HostedRobot, robotlink::Errors> hostedRobotOf(const PioneerOptions& options) {
+  auto description = readRobot(options.kind);
+  if (!description) return tl::unexpected(description.error());
+  const auto use = readUse(options.kind);
+  if (!use) return tl::unexpected(use.error());
+  const std::filesystem::path fieldOfKind = fieldFile(use->field);
+  auto field = readField(fieldOfKind);
+  if (!field) return tl::unexpected(field.error());
+  HostedRobot robot{options.robot, use->teamOf(options.robot), *description, *field, nullptr, fieldOfKind};
+  if (options.map.empty()) return robot;
+  auto map = robotlink::GroundMap::load(options.map);
+  if (!map) return tl::unexpected(map.error());
+  robot.map = std::make_shared<const robotlink::GroundMap>(std::move(*map));
+  return robot;
+}
+
+std::filesystem::path pioneerLayoutOf(const HeadlessChoices& choices) {
+  const PioneerOptions options = pioneerOptionsOf(choices);
+  if (!options.layout.empty()) return options.layout;
+  const auto description = readRobot(options.kind);
+  return description ? layoutFile(**description) : std::filesystem::path();
+}
+
+tl::expected<HeadlessSummary, robotlink::Errors> runOtherProgram(const PioneerOptions& options,
+                                                                 double seconds,
+                                                                 const HeadlessConsole& console) {
+  auto layout = readLayoutWith(options.layout, options.solutions);
+  if (!layout) return tl::unexpected(layout.error());
+  auto robot = hostedRobotOf(options);
+  if (!robot) return tl::unexpected(robot.error());
+  const auto description = robot->description;
+  OtherProgram::Parts parts{
+      .robot = std::move(*robot),
+      .layout = std::move(*layout),
+      .options = options.spread,
+      .platform = [&](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
+        return std::make_unique<PioneerPlatform>(clock, options.robot, *description,
+                                                 PioneerDriver::Options{.address = options.url});
+      },
+      .report = spreadReport(console)};
+  const auto program = OtherProgram::start(std::move(parts));
+  if (!program) return tl::unexpected(program.error());
+  const auto end = std::chrono::steady_clock::now() + robotlink::fromSeconds(seconds);
+  bool heard = false;
+  while (!console.interrupted() && (seconds == 0 || std::chrono::steady_clock::now() < end)) {
+    if (!heard && (*program)->heard()) console.errors << "The program with the platform runs." << std::endl;
+    heard = (*program)->heard();
+    std::this_thread::sleep_for(kHeadlessStep);
+  }
+  const json figures = {{"program", options.spread.program}, {"heard", heard}};
+  return HeadlessSummary{jsonOutput(figures), figuresText(figures), heard ? kDone : kFailed};
+}
+
+robotlink::Result<HeadlessPlatform::Run> prepareOtherProgram(const HeadlessChoices& choices) {
+  PioneerOptions options = pioneerOptionsOf(choices);
+  options.layout = pioneerLayoutOf(choices);
+  const double seconds = numberOf(choices.options.values, kSeconds);
+  return [options, seconds](const HeadlessConsole& console) {
+    return runOtherProgram(options, seconds, console);
   };
 }
 
@@ -163,7 +241,9 @@ HeadlessPlatform headlessPioneer() {
                        .initial = false,
                        .option = "--texts"}},
           .prepare = preparePioneer,
-          .prepareServing = prepareServedPioneer};
+          .prepareServing = prepareServedPioneer,
+          .layoutOf = pioneerLayoutOf,
+          .prepareOther = prepareOtherProgram};
 }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/SceneMessages.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/spread/SpreadProgram.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/GroundMap.h"
@@ -88,10 +89,23 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
+  HostedProgram::Maker maker = options_.instead;
+  if (!options_.spread.program.empty()) {
+    auto spread = SpreadProgram::open(options_.spread, *layout, options_.robot, clock_,
+                                      [this](const std::string& text) { reportSpread(text); });
+    if (!spread) return tl::unexpected(Errors{spread.error()});
+    spread_ = std::move(*spread);
+    maker = spread_->maker();
+  }
   return robot_->make({.platform = std::move(platform),
                        .file = file,
                        .layout = std::move(*layout),
-                       .maker = options_.instead});
+                       .maker = std::move(maker)});
+}
+
+void PioneerRun::reportSpread(const std::string& text) const {
+  if (options_.spreadReport) return options_.spreadReport(text);
+  if (listeners_.platform) listeners_.platform(options_.robot, clock_.now(), text);
 }
 
 void PioneerRun::start(RobotHost::Candidate program) {
@@ -113,12 +127,21 @@ void PioneerRun::stop() {
 void PioneerRun::step() {
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
+  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_));
   executor_->step();
   robot_->reportPlatform();
   if (tap_) tap_->endStep();
 }
 
 Errors PioneerRun::setLayout(const std::filesystem::path& file) {
+  if (spread_) {
+    return {{"spread.layout",
+             "the layout of a robot whose processes are spread over several programs cannot be changed while "
+             "they run; end all of them, and start them with " +
+                 file.string(),
+             {file.string()},
+             {}}};
+  }
   auto program = makeProgram(nullptr, file);
   if (!program) return program.error();
   stop();

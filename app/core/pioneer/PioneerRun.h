@@ -10,6 +10,7 @@
 #include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/RobotHost.h"
+#include "app/core/spread/SpreadOptions.h"
 
 namespace logplayer {
 class Recorder;
@@ -26,6 +27,7 @@ struct GroundMap;
 namespace app {
 
 class RecordingTap;
+class SpreadProgram;
 
 /// The robot at the other end of a line and the program that runs for it here. A plain value.
 struct PioneerOptions {
@@ -45,6 +47,11 @@ struct PioneerOptions {
   bool motorsOn = false;
   /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
   HostedProgram::Maker instead = {};
+  /// Which of the layout's programs it is, if other programs run the other processes.
+  SpreadOptions spread = {};
+  /// Gets sentences about the other programs, from any thread; empty: they go to the listener of the
+  /// platform.
+  std::function<void(const std::string& text)> spreadReport = {};
   /// What the user chose for this robot when it was connected before.
   ProgramOverrides overrides = {};
 };
@@ -105,6 +112,8 @@ class PioneerRun {
   void start(RobotHost::Candidate program);
   /// Ends the threads and the program.
   void stop();
+  /// Passes a sentence about the other programs to the listener; any thread.
+  void reportSpread(const std::string& text) const;
 
   PioneerOptions options_;
   Listeners listeners_;
@@ -113,6 +122,8 @@ class PioneerRun {
   std::unique_ptr<RecordingTap> tap_;
   /// Owned by robot_, or by a candidate before that is adopted.
   PioneerPlatform* platform_ = nullptr;
+  /// Null if all processes run in this program.
+  std::unique_ptr<SpreadProgram> spread_;
   std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;

@@ -13,6 +13,7 @@
 #include "app/core/platform/FieldOptions.h"
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/platform/RecordOptions.h"
+#include "app/core/spread/SpreadOptions.h"
 #include "robotlink/base/Error.h"
 
 namespace app {
@@ -26,6 +27,8 @@ struct HeadlessChoices {
   /// Maps tasks to solutions, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
   RecordOptions record = {};
+  /// Which of the layout's programs is run; without one, all processes are.
+  SpreadOptions spread = {};
   /// The options that only some kinds of platforms have.
   FieldOptions options = {};
 };
@@ -80,6 +83,10 @@ struct HeadlessPlatform {
   /// possible.
   robotlink::Result<HeadlessServing> (*prepareServing)(const HeadlessChoices& choices,
                                                        const HeadlessConsole& console) = nullptr;
+  /// The file of the layout that these choices mean; null: programs of layouts cannot be run one by one.
+  std::filesystem::path (*layoutOf)(const HeadlessChoices& choices) = nullptr;
+  /// Prepares the run of one of the layout's programs that has neither the debug process nor the platform.
+  robotlink::Result<Run> (*prepareOther)(const HeadlessChoices& choices) = nullptr;
 };
 
 /// How the platforms of all adapters run that can. The adapter comes first that is asked last, since it takes

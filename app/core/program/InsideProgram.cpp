@@ -28,11 +28,11 @@ InsideProgram::InsideProgram(std::unique_ptr<robotlink::RobotProgram> program)
 
 InsideProgram::~InsideProgram() = default;
 
-HostedProgram::Made InsideProgram::create(Parts parts) {
+HostedProgram::Made InsideProgram::create(Parts parts, const robotlink::RobotProgram::Part& part) {
   const HostedRobot& robot = parts.robot;
   const robotlink::RobotSetup setup{robot.name, robot.team, *robot.description, robot.field, robot.map};
   auto program =
-      robotlink::RobotProgram::create(setup, std::move(parts.layout), parts.platform, parts.parameters);
+      robotlink::RobotProgram::create(setup, std::move(parts.layout), parts.platform, parts.parameters, part);
   if (!program) return tl::unexpected(program.error());
   return std::unique_ptr<HostedProgram>(new InsideProgram(std::move(*program)));
 }

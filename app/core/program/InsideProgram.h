@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/core/program/HostedProgram.h"
+#include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
@@ -9,7 +10,9 @@ namespace app {
 /// crashes in it crashes all.
 class InsideProgram final : public HostedProgram {
  public:
-  static Made create(Parts parts);
+  static Made create(Parts parts) { return create(std::move(parts), {}); }
+  /// One of several programs, the one with the debug process.
+  static Made create(Parts parts, const robotlink::RobotProgram::Part& part);
   ~InsideProgram() override;
 
   void setListeners(Listeners listeners) override;

@@ -55,7 +55,9 @@ tl::expected<RobotHost::Candidate, Errors> RobotHost::make(Parts parts) {
   made.platform = std::move(parts.platform);
   made.layout = std::move(parts.file);
   made.overridden = parts.overridden;
-  const HostedProgram::Maker maker = parts.maker ? std::move(parts.maker) : &InsideProgram::create;
+  const HostedProgram::Maker maker = parts.maker ? std::move(parts.maker) : [](HostedProgram::Parts inside) {
+    return InsideProgram::create(std::move(inside));
+  };
   auto program = maker({.robot = made.robot,
                         .platform = made.platform ? *made.platform : *platform_,
                         .file = made.layout,

@@ -42,6 +42,7 @@ class Planner {
   Planner(ReplaySelection selection, const TaskCatalog& catalog)
       : selection_(std::move(selection)), catalog_(catalog) {
     plan_.layout = selection_.layout;
+    plan_.layout.programs.clear();  // a log is replayed in one program
   }
 
   tl::expected<ReplayPlan, Errors> make() {
@@ -51,7 +52,10 @@ class Planner {
     if (!errors_.empty()) return tl::unexpected(std::move(errors_));
     replaceTasks();
     removeUnavailable();
-    for (Layout::Process& process : plan_.layout.processes) setPace(process);
+    for (Layout::Process& process : plan_.layout.processes) {
+      setPace(process);
+      process.blockingOutputs.clear();  // how they held the process back is in the log
+    }
     Errors errors = checkLayout(plan_.layout, catalog_, platform_);
     if (!errors.empty()) return tl::unexpected(std::move(errors));
     return std::move(plan_);

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/core/platform/HeadlessRun.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/spread/SpreadNetwork.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "app/robotctl/run/ListenOptions.h"
@@ -38,6 +41,27 @@ int serveRun(const HeadlessPlatform& platform, const RunArguments& arguments,
   return arguments.listen.serve(std::move(serving->opening), options, arguments.choices.record);
 }
 
+/// Runs the program of the layout that the user has named, if it is one without platform and debug process;
+/// nothing if it is not.
+std::optional<int> runOtherProgram(const HeadlessPlatform& platform, const RunArguments& arguments,
+                                   const HeadlessConsole& console) {
+  const SpreadOptions& spread = arguments.choices.spread;
+  if (spread.program.empty()) return std::nullopt;
+  if (platform.prepareOther == nullptr)
+    return usage({"usage", "--program is not possible with " + std::string(platform.usage), {}, {}});
+  const auto layout = robotlink::readLayout(platform.layoutOf(arguments.choices));
+  if (!layout) return printErrors(layout.error());
+  if (const auto network = spreadNetworkOf(*layout, spread); !network) return printErrors({network.error()});
+  if (layout->findProgram(spread.program) == layout->mainProgram()) return std::nullopt;
+  const auto run = platform.prepareOther(arguments.choices);
+  if (!run) return usage(run.error());
+  const Interrupt interrupt;
+  const auto summary = (*run)(console);
+  if (!summary) return printErrors(summary.error());
+  std::cout << (arguments.asJson ? summary->json : summary->text);
+  return summary->status;
+}
+
 int runPlatform(RunArguments& arguments) {
   const auto platform = headlessPlatformFor(arguments.choices);
   if (!platform) return usage(platform.error());
@@ -52,6 +76,7 @@ int runPlatform(RunArguments& arguments) {
   };
   TerminalProgress progress;
   const HeadlessConsole console{std::cerr, &Interrupt::noted, progress.function(), input};
+  if (const auto other = runOtherProgram(*platform, arguments, console)) return *other;
   if (arguments.listen.given()) return serveRun(*platform, arguments, console);
   const auto run = platform->prepare(arguments.choices);
   if (!run) return usage(run.error());
@@ -60,6 +85,26 @@ int runPlatform(RunArguments& arguments) {
   if (!summary) return printErrors(summary.error());
   std::cout << (arguments.asJson ? summary->json : summary->text);
   return summary->status;
+}
+
+void addSpreadOptions(CLI::App& command, SpreadOptions& spread) {
+  auto* program =
+      command
+          .add_option(
+              "--program", spread.program,
+              "Runs one of the programs that the layout names under 'programs'; start the others with "
+              "the same options, or all on this machine with robotctl launch. --listen, --record and "
+              "what concerns the robot's line act in the one that has the debug process")
+          ->type_name("NAME");
+  command
+      .add_flag("--local", spread.local, "All programs run on this machine, whatever hosts the layout names")
+      ->needs(program);
+  command
+      .add_option("--dds-domain", spread.domain,
+                  "Programs meet in this DDS domain, 0 to 230: one for each group on a network")
+      ->needs(program)
+      ->check(CLI::Range(0, 230))
+      ->capture_default_str();
 }
 
 /// "log:FILE, or ...; or a Pioneer: ..."
@@ -92,6 +137,7 @@ void addRunCommand(CLI::App& app, int& status) {
       ->add_option("--compression", choices.record.compression, "Compression of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();
+  addSpreadOptions(*command, choices.spread);
   arguments->listen.addTo(*command);
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
   for (const HeadlessPlatform& platform : headlessPlatforms()) {

@@ -12,6 +12,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
 #include "robotlink/debugging/program/JoinedTables.h"
+#include "robotlink/debugging/program/OtherPrograms.h"
 #include "robotlink/debugging/program/ProcessTable.h"
 #include "robotlink/debugging/program/RequestedPackages.h"
 #include "robotlink/packages/Checksum.h"
@@ -38,6 +39,7 @@ struct DebugProcess::Implementation {
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
         colorTable(owner, kColorTable.name, Blocking::kNo),
         driveGoal(owner, kDriveGoal.name, Blocking::kNo),
+        others(owner),
         solutionsDue(!routes.absent.empty()) {
     for (const auto& list : routes.processes) {
       names.push_back(list.process);
@@ -45,6 +47,7 @@ struct DebugProcess::Implementation {
     }
   }
 
+  void followPrograms();
   void takeQueues();
   void takeRequested();
   void joinOwnKeys();
@@ -87,6 +90,7 @@ struct DebugProcess::Implementation {
   Sender<robotcontrol::DriveGoal> driveGoal;
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
+  OtherPrograms others;
   std::vector<const Process*> watched;
   // Processes that are known to have stopped.
   std::set<std::string> known;
@@ -139,6 +143,19 @@ void DebugProcess::setListener(Listener listener) {
 
 void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
+}
+
+void DebugProcess::addProgram(const std::string& program, const std::vector<std::string>& processes) {
+  std::vector<ProcessChannel*> channels;
+  for (const auto& channel : implementation_->channels) {
+    if (std::ranges::find(processes, channel->process()) != processes.end())
+      channels.push_back(channel.get());
+  }
+  implementation_->others.add(program, std::move(channels));
+}
+
+void DebugProcess::askOtherPrograms(const Request& request) {
+  implementation_->others.rememberForAll(request);
 }
 
 void DebugProcess::showOnRequest(AnySender& sender) {
@@ -196,6 +213,7 @@ std::optional<robotcontrol::ColorTable> DebugProcess::colorTableInUse() const {
 void DebugProcess::execute() {
   Implementation& self = *implementation_;
   self.debug.beginFrame(frameTime(), frames() + 1);
+  self.followPrograms();
   self.takeQueues();
   self.takeRequested();
   self.noticeStopped();
@@ -205,6 +223,15 @@ void DebugProcess::execute() {
   self.debug.endFrame();
   auto queue = self.debug.takeQueue();
   if (self.listener) self.listener(std::move(queue));
+}
+
+/// Who is there again gets what was set for all, too.
+void DebugProcess::Implementation::followPrograms() {
+  for (const std::string& news : others.update()) {
+    debug.text(Level::kWarning, process.name(), news);
+    processTableDue.reset();
+    if (colorTableInUse) colorTable.send(colorTableInUse);
+  }
 }
 
 void DebugProcess::Implementation::takeQueues() {
@@ -240,6 +267,7 @@ void DebugProcess::Implementation::route(const Request& request) {
   if (const auto target = targetOf(request)) {
     const auto channel = std::find_if(channels.begin(), channels.end(),
                                       [&](const auto& entry) { return entry->process() == target->process; });
+    others.remember(target->process, request);
     return (*channel)->add(request);
   }
   const auto* row = rowOf(kRows, request.what_case());
@@ -322,6 +350,7 @@ void DebugProcess::Implementation::sendGoal(const Request& request) {
 
 std::string DebugProcess::Implementation::whyNotBy(const Target& target) const {
   if (std::find(names.begin(), names.end(), target.process) == names.end()) return whyNobodyHas(target.what);
+  if (std::string why = others.whyNot(target.process); !why.empty()) return why;
   const Process* asked = watchedProcess(target.process);
   return asked != nullptr && asked->stopped() ? stoppedText(*asked) : "";
 }
@@ -336,6 +365,8 @@ std::string DebugProcess::Implementation::whyNobodyHas(const std::string& what) 
 void DebugProcess::Implementation::sendToAll(const Request& request) {
   for (const auto& channel : channels) {
     const Process* target = watchedProcess(channel->process());
+    others.remember(channel->process(), request);
+    if (!others.whyNot(channel->process()).empty()) continue;  // it gets it when it runs
     if (target == nullptr || !target->stopped()) channel->add(request);
   }
 }
@@ -371,10 +402,13 @@ void DebugProcess::Implementation::noticeStopped() {
     processTableDue.reset();
   }
   for (const auto& channel : channels) {
-    if (known.count(channel->process()) == 0) continue;
+    const std::string why = known.contains(channel->process())
+                                ? stoppedText(*watchedProcess(channel->process()))
+                                : others.whyNot(channel->process());
+    if (why.empty()) continue;
     for (const Request& request : channel->takePending()) {
       // Requests to all processes were answered here.
-      if (targetOf(request)) answer(request, stoppedText(*watchedProcess(channel->process())));
+      if (targetOf(request)) answer(request, why);
     }
   }
 }
@@ -404,9 +438,9 @@ void DebugProcess::Implementation::publishColorTable() {
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {
-  for (const Process* watchedOne : watched) {
-    auto& row = *to.add_processes();
-    robotlink::describe(*watchedOne, row);
+  for (const Process* watchedOne : watched) robotlink::describe(*watchedOne, *to.add_processes());
+  others.fillProcesses(to);
+  for (auto& row : *to.mutable_processes()) {
     if (const auto count = dropped.find(row.name()); count != dropped.end()) row.set_dropped(count->second);
     for (const auto& list : routes.processes) {
       if (list.process != row.name()) continue;

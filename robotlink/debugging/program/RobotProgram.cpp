@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/program/ProcessReporter.h"
 
 namespace robotlink {
 namespace {
@@ -40,16 +42,24 @@ PlatformPackages packagesOf(const Platform& platform) {
 }  // namespace
 
 struct RobotProgram::Implementation {
-  Implementation(RobotSetup givenRobot, Layout givenLayout)
-      : robot(std::move(givenRobot)), layout(std::move(givenLayout)) {}
+  Implementation(RobotSetup givenRobot, Layout givenLayout, Part givenPart)
+      : robot(std::move(givenRobot)), layout(std::move(givenLayout)), part(std::move(givenPart)) {}
 
   Errors build(const PlatformPackages& packages, const Clock& clock, const ParameterSource& parameters);
-  void connectPackages(Platform& platform, const PlatformPackages& packages);
-  void connectDebugging();
+  Errors connectPackages(Platform& platform, const PlatformPackages& packages);
+  Errors connectDebugging();
+  Errors connectPrograms();
+  /// Links two ends of which one or both are in this program; null: it is in another.
+  Result<void> connect(const std::string& package, Process* from, const std::string& fromName, Process* to);
+  Result<void> link(AnySender* sender, const std::string& from);
+  Result<void> link(AnyReceiver* receiver, const std::string& from);
+  void watchAll(Platform& platform, const PlatformPackages& packages);
+  bool isHere(const std::string& process) const;
   Process* find(const std::string& name) const;
 
   const RobotSetup robot;
   const Layout layout;
+  const Part part;
   TaskCatalog catalog = registeredTasks();
   std::vector<std::unique_ptr<Process>> owned;
   std::vector<Process*> processes;
@@ -64,9 +74,10 @@ RobotProgram::~RobotProgram() {
 
 tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSetup robot, Layout layout,
                                                                          Platform& platform,
-                                                                         const ParameterSource& parameters) {
+                                                                         const ParameterSource& parameters,
+                                                                         const Part& part) {
   std::unique_ptr<RobotProgram> program(new RobotProgram);
-  program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout));
+  program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout), part);
   Implementation& made = *program->implementation_;
   const PlatformPackages packages = packagesOf(platform);
   Errors errors = checkLayout(made.layout, made.catalog, packages);
@@ -74,25 +85,39 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSe
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   // The platform is untouched so far, so a program that already runs on it keeps running if this one is
   // refused.
-  made.connectPackages(platform, packages);
-  made.connectDebugging();
-  for (const Process* process : made.processes) made.debugProcess->watch(*process);
-  made.debugProcess->watch(platform);
+  errors = made.connectPackages(platform, packages);
+  if (errors.empty()) errors = made.connectDebugging();
+  if (errors.empty()) errors = made.connectPrograms();
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  made.watchAll(platform, packages);
+  return program;
+}
+
+void RobotProgram::Implementation::watchAll(Platform& platform, const PlatformPackages& packages) {
+  if (debugProcess == nullptr) return;
+  for (const Process* process : processes) debugProcess->watch(*process);
+  debugProcess->watch(platform);
   // The key of a package that a task receives belongs to that task's process.
-  const auto links = layoutLinks(made.layout, made.catalog, packages);
+  const auto links = layoutLinks(layout, catalog, packages);
   for (AnySender* sender : platform.onRequest()) {
     const auto isOfTask = [&](const LayoutLink& link) {
       return link.from.empty() && link.package == sender->package();
     };
-    if (std::none_of(links.begin(), links.end(), isOfTask)) made.debugProcess->showOnRequest(*sender);
+    if (std::none_of(links.begin(), links.end(), isOfTask)) debugProcess->showOnRequest(*sender);
   }
-  return program;
+}
+
+bool RobotProgram::Implementation::isHere(const std::string& process) const {
+  if (part.program.empty()) return true;
+  const Layout::Program* program = process.empty() ? layout.mainProgram() : layout.programOf(process);
+  return program != nullptr && program->name == part.program;
 }
 
 Errors RobotProgram::Implementation::build(const PlatformPackages& packages, const Clock& clock,
                                            const ParameterSource& parameters) {
   Errors errors;
   for (const Layout::Process& description : layout.processes) {
+    if (!isHere(description.name)) continue;
     if (description.debug) {
       auto made =
           std::make_unique<DebugProcess>(description.name, clock, debugRoutes(layout, catalog, packages));
@@ -106,6 +131,11 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
       errors.insert(errors.end(), made.error().begin(), made.error().end());
     }
   }
+  if (debugProcess == nullptr) {
+    auto reporter = std::make_unique<ProcessReporter>(part.program, clock);
+    for (const auto& process : owned) reporter->watch(*process);
+    owned.push_back(std::move(reporter));
+  }
   for (const auto& process : owned) processes.push_back(process.get());
   return errors;
 }
@@ -116,20 +146,71 @@ Process* RobotProgram::Implementation::find(const std::string& name) const {
   return found == processes.end() ? nullptr : *found;
 }
 
-void RobotProgram::Implementation::connectPackages(Platform& platform, const PlatformPackages& packages) {
-  for (const LayoutLink& link : layoutLinks(layout, catalog, packages)) {
-    const Process* from = link.from.empty() ? &platform : find(link.from);
-    const Process* to = link.to.empty() ? &platform : find(link.to);
-    if (from != nullptr && to != nullptr) connectPackage(link.package, *from, *to);
-  }
+Result<void> RobotProgram::Implementation::link(AnySender* sender, const std::string& from) {
+  return sender == nullptr ? Result<void>() : part.links->link(*sender, from);
 }
 
-void RobotProgram::Implementation::connectDebugging() {
-  for (const Process* process : processes) {
-    if (process == debugProcess) continue;
-    connectPackage("debug/queue/" + process->name(), *process, *debugProcess);
-    connectPackage("debug/requests/" + process->name(), *debugProcess, *process);
+Result<void> RobotProgram::Implementation::link(AnyReceiver* receiver, const std::string& from) {
+  return receiver == nullptr ? Result<void>() : part.links->link(*receiver, from);
+}
+
+Result<void> RobotProgram::Implementation::connect(const std::string& package, Process* from,
+                                                   const std::string& fromName, Process* to) {
+  if (from != nullptr && to != nullptr) connectPackage(package, *from, *to);
+  if (from != nullptr && to == nullptr) return link(senderOf(*from, package), fromName);
+  if (from == nullptr && to != nullptr) return link(receiverOf(*to, package), fromName);
+  return {};
+}
+
+Errors RobotProgram::Implementation::connectPackages(Platform& platform, const PlatformPackages& packages) {
+  Errors errors;
+  const auto processOf = [&](const std::string& name) -> Process* {
+    if (!isHere(name)) return nullptr;
+    return name.empty() ? &platform : find(name);
+  };
+  for (const LayoutLink& link : layoutLinks(layout, catalog, packages)) {
+    const std::string from = link.from.empty() ? ProgramLinks::kPlatform : link.from;
+    const auto made = connect(link.package, processOf(link.from), from, processOf(link.to));
+    if (!made) errors.push_back(made.error());
   }
+  return errors;
+}
+
+Errors RobotProgram::Implementation::connectDebugging() {
+  Errors errors;
+  const auto note = [&](const Result<void>& made) {
+    if (!made) errors.push_back(made.error());
+  };
+  std::string debug;
+  for (const Layout::Process& process : layout.processes) {
+    if (process.debug) debug = process.name;
+  }
+  for (const Layout::Process& process : layout.processes) {
+    if (process.debug) continue;
+    Process* here = find(process.name);
+    note(connect("debug/queue/" + process.name, here, process.name, debugProcess));
+    note(connect("debug/requests/" + process.name, debugProcess, debug, here));
+  }
+  return errors;
+}
+
+/// What the programs tell the one with the debug process about themselves.
+Errors RobotProgram::Implementation::connectPrograms() {
+  Errors errors;
+  for (const Layout::Program& program : layout.programs) {
+    if (part.program.empty() || &program == layout.mainProgram()) continue;
+    if (debugProcess != nullptr) {
+      std::vector<std::string> names;
+      for (const auto& process : program.processes) names.push_back(process.process);
+      debugProcess->addProgram(program.name, names);
+    } else if (program.name != part.program) {
+      continue;
+    }
+    const auto made = connect("debug/processes/" + program.name, find("report/" + program.name),
+                              "report/" + program.name, debugProcess);
+    if (!made) errors.push_back(made.error());
+  }
+  return errors;
 }
 
 std::vector<std::string> debugPackages() {
@@ -153,6 +234,9 @@ const std::vector<Process*>& RobotProgram::processes() const {
 DebugProcess& RobotProgram::debugProcess() {
   return *implementation_->debugProcess;
 }
+bool RobotProgram::hasDebugProcess() const {
+  return implementation_->debugProcess != nullptr;
+}
 
 std::vector<std::string> RobotProgram::yieldedPackages() const {
   std::set<std::string> packages;
@@ -172,11 +256,22 @@ void RobotProgram::recordPackages(const std::set<std::string>& packages) {
   for (Process* process : implementation_->processes) {
     if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->recordPackages(packages);
   }
+  if (!hasDebugProcess()) return;
+  robotcontrol::Request request;
+  request.mutable_record_packages()->mutable_packages()->Assign(packages.begin(), packages.end());
+  debugProcess().askOtherPrograms(request);
 }
 
 void RobotProgram::setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes) {
   for (Process* process : implementation_->processes) {
     if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->setKeys(modes);
+  }
+  if (!hasDebugProcess()) return;
+  for (const auto& [name, mode] : modes) {
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(name);
+    *request.mutable_set_key()->mutable_mode() = mode;
+    debugProcess().askOtherPrograms(request);
   }
 }
 

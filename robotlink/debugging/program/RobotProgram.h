@@ -10,6 +10,7 @@
 #include "robotlink/debugging/TaskProcess.h"
 #include "robotlink/debugging/program/DebugProcess.h"
 #include "robotlink/process/Platform.h"
+#include "robotlink/process/ProgramLinks.h"
 
 namespace robotlink {
 
@@ -24,20 +25,39 @@ namespace robotlink {
 /// keeps running after a failure; on success, the platform's links change to the new program. Executors must
 /// have released the processes (clear(), ThreadExecutor::stop()) before a program is destroyed; the platform
 /// may keep running meanwhile, in another thread.
+///
+/// It may also be one of several programs that run the processes of the layout together (Layout::Program).
+/// Then it has its own processes only; the one with the debug process has the platform, and the `platform` of
+/// the others only says which packages that has.
 class RobotProgram {
  public:
+  /// Which part of a layout this program is.
+  struct Part {
+    /// The name of the program in the layout; empty: it runs all processes.
+    std::string program = {};
+    /// Makes the links to the other programs; must outlive the call of create(). Null if it runs all.
+    ProgramLinks* links = nullptr;
+  };
   /// Fails with the errors of the layout, of parameter files and of solutions' constructors. `parameters` is
   /// only used during the call.
   static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout,
                                                                     Platform& platform,
-                                                                    const ParameterSource& parameters);
+                                                                    const ParameterSource& parameters) {
+    return create(std::move(robot), std::move(layout), platform, parameters, Part());
+  }
+  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout,
+                                                                    Platform& platform,
+                                                                    const ParameterSource& parameters,
+                                                                    const Part& part);
   ~RobotProgram();
 
   const RobotSetup& robot() const;
   const Layout& layout() const;
   /// In the order of the layout, including the debug process.
   const std::vector<Process*>& processes() const;
+  /// Only if hasDebugProcess(), which only one of several programs has.
   DebugProcess& debugProcess();
+  bool hasDebugProcess() const;
 
   /// All packages that its tasks yield, but not those of the platform or the debug process. Sorted.
   std::vector<std::string> yieldedPackages() const;
@@ -46,7 +66,7 @@ class RobotProgram {
   /// Sets modes of debug keys, including those of packages, before the first frame. Unknown keys are ignored.
   /// Before it runs.
   void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes);
-  /// The parameters of all solutions of all tasks. Before it runs.
+  /// The parameters of all solutions of all tasks, but not of those in other programs. Before it runs.
   std::vector<robotcontrol::ParameterValues> parameters() const;
 
   /// Stops all processes; the platform is never blocked by their links again. Idempotent.

@@ -30,7 +30,8 @@ class OverDds {
     ASSERT_TRUE(senders_.link(sender, sender.process().name()));
     ASSERT_TRUE(receivers_.link(receiver, sender.process().name()));
     const auto from = senders_.sendingEnd(sender);
-    links_.push_back({&receiver, sender.blocking(), from->written(), from, receivers_.receivingEnd(receiver)});
+    links_.push_back(
+        {&receiver, sender.blocking(), from->written(), from, receivers_.receivingEnd(receiver)});
     settle();
     ASSERT_TRUE(eventually([&] { return !links_.back().to->closed(); }));
     settle();
@@ -52,9 +53,10 @@ class OverDds {
   };
   bool settled(const Linked& link) const {
     if (link.from->ended()) return link.to->closed();
-    const auto receivers = static_cast<std::size_t>(
-        std::count_if(links_.begin(), links_.end(),
-                      [&](const Linked& other) { return other.from == link.from && !other.to->ended(); }));
+    const auto receivers =
+        static_cast<std::size_t>(std::count_if(links_.begin(), links_.end(), [&](const Linked& other) {
+          return other.from == link.from && !other.to->ended();
+        }));
     if (link.from->receivers() != receivers) return false;
     if (link.to->ended()) return true;
     if (link.from->written() != link.before && link.to->arrived() != link.from->written()) return false;

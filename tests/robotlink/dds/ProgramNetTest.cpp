@@ -51,9 +51,10 @@ TEST(ProgramNetTest, anotherVersionOfAPackageIsRefusedWithTheNamesOfBothSides) {
   ASSERT_TRUE(eventually([&] { return sender.connected(); }));
   sender.send(ball(1));
   ASSERT_TRUE(eventually([&] { return !sending.texts().empty() && !receiving.texts().empty(); }));
-  EXPECT_EQ("Program planning refuses ball of program vision: the two were built from different versions of "
-            "this package. Build both from the same sources.",
-            receiving.texts().front());
+  EXPECT_EQ(
+      "Program planning refuses ball of program vision: the two were built from different versions of "
+      "this package. Build both from the same sources.",
+      receiving.texts().front());
   EXPECT_EQ(receiving.texts(), sending.texts());
   EXPECT_FALSE(sender.connected());
   EXPECT_FALSE(receiver.connected());
@@ -131,7 +132,8 @@ TEST(ProgramNetTest, aDomainOrAnInterfaceThatDoesNotExistIsRefused) {
   const auto domain = dds::Node::open({.domain = 231, .address = {}, .peers = {}, .multicast = false});
   ASSERT_FALSE(domain);
   EXPECT_EQ("a DDS domain is a number from 0 to 230, not 231", domain.error().text);
-  const auto interface = dds::Node::open({.domain = 1, .address = "192.0.2.1", .peers = {}, .multicast = false});
+  const auto interface =
+      dds::Node::open({.domain = 1, .address = "192.0.2.1", .peers = {}, .multicast = false});
   ASSERT_FALSE(interface);
   EXPECT_NE(std::string::npos, interface.error().text.find("192.0.2.1"));
 }

@@ -208,6 +208,71 @@ TEST(LayoutCheckTest, wrongBlockingInputsAreRefused) {
           "l.yaml:4:61: process think waits for pose, which nobody yields here; remove it from 'blocking'"));
 }
 
+TEST(LayoutCheckTest, wrongBlockingOutputsAreRefused) {
+  EXPECT_THAT(complaints({"name: think, blocking: [image], blocking_outputs: [request], tasks: [see: plain, "
+                          "model: filter, behave: go]",
+                          kGood[1]}),
+              IsEmpty());
+  EXPECT_THAT(
+      complaints({"name: think, blocking: [image], blocking_outputs: [request, request, angles, percept], "
+                  "tasks: [see: plain, model: filter, behave: go]",
+                  kGood[1]}),
+      ElementsAre("l.yaml:4:62: process think waits until request is taken, twice; remove it from "
+                  "'blocking_outputs'",
+                  "l.yaml:4:71: process think waits until angles is taken, which none of its tasks yields; "
+                  "remove it from 'blocking_outputs'",
+                  "l.yaml:4:79: process think waits until percept is taken, but no other process and no "
+                  "platform receives it; remove it from 'blocking_outputs'"));
+}
+
+/// What is wrong with the good layout with these programs.
+std::vector<std::string> complaintsAboutPrograms(const std::string& programs) {
+  std::vector<std::string> result;
+  const auto layout = parseLayout(text(kGood) + "programs:\n" + programs, "l.yaml");
+  const Errors errors = layout ? checkLayout(*layout, catalog(), platform()) : layout.error();
+  for (const Error& error : errors) result.push_back(error.describe());
+  return result;
+}
+
+TEST(LayoutProgramsTest, everyProcessBelongsToOneProgram) {
+  const auto layout = parseLayout(text(kGood) +
+                                      "programs:\n  - {name: body, processes: [act, debug]}\n"
+                                      "  - {name: head, processes: [think]}\n",
+                                  "l.yaml");
+  ASSERT_TRUE(layout) << describe(layout.error());
+  EXPECT_THAT(checkLayout(*layout, catalog(), platform()), IsEmpty());
+  ASSERT_EQ(2U, layout->programs.size());
+  EXPECT_EQ("body", layout->mainProgram()->name);
+  EXPECT_EQ("head", layout->programOf("think")->name);
+  EXPECT_EQ(nullptr, layout->findProgram("tail"));
+  EXPECT_EQ((FilePosition{"l.yaml", 8, 5}), layout->programs[0].where);
+}
+
+TEST(LayoutProgramsTest, wrongProgramsAreRefusedWithTheirPlace) {
+  EXPECT_THAT(complaintsAboutPrograms("  - {name: body, processes: [act, debug]}\n"),
+              ElementsAre("l.yaml:4:5: process think is run by no program; add it to one of those under "
+                          "'programs'"));
+  EXPECT_THAT(
+      complaintsAboutPrograms("  - {name: body, processes: [act, debug, think]}\n"
+                              "  - {name: body, processes: [think, thinks]}\n"
+                              "  - {name: tail, processes: []}\n"),
+      ElementsAre("l.yaml:9:5: there is a program body already, in line 8; rename one of them",
+                  "l.yaml:9:30: process think is run by program body already (line 8); remove it from "
+                  "one of them",
+                  "l.yaml:9:37: there is no process 'thinks' that program body could run; did you "
+                  "mean 'think'?",
+                  "l.yaml:10:5: program tail runs no process; give it one or remove it"));
+}
+
+TEST(LayoutProgramsTest, hostsAreNamedForAllProgramsOrForNone) {
+  EXPECT_THAT(complaintsAboutPrograms("  - {name: body, host: 192.168.1.2, processes: [act, debug]}\n"
+                                      "  - {name: head, processes: [think]}\n"),
+              ElementsAre("l.yaml:9:5: program head has no host, but others have; name all hosts, or none if "
+                          "all run on one machine"));
+  EXPECT_THAT(complaintsAboutPrograms("  - {name: body, host: 'a host', processes: [act, think, debug]}\n"),
+              ElementsAre("l.yaml:8:26: 'a host' is neither the IP address of a machine nor its name"));
+}
+
 TEST(LayoutCheckTest, thereIsExactlyOneDebugProcessWithoutTasks) {
   EXPECT_THAT(
       complaints({"name: extra, debug: true, period_ms: 8, tasks: [see: plain]"}),

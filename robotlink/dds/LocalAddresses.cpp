@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/dds/LocalAddresses.h"
+
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netdb.h>
+#include <netinet/in.h>
+
+namespace robotlink::dds {
+namespace {
+
+std::string textOfAddress(const sockaddr* address) {
+  char text[INET_ADDRSTRLEN] = "";
+  const auto* v4 = reinterpret_cast<const sockaddr_in*>(address);
+  ::inet_ntop(AF_INET, &v4->sin_addr, text, sizeof text);
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> localAddresses() {
+  std::vector<std::string> result;
+  ifaddrs* all = nullptr;
+  if (::getifaddrs(&all) != 0) return result;
+  for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr != nullptr && (one->ifa_flags & IFF_UP) != 0 && one->ifa_addr->sa_family == AF_INET)
+      result.push_back(textOfAddress(one->ifa_addr));
+  }
+  ::freeifaddrs(all);
+  return result;
+}
+
+std::string addressOf(const std::string& host) {
+  addrinfo hints{};
+  hints.ai_family = AF_INET;
+  hints.ai_socktype = SOCK_DGRAM;
+  addrinfo* found = nullptr;
+  if (::getaddrinfo(host.c_str(), nullptr, &hints, &found) != 0 || found == nullptr) return {};
+  const std::string address = textOfAddress(found->ai_addr);
+  ::freeaddrinfo(found);
+  return address;
+}
+
+}  // namespace robotlink::dds

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/dds/RobotDiscovery.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+#include "robotlink/dds/LocalAddresses.h"
+#include "robotlink/dds/Wire.h"
+
+namespace robotlink::dds {
+namespace {
+
+constexpr const char* kRobotsTopic = "robotcontrol/robots";
+/// The domain of announcements; programs of layouts have 0 unless their user says otherwise.
+constexpr std::uint32_t kAnnouncementDomain = 229;
+constexpr std::uint32_t kMaxAnnouncers = 256;
+constexpr std::size_t kMaxNames = 100;
+
+std::string textIn(const char* text) {
+  return text != nullptr ? text : "";
+}
+
+/// Nothing: what somebody else in the network sent makes no sense.
+std::optional<AnnouncedRobots> robotsIn(const robotlink_wire_Package& sample) {
+  AnnouncedRobots robots;
+  robots.address = textIn(sample.sender);
+  robots.fingerprint = textIn(sample.type);
+  robots.isEncrypted = sample.kind != 0;
+  robots.port = static_cast<std::uint16_t>(sample.number);
+  std::istringstream names(textIn(sample.name));
+  for (std::string name; robots.names.size() < kMaxNames && std::getline(names, name, '\n');)
+    robots.names.push_back(name);
+  if (robots.address.empty() || sample.number == 0 || sample.number > 65535 || robots.names.empty())
+    return std::nullopt;
+  return robots;
+}
+
+}  // namespace
+
+std::string AnnouncedRobots::url() const {
+  const std::string host = address.find(':') == std::string::npos ? address : "[" + address + "]";
+  return (isEncrypted ? "wss://" : "ws://") + host + ":" + std::to_string(port);
+}
+
+// ---- Announcing
+
+struct RobotAnnouncement::Implementation {
+  std::vector<std::shared_ptr<Node>> nodes;
+  std::vector<Entity> writers;
+};
+
+RobotAnnouncement::RobotAnnouncement(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+RobotAnnouncement::~RobotAnnouncement() = default;
+
+Result<std::unique_ptr<RobotAnnouncement>> RobotAnnouncement::open(std::vector<std::shared_ptr<Node>> nodes,
+                                                                   const AnnouncedRobots& robots) {
+  auto made = std::make_unique<Implementation>();
+  std::string names;
+  for (const std::string& name : robots.names) names += (names.empty() ? "" : "\n") + name;
+  for (const auto& node : nodes) {
+    auto writer = openWriter(node->participant(), kRobotsTopic, History::kLatched);
+    if (!writer) return tl::unexpected(writer.error());
+    const std::string address = node->address().empty() ? "127.0.0.1" : node->address();
+    write(writer->get(), {.name = names,
+                          .type = robots.fingerprint,
+                          .sender = address,
+                          .number = robots.port,
+                          .kind = static_cast<std::uint8_t>(robots.isEncrypted ? 1 : 0)});
+    made->writers.push_back(std::move(*writer));
+  }
+  made->nodes = std::move(nodes);
+  return std::unique_ptr<RobotAnnouncement>(new RobotAnnouncement(std::move(made)));
+}
+
+// ---- Listening
+
+struct RobotDiscovery::Implementation {
+  struct Network {
+    std::shared_ptr<Node> node;
+    /// By the handles of their writers.
+    std::map<std::uint64_t, AnnouncedRobots> robots;
+    Sample sample;
+    Entity reader;
+  };
+  void update(Network& network) const;
+
+  mutable std::mutex mutex;  // protects the networks
+  std::vector<std::unique_ptr<Network>> networks;
+};
+
+RobotDiscovery::RobotDiscovery(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+RobotDiscovery::~RobotDiscovery() = default;
+
+Result<std::unique_ptr<RobotDiscovery>> RobotDiscovery::open(std::vector<std::shared_ptr<Node>> nodes) {
+  auto made = std::make_unique<Implementation>();
+  for (auto& node : nodes) {
+    auto network = std::make_unique<Implementation::Network>();
+    auto reader = openReader(node->participant(), kRobotsTopic, History::kLatched);
+    if (!reader) return tl::unexpected(reader.error());
+    network->reader = std::move(*reader);
+    network->node = std::move(node);
+    made->networks.push_back(std::move(network));
+  }
+  return std::unique_ptr<RobotDiscovery>(new RobotDiscovery(std::move(made)));
+}
+
+void RobotDiscovery::Implementation::update(Network& network) const {
+  while (const auto from = take(network.reader.get(), network.sample)) {
+    if (const auto robots = robotsIn(network.sample.package)) network.robots[*from] = *robots;
+  }
+  dds_instance_handle_t present[kMaxAnnouncers];
+  const auto count = std::min<std::int32_t>(
+      dds_get_matched_publications(network.reader.get(), present, kMaxAnnouncers), kMaxAnnouncers);
+  if (count < 0) return;
+  std::erase_if(network.robots, [&](const auto& robots) {
+    return std::find(present, present + count, robots.first) == present + count;
+  });
+}
+
+std::vector<AnnouncedRobots> RobotDiscovery::robots() const {
+  const std::lock_guard lock(implementation_->mutex);
+  std::vector<AnnouncedRobots> all;
+  for (const auto& network : implementation_->networks) {
+    implementation_->update(*network);
+    for (const auto& [writer, robots] : network->robots) {
+      const auto isSame = [&, &found = robots](const AnnouncedRobots& other) {
+        return other.url() == found.url();
+      };
+      if (std::none_of(all.begin(), all.end(), isSame)) all.push_back(robots);
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const AnnouncedRobots& a, const AnnouncedRobots& b) {
+    return std::pair(a.names, a.url()) < std::pair(b.names, b.url());
+  });
+  return all;
+}
+
+std::vector<std::shared_ptr<Node>> announcementNodes(const std::string& address) {
+  std::vector<std::string> addresses;
+  if (address.empty() || address == "0.0.0.0" || address == "::") {
+    addresses = localAddresses();
+  } else {
+    addresses = {address};
+  }
+  std::vector<std::shared_ptr<Node>> nodes;
+  for (const std::string& one : addresses) {
+    if (one.starts_with("127.") || one == "::1" || one == "localhost") continue;
+    auto node = Node::open({.domain = kAnnouncementDomain, .address = one, .peers = {}, .multicast = true});
+    if (node) nodes.push_back(std::move(*node));
+  }
+  return nodes;
+}
+
+}  // namespace robotlink::dds

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+class ProcessChannel;
+
+/// What the debug process knows of the programs that run the other processes of its layout: whether they
+/// run, and what they were asked for, which a program gets again when it was started again. Used by the debug
+/// process; internal to this folder.
+class OtherPrograms {
+ public:
+  explicit OtherPrograms(Process& debugProcess) : debugProcess_(debugProcess) {}
+
+  /// Adds a program with the channels to its processes, which must outlive this object. Before the debug
+  /// process runs.
+  void add(const std::string& program, std::vector<ProcessChannel*> channels);
+  /// Looks who came and went since the last call. Returns a sentence for each program that did.
+  std::vector<std::string> update();
+
+  /// Why a process can do nothing now, as "program vision, which runs process ball, does not run"; empty if
+  /// it can, or if it runs in this program.
+  std::string whyNot(const std::string& process) const;
+  /// Remembers a request to a process: its program gets it again when it was started again. Returns whether
+  /// the process runs in another program.
+  bool remember(const std::string& process, const robotcontrol::Request& request);
+  /// The same for all processes of all other programs.
+  void rememberForAll(const robotcontrol::Request& request);
+  /// Adds what the processes of the other programs do.
+  void fillProcesses(robotcontrol::ProcessTable& to) const;
+
+ private:
+  /// A process of another program.
+  struct Seat {
+    ProcessChannel* channel;
+    /// The generation of its link when it was asked for everything.
+    std::uint64_t generation = 0;
+    std::vector<robotcontrol::Request> remembered = {};
+  };
+  struct Program {
+    std::string name;
+    std::unique_ptr<Receiver<robotcontrol::ProcessTable>> table;
+    std::vector<Seat> seats;
+    bool running = false;
+    bool ranBefore = false;
+    std::uint64_t generation = 0;
+  };
+  static bool isConnected(const Program& program);
+  void askAgain(Seat& seat);
+  static const robotcontrol::ProcessTable::Process* rowOf(const Program& program, const std::string& process);
+  static const Seat* seatOf(const Program& program, const std::string& process);
+  /// "running", "stopped", "failed: ...", while its program runs.
+  static std::string stateOf(const Program& program, const std::string& process);
+
+  Process& debugProcess_;
+  std::deque<Program> programs_;
+  std::uint64_t repeated_ = 0;  // requests
+};
+
+}  // namespace robotlink

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+/// Stands in a program without the debug process: tells it twice a second what the processes of this program
+/// do, with the package "debug/processes/<program>".
+class ProcessReporter final : public Process {
+ public:
+  ProcessReporter(const std::string& program, const Clock& clock);
+  ~ProcessReporter() override;
+
+  /// Adds a process, which must outlive this object. Before it runs.
+  void watch(const Process& process) { watched_.push_back(&process); }
+
+ protected:
+  void execute() override;
+
+ private:
+  Sender<robotcontrol::ProcessTable> table_;
+  std::vector<const Process*> watched_;
+};
+
+}  // namespace robotlink
