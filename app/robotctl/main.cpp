@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   addRunCommand(app, status);
   addPlatformCommand(app, status);
   addLaunchCommand(app, status);
+  addRobotsCommand(app, status);
   addWatchCommand(app, status);
   addRequestCommand(app, status);
   addColorCommand(app, status);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "robotlink/dds/PackageTypes.h"
+
 namespace robotlink::dds {
 namespace {
 
@@ -106,25 +108,32 @@ void ReceivingEnd::close() {
 void ReceivingEnd::takeSamples() {
   const std::lock_guard reading(samplesMutex_);
   while (const auto from = dds::take(reader_.get(), *incoming_)) {
+    bool isNew = false;
     {
       const std::lock_guard lock(mutex_);
-      if (known_.contains(*from) && *from != sender_) continue;  // one that was replaced
+      isNew = *from != sender_;
+      if (isNew && known_.contains(*from)) continue;  // one that was replaced
     }
     // A sample may come before the notice that its sender is there.
-    followMatches();
+    if (isNew) followMatches();
     {
       const std::lock_guard lock(mutex_);
       if (*from != sender_ || refused_ || owner_ == nullptr) continue;
     }
-    if (checked_ != *from && !accepts(incoming_->package)) continue;
+    const char* type = incoming_->package.type;
+    const bool isChecked = checked_ == *from && type != nullptr && type == checkedType_;
+    if (!isChecked && !accepts(incoming_->package)) continue;
     checked_ = *from;
+    checkedType_ = type;
     put(incoming_);
   }
 }
 
 bool ReceivingEnd::accepts(const robotlink_wire_Package& sample) {
   const pb::Descriptor* type = typeOf(sample);
-  if (type != nullptr && setup_.fingerprint(*type) == sample.fingerprint) return true;
+  const pb::Descriptor* expected = typeOfPackage(setup_.package);
+  const bool isRightType = type != nullptr && (expected == nullptr || type == expected);
+  if (isRightType && setup_.fingerprint(*type) == sample.fingerprint) return true;
   {
     const std::lock_guard lock(mutex_);
     refused_ = true;

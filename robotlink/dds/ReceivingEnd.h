@@ -57,10 +57,12 @@ class ReceivingEnd final : public Link {
   std::string receiver_;
   std::mutex samplesMutex_;  // held while samples are read into incoming_
   std::unique_ptr<Sample> incoming_ = std::make_unique<Sample>();
-  std::uint64_t checked_ = 0;  // the sender whose first package was accepted
-  std::mutex answerMutex_;     // held while an answer is written, so that the newest is the last
-  mutable std::mutex mutex_;   // protects what follows; never held while something is written
-  EndOwner* owner_;            // null after close()
+  /// The sender whose packages of this type were accepted.
+  std::uint64_t checked_ = 0;
+  std::string checkedType_;
+  std::mutex answerMutex_;    // held while an answer is written, so that the newest is the last
+  mutable std::mutex mutex_;  // protects what follows; never held while something is written
+  EndOwner* owner_;           // null after close()
   /// The writer that it listens to, 0: none, and all that it knows.
   std::uint64_t sender_ = 0;
   Guid senderGuid_{};

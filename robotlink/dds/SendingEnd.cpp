@@ -110,6 +110,9 @@ void SendingEnd::close() {
     update();
     ended_.store(true, std::memory_order_release);
   }
+  // The listener of each uses both.
+  answers_.silence();
+  writer_.silence();
   answers_.reset();
   writer_.reset();
 }

@@ -76,6 +76,10 @@ Entity& Entity::operator=(Entity&& other) noexcept {
   return *this;
 }
 
+void Entity::silence() {
+  if (valid()) dds_set_listener(handle_, nullptr);
+}
+
 void Entity::reset() {
   if (valid()) dds_delete(handle_);
   handle_ = 0;

@@ -40,6 +40,8 @@ class Entity {
 
   dds_entity_t get() const { return handle_; }
   bool valid() const { return handle_ > 0; }
+  /// Its listener is not called any more; waits for calls.
+  void silence();
   void reset();
 
  private:

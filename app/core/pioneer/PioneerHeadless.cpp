@@ -189,13 +189,13 @@ tl::expected<HeadlessSummary, robotlink::Errors> runOtherProgram(const PioneerOp
                                                  PioneerDriver::Options{.address = options.url});
       },
       .report = spreadReport(console)};
-  const auto program = OtherProgram::start(std::move(parts));
+  const auto program = OtherProgram::create(std::move(parts));
   if (!program) return tl::unexpected(program.error());
   const auto end = std::chrono::steady_clock::now() + robotlink::fromSeconds(seconds);
   bool heard = false;
   while (!console.interrupted() && (seconds == 0 || std::chrono::steady_clock::now() < end)) {
-    if (!heard && (*program)->heard()) console.errors << "The program with the platform runs." << std::endl;
-    heard = (*program)->heard();
+    if (!heard && (*program)->begin()) console.errors << "The program with the platform runs." << std::endl;
+    heard = (*program)->begin();
     std::this_thread::sleep_for(kHeadlessStep);
   }
   const json figures = {{"program", options.spread.program}, {"heard", heard}};

@@ -15,7 +15,7 @@ OtherProgram::~OtherProgram() {
   program_.reset();
 }
 
-tl::expected<std::unique_ptr<OtherProgram>, Errors> OtherProgram::start(Parts parts) {
+tl::expected<std::unique_ptr<OtherProgram>, Errors> OtherProgram::create(Parts parts) {
   std::unique_ptr<OtherProgram> made(new OtherProgram(std::move(parts)));
   if (Errors errors = made->make(); !errors.empty()) return tl::unexpected(std::move(errors));
   return made;
@@ -54,8 +54,13 @@ Errors OtherProgram::make() {
             parts_.report("Process " + process.name() + " runs with normal priority: " + why);
           }});
   for (robotlink::Process* process : program_->processes()) executor_->add(*process);
-  executor_->start();
   return {};
+}
+
+bool OtherProgram::begin() {
+  if (begun_ || !clock_.isSet()) return begun_;
+  executor_->start();
+  return begun_ = true;
 }
 
 }  // namespace app

@@ -36,13 +36,13 @@ class OtherProgram {
     std::function<void(const std::string& text)> report;
   };
 
-  /// Fails with all reasons why it cannot run. It runs until it is destroyed.
-  static tl::expected<std::unique_ptr<OtherProgram>, robotlink::Errors> start(Parts parts);
+  /// Fails with all reasons why it cannot run. It ends when it is destroyed.
+  static tl::expected<std::unique_ptr<OtherProgram>, robotlink::Errors> create(Parts parts);
   ~OtherProgram();
 
-  const robotlink::Clock& clock() const { return clock_; }
-  /// Whether the program with the platform was ever heard.
-  bool heard() const { return clock_.isSet(); }
+  /// To be called again and again: starts the processes when the program with the platform is heard for the
+  /// first time, since there is no time before. Returns whether they were started.
+  bool begin();
 
  private:
   explicit OtherProgram(Parts parts);
@@ -56,6 +56,7 @@ class OtherProgram {
   std::unique_ptr<robotlink::Platform> platform_;
   std::unique_ptr<robotlink::RobotProgram> program_;
   std::unique_ptr<robotlink::ThreadExecutor> executor_;
+  bool begun_ = false;
 };
 
 }  // namespace app

@@ -143,7 +143,7 @@ void LaunchedPrograms::signalAll(int signal) {
 }
 
 void LaunchedPrograms::interrupt() {
-  signalAll(SIGINT);
+  signalAll(SIGTERM);  // SIGINT may be ignored: whoever started this program in the background has said so
 }
 
 void LaunchedPrograms::kill() {

@@ -127,7 +127,7 @@ TEST_F(RobotctlLaunchTest, aProgramThatIsKilledIsNamedTheOthersGoOnAndItRejoins)
   EXPECT_FALSE(launched.lineWith("Program plan runs again.").empty()) << launched.all();
   EXPECT_FALSE(again.lineWith("The program with the platform runs.").empty()) << again.all();
   launched.send(SIGINT);
-  EXPECT_EQ(0, launched.finish()) << launched.all();
+  EXPECT_EQ(130, launched.finish()) << "as one of its programs had crashed: " << launched.all();
   EXPECT_THAT(launched.all(), HasSubstr("drive: "));
   again.send(SIGINT);
   EXPECT_EQ(0, again.finish()) << again.all();
@@ -165,12 +165,12 @@ TEST(RobotctlLaunchErrorsTest, wrongProgramsAndLayoutsAreRefusedWithTheirPlace) 
     const std::string line = "  - name: " + name + "\n    processes";
     const auto at = text.find(line);
     ASSERT_NE(std::string::npos, at);
-    text.replace(at, line.size(), "  - name: " + name + "\n    host: 192.0.2.1\n    processes");
+    text.replace(at, line.size(), "  - name: " + name + "\n    host: 203.0.113.254\n    processes");
   }
   std::ofstream(folder / "far.yaml") << text;
   const auto far = runRobotctl(folder, "run --layout far.yaml --platform tcp://localhost:1 --program plan");
   EXPECT_EQ(1, far.status);
-  EXPECT_THAT(far.errors, HasSubstr("program plan belongs to 192.0.2.1, which is not an address of this "
+  EXPECT_THAT(far.errors, HasSubstr("program plan belongs to 203.0.113.254, which is not an address of this "
                                     "machine; start it there, or all programs here with --local"));
   EXPECT_THAT(far.errors, HasSubstr("far.yaml:"));
   std::filesystem::remove_all(folder);

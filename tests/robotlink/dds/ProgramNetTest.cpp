@@ -64,6 +64,26 @@ TEST(ProgramNetTest, anotherVersionOfAPackageIsRefusedWithTheNamesOfBothSides) {
   EXPECT_EQ(1U, receiving.texts().size());
 }
 
+TEST(ProgramNetTest, aPackageOfAnotherTypeThanItsNameSaysIsRefused) {
+  const auto here = openTestNode();
+  const auto there = openTestNode();
+  ASSERT_TRUE(here && there);
+  SteadyClock clock;
+  Reports reports;
+  dds::ProgramNet sending(here, {"robot", "vision"}, clock, {});
+  dds::ProgramNet receiving(there, {"robot", "planning"}, clock, {{}, reports.sink()});
+  TestProcess from("from", clock);
+  TestProcess to("to", clock);
+  Sender<Ball> sender(from, "models/ball", Blocking::kNo);
+  AnyReceiver receiver(to, "models/ball", Blocking::kNo);
+  ASSERT_TRUE(sending.link(sender, "from") && receiving.link(receiver, "from"));
+  ASSERT_TRUE(eventually([&] { return sender.connected(); }));
+  sender.send(ball(1));
+  EXPECT_TRUE(eventually([&] { return !reports.texts().empty(); }));
+  to.step();
+  EXPECT_EQ(nullptr, receiver.value());
+}
+
 TEST(ProgramNetTest, aReceiverFollowsASenderThatIsMadeAgain) {
   const auto here = openTestNode();
   const auto there = openTestNode();
@@ -133,9 +153,9 @@ TEST(ProgramNetTest, aDomainOrAnInterfaceThatDoesNotExistIsRefused) {
   ASSERT_FALSE(domain);
   EXPECT_EQ("a DDS domain is a number from 0 to 230, not 231", domain.error().text);
   const auto interface =
-      dds::Node::open({.domain = 1, .address = "192.0.2.1", .peers = {}, .multicast = false});
+      dds::Node::open({.domain = 1, .address = "203.0.113.254", .peers = {}, .multicast = false});
   ASSERT_FALSE(interface);
-  EXPECT_NE(std::string::npos, interface.error().text.find("192.0.2.1"));
+  EXPECT_NE(std::string::npos, interface.error().text.find("203.0.113.254"));
 }
 
 }  // namespace

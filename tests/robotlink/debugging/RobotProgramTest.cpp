@@ -98,6 +98,25 @@ TEST(RobotProgramTest, aProcessThatThrowsStopsAloneAndSaysWhy) {
             robot.select("ball-model", "last").reason());
 }
 
+TEST(RobotProgramTest, aBlockingOutputOfTheLayoutHoldsItsProcess) {
+  std::string layout = kToyLayout;
+  const std::string input = "    blocking: [camera/image]\n";
+  layout.replace(layout.find(input), input.size(), input + "    blocking_outputs: [behavior/motion]\n");
+  ToyRobot robot(layout);
+  const Process& cognition = *robot.program->processes()[0];
+  for (const AnySender* sender : cognition.senders())
+    EXPECT_EQ(sender->package() == "behavior/motion", sender->blocking()) << sender->package();
+  robot.run(100);
+  EXPECT_EQ(19U, cognition.frames()) << "motion takes what it is sent in each of its frames";
+  // Nobody takes what is sent any more: one package is delivered, one waits.
+  robot.executor.clear();
+  robot.executor.add(*robot.program->processes()[0]);
+  robot.executor.add(robot.platform);
+  robot.run(100);
+  EXPECT_EQ(21U, cognition.frames());
+  EXPECT_EQ("its package behavior/motion to be taken", cognition.waitsFor());
+}
+
 TEST(RobotProgramTest, runsInThreadsAndCanBeStoppedAtAnyTime) {
   ManualClock steps;
   ToyPlatform platform("toy", steps);

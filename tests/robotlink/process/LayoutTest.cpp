@@ -217,11 +217,11 @@ TEST(LayoutCheckTest, wrongBlockingOutputsAreRefused) {
       complaints({"name: think, blocking: [image], blocking_outputs: [request, request, angles, percept], "
                   "tasks: [see: plain, model: filter, behave: go]",
                   kGood[1]}),
-      ElementsAre("l.yaml:4:62: process think waits until request is taken, twice; remove it from "
+      ElementsAre("l.yaml:4:66: process think waits until request is taken, twice; remove it from "
                   "'blocking_outputs'",
-                  "l.yaml:4:71: process think waits until angles is taken, which none of its tasks yields; "
+                  "l.yaml:4:75: process think waits until angles is taken, which none of its tasks yields; "
                   "remove it from 'blocking_outputs'",
-                  "l.yaml:4:79: process think waits until percept is taken, but no other process and no "
+                  "l.yaml:4:83: process think waits until percept is taken, but no other process and no "
                   "platform receives it; remove it from 'blocking_outputs'"));
 }
 
@@ -270,7 +270,7 @@ TEST(LayoutProgramsTest, hostsAreNamedForAllProgramsOrForNone) {
               ElementsAre("l.yaml:9:5: program head has no host, but others have; name all hosts, or none if "
                           "all run on one machine"));
   EXPECT_THAT(complaintsAboutPrograms("  - {name: body, host: 'a host', processes: [act, think, debug]}\n"),
-              ElementsAre("l.yaml:8:26: 'a host' is neither the IP address of a machine nor its name"));
+              ElementsAre("l.yaml:8:24: 'a host' is neither the IP address of a machine nor its name"));
 }
 
 TEST(LayoutCheckTest, thereIsExactlyOneDebugProcessWithoutTasks) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/dds/PackageTypes.h"
+
+#include <map>
+
+#include "foxglove/Image.pb.h"
+#include "foxglove/Ranging.pb.h"
+#include "foxglove/Robot.pb.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Linking.pb.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Motion.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/packages/Packages.h"
+
+namespace robotlink::dds {
+namespace {
+
+using google::protobuf::Descriptor;
+using Types = std::map<std::string, const Descriptor*>;
+
+template <typename... T>
+Types typesOf(const Package<T>&... packages) {
+  return {{packages.name, T::descriptor()}...};
+}
+
+}  // namespace
+
+const Descriptor* typeOfPackage(const std::string& package) {
+  if (package.starts_with("debug/queue/")) return robotcontrol::DebugQueue::descriptor();
+  if (package.starts_with("debug/requests/")) return robotcontrol::RequestQueue::descriptor();
+  if (package.starts_with("debug/processes/")) return robotcontrol::ProcessTable::descriptor();
+  static const Types kTypes =
+      typesOf(kCameraImage, kJointStates, kBodySensors, kBodyReadings, kOracleWorld, kOracleClasses,
+              kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest,
+              kRemoteMotion, kColorTable, kDriveGoal, kCameraPose, kColorRegions, kBallPercept,
+              kLandmarkPercepts, kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest,
+              kHeadMode, kHeadRequest, kMotionStatus, kDrivePath, kBehaviorDrive);
+  const auto found = kTypes.find(package);
+  return found == kTypes.end() ? nullptr : found->second;
+}
+
+}  // namespace robotlink::dds
