@@ -86,6 +86,7 @@ ChunkMerge::Run ChunkMerge::next(const MessagePosition& behind) {
 void ChunkMerge::lookUp(const MessagePosition& behind) {
   open_.clear();
   standing_ = true;
+  walked_ = false;
   const auto firstLater = std::ranges::partition_point(
       order_, [&](std::uint32_t i) { return index_.sections[i].info.start <= behind.time; });
   due_ = static_cast<std::size_t>(firstLater - order_.begin());
@@ -98,6 +99,8 @@ void ChunkMerge::enterDue(const MessagePosition& behind) {
   while (due_ < order_.size() && surprises_ == cache_.surprises() &&
          (open_.empty() || section(due_).info.start <= open_.front()->time)) {
     enter(order_[due_++], behind);
+    const std::size_t ahead = walked_ ? std::min(due_ + ReadAhead::kSections, order_.size()) : due_;
+    for (std::size_t next = due_; next < ahead; ++next) cache_.expect(order_[next]);
   }
 }
 
@@ -176,6 +179,7 @@ void ChunkMerge::finishRun() {
   std::ranges::pop_heap(open_, isLater);
   open_.back()->seek(until_);
   if (open_.back()->place == open_.back()->end) {
+    walked_ = true;
     leave(std::move(open_.back()));
     open_.pop_back();
   } else {

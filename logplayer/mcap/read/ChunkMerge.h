@@ -107,6 +107,8 @@ class ChunkMerge {
 
   /// Whether open_ and due_ belong to the last run.
   bool standing_ = false;
+  /// Whether a section was iterated to its end since the last search, so that the next ones are read ahead.
+  bool walked_ = false;
   /// The first index of order_ that was not opened.
   std::size_t due_ = 0;
   /// A heap with the section of the next message on top.

@@ -149,6 +149,7 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
       i = static_cast<std::size_t>(next - sections.begin()) - 1;
       continue;
     }
+    for (std::size_t next = 1; next <= ReadAhead::kSections; ++next) parts_->cache.expect(i + next);
     readTo = sections[i].info.offset + 1;
     const std::size_t end = visitMessages(records, known, [&](const MessageRecord& record) {
       return proceed = visit(messageIn(records.data(), record));

@@ -27,6 +27,9 @@ class RecentlyUsed {
     return &items_.front().value;
   }
 
+  /// Whether there is such a value; does not mark it as used.
+  bool contains(std::size_t key) const { return places_.contains(key); }
+
   /// Adds or replaces a value of this size; may evict others.
   void insert(std::size_t key, Value value, std::size_t bytes) {
     erase(key);

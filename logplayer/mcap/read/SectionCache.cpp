@@ -8,6 +8,8 @@ namespace logplayer::mcap {
 namespace {
 
 constexpr int kKeptOnRegret = 64;
+/// Larger sections are not read ahead, since each needs its size in memory once more.
+constexpr std::size_t kMaxBytesAhead = 16U << 20U;
 
 }  // namespace
 
@@ -16,6 +18,7 @@ SectionCache::SectionCache(const Source& source, FileIndex& index, const ReadOpt
       index_(index),
       maxRecordBytes_(options.maxRecordBytes),
       loader_(source, options.maxRecordBytes),
+      ahead_(source, options.maxRecordBytes, std::min(kMaxBytesAhead, options.cacheBytes / 2)),
       records_(options.cacheBytes),
       lists_(options.cacheBytes / 4),
       noted_(index.sections.size()) {
@@ -29,6 +32,11 @@ void SectionCache::leave(std::size_t section) {
   }
   records_.retire(section);
   left_[nextLeft_++ % left_.size()] = section;
+}
+
+void SectionCache::expect(std::size_t section) {
+  if (section < index_.sections.size() && !records_.contains(section))
+    ahead_.begin(section, index_.sections[section]);
 }
 
 tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section) {
@@ -46,7 +54,8 @@ tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size
 }
 
 tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer) {
-  auto loaded = loader_.load(index_.sections[section], buffer);
+  auto ahead = ahead_.take(section, buffer);
+  auto loaded = ahead ? std::move(*ahead) : loader_.load(index_.sections[section], buffer);
   if (!loaded) {
     const Section& damaged = index_.sections[section];
     noteDamage(section, {damaged.info.offset, damaged.info.length, loaded.error(), damaged.loose ? 0U : 1U});
@@ -106,6 +115,7 @@ void SectionCache::doubtAll() {
 void SectionCache::reset() {
   records_.clear();
   lists_.clear();
+  ahead_.forget();
   noted_.assign(index_.sections.size(), false);
   misfit_ = false;
   ++surprises_;

@@ -6,12 +6,13 @@
 #include "logplayer/mcap/MessageRecords.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 #include "logplayer/mcap/read/MessageList.h"
+#include "logplayer/mcap/read/ReadAhead.h"
 #include "logplayer/mcap/read/RecentlyUsed.h"
 
 namespace logplayer::mcap {
 
 /// Loads the sections of a file on demand, their records as well as their message lists, and caches some of
-/// them. What cannot be read is added once to the index's damage. One thread.
+/// them. What cannot be read is added once to the index's damage. The functions are for one thread.
 class SectionCache {
  public:
   using Records = std::shared_ptr<const Buffer>;
@@ -23,6 +24,9 @@ class SectionCache {
   /// To be called when an iteration has left a section. Its buffer is reused for the next section: it is
   /// still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
+  /// Begins to load a section in another thread, because it is the one that will be requested next. Ignored
+  /// if there is no such section.
+  void expect(std::size_t section);
   /// Loads the records of a section; the error is a sentence for the user.
   tl::expected<Records, std::string> records(std::size_t section);
   /// Loads the records into `buffer`, bypassing the cache.
@@ -63,6 +67,7 @@ class SectionCache {
   FileIndex& index_;
   std::size_t maxRecordBytes_;
   ChunkLoader loader_;
+  ReadAhead ahead_;
   RecentlyUsed<std::shared_ptr<Buffer>> records_;
   RecentlyUsed<std::shared_ptr<const MessageList>> lists_;
   /// For each section whether it is in the index's damage.

@@ -67,6 +67,7 @@ bool Verification::reportProgress(std::uint64_t done) {
 
 void Verification::checkSection(std::size_t number) {
   if (!cache_.readInto(number, records_)) return;
+  for (std::size_t next = 1; next <= ReadAhead::kSections; ++next) cache_.expect(number + next);
   const std::uint64_t offset = index_.sections[number].info.offset;
   const bool whole = visitRecords(records_, [&](const RecordView& record, std::size_t) {
     if (record.is(Opcode::kMessage) && !decodeMessage(record.content)) note(offset, "a message is too short");
@@ -111,7 +112,9 @@ std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
   std::uint32_t crc = 0;
   for (std::uint64_t offset = 0; offset < index_.dataEnd; offset += kVerifiedPiece) {
     if (!reportProgress(before + offset)) return std::nullopt;
-    crc = crc32(source_.read(offset, std::min(kVerifiedPiece, index_.dataEnd - offset)), crc);
+    // Fresh memory for each piece would take longer than reading it.
+    records_.resize(static_cast<std::size_t>(std::min(kVerifiedPiece, index_.dataEnd - offset)));
+    if (source_.read(offset, records_)) crc = crc32(records_, crc);
   }
   return crc;
 }

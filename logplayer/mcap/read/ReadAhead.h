@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "logplayer/mcap/read/ChunkLoader.h"
+
+namespace logplayer::mcap {
+
+/// Loads the sections that will be requested next in threads of its own, while the current one is visited.
+/// The threads are started by the first sections that are worth it. Each holds one section of at most
+/// `maxBytes`. The source must outlive this object, whose functions are for one thread.
+class ReadAhead {
+ public:
+  /// How many sections are loaded at the same time, so that decompressing is faster, too.
+  static constexpr std::size_t kSections = 2;
+  /// What ChunkLoader::load() returned.
+  using Outcome = tl::expected<void, std::string>;
+
+  ReadAhead(const Source& source, std::size_t maxRecordBytes, std::size_t maxBytes);
+  ~ReadAhead();
+  ReadAhead(const ReadAhead&) = delete;
+  ReadAhead& operator=(const ReadAhead&) = delete;
+
+  /// Begins to load a section, in place of the one that was begun kSections ago. Ignored if that is not done,
+  /// or if this section is too small or too large.
+  void begin(std::size_t number, const Section& section);
+  /// The outcome of loading a section; waits for it if necessary. Its records are exchanged for those in
+  /// `records`, whose memory is reused. Empty if this section is not being loaded.
+  std::optional<Outcome> take(std::size_t number, Buffer& records);
+  /// To be called when sections have got other numbers.
+  void forget();
+
+ private:
+  struct Place;
+  /// Null if nothing of this number was begun.
+  Place* find(std::size_t number);
+
+  const Source& source_;
+  const std::size_t maxRecordBytes_, maxBytes_;
+  /// Null until they are needed.
+  std::array<std::unique_ptr<Place>, kSections> places_;
+  /// The one that is used next.
+  std::size_t next_ = 0;
+};
+
+}  // namespace logplayer::mcap
