@@ -38,7 +38,8 @@ void Server::received(const ClientPtr& client, FrameKind kind, std::string_view 
   Calls calls;
   {
     const std::lock_guard lock(mutex_);
-    if (!client->closing.empty()) return;
+    const bool isGone = std::ranges::find(clients_, client) == clients_.end();
+    if (isGone || !client->closing.empty()) return;
     if (message)
       std::visit([&](const auto& one) { handle(client, one, calls); }, *message);
     else

@@ -89,6 +89,16 @@ TEST_F(ServerTest, newClientsLearnAllThatIsOffered) {
   EXPECT_EQ(std::get<Status>(messages[3]).id, "battery");
 }
 
+TEST_F(ServerTest, whatAClientSaysThatHasGoneIsIgnored) {
+  start();
+  const auto channel = server_->addChannels({setup("a")})[0];
+  const auto x = join("x");
+  server_->disconnected(x);
+  say(x, Subscribe{{{5, channel->id()}}});
+  EXPECT_FALSE(channel->isWanted()) << "nobody would ever end it";
+  EXPECT_THAT(events_, IsEmpty());
+}
+
 TEST_F(ServerTest, nothingIsSentUnlessSomebodySubscribed) {
   start();
   const auto channel = server_->addChannels({setup("a")})[0];

@@ -188,6 +188,36 @@ TEST_F(SessionServerTest, aStreamIsAChannelWithItsSchema) {
   EXPECT_EQ(received.width(), 8U);
 }
 
+TEST_F(SessionServerTest, aMessageIsSerializedOnceForAllClients) {
+  std::vector<ClientPtr> clients{client_};
+  while (clients.size() < 10) clients.push_back(*server_->server()->connect({}, [] {}));
+  int encoded = 0;
+  server_->setImageEncoder([&](const auto&) {
+    ++encoded;
+    return std::make_shared<foxglove::CompressedImage>();
+  });
+  publish<foxglove::RawImage>("red1/camera/image", Instant(1ms));
+  tick();
+  auto channels = advertised();
+  const Frame frame = encode(ClientMessage(
+      Subscribe{{{1, channels["red1/camera/image"].id}, {2, channels["red1/camera/image/jpeg"].id}}}));
+  for (const ClientPtr& client : clients) {
+    server_->server()->received(client, frame.kind, frame.bytes);
+    while (server_->server()->next(*client, Instant())) {
+    }
+  }
+  publish<foxglove::RawImage>("red1/camera/image", Instant(2ms));
+  tick();
+  std::map<SharedBytes, int> sent;
+  for (const ClientPtr& client : clients) {
+    while (const auto next = server_->server()->next(*client, Instant()))
+      if (next->headSize == kMessageHeadSize) ++sent[next->payload];
+  }
+  EXPECT_EQ(encoded, 1);
+  ASSERT_EQ(sent.size(), 2U) << "the image and the JPEG";
+  for (const auto& [bytes, count] : sent) EXPECT_EQ(count, 10);
+}
+
 TEST_F(SessionServerTest, whoComesLaterGetsTheNewestTableAtOnce) {
   publishTables();
   const auto channels = advertised();
