@@ -30,6 +30,8 @@ using Loaded = tl::expected<LoadedPlatform, robotlink::Errors>;
 
 /// Messages wait for this at most before they are passed on.
 constexpr std::chrono::milliseconds kTick{5};
+/// The same while there are no clients, whose first requests then wait for it.
+constexpr std::chrono::milliseconds kIdleTick{50};
 /// Different refusals that are printed, once each.
 constexpr std::size_t kMaxRefusals = 1000;
 /// Nobody scrolls back here; what clients get late is kept for each of them.
@@ -149,7 +151,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
     if (options.seconds && !end && now != robotlink::Instant())
       end = now + robotlink::fromSeconds(*options.seconds);
     if (end && now >= *end) break;
-    std::this_thread::sleep_for(kTick);
+    std::this_thread::sleep_for(server.server()->clients().empty() ? kIdleTick : kTick);
   }
   return {};
 }
