@@ -17,7 +17,7 @@ struct ProcessGraph {
     QString type;
     /// At inputs: the sending process.
     QString peer;
-    /// At inputs: the process waits for this package.
+    /// The process waits for this package, or, at outputs, until all receivers have taken it.
     bool blocking = false;
     /// Packages sent or received, Hz.
     double rate = 0;

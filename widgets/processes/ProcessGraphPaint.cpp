@@ -67,6 +67,11 @@ void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, c
   painter.drawText(
       name, (output ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
       painter.fontMetrics().elidedText(port.package, Qt::ElideMiddle, static_cast<int>(name.width())));
+  // A blocking output ends at a bar, behind which the process waits.
+  if (output && port.blocking) {
+    const QPointF end(port.rect.right(), port.rect.center().y());
+    painter.fillRect(QRectF(end - QPointF(4, 6), QSizeF(4, 12)), palette.color(QPalette::Text));
+  }
   painter.setPen(lossy ? colorOf(Meaning::kWarning, palette) : colorOf(Meaning::kMuted, palette));
   painter.drawText(row, (output ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, figures);
 }

@@ -145,6 +145,8 @@ QString ProcessGraphWidget::toolTipAt(const QPointF& point) const {
                    .arg(port.rate, 0, 'f', 1);
       if (!port.peer.isEmpty())
         lines << tr("from %1, %2").arg(port.peer, port.blocking ? tr("blocking") : tr("not blocking"));
+      if (port.peer.isEmpty() && port.blocking)
+        lines << tr("blocking: the next frame waits until all receivers have taken it");
       if (port.missed > 0)
         lines << counted(port.missed, tr("1 was replaced by a newer one before it was used"),
                          tr("%1 were replaced by newer ones before they were used"));

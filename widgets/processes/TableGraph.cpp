@@ -100,6 +100,7 @@ int outputOf(ProcessGraph::Node& node, const ProcessGraph::Port& input) {
   }
   ProcessGraph::Port port = input;
   port.peer.clear();
+  port.blocking = false;
   port.missed = 0;
   port.missedRate = 0;
   port.falls = false;
