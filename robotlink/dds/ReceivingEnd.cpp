@@ -150,10 +150,10 @@ bool ReceivingEnd::accepts(const robotlink_wire_Package& sample) {
 
 void ReceivingEnd::put(std::unique_ptr<Sample>& sample) {
   const std::lock_guard lock(mutex_);
-  if (owner_ == nullptr) return;
   const std::uint64_t number = sample->package.number;
+  if (owner_ == nullptr || number <= arrived_) return;  // a newer one was faster
   // What was written since the last arrival was replaced on its way.
-  const std::uint64_t lost = arrived_ != 0 && number > arrived_ ? number - arrived_ - 1 : 0;
+  const std::uint64_t lost = arrived_ != 0 ? number - arrived_ - 1 : 0;
   missed_.fetch_add(lost + (inbox_ ? 1 : 0), std::memory_order_relaxed);
   arrived_ = number;
   std::unique_ptr<Sample> next = inbox_ ? std::move(inbox_) : std::move(spare_);

@@ -4,9 +4,11 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/packages/Packages.h"
 
 namespace robotlink::dds {
 namespace {
@@ -73,6 +75,7 @@ void SendingEnd::offer(PackagePtr package) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
+    if (setup_.package == kColorTable.name) latched_ = package;
     if (owner_ == nullptr || !anyOpen()) return;
     number = ++number_;
     for (auto& [handle, peer] : peers_) {
@@ -80,6 +83,11 @@ void SendingEnd::offer(PackagePtr package) {
     }
     update();
   }
+  writePackage(package, number);
+}
+
+void SendingEnd::writePackage(const PackagePtr& package, std::uint64_t number) {
+  const std::lock_guard writing(writeMutex_);
   const PackagePtr wire = wireForm(package);
   if (wire->GetDescriptor() != type_) {
     type_ = wire->GetDescriptor();
@@ -123,10 +131,19 @@ void SendingEnd::takeAnswers() {
   while (const auto from = dds::take(answers, sample_)) {
     if (const auto answer = answerIn(sample_.package)) takeAnswer(*from, sample_.package, *answer);
   }
-  const std::lock_guard lock(mutex_);
-  if (owner_ == nullptr) return;
-  followMatches();
-  update();
+  PackagePtr late;
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (owner_ == nullptr) return;
+    followMatches();
+    update();
+    if (std::exchange(isLatchedDue_, false) && latched_) {
+      late = latched_;
+      number = ++number_;
+    }
+  }
+  if (late) writePackage(late, number);
 }
 
 void SendingEnd::takeAnswer(std::uint64_t from, const robotlink_wire_Package& sample, const Answer& answer) {
@@ -170,7 +187,7 @@ void SendingEnd::followMatches() {
   const std::vector<Guid> readers = readersOf(writer_.get());
   for (auto& [handle, peer] : peers_) {
     const bool isMatched = std::find(readers.begin(), readers.end(), peer.reader) != readers.end();
-    if (isMatched && !peer.refused) peer.open = true;
+    if (isMatched && !peer.refused && !std::exchange(peer.open, true)) isLatchedDue_ = true;
     if (!isMatched && peer.open) peer = {.reader = peer.reader};
   }
 }

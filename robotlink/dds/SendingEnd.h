@@ -22,7 +22,8 @@ namespace robotlink::dds {
 /// It counts as delivered under the same conditions as on an InProcessLink: receivers answer what they take,
 /// if the sender is blocking. A receiver whose program ends holds nothing back, at the latest after the
 /// second in which DDS misses it. Packages of types that a receiver has in another version are not delivered
-/// to it; both programs report that once.
+/// to it; both programs report that once. The color table, which is sent only when it changes, is also sent
+/// to receivers that come later.
 class SendingEnd final : public Link {
  public:
   /// `blocking` is that of the sender; `owner` must live until close() has returned.
@@ -70,9 +71,11 @@ class SendingEnd final : public Link {
   /// Brings the atomics up to date, and wakes the process if it waited for what has changed. Locked.
   void update();
   bool anyOpen() const;
+  void writePackage(const PackagePtr& package, std::uint64_t number);
 
   const EndSetup setup_;
-  /// The last package's type and its fingerprint; only in the sender's thread.
+  std::mutex writeMutex_;  // held while a package is written; protects the following
+  /// The last package's type and its fingerprint.
   const google::protobuf::Descriptor* type_ = nullptr;
   std::string typeName_, sender_, bytes_;
   std::uint64_t fingerprint_ = 0;
@@ -85,6 +88,9 @@ class SendingEnd final : public Link {
   std::map<std::uint64_t, Peer> peers_;
   std::uint64_t number_ = 0;
   Guid guid_{};
+  /// The last package, if it is for receivers that come later, too, and whether one has come.
+  PackagePtr latched_;
+  bool isLatchedDue_ = false;
   // Mirrors for readers without the lock.
   std::atomic<bool> kept_{false};
   std::atomic<bool> reachable_{false};

@@ -225,12 +225,10 @@ void DebugProcess::execute() {
   if (self.listener) self.listener(std::move(queue));
 }
 
-/// Who is there again gets what was set for all, too.
 void DebugProcess::Implementation::followPrograms() {
   for (const std::string& news : others.update()) {
     debug.text(Level::kWarning, process.name(), news);
     processTableDue.reset();
-    if (colorTableInUse) colorTable.send(colorTableInUse);
   }
 }
 

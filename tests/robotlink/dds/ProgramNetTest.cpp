@@ -8,6 +8,7 @@
 #include "robotlink/dds/Fingerprint.h"
 #include "robotlink/dds/ReceivingEnd.h"
 #include "robotlink/dds/SendingEnd.h"
+#include "robotlink/packages/Packages.h"
 #include "tests/Eventually.h"
 #include "tests/robotlink/dds/TestNodes.h"
 #include "tests/robotlink/process/TestProcess.h"
@@ -129,6 +130,30 @@ TEST(ProgramNetTest, whatIsSentWhileNobodyReceivesIsNotKept) {
   ASSERT_TRUE(receiving.link(receiver, "from"));
   ASSERT_TRUE(eventually([&] { return sender.connected(); }));
   EXPECT_EQ(0U, receiving.receivingEnd(receiver)->arrived());
+}
+
+TEST(ProgramNetTest, theColorTableIsAlsoForWhoComesLater) {
+  const auto here = openTestNode();
+  const auto there = openTestNode();
+  ASSERT_TRUE(here && there);
+  SteadyClock clock;
+  dds::ProgramNet sending(here, {"robot", "body"}, clock, {});
+  dds::ProgramNet receiving(there, {"robot", "vision"}, clock, {});
+  TestProcess debug("debug", clock);
+  Sender<robotcontrol::ColorTable> sender(debug, kColorTable.name, Blocking::kNo);
+  ASSERT_TRUE(sending.link(sender, "debug"));
+  auto table = std::make_shared<robotcontrol::ColorTable>();
+  table->set_source("hall.c64");
+  sender.send(table);
+  for (int i = 0; i < 2; ++i) {
+    TestProcess vision("vision", clock);
+    Receiver<robotcontrol::ColorTable> receiver(vision, kColorTable.name, Blocking::kNo);
+    ASSERT_TRUE(receiving.link(receiver, "debug"));
+    EXPECT_TRUE(eventually([&] {
+      vision.step();
+      return receiver.get() != nullptr && receiver.get()->source() == "hall.c64";
+    }));
+  }
 }
 
 TEST(ProgramNetTest, robotsOnOneNetworkDoNotMeet) {
