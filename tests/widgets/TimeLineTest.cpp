@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "foxglove/Robot.pb.h"
 #include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/Theme.h"
@@ -438,6 +439,40 @@ class TimeLineTest : public QObject {
     bench.showTime(24);
     auto view = bench.openView<TimeLineView>({1200, 420});
     keepPicture(*view, "time-line");
+  }
+
+  void gapsOfRobotsElsewhereAreShownWithoutALog() {
+    Bench bench;
+    auto view = bench.open<TimeLineView>({900, 260});
+    for (double time = 1; time <= 20; time += 0.5)
+      if (time < 8 || time > 12) bench.push("red1/log", foxglove::Log(), time);
+    bench.session.setRemoteRobots(
+        {{"red1",
+          {"ws://10.0.0.1:8765", true, "connected", {{at(8), at(12), "nothing is heard of the robot"}}}}});
+    bench.tick(*view);
+    bench.tick(*view);
+    Spots spots(*view);
+    const QRect lane = spots.lane(Kind::kHeader);
+    const QImage picture = spots.viewport().grab().toImage();
+    const auto colorAt = [&](double seconds) {
+      return picture.pixelColor(spots.x(seconds), lane.bottom() - 2);
+    };
+    QCOMPARE(colorAt(10), colorAt(9));
+    QVERIFY(colorAt(10) != colorAt(5));
+    QCOMPARE(colorAt(5), colorAt(15));
+    const QString tip = toolTipAt(spots.viewport(), {spots.x(10), lane.center().y()});
+    QVERIFY2(tip.contains(QStringLiteral("nothing is heard of the robot")), qPrintable(tip));
+    QVERIFY(toolTipAt(spots.viewport(), {spots.x(5), lane.center().y()}) == QStringLiteral("red1"));
+    // There is no log whose play head could be moved.
+    QTest::mouseClick(&spots.viewport(), Qt::LeftButton, {}, {spots.x(5), lane.center().y()});
+    bench.tick(*view);
+    QVERIFY(bench.requests.empty());
+    keepPicture(*view, "time-line-gaps");
+    // One that lasts reaches up to now.
+    bench.session.setRemoteRobots(
+        {{"red1", {"ws://10.0.0.1:8765", false, "silent", {{at(15), {}, "silent"}}}}});
+    bench.tick(*view);
+    QVERIFY(toolTipAt(spots.viewport(), {spots.x(19), lane.center().y()}).contains(QStringLiteral("silent")));
   }
 };
 

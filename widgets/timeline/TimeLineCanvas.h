@@ -140,6 +140,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
                         std::function<void(const QString&)> done);
   QString toolTipAt(const QPointF& point) const;
   QString timeToolTip(robotlink::Instant time) const;
+  /// About the gap of a robot's line at a point; empty if there is none.
+  QString gapToolTip(const TimeLineBand& of, const QPointF& point) const;
   /// Text of the warnings and errors near a time.
   QString saidNear(const TimeLineBand& of, robotlink::Instant time) const;
   QString bookmarkToolTip(const TimeLineBand& of, const logplayer::Bookmark& bookmark) const;

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "logplayer/bookmarks/Bookmarks.h"
+#include "robotlink/session/RemoteRobot.h"
 #include "widgets/log/LogOverview.h"
 #include "widgets/log/TimeScale.h"
 
 // Contents, look and geometry of a timeline: plain values and pure functions, shared by painting and mouse.
 namespace widgets {
 
-/// One log of a timeline. Times are the log's own; `offset` is added to them.
+/// One log of a timeline, or the history of a robot elsewhere. Times are the log's own; `offset` is added to
+/// them.
 struct TimeLineBand {
   /// Name of the log.
   QString title;
@@ -37,6 +39,9 @@ struct TimeLineBand {
   double imageAspect = 4.0 / 3;
   /// By the times for which they were requested.
   std::map<robotlink::Instant, QImage> thumbnails;
+  /// Stretches in which nothing was received from a robot elsewhere; the band is that of the robot then, and
+  /// has no log.
+  std::vector<robotlink::LineGap> gaps;
 };
 
 /// The visible part and its look. Sizes are logical pixels.

@@ -336,6 +336,9 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
       return bookmarkToolTip(of, *std::find_if(of.bookmarks.begin(), of.bookmarks.end(),
                                                [&](const auto& b) { return b.id == id; }));
     }
+    if (const QString gap = point.x() < look_.gutter ? QString() : gapToolTip(of, point); !gap.isEmpty())
+      return gap;
+    if (of.log == nullptr) return of.title.toHtmlEscaped();
     if (point.x() >= look_.gutter) return tr("Double click: add a bookmark here. Drag: select a range.");
     if (of.showsOffset && offsetRect(lane->rect, look_).contains(point)) {
       return tr("Offset of this log's times. Drag it, or double click and type.");
@@ -354,6 +357,21 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
                .arg(counted(stream->count, tr("1 message"), tr("%1 messages")))
                .arg(stream->rate(), 0, 'f', 1),
            tr("Double click: step the messages of this stream. Drag: select a range."));
+}
+
+QString TimeLineCanvas::gapToolTip(const TimeLineBand& of, const QPointF& point) const {
+  const Instant time = timeAt(point);
+  const auto reach = Duration(std::llround(kGrip * look_.scale.nsPerPixel));
+  for (const robotlink::LineGap& gap : of.gaps) {
+    const Instant to = gap.to.value_or(look_.end);
+    if (time < gap.from - reach || time > to + reach) continue;
+    const QString reason = QString::fromStdString(gap.reason).toHtmlEscaped();
+    return tr("Nothing was received from %1 for %2 s, from %3 s on%4")
+        .arg(of.title.toHtmlEscaped(), timeText(to - gap.from, std::chrono::milliseconds(100)),
+             timeText(gap.from - look_.origin),
+             reason.isEmpty() ? QStringLiteral(".") : QStringLiteral(": ") + reason);
+  }
+  return {};
 }
 
 QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {

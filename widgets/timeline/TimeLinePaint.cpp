@@ -88,15 +88,39 @@ void paintBookmark(const Canvas& canvas, const TimeLineBand& band, const logplay
                    canvas.elided(QString::fromStdString(bookmark.text), text.width()));
 }
 
+/// Shades the times in which nothing was received, with the words for it where there is room.
+void paintGaps(const Canvas& canvas, const TimeLineBand& band, const QRectF& plot) {
+  QPainter& painter = canvas.painter;
+  const QColor warning = colorOf(Meaning::kWarning, canvas.palette);
+  for (const robotlink::LineGap& gap : band.gaps) {
+    const double from = std::max(plot.left(), canvas.look.scale.x(gap.from));
+    const double to = std::min(plot.right(), canvas.look.scale.x(gap.to.value_or(canvas.look.end)));
+    if (to < plot.left() || from > plot.right()) continue;
+    const QRectF rect(from, plot.top(), std::max(2.0, to - from), plot.height());
+    painter.fillRect(rect, mixed(canvas.base(), warning, 0.35));
+    painter.fillRect(QRectF(rect.left(), rect.bottom() - 2, rect.width(), 2), warning);
+    painter.setPen(canvas.text());
+    const QRectF text = rect.adjusted(kLaneMargin, 0, -kLaneMargin, 0);
+    const QString length =
+        timeText(gap.to.value_or(canvas.look.end) - gap.from, std::chrono::milliseconds(100));
+    painter.drawText(
+        text, Qt::AlignLeft | Qt::AlignVCenter,
+        canvas.elided(QCoreApplication::translate("TimeLine", "nothing received for %1 s").arg(length),
+                      text.width()));
+  }
+}
+
+/// Names a band; those of logs can be collapsed.
 void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lane) {
   QPainter& painter = canvas.painter;
   painter.fillRect(lane.rect, mixed(canvas.base(), canvas.text(), 0.06));
+  paintGaps(canvas, band, canvas.plot(lane.rect));
   const QPointF middle = collapseRect(lane.rect).center();
   QPainterPath triangle;
   triangle.addPolygon(band.collapsed ? QPolygonF(QVector<QPointF>{{-2, -4}, {3, 0}, {-2, 4}})
                                      : QPolygonF(QVector<QPointF>{{-4, -2}, {4, -2}, {0, 3}}));
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillPath(triangle.translated(middle), canvas.text());
+  if (band.log != nullptr) painter.fillPath(triangle.translated(middle), canvas.text());
   painter.setRenderHint(QPainter::Antialiasing, false);
   const QFont plain = painter.font();
   QFont bold = plain;

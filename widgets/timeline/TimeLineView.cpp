@@ -138,9 +138,12 @@ void TimeLineView::connectSignals() {
   connect(loop_, &QAction::triggered, this, &TimeLineView::loopRange);
   connect(cut_, &QAction::triggered, this, &TimeLineView::cut);
   connect(clear_, &QAction::triggered, this, [&replay] { replay.clearRange(); });
-  connect(canvas_, &TimeLineCanvas::jumpWanted, this, [&replay](Instant time) { replay.jumpTo(time); });
-  connect(canvas_, &TimeLineCanvas::rangeWanted, this,
-          [&replay](Instant from, Instant to) { replay.setRange(from, to); });
+  connect(canvas_, &TimeLineCanvas::jumpWanted, this, [&replay](Instant time) {
+    if (replay.open()) replay.jumpTo(time);
+  });
+  connect(canvas_, &TimeLineCanvas::rangeWanted, this, [&replay](Instant from, Instant to) {
+    if (replay.open()) replay.setRange(from, to);
+  });
   connect(canvas_, &TimeLineCanvas::rangeDropped, this, [&replay] { replay.clearRange(); });
   connect(canvas_, &TimeLineCanvas::streamChosen, this, &TimeLineView::chooseStream);
   connect(canvas_, &TimeLineCanvas::offsetWanted, this, [this](int band, robotlink::Duration offset) {
@@ -225,12 +228,16 @@ void TimeLineView::tick() {
   job_->tick();
   const bool open = logs_.replay().open();
   hint_->setHint(
-      open ? QString()
-           : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
+      open || !session().remoteRobots().empty()
+          ? QString()
+          : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
   showBands();
-  canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
+  if (open)
+    canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
+  else
+    showHistory();
   canvas_->setOrigin(session().timeline().origin());
-  canvas_->setShown(logs_.replay().shown());
+  canvas_->setShown(open ? logs_.replay().shown() : session().timeline().shown());
   canvas_->setRange(logs_.replay().range());
   showSteppedStream();
   showRange();
@@ -266,7 +273,33 @@ void TimeLineView::showBands() {
     }
     bands.push_back(std::move(band));
   }
+  if (bands.empty()) bands = historyBands();
   canvas_->setBands(std::move(bands));
+}
+
+/// Without a log: robots elsewhere, and when nothing was received from them.
+std::vector<TimeLineBand> TimeLineView::historyBands() const {
+  std::vector<TimeLineBand> bands;
+  for (const auto& [robot, remote] : session().remoteRobots()) {
+    TimeLineBand& band = bands.emplace_back();
+    band.title = QString::fromStdString(robot);
+    band.gaps = remote.gaps;
+  }
+  return bands;
+}
+
+/// As far back as the session remembers, but no more than what it has.
+void TimeLineView::showHistory() {
+  if (session().remoteRobots().empty()) return canvas_->setExtent({}, {});
+  constexpr robotlink::Duration kLongest = std::chrono::minutes(1);
+  const Instant newest = session().timeline().newest();
+  Instant oldest = newest;
+  for (const auto* stream : session().store().streams()) {
+    if (!stream->messages.empty() && stream->messages.size() > 1)
+      oldest = std::min(oldest, stream->messages.front().time);
+  }
+  canvas_->setShown(session().timeline().shown());
+  canvas_->setExtent(std::max(oldest, newest - kLongest), newest);
 }
 
 void TimeLineView::showRange() {

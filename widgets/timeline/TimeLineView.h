@@ -20,6 +20,7 @@ class EmptyHint;
 class LogDamageBar;
 class LogJobBar;
 class TimeLineCanvas;
+struct TimeLineBand;
 
 /// The replay's logs over time: images, messages, warnings and errors, bookmarks, the play head, and a range
 /// that can be played in a loop, cut into a new log or exported. Long operations run as a LogJob with
@@ -52,6 +53,8 @@ class TimeLineView final : public View {
   OpenLogs::Log* logAt(int band);
   /// Passes the logs to the canvas.
   void showBands();
+  std::vector<TimeLineBand> historyBands() const;
+  void showHistory();
   /// Passes the range to the canvas and enables its actions.
   void showRange();
   /// Fills the combo box of the streams of images.
