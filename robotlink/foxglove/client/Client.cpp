@@ -360,11 +360,13 @@ void Client::tick() {
   for (const auto& call : calls) call();
 }
 
-void Client::setLink(ConnectionState::Phase phase, Instant since, std::string reason) {
+void Client::setLink(ConnectionState::Phase phase, Instant since, std::string reason,
+                     ServerObjection objection) {
   const std::lock_guard lock(mutex_);
   state_.phase = phase;
   state_.since = since;
   state_.reason = std::move(reason);
+  state_.objection = std::move(objection);
 }
 
 void Client::setRoundTrip(Duration roundTrip) {

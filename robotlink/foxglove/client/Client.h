@@ -99,7 +99,8 @@ class Client {
   /// The connection is lost, or could not be made.
   void lost();
   /// What the link knows of the state; the rest this object knows.
-  void setLink(ConnectionState::Phase phase, Instant since, std::string reason);
+  void setLink(ConnectionState::Phase phase, Instant since, std::string reason,
+               ServerObjection objection = {});
   void setRoundTrip(Duration roundTrip);
   void countBytes(std::size_t bytes);
   /// Whether the server of this connection has said hello.

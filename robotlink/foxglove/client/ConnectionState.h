@@ -9,6 +9,22 @@
 
 namespace robotlink::websocket {
 
+/// What a server objects to, if a person can do something about it. A plain value.
+struct ServerObjection {
+  enum class Kind {
+    kNone,
+    kToken,             ///< it wants another token
+    kNewCertificate,    ///< it was never seen, and nobody has said yet that it is the one that is meant
+    kOtherCertificate,  ///< it does not show the certificate that it showed before
+  };
+  Kind kind = Kind::kNone;
+  /// "HOST:PORT", as KnownServers has it; of certificates.
+  std::string server = {};
+  /// Those of the certificate that it shows, and of the one that is known.
+  std::string fingerprint = {}, knownFingerprint = {};
+  bool operator==(const ServerObjection&) const = default;
+};
+
 /// How a client stands with its server. A plain value.
 struct ConnectionState {
   enum class Phase {
@@ -35,6 +51,8 @@ struct ConnectionState {
   std::uint64_t connections = 0;
   /// What the server calls itself; empty before it was heard.
   std::string serverName = {};
+  /// While it is refused, and tries again.
+  ServerObjection objection = {};
 
   bool isConnected() const { return phase == Phase::kConnected; }
   bool operator==(const ConnectionState&) const = default;

@@ -73,7 +73,7 @@ class ConnectorThread {
 
   Instant now() const { return options.clock->now(); }
   /// The connection's reports.
-  void failed(Failure failure, const std::string& reason);
+  void failed(Failure failure, const std::string& reason, ServerObjection objection = {});
   void report();
 
   const std::shared_ptr<Client> client;
@@ -100,6 +100,8 @@ class ConnectorThread {
 
   asio::steady_timer timer_{context};
   std::shared_ptr<HostLookup> lookup_;
+  /// Of the newest failure.
+  ServerObjection objection_;
   /// Which of several addresses is tried next.
   std::size_t nextAddress_ = 0;
   std::shared_ptr<Connection> connection_;
@@ -114,18 +116,32 @@ std::string hostOf(const ServerUrl& url) {
   return host + ":" + std::to_string(url.port);
 }
 
+/// A reason to refuse a server, with what a person can do about it.
+struct Distrust {
+  std::string why;
+  ServerObjection objection = {};
+};
+
 /// Why the certificate is not that of the robot that is meant; empty: it is.
-std::string whyNotTrusted(const Connector::Options& options, const std::string& fingerprint) {
+Distrust whyNotTrusted(const Connector::Options& options, const std::string& fingerprint) {
+  using Kind = ServerObjection::Kind;
   const KnownServers known(options.knownServers.empty() ? KnownServers::defaultFile() : options.knownServers);
   const std::string server = hostOf(options.url);
   const auto isKnown = known.isKnown(server, fingerprint);
-  if (!isKnown) return isKnown.error().describe();
+  if (!isKnown) {
+    const auto& error = isKnown.error();
+    // "known.changed" names server, fingerprint, the known one, and the file.
+    const bool isChanged = error.id == "known.changed" && error.arguments.size() >= 3;
+    if (!isChanged) return {error.describe()};
+    return {error.describe(), {Kind::kOtherCertificate, server, fingerprint, error.arguments[2]}};
+  }
   if (*isKnown) return {};
   if (options.isTrusted && !options.isTrusted(server, fingerprint))
-    return "the robot at " + server + " was never seen before; its fingerprint is " + fingerprint +
-           ": compare it with the one that the robot printed";
+    return {"the robot at " + server + " was never seen before; its fingerprint is " + fingerprint +
+                ": compare it with the one that the robot printed",
+            {Kind::kNewCertificate, server, fingerprint, {}}};
   const auto added = known.add(server, fingerprint);
-  return added ? "" : "it cannot be remembered which robot this is: " + added.error().describe();
+  return {added ? "" : "it cannot be remembered which robot this is: " + added.error().describe()};
 }
 
 /// With TLS the stream is an ssl_stream of the socket, whose handshake comes first.
@@ -163,8 +179,8 @@ class ServerConnection final : public Connection,
   void onSent(error_code error, std::size_t);
   void onPinged(error_code) { isPinging_ = false; }
   void onControl(websocket::frame_type kind, beast::string_view payload);
-  void fail(Failure failure, const std::string& reason) {
-    if (!hasEnded_) thread_.failed(failure, reason);
+  void fail(Failure failure, const std::string& reason, const ServerObjection& objection = {}) {
+    if (!hasEnded_) thread_.failed(failure, reason, objection);
   }
 
   ConnectorThread& thread_;
@@ -198,9 +214,9 @@ void ServerConnection<Stream>::onSecured(error_code error) {
   if (hasEnded_) return;
   if (error) return fail(Failure::kEnded, whyNotSecured(error));
   if constexpr (kIsTls) {
-    const std::string why =
+    const Distrust distrust =
         whyNotTrusted(thread_.options, peerFingerprint(socket_.next_layer().native_handle()));
-    if (!why.empty()) return fail(Failure::kRefused, why);
+    if (!distrust.why.empty()) return fail(Failure::kRefused, distrust.why, distrust.objection);
   }
   thread_.watch.stepDone(thread_.now());
   upgrade();
@@ -227,7 +243,10 @@ template <typename Stream>
 void ServerConnection<Stream>::onUpgraded(error_code error) {
   if (hasEnded_) return;
   if (error == websocket::error::upgrade_declined)
-    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body()));
+    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body()),
+                response_.result() == http::status::unauthorized
+                    ? ServerObjection{ServerObjection::Kind::kToken}
+                    : ServerObjection());
   if (error) return fail(Failure::kEnded, whyNoHandshake(error));
   const std::string protocol(response_[http::field::sec_websocket_protocol]);
   if (protocol != kSdkProtocol && protocol != kWebSocketProtocol)
@@ -382,7 +401,9 @@ void ConnectorThread::tick() {
 }
 
 void ConnectorThread::report() {
-  client->setLink(watch.phase(), watch.since(), watch.reason());
+  // Another try, as long as nothing came of it, changes nothing about what the server objects to.
+  const bool isConnected = watch.phase() == ConnectionState::Phase::kConnected;
+  client->setLink(watch.phase(), watch.since(), watch.reason(), isConnected ? ServerObjection() : objection_);
 }
 
 void ConnectorThread::connect() {
@@ -404,7 +425,8 @@ void ConnectorThread::connectTo(const HostLookup::Outcome& outcome) {
   connection_->start({address, options.url.port});
 }
 
-void ConnectorThread::failed(Failure failure, const std::string& reason) {
+void ConnectorThread::failed(Failure failure, const std::string& reason, ServerObjection objection) {
+  objection_ = std::move(objection);
   watch.failed(failure, reason, now());
   drop();
   report();

@@ -38,6 +38,24 @@ bool writeWhole(int file, std::string_view contents) {
   return ::fsync(file) == 0;
 }
 
+/// Writes a file with mode 0600 beside a path, in a folder that is created if there is none; `temporary` is
+/// its name then.
+Result<void> writeBeside(const fs::path& path, std::string_view contents, std::string& temporary) {
+  std::error_code error;
+  if (const fs::path folder = path.parent_path(); !folder.empty() && fs::create_directories(folder, error))
+    fs::permissions(folder, fs::perms::owner_all, error);
+  temporary = path.string() + ".XXXXXX";
+  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);  // with mode 0600
+  if (file < 0) return secretFailure("create a temporary file beside it", path, errno);
+  const UnfinishedFile unfinished(temporary);
+  const bool isWritten = writeWhole(file, contents);
+  const int reason = errno;
+  ::close(file);
+  if (isWritten) return {};
+  ::unlink(temporary.c_str());
+  return secretFailure("write", path, reason);
+}
+
 }  // namespace
 
 fs::path stateDirectory() {
@@ -61,22 +79,26 @@ Result<std::string> readSecret(const fs::path& path) {
 }
 
 Result<bool> createSecret(const fs::path& path, std::string_view contents) {
-  std::error_code error;
-  if (const fs::path folder = path.parent_path(); !folder.empty() && fs::create_directories(folder, error))
-    fs::permissions(folder, fs::perms::owner_all, error);
-  std::string temporary = path.string() + ".XXXXXX";
-  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);  // with mode 0600
-  if (file < 0) return secretFailure("create a temporary file beside it", path, errno);
+  std::string temporary;
+  if (const auto written = writeBeside(path, contents, temporary); !written)
+    return tl::unexpected(written.error());
   const UnfinishedFile unfinished(temporary);
-  const bool isWritten = writeWhole(file, contents);
-  int reason = errno;
-  ::close(file);
   // A link, unlike a new name, never replaces the file of somebody who was faster.
-  const bool isLinked = isWritten && ::link(temporary.c_str(), path.c_str()) == 0;
-  if (isWritten && !isLinked) reason = errno;
+  const bool isLinked = ::link(temporary.c_str(), path.c_str()) == 0;
+  const int reason = errno;
   ::unlink(temporary.c_str());
   if (isLinked) return true;
-  if (isWritten && reason == EEXIST) return false;
+  if (reason == EEXIST) return false;
+  return secretFailure("write", path, reason);
+}
+
+Result<void> replaceSecret(const fs::path& path, std::string_view contents) {
+  std::string temporary;
+  if (auto written = writeBeside(path, contents, temporary); !written) return written;
+  const UnfinishedFile unfinished(temporary);
+  if (::rename(temporary.c_str(), path.c_str()) == 0) return {};
+  const int reason = errno;
+  ::unlink(temporary.c_str());
   return secretFailure("write", path, reason);
 }
 

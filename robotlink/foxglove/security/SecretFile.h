@@ -23,4 +23,7 @@ Result<std::string> readSecret(const std::filesystem::path& path);
 /// as it is.
 Result<bool> createSecret(const std::filesystem::path& path, std::string_view contents);
 
+/// The same in the place of the file that there is.
+Result<void> replaceSecret(const std::filesystem::path& path, std::string_view contents);
+
 }  // namespace robotlink::websocket

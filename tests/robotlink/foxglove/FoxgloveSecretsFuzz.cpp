@@ -5,6 +5,7 @@
 
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/security/KnownServers.h"
+#include "robotlink/foxglove/security/RememberedTokens.h"
 #include "robotlink/foxglove/security/Tokens.h"
 #include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
@@ -35,6 +36,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& [server, fingerprint] : *known)
       demand(!server.empty() && fingerprint.starts_with("SHA256:"), "lines of known robots are whole");
   }
+  if (const auto remembered = RememberedTokens::parse(text, "f")) {
+    for (const auto& [url, token] : *remembered)
+      demand(!url.empty() && !token.empty(), "lines of remembered tokens are whole");
+  }
   static_cast<void>(parseCertificate(text, "f"));
   Admission admission({.token = "0123456789abcdef", .watchToken = "fedcba9876543210"});
   const auto decided = admission.decide({true, "a", text, {}, text, text}, Instant());
@@ -50,6 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 std::vector<std::string> fuzzSeeds() {
   return {"robotcontrol-tokens 1\n# x\ncontrol 0123456789abcdef\nwatch fedcba9876543210\n",
           "robotcontrol-known-robots 1\nred1:8765 SHA256:abc\n[::1]:1 SHA256:d\n",
+          "robotcontrol-robot-tokens 1\nwss://red1:8765 0123456789abcdef\n",
           "/?a=b&token=fedcba9876543210",
           "Bearer 0123456789abcdef",
           "[::1]:8765",

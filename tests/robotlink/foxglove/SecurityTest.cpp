@@ -9,6 +9,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/security/KnownServers.h"
+#include "robotlink/foxglove/security/RememberedTokens.h"
 #include "robotlink/foxglove/security/SecretFile.h"
 #include "robotlink/foxglove/security/Tokens.h"
 #include "tests/TestFolder.h"
@@ -124,6 +125,36 @@ TEST(KnownServers, damagedLinesAreIgnoredAndAnotherFileIsNotOverwritten) {
   EXPECT_THAT(KnownServers(file).isKnown("a:1", "SHA256:b").error().text, HasSubstr("first line"));
   EXPECT_FALSE(KnownServers(file).add("a:1", "SHA256:b"));
   EXPECT_EQ(readFile(file), "something else\n");
+}
+
+TEST(RememberedTokens, areKeptByUrlForTheirOwnerOnlyAndForgotten) {
+  const TestFolder folder;
+  const auto file = folder.path() / "state/robot_tokens";
+  const RememberedTokens tokens(file);
+  EXPECT_FALSE(tokens.find("wss://red1:8765"));
+  ASSERT_TRUE(tokens.add("wss://red1:8765", "one"));
+  ASSERT_TRUE(tokens.add("wss://red2:8765", "two"));
+  ASSERT_TRUE(tokens.add("wss://red1:8765", "three"));
+  EXPECT_EQ(modeOf(file), 0600U);
+  EXPECT_EQ(tokens.find("wss://red1:8765"), "three");
+  // What is for an encrypted line is not shown on one that is not.
+  EXPECT_FALSE(tokens.find("ws://red1:8765"));
+  ASSERT_TRUE(tokens.forget("wss://red1:8765"));
+  EXPECT_FALSE(tokens.find("wss://red1:8765"));
+  EXPECT_EQ(tokens.find("wss://red2:8765"), "two");
+  EXPECT_EQ(modeOf(file), 0600U);
+  EXPECT_FALSE(tokens.add("wss://red3:8765", "with blank"));
+  ::chmod(file.c_str(), 0640);
+  EXPECT_FALSE(tokens.find("wss://red2:8765"));
+  EXPECT_THAT(tokens.add("wss://red3:8765", "four").error().text, HasSubstr("other users"));
+}
+
+TEST(RememberedTokens, damagedLinesAreIgnoredAndOtherFilesAreNotTouched) {
+  const auto tokens = RememberedTokens::parse(
+      "robotcontrol-robot-tokens 1\n# a comment\n\nws://a:1\nws://b:2 two three\nws://c:3 good\n", "f");
+  ASSERT_TRUE(tokens);
+  EXPECT_EQ(*tokens, (RememberedTokens::ByUrl{{"ws://c:3", "good"}}));
+  EXPECT_EQ(RememberedTokens::parse("mine", "f").error().where.line, 1);
 }
 
 }  // namespace

@@ -98,6 +98,7 @@ TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
   connect();
   EXPECT_TRUE(reaches(Phase::kRefused));
   EXPECT_THAT(reason(), AllOf(HasSubstr("another token"), HasSubstr("HTTP 401")));
+  EXPECT_EQ(client_->state().objection.kind, ServerObjection::Kind::kToken);
   connector_.reset();
   options_.token = "secret";
   connect();

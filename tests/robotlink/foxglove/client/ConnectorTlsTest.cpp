@@ -71,6 +71,8 @@ TEST_F(ConnectorTlsTest, aRobotThatIsNotBelievedIsNotConnected) {
   const ConnectionState state = connect();
   EXPECT_EQ(state.phase, Phase::kRefused);
   EXPECT_THAT(state.reason, HasSubstr("never seen before; its fingerprint is SHA256:"));
+  EXPECT_EQ(state.objection.kind, ServerObjection::Kind::kNewCertificate);
+  EXPECT_EQ(asked_.front(), state.objection.server + " " + state.objection.fingerprint);
   EXPECT_TRUE(KnownServers(folder_.path() / "known").read().value().empty());
 }
 
@@ -80,6 +82,9 @@ TEST_F(ConnectorTlsTest, anotherCertificateAtTheSamePlaceIsRefused) {
   const ConnectionState state = connect();
   EXPECT_EQ(state.phase, Phase::kRefused);
   EXPECT_THAT(state.reason, HasSubstr("is not the one that was there before"));
+  EXPECT_EQ(state.objection.kind, ServerObjection::Kind::kOtherCertificate);
+  EXPECT_EQ(asked_.front(), state.objection.server + " " + state.objection.knownFingerprint);
+  EXPECT_NE(state.objection.fingerprint, state.objection.knownFingerprint);
   EXPECT_EQ(asked_.size(), 1U);
 }
 
