@@ -17,6 +17,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
+#include "widgets/SteeringBar.h"
 #include "widgets/StopStyle.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/motion/HeadPanel.h"
@@ -125,6 +126,8 @@ void MotionView::createViews() {
   scroll->setFocusPolicy(Qt::NoFocus);
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addWidget(createTop());
+  steering_ = new SteeringBar(context().commands, this);
+  layout->addWidget(steering_);
   scroll->setWidget(createBody());
   layout->addWidget(scroll, 1);
 }
@@ -238,7 +241,8 @@ void MotionView::tick() {
   WalkAxes axes = pad_.axes.zero() ? walkPad_->axes() : pad_.axes;
   if (turn_->isSliderDown()) axes.turn = turn_->value() / double(kTurnSteps);
   commander_.setAxes(commander_.active() ? axes : WalkAxes{});
-  if (commander_.tick(status)) send();
+  steering_->refresh(session(), robot_);
+  if (commander_.tick(status) && !steering_->isOthers()) send();
   showStop();
   showPad(status);
 }

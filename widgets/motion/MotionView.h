@@ -23,6 +23,7 @@ namespace widgets {
 class HeadPanel;
 class MotionButtons;
 class SpeedPanel;
+class SteeringBar;
 class WalkPad;
 
 /// Manual control of the selected robot. "Take over" switches its behavior (or driving) task to the solution
@@ -31,7 +32,8 @@ class WalkPad;
 /// switched. STOP is a request to the platform and works whatever the program does. The view also shows
 /// commanded, true and estimated speed.
 ///
-/// Nothing is commanded before manual control is confirmed. When the view is hidden, the window loses the
+/// Nothing is commanded before manual control is confirmed, and nothing while somebody else steers the robot
+/// over a link. When the view is hidden, the window loses the
 /// focus, or another robot is selected, the robot is commanded to stand still.
 ///
 /// Registered as "motion". GUI thread.
@@ -115,6 +117,8 @@ class MotionView final : public View {
   QLabel* robotName_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* gamepadState_ = nullptr;
+  /// Who steers, of those who can over a link.
+  SteeringBar* steering_ = nullptr;
   std::string robot_;
   /// The robot's drive; unset if it has legs or no description.
   std::optional<robotlink::RobotDescription::Drive> drive_;

@@ -8,6 +8,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/foxglove/server/Server.h"
 #include "robotlink/foxglove/session/LinkNames.h"
 
 namespace robotlink::websocket {
@@ -170,6 +171,7 @@ void RemoteSession::onConnected(const ServerInfo& info) {
     for (auto& [path, times] : newestOf) times.remote = Instant::min();
   }
   serverSession = info.sessionId;
+  number = 0;
   robots.setStale();
   for (auto& [name, robot] : robots.all()) robot.keys.forgetOnDemand();
   if (!isOurs) robots.add("", info.name.empty() ? options.connection.url.host : info.name);
@@ -204,6 +206,10 @@ void RemoteSession::onServices(const std::vector<std::string>& added,
 void RemoteSession::onParameters(const std::vector<Parameter>& parameters) {
   const std::string group = std::string("/") + kOnDemandGroup + "/";
   for (const Parameter& parameter : parameters) {
+    if (parameter.name == kClientParameter && parameter.value) {
+      const auto* value = std::get_if<std::int64_t>(&parameter.value->data);
+      if (value != nullptr) onNumber(static_cast<std::uint64_t>(*value));
+    }
     const std::size_t at = parameter.name.find(group);
     if (at == std::string::npos) continue;
     RemoteRobotList::Robot* robot = robots.findRemote(parameter.name.substr(0, at));
@@ -219,6 +225,25 @@ std::string RemoteSession::takeJpegOffer(const std::string& text) {
   isNarrow = hasChanged = true;
   ++fallbacks;
   return "Images come as JPEG from now on: " + text;
+}
+
+PackagePtr RemoteSession::shownSteering(const std::string& path, const PackagePtr& value) {
+  const auto status = std::dynamic_pointer_cast<const robotcontrol::SteeringStatus>(value);
+  if (!status) return value;
+  steering[path] = status;
+  const bool isOwn = number != 0 && status->client() == number;
+  if (status->own() == isOwn) return value;
+  auto shown = std::make_shared<robotcontrol::SteeringStatus>(*status);
+  shown->set_own(isOwn);
+  return shown;
+}
+
+/// Who steers may have been heard before the number came.
+void RemoteSession::onNumber(std::uint64_t value) {
+  if (std::exchange(number, value) == value) return;
+  for (const auto& [path, status] : std::map(steering))
+    enter({path, std::max(shift.newest().value_or(Instant()), newestOf[path].mapped),
+           shownSteering(path, status)});
 }
 
 /// What the server says about this client's doings is a text of the first robot.
@@ -263,6 +288,7 @@ void RemoteSession::onMessage(const RemoteInbox::Arrival& arrival) {
     }
     message.value = std::make_shared<const KeyTable>(place.robot->keys.shown(*table));
   }
+  message.value = shownSteering(message.path, message.value);
   message.time = timeOf(message.path, arrival.time, isLatched(message));
   if (hasGap && !isLatched(message)) endGap(message.time);
   enter(std::move(message));

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/session/RemoteInbox.h"
 #include "robotlink/foxglove/session/RemoteRobotList.h"
@@ -33,6 +34,9 @@ class RemoteSession {
   void onMessage(const RemoteInbox::Arrival& arrival);
   void enter(StreamMessage message);
   void pushKeys(RemoteRobotList::Robot& robot);
+  /// Who steers, with whether it is this session.
+  PackagePtr shownSteering(const std::string& path, const PackagePtr& value);
+  void onNumber(std::uint64_t value);
   Instant timeOf(const std::string& path, Instant remote, bool latched);
 
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
@@ -79,6 +83,10 @@ class RemoteSession {
   /// subscribed to.
   bool isNarrow = false;
   std::uint64_t fallbacks = 0;
+  /// The number by which the server knows this client; 0: not yet known.
+  std::uint64_t number = 0;
+  /// Who steers which robot, by the path in the session, as the server says.
+  std::map<std::string, std::shared_ptr<const robotcontrol::SteeringStatus>> steering;
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
   std::uint64_t restarts = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/foxglove/session/SessionClient.h"
 
+#include <google/protobuf/util/json_util.h>
+
 #include <algorithm>
 
 #include "robotlink/base/Utf8.h"
@@ -94,6 +96,22 @@ void SessionClient::request(const Request& request) {
   parts_->forward(robot != nullptr ? robot->remote : request.robot(), request);
 }
 
+void SessionClient::steer(const std::string& robot, bool giveUp, std::function<void(Result<void>)> done) {
+  const RemoteRobotList::Robot* found = parts_->robots.findLocal(robot);
+  if (found == nullptr || found->remote.empty())
+    return done(failure("steering.none", robot + " cannot be steered by this program", {}, {robot}));
+  Client::Call call{found->remote + "/steer", "json", giveUp ? R"({"give_up": true})" : "{}"};
+  parts_->client->call(std::move(call), [done = std::move(done)](const Result<Client::Answer>& answer) {
+    if (!answer) return done(tl::unexpected(answer.error()));
+    RequestResult result;
+    const bool isRead = google::protobuf::util::JsonStringToMessage(answer->data, &result).ok();
+    if (!isRead || !result.accepted())
+      return done(
+          failure("steering.refused", isRead ? result.reason() : "the robot's answer makes no sense"));
+    done({});
+  });
+}
+
 const std::vector<SessionClient::Gap>& SessionClient::gaps() const {
   return parts_->gaps;
 }
@@ -136,6 +154,10 @@ std::uint64_t SessionClient::jpegFallbacks() const {
 
 void SessionClient::setBudget(double bytesPerSecond) {
   parts_->client->setBudget(bytesPerSecond);
+}
+
+bool SessionClient::hasService(const std::string& name) const {
+  return parts_->services.contains(name);
 }
 
 Client& SessionClient::client() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,6 +69,10 @@ class SessionClient {
   /// Session::pushResult(), at the latest when its time is over, and says so if the connection is lost.
   void request(const robotcontrol::Request& request);
 
+  /// Steers a robot from now on, whoever did before; or gives it up. The handler is called once, from any
+  /// thread; nothing if the server does not know that robot.
+  void steer(const std::string& robot, bool giveUp, std::function<void(Result<void>)> done);
+
   /// In order of time, the newest thousand.
   const std::vector<Gap>& gaps() const;
   std::vector<Stream> streams() const;
@@ -82,6 +87,8 @@ class SessionClient {
   std::uint64_t jpegFallbacks() const;
   /// Bytes a second that the server may send; 0 without limit.
   void setBudget(double bytesPerSecond);
+  /// Whether the server has a service of this name, by its name there.
+  bool hasService(const std::string& name) const;
   /// For what sessions know nothing of: client channels, parameters, playback.
   Client& client();
 

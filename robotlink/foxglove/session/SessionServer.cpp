@@ -337,6 +337,11 @@ Steering::Actions SessionServer::steeringActions() {
       [this](std::uint64_t client) { return server_->heardAt(client); }};
 }
 
+void SessionServer::steer(const std::string& robot, bool giveUp) {
+  if (giveUp) return steering_.giveUpHere(robot);
+  steering_.takeOverHere(robot, server_->clock().now());
+}
+
 void SessionServer::watchLinks() {
   // Several signs of life must be missing before a link counts as silent.
   server_->watch(steering_.clients(), steering_.limits().linkTime / 4);

@@ -72,6 +72,8 @@ class SessionServer {
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
+  /// The person at this machine steers a robot from now on, whoever did before; or gives it up.
+  void steer(const std::string& robot, bool giveUp);
   /// Does what clients asked for since the last time, and announces what is new. Call it after
   /// Session::tick().
   void tick();

@@ -89,6 +89,24 @@ void Steering::noteLocal(const Request& request, Instant now) {
   robot.commandedAt = now;
 }
 
+void Steering::takeOverHere(const std::string& name, Instant now) {
+  Robot& robot = robots_[name];
+  stand(name, robot);
+  robot.goal.reset();
+  robot.client = 0;
+  robot.who = robot.person = kThisMachine;
+  robot.silentSince.reset();
+  robot.commandedAt = now;
+  tell(name, robot, robot.who + " steers");
+}
+
+void Steering::giveUpHere(const std::string& name) {
+  const auto found = robots_.find(name);
+  if (found == robots_.end() || found->second.who != kThisMachine) return;
+  found->second.who.clear();
+  tell(name, found->second, "nobody steers");
+}
+
 void Steering::joined(const ClientInfo& client) {
   for (auto& [name, robot] : robots_) {
     const bool isBack = robot.client != 0 && robot.goal && robot.silentSince &&

@@ -65,6 +65,11 @@ class Steering {
   void giveUp(const ClientInfo& client, const std::string& robot, Instant now);
   /// Somebody at the robot's own machine steers.
   void noteLocal(const robotcontrol::Request& request, Instant now);
+  /// Somebody at the robot's own machine steers from now on, whoever did before; the robot stands until it is
+  /// commanded.
+  void takeOverHere(const std::string& robot, Instant now);
+  /// Nobody at the robot's own machine steers any more.
+  void giveUpHere(const std::string& robot);
   /// A client came; perhaps one that steered before the line was lost.
   void joined(const ClientInfo& client);
   /// Lets all robots stand that clients steer, because the link ends.

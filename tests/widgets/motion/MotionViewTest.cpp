@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "foxglove/Geometry.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/WalkPad.h"
@@ -374,6 +375,46 @@ class MotionViewTest : public QObject {
     SDL_JoystickDetachVirtual(device);
     gamepad.poll();
     QVERIFY(!gamepad.poll().connected);
+  }
+
+  void whoElseSteersIsShownAndNothingIsSentMeanwhile() {
+    WalkSteering bench;
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
+    std::vector<std::string> taken;
+    bench.commands.add({"robot.steer",
+                        "",
+                        {{"robot", robotlink::CommandTable::Type::kText, ""},
+                         {"on", robotlink::CommandTable::Type::kBool, ""}},
+                        [&](const auto& values) -> robotlink::Result<void> {
+                          taken.push_back(std::get<std::string>(values[0]) +
+                                          (std::get<bool>(values[1]) ? " on" : " off"));
+                          return {};
+                        }});
+    auto& bar = child<QWidget>(*bench.view, "steeringBar");
+    QVERIFY(!bar.isVisible());
+    robotcontrol::SteeringStatus status;
+    status.set_who("RobotControl of anna at 10.0.0.7:5123");
+    status.set_client(3);
+    bench.push("red1/steering", status, 3);
+    bench.step();
+    QVERIFY(bar.isVisible());
+    QVERIFY(child<QLabel>(bar, "steeringText")
+                .text()
+                .contains(QStringLiteral("anna at 10.0.0.7:5123 steers red1")));
+    bench.requests.clear();
+    bench.pad.connected = true;
+    bench.pad.axes.forward = 1;
+    bench.step(20);
+    QCOMPARE(bench.motions(), std::size_t{0});
+    QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+    QCOMPARE(taken, std::vector<std::string>{"red1 on"});
+    status.set_own(true);
+    bench.push("red1/steering", status, 4);
+    bench.step(2);
+    QVERIFY(child<QLabel>(bar, "steeringText").text().contains(QStringLiteral("You steer red1")));
+    QVERIFY(bench.motions() > 0);
+    QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+    QCOMPARE(taken.back(), std::string("red1 off"));
   }
 };
 

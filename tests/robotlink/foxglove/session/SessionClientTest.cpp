@@ -6,6 +6,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
@@ -401,6 +402,34 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseJsonAndProtobufAreDecoded) {
   EXPECT_EQ(streams[2].encoding, "cdr");
   EXPECT_FALSE(streams[2].isDecoded);
   EXPECT_TRUE(streams[0].isDecoded);
+}
+
+TEST_F(SessionClientTest, oneSessionSteersAndBothKnowWho) {
+  connect();
+  ASSERT_TRUE(hasKeys());
+  Session otherSession;
+  SessionClient other(otherSession, options_);
+  std::string objection = "none";
+  const auto steers = [&](Session& session) {
+    const auto* status =
+        session.store().latestAs<robotcontrol::SteeringStatus>("red1/steering", Instant::max());
+    return status != nullptr && status->own();
+  };
+  const auto bothTick = [&](auto condition) {
+    return soon([&] {
+      other.tick();
+      otherSession.tick();
+      return condition();
+    });
+  };
+  ASSERT_TRUE(bothTick([&] { return !other.robots().empty(); }));
+  client_->steer("red1", false, [](const Result<void>&) {});
+  EXPECT_TRUE(bothTick([&] { return steers(session_) && !steers(otherSession); }));
+  other.steer("red1", false, [](const Result<void>&) {});
+  EXPECT_TRUE(bothTick([&] { return !steers(session_) && steers(otherSession); }));
+  // A robot that it does not have.
+  other.steer("blue1", false, [&](const Result<void>& done) { objection = done ? "" : done.error().text; });
+  EXPECT_THAT(objection, HasSubstr("blue1"));
 }
 
 }  // namespace

@@ -195,5 +195,21 @@ TEST_F(SteeringTest, whenTheLinkEndsSteeredRobotsStand) {
   EXPECT_THAT(asked(), ElementsAre("stand", "no goal"));
 }
 
+TEST_F(SteeringTest, somebodyAtTheRobotTakesOver) {
+  steering_.admit(anna_, walk(), now_);
+  steering_.takeOverHere("red1", now_);
+  EXPECT_EQ(status_.who, "this machine");
+  EXPECT_EQ(status_.client, 0U);
+  pass(20ms, {&anna_});
+  EXPECT_THAT(asked(), ElementsAre("stand"));
+  EXPECT_THAT(steering_.admit(anna_, walk(), now_), HasSubstr("this machine"));
+  steering_.giveUpHere("red1");
+  EXPECT_EQ(status_.text, "nobody steers");
+  EXPECT_EQ(steering_.admit(anna_, walk(), now_), "");
+  // Only what is one's own is given up.
+  steering_.giveUpHere("red1");
+  EXPECT_THAT(status_.who, HasSubstr("Anna"));
+}
+
 }  // namespace
 }  // namespace robotlink::websocket

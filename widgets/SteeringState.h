@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string>
+
+namespace robotlink {
+class Session;
+}
+
+namespace widgets {
+
+/// Who steers a robot that several people can steer over a link. A plain value.
+struct SteeringState {
+  enum class Who { kNobody, kThisPerson, kOther };
+  Who who = Who::kNobody;
+  /// "RobotControl of anna at 10.0.0.7:51234"; empty: nobody.
+  QString name;
+  /// Whether that person is not heard any more, so that the robot was told to stand.
+  bool isSilent = false;
+  /// A sentence: "RobotControl of anna at 10.0.0.7:51234 steers red1."
+  QString text;
+  /// What the robot says of it.
+  QString details;
+};
+
+/// As the robot said last; nothing if it has said nothing, so that it can be steered from here only, or
+/// nobody has steered it yet.
+std::optional<SteeringState> steeringState(robotlink::Session& session, const std::string& robot);
+
+}  // namespace widgets
