@@ -56,7 +56,7 @@ ROOMS = {
     "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
         "log", "color", "drive", "messages", "plots", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
-    "app/core": ["program", "own", "spread", "platform", "recordings", "pioneer", "replay", "simulated", "remote", "body", "."],
+    "app/core": ["program", "own", "spread", "platform", "recordings", "deploy", "pioneer", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
     "app/robotcontrol": ["actions", "docks", "bars", "."],
 }

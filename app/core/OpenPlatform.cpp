@@ -91,6 +91,12 @@ robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
   if (auto kept = keepKeys(); !kept) report({kept.error()});
   return remote_.disconnect(url);
 }
+robotlink::Result<void> OpenPlatform::steer(const std::string& robot, bool giveUp) {
+  const auto& robots = session_.robots();
+  if (std::ranges::find(robots, robot) == robots.end())
+    return robotlink::failure("robot.unknown", "there is no robot " + robot, {}, {robot});
+  return session_.remoteRobots().contains(robot) ? remote_.steer(robot, giveUp) : offer_.steer(robot, giveUp);
+}
 robotlink::Result<void> OpenPlatform::offerSession(const std::string& address) {
   if (auto done = offer_.begin(address); !done) return done;
   if (loaded_) publishPrograms(session_, *loaded_);
@@ -126,7 +132,7 @@ void OpenPlatform::tick() {
 
 void OpenPlatform::followRemote() {
   remote_.tick();
-  for (const std::string& note : remote_.takeNotes()) report({{"remote.new", note, {}, {}}});
+  for (robotlink::Error& note : remote_.takeNotes()) report({std::move(note)});
   if (std::exchange(remoteVersion_, remote_.version()) != remote_.version()) {
     listRobots();
     if (onRemoteRobots_) onRemoteRobots_();

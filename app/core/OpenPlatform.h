@@ -53,6 +53,17 @@ class OpenPlatform {
   /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
   robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);
   robotlink::Result<void> disconnectRemote(const std::string& url);
+  /// See RemoteRobots::trust().
+  robotlink::Result<void> trustRemote(const std::string& url, const std::string& fingerprint) {
+    return remote_.trust(url, fingerprint);
+  }
+  /// Remembers the token of a connection once it was accepted.
+  robotlink::Result<void> rememberToken(const std::string& url) { return remote_.rememberToken(url); }
+  /// See RemoteRobots::recordings().
+  RecordingJobs* recordingsAt(const std::string& url) { return remote_.recordings(url); }
+  DeployJobs* deploymentAt(const std::string& url) { return remote_.deployment(url); }
+  /// Steers a robot from now on, whoever did before; or gives it up. Fails if nobody else can steer it.
+  robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   /// Offers the session to others, see SessionOffer::begin().
   robotlink::Result<void> offerSession(const std::string& address);
   void stopOffering() { offer_.end(); }

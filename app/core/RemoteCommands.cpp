@@ -14,10 +14,29 @@ void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
        "Connects robots whose programs run elsewhere, beside those that are open here",
        {{"url", Type::kText, "ws://HOST[:PORT]"}, {"token", Type::kText, "that the robot asks for, or ''"}},
        [&open](const Values& values) { return open.connectRemote(text(values, 0), text(values, 1)); }});
+  commands.add(
+      {"remote.trust",
+       "Trusts the certificate that a robot elsewhere shows, from now on, and connects it",
+       {{"url", Type::kText, "as it was connected"},
+        {"fingerprint", Type::kText, "SHA256:..., as the robot has printed it at its start"}},
+       [&open](const Values& values) { return open.trustRemote(text(values, 0), text(values, 1)); }});
+  commands.add({"remote.remember-token",
+                "Remembers the token of a connection on this computer, once the robot has accepted it",
+                {{"url", Type::kText, "as it was connected"}},
+                [&open](const Values& values) { return open.rememberToken(text(values, 0)); }});
+  commands.add({"remote.forget-token",
+                "Forgets the token that is remembered for a robot elsewhere",
+                {{"url", Type::kText, "as it was connected"}},
+                [](const Values& values) { return RemoteRobots::forgetToken(text(values, 0)); }});
   commands.add({"remote.disconnect",
                 "Ends the connection to robots elsewhere, which leave the window",
                 {{"url", Type::kText, "as it was connected"}},
                 [&open](const Values& values) { return open.disconnectRemote(text(values, 0)); }});
+  commands.add({"robot.steer",
+                "Steers a robot that others can steer, too, from now on; or gives it up",
+                {{"robot", Type::kText, "its name"},
+                 {"on", Type::kBool, "true: instead of whoever steers it now; false: gives it up"}},
+                [&open](const Values& values) { return open.steer(text(values, 0), !flag(values, 1)); }});
   commands.add(
       {"session.offer",
        "Lets others watch and steer what is open here, as clients of the Foxglove WebSocket protocol",

@@ -9,6 +9,8 @@
 #include "app/core/PlatformThread.h"
 #include "app/core/body/BodyInbox.h"
 #include "app/core/body/BodyStreams.h"
+#include "app/core/deploy/DeployServices.h"
+#include "app/core/deploy/DeployedTables.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ImageCodings.h"
@@ -115,6 +117,11 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   std::optional<RecordingServices> recordings;
   if (!options.recordings.empty())
     recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
+  DeployedTables tables(session, ResourceFolder(options.resources));
+  std::optional<DeployServices> deploying;
+  if (!options.resources.empty())
+    deploying.emplace(server.server(), ResourceFolder(options.resources),
+                      [&](const std::string& path) { tables.noteWritten(path); });
   const auto access = listenAccess(options.address, options.access);
   if (!access) return {access.error()};
   server.setImageEncoder(jpegOf);
@@ -126,6 +133,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   auto loaded = result->get_future();
   platform.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
   const auto tick = [&] {
+    for (const auto& error : tables.tick()) out << error.describe() << std::endl;
     session.tick();
     server.tick();
   };
@@ -139,6 +147,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   for (const auto& [name, robot] : outcome->robots) robots.push_back(name);
   session.setRobots(robots);
   publishPrograms(session, *outcome);
+  if (!options.resources.empty()) tables.begin();
   if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
   tick();  // who connects at once finds everything
   const auto announcement = announced(robots, *access, **listener);

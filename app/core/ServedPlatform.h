@@ -27,6 +27,8 @@ struct ServeOptions {
   bool texts = false;
   /// The folder where clients may record, and fetch recordings from (RecordingServices); empty: none.
   std::filesystem::path recordings = {};
+  /// The robot's resource folder, in which clients may replace files (DeployServices); empty: none.
+  std::filesystem::path resources = {};
   /// The conditions under which clients may connect.
   AccessOptions access = {};
   /// Not null: the robots are only bodies, and programs elsewhere command them by this (REMOTE_BODY.md).

@@ -23,6 +23,7 @@ void addRunCommand(CLI::App& app, int& status);
 void addPlatformCommand(CLI::App& app, int& status);
 void addLaunchCommand(CLI::App& app, int& status);
 void addRobotsCommand(CLI::App& app, int& status);
+void addDeployCommand(CLI::App& app, int& status);
 void addWatchCommand(CLI::App& app, int& status);
 void addRequestCommand(CLI::App& app, int& status);
 

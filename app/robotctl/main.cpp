@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   addPlatformCommand(app, status);
   addLaunchCommand(app, status);
   addRobotsCommand(app, status);
+  addDeployCommand(app, status);
   addWatchCommand(app, status);
   addRequestCommand(app, status);
   addColorCommand(app, status);

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 #include <deque>
-#include <future>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -31,7 +30,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kPieceBytes = 64U << 10U;
 /// So many are asked for at once, so that a long way there costs little.
 constexpr std::size_t kPiecesUnderWay = 4;
-constexpr std::chrono::milliseconds kLookEvery{100};
 /// Before a call is repeated.
 constexpr std::chrono::milliseconds kPause{200};
 
@@ -46,27 +44,6 @@ tl::unexpected<robotlink::Error> strange(const std::string& service) {
 tl::unexpected<robotlink::Error> canceled() {
   return failure("canceled", "canceled");
 }
-
-/// An answer that comes later.
-class Pending {
- public:
-  Pending(const RecordingFetch::Call& call, const std::string& service, const std::string& argument) {
-    const auto promise = std::make_shared<std::promise<RecordingFetch::Answer>>();
-    future_ = promise->get_future();
-    call(service, argument,
-         [promise](RecordingFetch::Answer answer) { promise->set_value(std::move(answer)); });
-  }
-  /// Empty if `proceed` returned false before it came.
-  std::optional<RecordingFetch::Answer> wait(const std::function<bool()>& proceed) {
-    while (future_.wait_for(kLookEvery) != std::future_status::ready) {
-      if (!proceed()) return std::nullopt;
-    }
-    return future_.get();
-  }
-
- private:
-  std::future<RecordingFetch::Answer> future_;
-};
 
 template <typename Number>
 std::optional<Number> numberIn(const json& object, const char* member) {
@@ -146,7 +123,7 @@ RecordingFetch::Answer RecordingFetch::ask(const std::string& service, const std
   const auto end = Clock::now() + patience_;
   const auto proceed = [&] { return !progress || progress(share); };
   while (true) {
-    auto answer = Pending(call_, service, argument).wait(proceed);
+    auto answer = PendingAnswer(call_, service, argument).wait(proceed);
     if (!answer) return canceled();
     if (*answer || !isOfLine(answer->error()) || Clock::now() > end) return *answer;
     std::this_thread::sleep_for(kPause);
@@ -169,7 +146,8 @@ Result<std::vector<RecordingFetch::Entry>> RecordingFetch::list(const Progress& 
     const auto bytes = numberIn<std::uint64_t>(entry, "bytes");
     if (name == entry.end() || !name->is_string() || !bytes) return strange(kService);
     entries.push_back({name->get<std::string>(), *bytes, numberIn<double>(entry, "modified").value_or(0),
-                       recording != entry.end() && *recording == json(true)});
+                       recording != entry.end() && *recording == json(true),
+                       entry.value("whole", json(true)) != json(false)});
   }
   return entries;
 }
@@ -200,7 +178,7 @@ Result<void> RecordingFetch::read(const std::string& name, Part& part, std::uint
                                   const Progress& progress) {
   const auto share = [&] { return static_cast<double>(part.is.bytes) / static_cast<double>(bytes); };
   const auto proceed = [&] { return !progress || progress(share()); };
-  std::deque<Pending> underWay;
+  std::deque<PendingAnswer> underWay;
   std::uint64_t asked = part.is.bytes;
   auto end = Clock::now() + patience_;
   while (part.is.bytes < bytes) {
@@ -259,6 +237,18 @@ Result<RecordingFetch::Fetched> RecordingFetch::fetch(const std::string& name,
   std::filesystem::rename(part->path, file, error);
   if (error) return failure("file.io", "cannot be written: " + error.message(), {file.string(), 0, 0});
   return fetched;
+}
+
+Result<void> RecordingFetch::start(const Progress& progress) {
+  const Answer answer = ask("recordings/start", "{}", progress, 0);
+  if (!answer) return tl::unexpected(answer.error());
+  return {};
+}
+
+Result<void> RecordingFetch::stop(const Progress& progress) {
+  const Answer answer = ask("recordings/stop", "{}", progress, 0);
+  if (!answer) return tl::unexpected(answer.error());
+  return {};
 }
 
 Result<void> RecordingFetch::remove(const std::string& name, const Progress& progress) {

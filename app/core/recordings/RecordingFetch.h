@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/recordings/PendingAnswer.h"
 #include "robotlink/base/Error.h"
 
 namespace robotlink::websocket {
@@ -20,11 +21,8 @@ namespace app {
 class RecordingFetch {
  public:
   using Answer = robotlink::Result<std::string>;
-  /// Calls a service of the robot with an argument in JSON; the handler is called once, from any thread. An
-  /// error with the id robotlink::websocket::kServiceFailure is the robot's answer; others are those of the
-  /// line, and the call is repeated.
-  using Call = std::function<void(const std::string& service, const std::string& argument,
-                                  std::function<void(Answer)> handler)>;
+  /// Calls are repeated after errors of the line.
+  using Call = ServiceCall;
   /// Called several times a second with the share that is done, 0 to 1; returns false to cancel.
   using Progress = std::function<bool(double share)>;
   struct Entry {
@@ -34,6 +32,8 @@ class RecordingFetch {
     double modified = 0;
     /// Whether it is being recorded.
     bool isRecording = false;
+    /// Whether it was ended as it should be, rather than cut off by a crash.
+    bool isWhole = true;
   };
   struct Fetched {
     std::uint64_t bytes = 0;
@@ -51,6 +51,9 @@ class RecordingFetch {
   /// a crash. One that is still being recorded is fetched as far as it goes now.
   robotlink::Result<Fetched> fetch(const std::string& name, const std::filesystem::path& file, bool replaces,
                                    const Progress& progress = {});
+  /// Begins and ends a recording at the robot.
+  robotlink::Result<void> start(const Progress& progress = {});
+  robotlink::Result<void> stop(const Progress& progress = {});
   /// Deletes it at the robot.
   robotlink::Result<void> remove(const std::string& name, const Progress& progress = {});
 

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/FileRecords.h"
 #include "logplayer/mcap/Source.h"
 
 namespace app {
@@ -26,6 +27,15 @@ double secondsSince1970(fs::file_time_type time) {
   return std::chrono::duration<double>(system.time_since_epoch()).count();
 }
 
+/// Whether the last bytes of a file are those of a recording that was ended.
+bool endsWell(const fs::path& file) {
+  const auto source = logplayer::mcap::Source::open(file);
+  constexpr std::size_t kBytes = sizeof logplayer::mcap::kMagic;
+  if (!source || source->bytes() < 2 * kBytes) return false;
+  const auto end = source->read(source->bytes() - kBytes, kBytes);
+  return std::ranges::equal(end, logplayer::mcap::kMagic);
+}
+
 }  // namespace
 
 Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
@@ -40,7 +50,7 @@ Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
     if (!isRecording(name) || file->is_symlink(gone) || !file->is_regular_file(gone)) continue;
     const std::uint64_t bytes = file->file_size(gone);
     const auto modified = file->last_write_time(gone);
-    if (!gone) entries.push_back({name, bytes, secondsSince1970(modified)});
+    if (!gone) entries.push_back({name, bytes, secondsSince1970(modified), endsWell(file->path())});
   }
   if (error) {
     return failure("recordings.folder", "the folder of recordings cannot be read: " + error.message(),

@@ -20,6 +20,8 @@ class RecordingFolder {
     std::uint64_t bytes = 0;
     /// When it was last written, in seconds since 1970.
     double modified = 0;
+    /// Whether it was ended as it should be, rather than by a crash; not while it is being recorded.
+    bool isWhole = false;
     bool operator==(const Entry&) const = default;
   };
   struct Checksum {

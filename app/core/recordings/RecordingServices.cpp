@@ -41,53 +41,12 @@ Service serviceNamed(const std::string& name) {
 
 }  // namespace
 
-/// A queue with a thread that does what is in it.
-struct RecordingServices::Jobs {
-  using Job = std::function<void()>;
-  void add(Job job) {
-    {
-      const std::lock_guard lock(mutex);
-      if (isClosed) return;
-      waiting.push_back(std::move(job));
-    }
-    worker.post({});
-  }
-  void work() {
-    while (true) {
-      Job job;
-      {
-        const std::lock_guard lock(mutex);
-        if (waiting.empty()) return;
-        job = std::move(waiting.front());
-        waiting.pop_front();
-      }
-      job();
-    }
-  }
-  /// After this, nothing is done any more.
-  void close() {
-    std::deque<Job> left;
-    {
-      const std::lock_guard lock(mutex);
-      isClosed = true;
-      left.swap(waiting);
-    }
-    worker.finish();
-  }
-
-  std::mutex mutex;
-  std::deque<Job> waiting;
-  bool isClosed = false;
-  /// The last member, since its thread uses the others.
-  robotlink::Worker<std::monostate> worker{[this](std::monostate, const std::stop_token&) { work(); }};
-};
-
 RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Server> server,
                                      RecordingFolder folder, logplayer::Recorder& recorder)
     : server_(std::move(server)),
       folder_(std::move(folder)),
       recorder_(recorder),
-      jobs_(std::make_shared<Jobs>()) {
+      jobs_(std::make_shared<JobQueue>()) {
   recorder_.setFolder(folder_.path());
   offer("recordings/list", &RecordingServices::list, ServiceAccess::kAnybody);
   offer("recordings/read", &RecordingServices::read, ServiceAccess::kAnybody);
@@ -125,7 +84,8 @@ void RecordingServices::list(const json&, const Reply& reply) {
     all.push_back({{"name", entry.name},
                    {"bytes", entry.bytes},
                    {"modified", entry.modified},
-                   {"recording", entry.name == now}});
+                   {"recording", entry.name == now},
+                   {"whole", entry.isWhole}});
   }
   reply.succeed(jsonMessage(json{{"recordings", std::move(all)}}), kJson);
 }

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <atomic>
-#include <deque>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
+#include "app/core/recordings/JobQueue.h"
 #include "app/core/recordings/RecordingFolder.h"
-#include "robotlink/base/Worker.h"
 #include "robotlink/foxglove/server/Server.h"
 
 namespace logplayer {
@@ -23,8 +21,8 @@ namespace app {
 /// Lets clients of a server record into a folder of the robot, and list, read, check and delete what was
 /// recorded there. Arguments are JSON objects, and so are the answers, but for that of `read`:
 ///
-/// - `recordings/list`: {"recordings": [{"name", "bytes", "modified" (seconds since 1970), "recording"}]},
-///   the newest first
+/// - `recordings/list`: {"recordings": [{"name", "bytes", "modified" (seconds since 1970), "recording",
+///   "whole"}]}, the newest first; one that is not whole was cut off, as by a crash
 /// - `recordings/start`, `recordings/stop`, `recordings/status`: the RecordingStatus
 /// - `recordings/read` {"name", "offset", "bytes"}: the bytes, with the encoding "binary"; up to 1 MiB, fewer
 ///   at the end of the file
@@ -45,7 +43,6 @@ class RecordingServices {
   using Reply = robotlink::websocket::Reply;
   /// Answers a call; an exception-free object of the caller's argument.
   using Handler = void (RecordingServices::*)(const nlohmann::json& argument, const Reply& reply);
-  struct Jobs;
 
   void offer(const std::string& name, Handler handler,
              robotlink::websocket::ServiceAccess access = robotlink::websocket::ServiceAccess::kControl);
@@ -68,7 +65,7 @@ class RecordingServices {
   logplayer::Recorder& recorder_;
   std::vector<std::uint32_t> services_;
   /// What waits; outlives this object with the server's handlers.
-  const std::shared_ptr<Jobs> jobs_;
+  const std::shared_ptr<JobQueue> jobs_;
 };
 
 }  // namespace app

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
+#include "app/core/deploy/DeployJobs.h"
+#include "app/core/recordings/RecordingJobs.h"
 #include "app/core/remote/ImageCodings.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
@@ -13,6 +16,8 @@
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/foxglove/security/KnownServers.h"
+#include "robotlink/foxglove/security/RememberedTokens.h"
 #include "robotlink/foxglove/session/SessionClient.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/LatchedMessages.h"
@@ -33,6 +38,15 @@ constexpr char kPackageKeys[] = "package/";
 /// The streams of a platform by which its newest time is known.
 constexpr std::array kClocks{streams::kTransforms, streams::kSimulation, streams::kReplay};
 
+/// What others see of who steers.
+std::string nameOfThisProgram() {
+  for (const char* variable : {"USER", "LOGNAME"}) {
+    const char* user = std::getenv(variable);
+    if (user != nullptr && *user != '\0') return std::string("RobotControl of ") + user;
+  }
+  return "RobotControl";
+}
+
 std::string robotOfStream(const std::string& path) {
   const std::size_t slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
@@ -49,8 +63,13 @@ Request keyRequest(const std::string& robot, const std::string& key, robotcontro
 }  // namespace
 
 struct RemoteRobots::Line {
-  std::string url;
+  std::string url, token;
+  /// Whether the token is to be remembered once it was accepted.
+  bool remembersToken = false;
   std::unique_ptr<SessionClient> client;
+  /// These use the client; null until they were asked for.
+  std::unique_ptr<RecordingJobs> recordings;
+  std::unique_ptr<DeployJobs> deployment;
   std::uint64_t robotsVersion = 0;
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
@@ -61,7 +80,7 @@ RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& rec
       recorder_(recorder),
       listener_(
           session.addListener({[this](const robotlink::StreamMessage& message) { record(message); }, {}})),
-      notes_(std::make_shared<robotlink::BoundedQueue<std::string>>(100)) {}
+      notes_(std::make_shared<robotlink::BoundedQueue<robotlink::Error>>(100)) {}
 
 RemoteRobots::~RemoteRobots() {
   session_.removeListener(listener_);
@@ -79,17 +98,19 @@ Result<std::string> RemoteRobots::connect(const std::string& url, const std::str
   Line* line = find(name);
   if (line == nullptr) line = lines_.emplace_back(std::make_unique<Line>()).get();
   line->url = name;
+  line->recordings.reset();
+  line->deployment.reset();
   line->client.reset();
   SessionClient::Options options;
   options.connection.url = std::move(*parsed);
-  options.connection.token = token;
+  line->token = token.empty() ? websocket::RememberedTokens().find(name).value_or("") : token;
+  line->remembersToken = false;
+  options.connection.token = line->token;
+  options.connection.name = nameOfThisProgram();
   options.isTaken = [this, line](const std::string& robot) { return isTaken(robot, line); };
   options.leadingTime = [this, line] { return leadingTime(*line); };
-  options.connection.isTrusted = [notes = notes_](const std::string& server, const std::string& print) {
-    notes->push("The robot at " + server + " is new here, and remembered by its fingerprint " + print +
-                ": compare it with the one that the robot printed at its start.");
-    return true;
-  };
+  // A person decides; see trust().
+  options.connection.isTrusted = [](const std::string&, const std::string&) { return false; };
   options.convert = decodedImage;
   line->client = std::make_unique<SessionClient>(session_, std::move(options));
   ++version_;
@@ -107,10 +128,76 @@ Result<void> RemoteRobots::disconnect(const std::string& url) {
   return {};
 }
 
+DeployJobs* RemoteRobots::deployment(const std::string& url) {
+  Line* line = find(url);
+  if (line == nullptr) return nullptr;
+  if (!line->deployment) line->deployment = std::make_unique<DeployJobs>(callsOf(line->client->client()));
+  return line->deployment.get();
+}
+
+RecordingJobs* RemoteRobots::recordings(const std::string& url) {
+  Line* line = find(url);
+  if (line == nullptr) return nullptr;
+  if (!line->recordings) line->recordings = std::make_unique<RecordingJobs>(callsOf(line->client->client()));
+  return line->recordings.get();
+}
+
+Result<void> RemoteRobots::steer(const std::string& robot, bool giveUp) {
+  for (const auto& line : lines_) {
+    if (std::ranges::count(line->client->robots(), robot) == 0) continue;
+    line->client->steer(robot, giveUp, [notes = notes_, robot](const Result<void>& done) {
+      if (!done) notes->push({"steering.refused", robot + ": " + done.error().text, {robot}, {}});
+    });
+    return {};
+  }
+  return robotlink::failure("steering.none", robot + " is no robot elsewhere", {}, {robot});
+}
+
+Result<void> RemoteRobots::rememberToken(const std::string& url) {
+  Line* line = find(url);
+  if (line == nullptr) return robotlink::failure("remote.none", "nothing is connected at " + url, {}, {url});
+  line->remembersToken = true;
+  return {};
+}
+
+bool RemoteRobots::hasToken(const std::string& url) {
+  return websocket::RememberedTokens().find(url).has_value();
+}
+
+Result<void> RemoteRobots::forgetToken(const std::string& url) {
+  return websocket::RememberedTokens().forget(url);
+}
+
+void RemoteRobots::keepTokens() {
+  for (const auto& line : lines_) {
+    if (!line->remembersToken || !line->client->state().isConnected()) continue;
+    line->remembersToken = false;
+    const auto kept = websocket::RememberedTokens().add(line->url, line->token);
+    if (!kept) notes_->push(kept.error());
+  }
+}
+
+Result<void> RemoteRobots::trust(const std::string& url, const std::string& fingerprint) {
+  Line* line = find(url);
+  const auto objection = line == nullptr ? websocket::ServerObjection() : line->client->state().objection;
+  if (objection.fingerprint.empty() || objection.fingerprint != fingerprint)
+    return robotlink::failure("remote.fingerprint",
+                              "the robot at " + url + " does not ask to be trusted by " + fingerprint, {},
+                              {url, fingerprint});
+  const auto added = websocket::KnownServers().add(objection.server, fingerprint);
+  if (!added) return added;
+  const bool remembers = line->remembersToken;
+  const auto connected = connect(url, std::string(line->token));
+  if (!connected) return tl::unexpected(connected.error());
+  line->remembersToken = remembers;
+  return {};
+}
+
 std::vector<RemoteRobots::Connection> RemoteRobots::connections() const {
   std::vector<Connection> all;
   for (const auto& line : lines_)
-    all.push_back({line->url, line->client->state(), line->client->stateText(), line->client->robots()});
+    all.push_back({line->url, line->client->state(), line->client->stateText(), line->client->robots(),
+                   line->client->hasService("recordings/list"), line->client->hasService("deploy/put")});
   return all;
 }
 
@@ -157,6 +244,7 @@ void RemoteRobots::tick() {
     if (std::exchange(line->robotsVersion, version) != version) ++version_;
   }
   for (const auto& line : lines_) noteGaps(*line);
+  keepTokens();
   describeRobots();
   showRobots();
   switchRecorded();

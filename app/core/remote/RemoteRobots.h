@@ -30,6 +30,9 @@ class SessionClient;
 
 namespace app {
 
+class DeployJobs;
+class RecordingJobs;
+
 /// The robots of a session whose programs run elsewhere, beside those of the platform that is open: one
 /// connection for each server (robotlink/foxglove/FOXGLOVE.md). Connections are lost and found again by
 /// themselves. Requests to these robots go to them; what is asked of no robot goes to the first connection,
@@ -47,6 +50,10 @@ class RemoteRobots {
     std::string text;
     /// The names of its robots in the session.
     std::vector<std::string> robots;
+    /// Whether it records into its own storage, as recordings() shows.
+    bool hasRecordings = false;
+    /// Whether files can be deployed to it.
+    bool hasResources = false;
   };
 
   RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder);
@@ -54,13 +61,22 @@ class RemoteRobots {
   RemoteRobots(const RemoteRobots&) = delete;
   RemoteRobots& operator=(const RemoteRobots&) = delete;
 
-  /// Begins to connect; returns the URL as connections() has it. A server that is connected already is
-  /// connected anew, with this token. Fails if the URL makes no sense; everything else is told by
-  /// connections().
+  /// Begins to connect; returns the URL as connections() has it. Without a token the one that is remembered
+  /// for this URL is shown. A server that is connected already is connected anew. Fails if the URL makes no
+  /// sense; everything else is told by connections(), such as a certificate that nobody has trusted yet.
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
   robotlink::Result<void> disconnect(const std::string& url);
   std::vector<Connection> connections() const;
+  /// Remembers the token of a connection as soon as the robot has accepted it.
+  robotlink::Result<void> rememberToken(const std::string& url);
+  /// Whether a token is remembered for a URL.
+  static bool hasToken(const std::string& url);
+  static robotlink::Result<void> forgetToken(const std::string& url);
+  /// A person has compared the fingerprint of the certificate that the robot at a URL shows: it is
+  /// remembered, in the place of one that was known, and the robot is connected anew. Fails if it is not what
+  /// the robot showed last.
+  robotlink::Result<void> trust(const std::string& url, const std::string& fingerprint);
   bool empty() const { return lines_.empty(); }
 
   /// The robots of the platform that is open; nothing if none is open, so that the first connection leads.
@@ -72,8 +88,17 @@ class RemoteRobots {
   /// Increases with each change of robots() or of what is known of them.
   std::uint64_t version() const { return version_; }
 
-  /// Removes and returns sentences about servers that were never seen before, with their fingerprints.
-  std::vector<std::string> takeNotes() { return notes_->drain(); }
+  /// What users do with the recordings at the robots of a connection; null if there is no such connection.
+  /// Valid until that ends or is connected anew.
+  RecordingJobs* recordings(const std::string& url);
+  /// The same for what is deployed to its robots.
+  DeployJobs* deployment(const std::string& url);
+  /// Steers a robot from now on, whoever did before; or gives it up. Fails if it is none of these; what the
+  /// robot objects to is among the notes.
+  robotlink::Result<void> steer(const std::string& robot, bool giveUp);
+
+  /// Removes and returns what users have to know: what robots object to, and what could not be saved.
+  robotlink::Errors takeNotes() { return notes_->drain(); }
   /// Does what came since the last time; to be called before Session::tick().
   void tick();
   /// Sends a request to the connection to which it belongs; returns false if it belongs to none.
@@ -92,6 +117,7 @@ class RemoteRobots {
   std::optional<robotlink::Instant> leadingTime(const Line& of) const;
   void findLeader();
   void noteGaps(Line& line);
+  void keepTokens();
   void describeRobots();
   void showRobots();
   void record(const robotlink::StreamMessage& message);
@@ -102,7 +128,7 @@ class RemoteRobots {
   logplayer::Recorder& recorder_;
   std::uint64_t listener_;
   /// From the threads of the links; shared with them.
-  std::shared_ptr<robotlink::BoundedQueue<std::string>> notes_;
+  std::shared_ptr<robotlink::BoundedQueue<robotlink::Error>> notes_;
   std::optional<std::set<std::string>> platform_;
   /// In the order in which they were begun.
   std::vector<std::unique_ptr<Line>> lines_;

@@ -52,6 +52,15 @@ void SessionOffer::end() {
   sent_.clear();
 }
 
+robotlink::Result<void> SessionOffer::steer(const std::string& robot, bool giveUp) {
+  if (!isOffered())
+    return robotlink::failure("steering.alone",
+                              "nobody else can steer " + robot + ", since this session is not offered", {},
+                              {robot});
+  server_->steer(robot, giveUp);
+  return {};
+}
+
 std::string SessionOffer::url() const {
   return isOffered() ? scheme_ + "://" + toString(listener_->address()) : std::string();
 }

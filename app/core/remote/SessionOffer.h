@@ -44,6 +44,9 @@ class SessionOffer {
   robotlink::Result<void> begin(const std::string& address);
   /// Ends all connections.
   void end();
+  /// The person here steers a robot from now on, whoever did before; or gives it up. Fails if nothing is
+  /// offered.
+  robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   bool isOffered() const { return listener_ != nullptr; }
   /// What others connect to: "ws://127.0.0.1:8765"; empty if nothing is offered.
   std::string url() const;

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "robotlink/foxglove/security/RememberedTokens.h"
+
 namespace app {
 
 void LinkOptions::addTo(CLI::App& command) {
@@ -19,7 +21,10 @@ robotlink::Result<robotlink::websocket::Connector::Options> LinkOptions::connect
   if (!parsed) return tl::unexpected(parsed.error());
   robotlink::websocket::Connector::Options options;
   options.url = *std::move(parsed);
-  options.token = token;
+  // One in the URL is what the user wants.
+  const bool isGiven = !token.empty() || options.url.target.find("token=") != std::string::npos;
+  options.token =
+      isGiven ? token : robotlink::websocket::RememberedTokens().find(toString(options.url)).value_or("");
   options.name = "robotctl";
   options.isTrusted = [](const std::string& server, const std::string& fingerprint) {
     std::cerr << "The robot at " << server << " is new here, and remembered by its fingerprint "

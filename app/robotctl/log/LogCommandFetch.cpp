@@ -40,7 +40,8 @@ int printList(RecordingFetch& fetch, const RecordingFetch::Progress& progress, b
       all.push_back({{"name", entry.name},
                      {"bytes", entry.bytes},
                      {"modified", entry.modified},
-                     {"recording", entry.isRecording}});
+                     {"recording", entry.isRecording},
+                     {"whole", entry.isWhole}});
     }
     std::cout << jsonOutput(json{{"recordings", std::move(all)}});
     return kDone;
@@ -48,7 +49,10 @@ int printList(RecordingFetch& fetch, const RecordingFetch::Progress& progress, b
   if (entries->empty()) std::cerr << "The robot has no recordings.\n";
   for (const auto& entry : *entries) {
     std::printf("%s UTC  %9.2f MB  %s%s\n", dateOf(entry).c_str(), static_cast<double>(entry.bytes) * 1e-6,
-                entry.name.c_str(), entry.isRecording ? "  (is being recorded)" : "");
+                entry.name.c_str(),
+                entry.isRecording ? "  (is being recorded)"
+                : entry.isWhole   ? ""
+                                  : "  (was cut off)");
   }
   return kDone;
 }

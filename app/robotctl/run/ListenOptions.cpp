@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "app/core/deploy/OwnResources.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/remote/OfferAddress.h"
 #include "app/robotctl/Commands.h"
@@ -23,6 +24,20 @@ void ListenOptions::addTo(CLI::App& command) {
       .add_option("--recordings", recordings_,
                   "With --listen: the folder where clients may record, and fetch recordings from "
                   "(robotctl log fetch)")
+      ->type_name("FOLDER")
+      ->needs(option_);
+  // Everything else may read the resources, so the folder is made while the options are read.
+  command
+      .add_option_function<std::string>(
+          "--resources",
+          [this](const std::string& folder) {
+            if (const auto used = useOwnResources(folder); !used)
+              throw CLI::ValidationError("--resources", used.error().describe());
+            resources_ = folder;
+          },
+          "With --listen: a resource folder of the robot's own, made as a copy of the installed one if there "
+          "is "
+          "none. Clients may deploy layouts, parameters, motions and color tables into it (robotctl deploy)")
       ->type_name("FOLDER")
       ->needs(option_);
   auto* secure = command.add_flag("--secure", access_.isSecure, "Encryption and tokens at 127.0.0.1, too")
@@ -71,6 +86,7 @@ int ListenOptions::serve(PlatformOpening opening, ServeOptions options, const Re
   if (!where) return printErrors({where.error()});
   options.address = *where;
   options.recordings = recordings_;
+  options.resources = resources_;
   options.access = access_;
   options.steering = {.commandTime = robotlink::fromSeconds(motionTimeout_),
                       .linkTime = robotlink::fromSeconds(linkTimeout_)};

@@ -28,7 +28,7 @@ struct ListenOptions {
   int serve(PlatformOpening opening, ServeOptions options, const RecordOptions& record) const;
 
  private:
-  std::string text_, recordings_;
+  std::string text_, recordings_, resources_;
   AccessOptions access_;
   /// Seconds.
   double motionTimeout_ = 0.5, linkTimeout_ = 1;

@@ -9,6 +9,7 @@
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 #include "tests/TestFolder.h"
@@ -139,6 +140,39 @@ TEST_F(OfferedRobot, whatDoesNotConnectIsSaid) {
   EXPECT_THAT(nobody.errors, HasSubstr("nobody listens there"));
   url_ = "127.0.0.1";
   EXPECT_EQ(robotctl("watch", "--seconds 0.3").status, 2);
+}
+
+TEST_F(OfferedRobot, deploySaysWhatIsWrongBeforeAnythingIsSent) {
+  folder_.write("set.yaml", "robot-set: 1\nname: a\nrobots:\n  - name: red1\n    address: " + url_ +
+                                "\n    layout: none.yaml\n");
+  const auto missing = runRobotctl(folder_.path(), "deploy set.yaml --token secret");
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_THAT(missing.errors, HasSubstr("none.yaml"));
+  std::filesystem::copy(robotlink::resource("layouts/compact.yaml"), folder_ / "none.yaml");
+  const auto none = runRobotctl(folder_.path(), "deploy set.yaml --token secret --check");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.errors, HasSubstr("red1: "));
+  EXPECT_THAT(none.errors, HasSubstr("deploy/list"));
+  folder_.write("wrong.yaml", "robot-set: 1\nname: a\nrobots: 3\n");
+  EXPECT_THAT(runRobotctl(folder_.path(), "deploy wrong.yaml").errors, HasSubstr("wrong.yaml:3"));
+  EXPECT_THAT(runRobotctl(folder_.path(), "deploy set.yaml --robot blue1").errors,
+              HasSubstr("no robot 'blue1'"));
+}
+
+TEST(RobotctlResources, aRobotHasAFolderOfItsOwnThatClientsMayWriteInto) {
+  const TestFolder folder;
+  const std::string sim = "sim " + robotlink::resource("scenes/field2002.sdf").string() +
+                          " --listen 127.0.0.1:0 --seconds 0.1 --resources ";
+  const auto served = runRobotctl(folder.path(), sim + "own/");
+  EXPECT_EQ(served.status, 0) << served.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "own/layouts/compact.yaml"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "own/robots/ers210.yaml"));
+  EXPECT_EQ(folder.contents(), "own");
+  // The second time it is used as it is, so what it lacks is missing.
+  std::filesystem::remove_all(folder / "own/layouts");
+  const auto lacking = runRobotctl(folder.path(), sim + "own");
+  EXPECT_NE(lacking.status, 0);
+  EXPECT_THAT(lacking.errors, HasSubstr("'layouts'"));
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/deploy/DeployServices.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/core/platform/JsonOutput.h"
+#include "robotlink/foxglove/protocol/Base64.h"
+#include "robotlink/foxglove/security/Digest.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using robotlink::websocket::ServiceAccess;
+
+constexpr char kJsonEncoding[] = "json";
+
+std::string memberOf(const json& argument, const char* member) {
+  const auto found = argument.find(member);
+  return found != argument.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+json objectOf(const ResourceFolder::Entry& entry) {
+  return {{"path", entry.path}, {"bytes", entry.bytes}, {"sha256", entry.sha256}};
+}
+
+}  // namespace
+
+DeployServices::DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
+                               Written written)
+    : server_(std::move(server)),
+      folder_(std::move(folder)),
+      written_(std::move(written)),
+      jobs_(std::make_shared<JobQueue>()) {
+  offer("deploy/list", &DeployServices::list, ServiceAccess::kAnybody);
+  offer("deploy/put", &DeployServices::put, ServiceAccess::kControl);
+}
+
+DeployServices::~DeployServices() {
+  for (const std::uint32_t service : services_) server_->removeService(service);
+  jobs_->close();
+}
+
+void DeployServices::offer(const std::string& name, Handler handler, ServiceAccess access) {
+  constexpr char kObject[] = R"({"type":"object"})";
+  const robotlink::websocket::ServiceSchema schema{kJsonEncoding, name, "jsonschema", kObject};
+  services_.push_back(server_->addService(
+      {0, name, name, schema, schema},
+      [this, jobs = jobs_, name, handler](const robotlink::websocket::ClientInfo&,
+                                          const robotlink::websocket::ServiceCallRequest& call, Reply reply) {
+        if (call.encoding != kJsonEncoding) return reply.fail(name + " takes JSON");
+        auto argument = json::parse(call.payload.empty() ? "{}" : call.payload, nullptr, false);
+        if (!argument.is_object()) return reply.fail("the argument of " + name + " is no JSON object");
+        jobs->add(
+            [this, handler, argument = std::move(argument), reply] { (this->*handler)(argument, reply); });
+      },
+      access));
+}
+
+void DeployServices::list(const json&, const Reply& reply) {
+  const auto entries = folder_.list();
+  if (!entries) return reply.fail(entries.error().describe());
+  json all = json::array();
+  for (const auto& entry : *entries) all.push_back(objectOf(entry));
+  reply.succeed(jsonMessage(json{{"files", std::move(all)}}), kJsonEncoding);
+}
+
+void DeployServices::put(const json& argument, const Reply& reply) {
+  const std::string path = memberOf(argument, "path");
+  const auto contents = robotlink::websocket::fromBase64(memberOf(argument, "content"));
+  if (!contents) return reply.fail("the content of '" + path + "' is not base64");
+  if (robotlink::websocket::sha256(*contents) != memberOf(argument, "sha256"))
+    return reply.fail("the content of '" + path + "' is not that of its checksum; send it again");
+  const auto written = folder_.put(path, *contents);
+  if (!written) return reply.fail(written.error().describe());
+  if (written_) written_(path);
+  reply.succeed(jsonMessage(objectOf(*written)), kJsonEncoding);
+}
+
+}  // namespace app

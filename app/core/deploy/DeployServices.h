@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/core/deploy/ResourceFolder.h"
+#include "app/core/recordings/JobQueue.h"
+#include "robotlink/foxglove/server/Server.h"
+
+namespace app {
+
+/// Lets clients of a server see and replace the files of a robot's resource folder. Arguments and answers are
+/// JSON objects:
+///
+/// - `deploy/list`: {"files": [{"path", "bytes", "sha256"}]}, in the order of their paths
+/// - `deploy/put` {"path", "content" (base64), "sha256"}: the file as it is now. Written only if the checksum
+///   fits, as a whole or not at all; up to 2 MiB.
+///
+/// Those who may only watch may list, but not put. Files are read and written in a thread of their own. The
+/// server may outlive this object, whose destructor withdraws the services.
+class DeployServices {
+ public:
+  /// Called after a file was written, in that thread.
+  using Written = std::function<void(const std::string& path)>;
+
+  DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
+                 Written written = {});
+  ~DeployServices();
+  DeployServices(const DeployServices&) = delete;
+  DeployServices& operator=(const DeployServices&) = delete;
+
+ private:
+  using Reply = robotlink::websocket::Reply;
+  using Handler = void (DeployServices::*)(const nlohmann::json& argument, const Reply& reply);
+
+  void offer(const std::string& name, Handler handler, robotlink::websocket::ServiceAccess access);
+  // The handlers run in the queue's thread.
+  void list(const nlohmann::json& argument, const Reply& reply);
+  void put(const nlohmann::json& argument, const Reply& reply);
+
+  const std::shared_ptr<robotlink::websocket::Server> server_;
+  const ResourceFolder folder_;
+  const Written written_;
+  std::vector<std::uint32_t> services_;
+  /// Outlives this object with the server's handlers.
+  const std::shared_ptr<JobQueue> jobs_;
+};
+
+}  // namespace app

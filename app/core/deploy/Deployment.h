@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/core/deploy/RobotSet.h"
+#include "app/core/recordings/PendingAnswer.h"
+#include "robotlink/base/Error.h"
+
+namespace app {
+
+/// A file that a robot shall have. A plain value.
+struct DeployFile {
+  /// In the robot's resource folder: "layouts/compact.yaml".
+  std::string path;
+  /// Where it is here.
+  std::filesystem::path source;
+  std::string contents, sha256;
+};
+
+/// The files that a robot of a set shall have; `folder` is that of the set's file. Fails with all files that
+/// cannot be read, are no layout or color table, or that robots do not take.
+tl::expected<std::vector<DeployFile>, robotlink::Errors> filesFor(const RobotSet::Robot& robot,
+                                                                  const std::filesystem::path& folder);
+
+/// How a file at a robot is, compared with the one here.
+struct DeployDifference {
+  enum class State { kSame, kDiffers, kMissing };
+  std::string path;
+  State state = State::kSame;
+  bool operator==(const DeployDifference&) const = default;
+};
+
+/// Compares and sends files to a robot that offers DeployServices. All functions block; one thread at a time.
+class Deployment {
+ public:
+  /// Called several times a second with the share that is done, 0 to 1; returns false to cancel.
+  using Progress = std::function<bool(double share)>;
+
+  explicit Deployment(ServiceCall call) : call_(std::move(call)) {}
+
+  /// One for each file, in their order.
+  robotlink::Result<std::vector<DeployDifference>> check(const std::vector<DeployFile>& files,
+                                                         const Progress& progress = {});
+  /// Sends what differs, and checks again; fails if something differs still.
+  robotlink::Result<std::vector<DeployDifference>> send(const std::vector<DeployFile>& files,
+                                                        const Progress& progress = {});
+
+ private:
+  PendingAnswer::Answer ask(const std::string& service, const std::string& argument, const Progress& progress,
+                            double share);
+
+  const ServiceCall call_;
+};
+
+/// "2 of 14 files differ: layouts/compact.yaml differs, motions/sit.mof is missing".
+std::string describe(const std::vector<DeployDifference>& differences);
+
+}  // namespace app

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <future>
+#include <mutex>
+#include <ostream>
+#include <stdexcept>
+#include <streambuf>
+#include <string>
+
+#include "app/core/ServedPlatform.h"
+#include "app/core/simulated/SimulationFeed.h"
+#include "logplayer/record/Recorder.h"
+
+namespace app::test {
+
+/// A simulated robot elsewhere, as `robotctl sim --listen` serves it, with all its services.
+class ServedHall {
+ public:
+  explicit ServedHall(ServeOptions options = {}) {
+    auto url = printed_.url();
+    served_ = std::async(std::launch::async, [this, options] {
+      return serve(
+          SimulationFeed::opening(defaultSimulation()), options, recorder_, [this] { return ended_.load(); },
+          out_);
+    });
+    url_ = url.get();
+  }
+  ~ServedHall() {
+    ended_ = true;
+    served_.wait();
+  }
+  ServedHall(const ServedHall&) = delete;
+  ServedHall& operator=(const ServedHall&) = delete;
+
+  /// "ws://127.0.0.1:40123"
+  const std::string& url() const { return url_; }
+  /// Where it listens; for another one at the same place.
+  robotlink::websocket::ListenAddress address() const {
+    return {"127.0.0.1", static_cast<std::uint16_t>(std::stoi(url_.substr(url_.rfind(':') + 1)))};
+  }
+
+ private:
+  /// What the robot prints, up to the line that says where it is.
+  class Printed : public std::streambuf {
+   public:
+    std::future<std::string> url() { return url_.get_future(); }
+
+   protected:
+    int_type overflow(int_type c) override {
+      if (c != '\n') {
+        line_ += static_cast<char>(c);
+        return c;
+      }
+      const std::size_t at = line_.find(" at ws");
+      if (at != std::string::npos && !isTold_) {
+        isTold_ = true;
+        url_.set_value(line_.substr(at + 4));
+      }
+      line_.clear();
+      return c;
+    }
+
+   private:
+    std::string line_;
+    bool isTold_ = false;
+    std::promise<std::string> url_;
+  };
+
+  Printed printed_;
+  std::ostream out_{&printed_};
+  logplayer::Recorder recorder_{{}};
+  std::atomic<bool> ended_{false};
+  std::future<robotlink::Errors> served_;
+  std::string url_;
+};
+
+}  // namespace app::test
