@@ -101,8 +101,8 @@ void MainWindow::createActions() {
   addAction(toolBar_->stopAction());
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
-  remote_ = new RemoteMenus(workbench_, this);
-  remoteLine_ = new RemoteLine(workbench_, *statusBar());
+  remote_ = new RemoteMenus(workbench_, *actions_, this);
+  remoteLine_ = new RemoteLine(workbench_, *actions_, *statusBar());
   connect(remoteLine_, &RemoteLine::connectionsClicked, remote_, &RemoteMenus::showConnect);
   connect(remoteLine_, &RemoteLine::offerClicked, remote_, &RemoteMenus::showOffer);
 }

@@ -86,6 +86,8 @@ void MainWindow::createRobotMenus() {
   robot->setObjectName(QStringLiteral("robotMenu"));
   remote_->addConnect(*robot);
   platforms_->addForms(*robot, "robot");
+  remote_->addRobots(*robot);
+  remote_->addRecordings(*robot);
   remote_->addOffer(*robot);
   robot->addSeparator();
   robot->addAction(toolBar_->stopAction());

@@ -66,13 +66,9 @@ void RemoteDialog::createFields() {
   url_->setInsertPolicy(QComboBox::NoInsert);
   url_->setEditText(QStringLiteral("ws://127.0.0.1:8765"));
   form->addRow(tr("&URL:"), url_);
-  token_ = new QLineEdit(this);
-  widgets::describe(*token_, {"remoteToken", tr("Token"),
-                              tr("The robot shows it when it is started; it is not kept after the end of "
-                                 "this program")});
-  token_->setPlaceholderText(tr("none"));
-  token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
-  form->addRow(tr("&Token:"), token_);
+  QLayout* token = createToken();
+  form->addRow(tr("&Token:"), token);
+  static_cast<QLabel*>(form->labelForField(token))->setBuddy(token_);
   program_ = new QComboBox(this);
   widgets::describe(*program_,
                     {"remoteProgram", tr("Program"),
@@ -96,6 +92,49 @@ void RemoteDialog::createFields() {
   progress_->setSizePolicy(keepsPlace);
   progress_->hide();
   layout()->addWidget(progress_);
+}
+
+QLayout* RemoteDialog::createToken() {
+  token_ = new QLineEdit(this);
+  widgets::describe(*token_,
+                    {"remoteToken", tr("Token"),
+                     tr("The robot prints it when it is made. A robot that wants one asks for it, and "
+                        "it can be remembered then")});
+  token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
+  forget_ = new QPushButton(tr("&Forget"), this);
+  widgets::describe(*forget_, {"remoteForgetToken", tr("Forget the token"),
+                               tr("Forgets the token that is remembered for this robot")});
+  connect(forget_, &QPushButton::clicked, this, &RemoteDialog::forgetToken);
+  connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showToken);
+  auto* row = new QHBoxLayout;
+  row->addWidget(token_, 1);
+  row->addWidget(forget_);
+  showToken();
+  return row;
+}
+
+std::string RemoteDialog::enteredUrl() const {
+  QString url = url_->currentText().trimmed();
+  if (!url.contains(QStringLiteral("://"))) url.prepend(QStringLiteral("ws://"));
+  const auto parsed = robotlink::websocket::parseServerUrl(url.toStdString());
+  return parsed ? toString(*parsed) : std::string();
+}
+
+void RemoteDialog::showToken() {
+  const bool isRemembered = RemoteRobots::hasToken(enteredUrl());
+  token_->setPlaceholderText(isRemembered ? tr("remembered") : tr("none"));
+  forget_->setVisible(isRemembered);
+}
+
+void RemoteDialog::forgetToken() {
+  const auto done = commands_.run("remote.forget-token", {enteredUrl()});
+  if (!done) fail(QString::fromStdString(done.error().describe()));
+  showToken();
+}
+
+void RemoteDialog::showEvent(QShowEvent* event) {
+  showToken();
+  QDialog::showEvent(event);
 }
 
 void RemoteDialog::createConnections() {

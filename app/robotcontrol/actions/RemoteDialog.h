@@ -46,8 +46,17 @@ class RemoteDialog final : public QDialog {
   /// Shows why a body that the user asked for could not be opened.
   void failHosted(const QString& reason);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void createFields();
+  QLayout* createToken();
+  /// The URL that the user has entered, as connections have it; empty if it is none.
+  std::string enteredUrl() const;
+  /// Shows whether a token is remembered for it.
+  void showToken();
+  void forgetToken();
   void createConnections();
   /// Puts a server to the front of the recent ones.
   void remember(const Recent& server);
@@ -69,6 +78,7 @@ class RemoteDialog final : public QDialog {
   QComboBox* url_ = nullptr;
   QComboBox* program_ = nullptr;
   QLineEdit* token_ = nullptr;
+  QPushButton* forget_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QTreeWidget* connections_ = nullptr;

@@ -7,16 +7,22 @@
 #include "app/core/Workbench.h"
 #include "app/core/body/BodyFeed.h"
 #include "app/robotcontrol/actions/OfferDialog.h"
+#include "app/robotcontrol/actions/RecordingsDialog.h"
 #include "app/robotcontrol/actions/RemoteDialog.h"
+#include "app/robotcontrol/actions/RemoteQuestions.h"
+#include "app/robotcontrol/actions/RobotsDialog.h"
 #include "widgets/Icon.h"
 
 namespace app {
 
-RemoteMenus::RemoteMenus(Workbench& workbench, QWidget* window)
+RemoteMenus::RemoteMenus(Workbench& workbench, CommandActions& actions, QWidget* window)
     : QObject(window),
       workbench_(workbench),
       connect_(new RemoteDialog(workbench.commands(), workbench.remote(), window)),
-      offer_(new OfferDialog(workbench.commands(), workbench.offer(), window)) {}
+      offer_(new OfferDialog(workbench.commands(), workbench.offer(), window)),
+      recordings_(new RecordingsDialog(workbench, actions, window)),
+      questions_(new RemoteQuestions(workbench, actions, window)),
+      robots_(new RobotsDialog(workbench, actions, window)) {}
 
 void RemoteMenus::addConnect(QMenu& menu) {
   QAction* join = menu.addAction(widgets::icon("connect"), tr("C&onnect…"), this, &RemoteMenus::showConnect,
@@ -36,6 +42,20 @@ void RemoteMenus::addOffer(QMenu& menu) {
   offer->setToolTip(tr("Lets others watch and steer what is open here"));
 }
 
+void RemoteMenus::addRobots(QMenu& menu) {
+  QAction* robots = menu.addAction(widgets::icon("robot"), tr("Rob&ots…"), this, [this] { show(*robots_); });
+  robots->setObjectName(QStringLiteral("remote.robots"));
+  robots->setToolTip(
+      tr("Connects sets of robots, and sends them layouts, parameters, motions and color tables"));
+}
+
+void RemoteMenus::addRecordings(QMenu& menu) {
+  QAction* recordings = menu.addAction(tr("&Recordings at the robot…"), this, [this] { show(*recordings_); });
+  recordings->setObjectName(QStringLiteral("remote.recordings"));
+  recordings->setToolTip(
+      tr("Begins, fetches, opens and deletes recordings in the storage of robots elsewhere"));
+}
+
 void RemoteMenus::fillAgain() {
   again_->clear();
   for (const RemoteDialog::Recent& server : connect_->recent()) {
@@ -43,7 +63,7 @@ void RemoteMenus::fillAgain() {
     const QString entry = server.isHosted ? tr("%1, program here").arg(text) : text;
     again_->addAction(entry, this, [this, url = server.url.toStdString(), here = server.isHosted] {
       if (here) return host(url);
-      // With a token it has to be entered again.
+      // A token that is not remembered is asked for.
       if (!workbench_.commands().run("remote.connect", {url, std::string()})) showConnect();
     });
   }
@@ -80,6 +100,9 @@ void RemoteMenus::tick() {
   const bool isBody = loaded != nullptr && loaded->adapter == BodyFeed::kAdapter && !workbench_.loading();
   connect_->showHosted(isBody ? QString::fromStdString(loaded->sources.front()) : QString());
   offer_->tick();
+  recordings_->tick();
+  questions_->tick();
+  robots_->tick();
 }
 
 void RemoteMenus::load(const QJsonObject& window) {
@@ -92,6 +115,8 @@ void RemoteMenus::load(const QJsonObject& window) {
   }
   connect_->setRecent(servers);
   offer_->setAddress(window.value(QStringLiteral("offer_address")).toString());
+  const QString set = window.value(QStringLiteral("robot_set")).toString();
+  if (!set.isEmpty()) robots_->open(set);
 }
 
 void RemoteMenus::save(QJsonObject& window) const {
@@ -102,6 +127,7 @@ void RemoteMenus::save(QJsonObject& window) const {
                                {QStringLiteral("program_here"), server.isHosted}});
   window.insert(QStringLiteral("recent_servers"), servers);
   window.insert(QStringLiteral("offer_address"), offer_->address());
+  window.insert(QStringLiteral("robot_set"), robots_->file());
 }
 
 }  // namespace app

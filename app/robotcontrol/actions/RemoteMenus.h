@@ -9,22 +9,31 @@ class QWidget;
 
 namespace app {
 
+class CommandActions;
 class OfferDialog;
+class RecordingsDialog;
 class RemoteDialog;
+class RemoteQuestions;
+class RobotsDialog;
 class Workbench;
 
-/// The entries of menus for robots elsewhere, with their dialogs: connecting such robots, and offering this
-/// session to others. GUI thread; belongs to the window; the workbench must outlive it.
+/// The entries of menus for robots elsewhere, with their dialogs: connecting such robots, their recordings,
+/// and offering this session to others. GUI thread; belongs to the window; workbench and actions must outlive
+/// it.
 class RemoteMenus final : public QObject {
   Q_OBJECT
  public:
   /// `window` is the parent of dialogs.
-  RemoteMenus(Workbench& workbench, QWidget* window);
+  RemoteMenus(Workbench& workbench, CommandActions& actions, QWidget* window);
 
   /// Adds "Connect..." and "Connect again" with the servers that were connected last.
   void addConnect(QMenu& menu);
   /// Adds "Offer this session...".
   void addOffer(QMenu& menu);
+  /// Adds "Robots...": sets of them.
+  void addRobots(QMenu& menu);
+  /// Adds "Recordings at the robot...".
+  void addRecordings(QMenu& menu);
   void showConnect();
   void showOffer();
   /// To be called in each tick of the session.
@@ -47,6 +56,9 @@ class RemoteMenus final : public QObject {
   QMenu* again_ = nullptr;
   RemoteDialog* connect_;
   OfferDialog* offer_;
+  RecordingsDialog* recordings_;
+  RemoteQuestions* questions_;
+  RobotsDialog* robots_;
 };
 
 }  // namespace app

@@ -5,13 +5,16 @@
 #include <QToolButton>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/actions/CommandActions.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
+#include "widgets/SteeringState.h"
 
 namespace app {
 namespace {
 
 using widgets::Meaning;
+using Who = widgets::SteeringState::Who;
 using Phase = robotlink::websocket::ConnectionState::Phase;
 
 /// Longer texts are for the tool tip. All connections together have this room.
@@ -51,9 +54,15 @@ void show(QToolButton& button, const QString& text, Meaning meaning, int charact
 
 }  // namespace
 
-RemoteLine::RemoteLine(Workbench& workbench, QStatusBar& bar)
-    : QObject(&bar), workbench_(workbench), bar_(bar), offer_(addButton(QStringLiteral("statusOffer"))) {
+RemoteLine::RemoteLine(Workbench& workbench, CommandActions& actions, QStatusBar& bar)
+    : QObject(&bar),
+      workbench_(workbench),
+      actions_(actions),
+      bar_(bar),
+      offer_(addButton(QStringLiteral("statusOffer"))),
+      steering_(addButton(QStringLiteral("statusSteering"))) {
   connect(offer_, &QToolButton::clicked, this, &RemoteLine::offerClicked);
+  connect(steering_, &QToolButton::clicked, this, &RemoteLine::takeSteering);
 }
 
 QToolButton* RemoteLine::addButton(const QString& name) {
@@ -69,6 +78,7 @@ QToolButton* RemoteLine::addButton(const QString& name) {
 void RemoteLine::refresh() {
   showConnections();
   showOffer();
+  showSteering();
 }
 
 void RemoteLine::showConnections() {
@@ -114,6 +124,25 @@ void RemoteLine::showOffer() {
   show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, kCharacters);
   offer_->setToolTip(tr("This session is offered at %1: %2").arg(url, who));
   offer_->setAccessibleName(tr("Offer of this session"));
+}
+
+void RemoteLine::showSteering() {
+  const std::string& robot = workbench_.session().selectedRobot();
+  const auto state = widgets::steeringState(workbench_.session(), robot);
+  if (!state || state->who == Who::kNobody) return steering_->hide();
+  const bool isOther = state->who == Who::kOther;
+  show(*steering_, isOther ? tr("%1 Steer instead").arg(state->text) : state->text,
+       isOther ? Meaning::kWarning : Meaning::kGood, kCharacters);
+  steering_->setToolTip(isOther
+                            ? tr("%1 A click, and you steer it instead; STOP is anyone's.").arg(state->text)
+                            : tr("%1 A click lets others steer it.").arg(state->text));
+  steering_->setAccessibleName(tr("Who steers"));
+}
+
+void RemoteLine::takeSteering() {
+  const std::string robot = workbench_.session().selectedRobot();
+  const auto state = widgets::steeringState(workbench_.session(), robot);
+  if (state) actions_.run(QStringLiteral("robot.steer"), {robot, state->who == Who::kOther});
 }
 
 }  // namespace app

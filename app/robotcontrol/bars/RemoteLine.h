@@ -11,15 +11,17 @@ class QToolButton;
 
 namespace app {
 
+class CommandActions;
 class Workbench;
 
-/// The part of the status bar about links: how each connection to robots elsewhere is, and whether this
-/// session is offered to others. A click on one of them opens its dialog. GUI thread; the workbench must
-/// outlive its use.
+/// The part of the status bar about links: how each connection to robots elsewhere is, whether this session
+/// is offered to others, and who steers the selected robot. A click on one of the first opens its dialog; a
+/// click on the last takes the steering over, or gives it up. GUI thread; workbench and actions
+/// must outlive its use.
 class RemoteLine : public QObject {
   Q_OBJECT
  public:
-  RemoteLine(Workbench& workbench, QStatusBar& bar);
+  RemoteLine(Workbench& workbench, CommandActions& actions, QStatusBar& bar);
   /// Updates the buttons; called after each tick.
   void refresh();
 
@@ -34,12 +36,17 @@ class RemoteLine : public QObject {
   /// Shows how many connections there are.
   void showAll(const std::vector<RemoteRobots::Connection>& connections);
   void showOffer();
+  /// Shows who steers the selected robot, if several people can.
+  void showSteering();
+  void takeSteering();
 
   Workbench& workbench_;
+  CommandActions& actions_;
   QStatusBar& bar_;
   /// One for each connection; more than there are stay hidden.
   std::vector<QToolButton*> connections_;
   QToolButton* offer_;
+  QToolButton* steering_;
 };
 
 }  // namespace app

@@ -184,6 +184,49 @@ class RemoteGuiTest : public WindowTest {
     QVERIFY(state.text().isEmpty());
   }
 
+  void oneSteersTheOtherSeesItAndTakesOverByAClick() {
+    OfferedHall hall;
+    RemoteDesk anna(home_ / "anna"), ben(home_ / "ben");
+    for (RemoteDesk* desk : {&anna, &ben}) {
+      desk->run("remote.connect " + hall.url() + " ''");
+      QTRY_COMPARE_WITH_TIMEOUT(desk->robot(), QStringLiteral("red1"), kWaitMs);
+    }
+    const auto bar = [](RemoteDesk& desk) -> QToolButton& {
+      return desk.find<QToolButton>("statusSteering");
+    };
+    QVERIFY(!bar(anna).isVisible());
+    anna.run("robot.steer red1 true");
+    QTRY_VERIFY_WITH_TIMEOUT(bar(anna).text().startsWith(QStringLiteral("You steer red1")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(ben).toolTip().contains(QStringLiteral("RobotControl")), kWaitMs);
+    widgets::test::keepPicture(ben.window, "remote-steered-by-other");
+    QTest::mouseClick(&bar(ben), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(ben).text().startsWith(QStringLiteral("You steer red1")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(anna).toolTip().contains(QStringLiteral("steers red1")), kWaitMs);
+    // STOP is anyone's.
+    QTest::mouseClick(&anna.find<QToolButton>("stopButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hall.isStopped(), kWaitMs);
+    QTest::mouseClick(&bar(ben), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar(ben).isVisible() && !bar(anna).isVisible(), kWaitMs);
+  }
+
+  void whoOffersASessionTakesOverFromGuests() {
+    RemoteDesk host(home_ / "host");
+    host.workbench.open(SimulationFeed::opening(defaultSimulation()));
+    QTRY_VERIFY_WITH_TIMEOUT(host.loaded(), kWaitMs);
+    host.run("session.offer 127.0.0.1:0");
+    RemoteDesk guest(home_ / "guest");
+    guest.run("remote.connect " + host.workbench.offer().url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(guest.robot(), QStringLiteral("red1"), kWaitMs);
+    guest.run("robot.steer red1 true");
+    auto& button = host.find<QToolButton>("statusSteering");
+    QTRY_VERIFY_WITH_TIMEOUT(button.isVisible(), kWaitMs);
+    QVERIFY(button.toolTip().contains(QStringLiteral("steers red1")));
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("You steer red1."), kWaitMs);
+    auto& theirs = guest.find<QToolButton>("statusSteering");
+    QTRY_VERIFY_WITH_TIMEOUT(theirs.toolTip().contains(QStringLiteral("own computer steers")), kWaitMs);
+  }
+
   void aSessionIsOfferedToASecondPerson() {
     RemoteDesk first(home_ / "first");
     first.workbench.open(SimulationFeed::opening(defaultSimulation()));

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QString>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/core/deploy/RobotSet.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace app {
+
+class CommandActions;
+class Workbench;
+
+/// Sets of robots (app/core/deploy/ROBOT_SETS.md): edited as a table, saved as a file, connected as a whole;
+/// and what each robot shall have: compared by checksums, and sent. Not modal; its owner calls tick() in each
+/// tick of the session. GUI thread; workbench and actions must outlive it.
+class RobotsDialog final : public QDialog {
+  Q_OBJECT
+ public:
+  RobotsDialog(Workbench& workbench, CommandActions& actions, QWidget* parent = nullptr);
+  void tick();
+
+  /// The file of the set; empty: it has none yet.
+  QString file() const { return file_; }
+  /// Opens a set; says what is wrong with it.
+  void open(const QString& file);
+
+ private:
+  void createTop();
+  void createTable();
+  void createButtons();
+  void createReport();
+  void connectSignals();
+
+  // The set, and its rows.
+  RobotSet set() const;
+  void show(const RobotSet& set);
+  QTreeWidgetItem* addRow(const RobotSet::Robot& robot);
+  std::filesystem::path folder() const;
+  void setChanged(bool changed);
+  /// Asks before changes would be lost; returns whether to continue.
+  bool mayDiscard();
+  void newSet();
+  void askForFile();
+  void save();
+  void saveAs();
+  void addRobots();
+  void removeRobot();
+  /// Asks for what the current cell names: a file or a folder.
+  void chooseFile();
+
+  // The robots that are ticked.
+  std::vector<RobotSet::Robot> chosen() const;
+  void connectAll();
+  void disconnectAll();
+  enum class Deploy { kCheck, kSend };
+  void deploy(Deploy what);
+  void showStates();
+  void showReport();
+  void enableButtons();
+
+  Workbench& workbench_;
+  CommandActions& actions_;
+  QString file_;
+  bool isChanged_ = false, isShowing_ = false;
+  QLineEdit* name_ = nullptr;
+  QTreeWidget *table_ = nullptr, *report_ = nullptr;
+  QPushButton *remove_ = nullptr, *choose_ = nullptr, *connect_ = nullptr, *disconnect_ = nullptr,
+              *check_ = nullptr, *deploy_ = nullptr;
+  QLabel* state_ = nullptr;
+  /// Those that were compared or sent to, in the order of the report.
+  std::vector<RobotSet::Robot> reported_;
+};
+
+}  // namespace app
