@@ -94,7 +94,8 @@ void paintGaps(const Canvas& canvas, const TimeLineBand& band, const QRectF& plo
   const QColor warning = colorOf(Meaning::kWarning, canvas.palette);
   for (const robotlink::LineGap& gap : band.gaps) {
     const double from = std::max(plot.left(), canvas.look.scale.x(gap.from));
-    const double to = std::min(plot.right(), canvas.look.scale.x(gap.to.value_or(canvas.look.end)));
+    // One that lasts ends at no time that the session knows.
+    const double to = gap.to ? std::min(plot.right(), canvas.look.scale.x(*gap.to)) : plot.right();
     if (to < plot.left() || from > plot.right()) continue;
     const QRectF rect(from, plot.top(), std::max(2.0, to - from), plot.height());
     painter.fillRect(rect, mixed(canvas.base(), warning, 0.35));
@@ -105,8 +106,7 @@ void paintGaps(const Canvas& canvas, const TimeLineBand& band, const QRectF& plo
         timeText(gap.to.value_or(canvas.look.end) - gap.from, std::chrono::milliseconds(100));
     painter.drawText(
         text, Qt::AlignLeft | Qt::AlignVCenter,
-        canvas.elided(QCoreApplication::translate("TimeLine", "nothing received for %1 s").arg(length),
-                      text.width()));
+        canvas.elided(QCoreApplication::translate("TimeLine", "nothing for %1 s").arg(length), text.width()));
   }
 }
 

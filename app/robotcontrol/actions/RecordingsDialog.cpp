@@ -91,11 +91,10 @@ void RecordingsDialog::createList() {
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   widgets::styleTree(*list_);
   auto* fit = new widgets::ColumnFit(
-      *list_, {widgets::ColumnKind::kText, widgets::ColumnKind::kNumber, widgets::ColumnKind::kName,
-               widgets::ColumnKind::kName, widgets::ColumnKind::kName});
+      *list_, {widgets::ColumnKind::kName, widgets::ColumnKind::kNumber, widgets::ColumnKind::kName,
+               widgets::ColumnKind::kName, widgets::ColumnKind::kText});
   fit->expect(kRecordingSize, QStringLiteral("10000.00 MB"));
   fit->expect(kRecordingState, tr("is being recorded"));
-  fit->expect(kRecordingHere, tr("%1 % fetched").arg(100));
   list_->setMinimumHeight((kRecordingLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
   static_cast<QVBoxLayout*>(layout())->addWidget(list_, 1);
 }

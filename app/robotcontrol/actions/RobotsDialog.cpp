@@ -26,7 +26,7 @@ namespace app {
 namespace {
 
 constexpr int kRobotLines = 6, kReportLines = 6;
-constexpr int kMinSetWidth = 120;  // characters
+constexpr int kMinSetWidth = 132;  // characters
 
 /// Where a column's text is in a robot of a set.
 std::string RobotSet::Robot::*memberOf(int column) {
@@ -96,6 +96,7 @@ void RobotsDialog::createTable() {
   table_->setHeaderLabels({tr("Robot"), tr("Team"), tr("Role"), tr("Address"), tr("Layout"),
                            tr("Color table"), tr("Parameters"), tr("Motions"), tr("State")});
   table_->setRootIsDecorated(false);
+  table_->setTextElideMode(Qt::ElideMiddle);
   widgets::styleTree(*table_);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);

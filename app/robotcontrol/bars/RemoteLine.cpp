@@ -131,7 +131,10 @@ void RemoteLine::showSteering() {
   const auto state = widgets::steeringState(workbench_.session(), robot);
   if (!state || state->who == Who::kNobody) return steering_->hide();
   const bool isOther = state->who == Who::kOther;
-  show(*steering_, isOther ? tr("%1 Steer instead").arg(state->text) : state->text,
+  // Without the address, for which there is no room.
+  const QString other = state->name.section(QStringLiteral(" at "), 0, 0);
+  show(*steering_,
+       isOther ? tr("%1 steers %2. Steer instead").arg(other, QString::fromStdString(robot)) : state->text,
        isOther ? Meaning::kWarning : Meaning::kGood, kCharacters);
   steering_->setToolTip(isOther
                             ? tr("%1 A click, and you steer it instead; STOP is anyone's.").arg(state->text)
