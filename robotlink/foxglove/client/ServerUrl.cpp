@@ -53,6 +53,8 @@ Result<ServerUrl> parseServerUrl(std::string_view text) {
   url.host = rest.substr(isBracketed ? 1 : 0, hostEnd - (isBracketed ? 1 : 0));
   rest = rest.substr(isBracketed ? hostEnd + 1 : hostEnd);
   if (url.host.empty()) return wrongUrl(text, "the name of the host is missing");
+  if (url.host.find_first_of("[]") != std::string::npos)
+    return wrongUrl(text, "an address has one pair of brackets at most, such as [::1]");
   url.port = kDefaultPort;
   if (rest.empty()) return url;
   const auto port = parsedNumber<std::uint16_t>(rest.substr(1));

@@ -23,6 +23,8 @@ Result<ListenAddress> parseListenAddress(std::string_view text) {
   } else if (address.find(':') != std::string_view::npos) {
     return wrong("an IPv6 address needs brackets, such as [::1]:8765");
   }
+  if (address.find_first_of("[]") != std::string_view::npos)
+    return wrong("an address has one pair of brackets at most, such as [::1]:8765");
   if (address.empty()) return wrong("there is a colon, but no address before it");
   if (address != "localhost") result.address = address;
   return result;

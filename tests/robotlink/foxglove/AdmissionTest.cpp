@@ -78,7 +78,8 @@ TEST(ListenAddress, isAPortOrAnAddressWithOne) {
   EXPECT_EQ(parseListenAddress("[::1]:80").value(), (ListenAddress{"::1", 80}));
   EXPECT_EQ(toString({"::1", 80}), "[::1]:80");
   EXPECT_EQ(toString({"10.0.0.1", 80}), "10.0.0.1:80");
-  for (const char* wrong : {"", ":", "65536", "-1", "80x", "1.2.3.4", "1.2.3.4:", ":80", "::1:80", "[::1]"})
+  for (const char* wrong :
+       {"", ":", "65536", "-1", "80x", "1.2.3.4", "1.2.3.4:", ":80", "::1:80", "[[]]:2", "]:2", "[::1]"})
     EXPECT_FALSE(parseListenAddress(wrong)) << wrong;
   EXPECT_THAT(parseListenAddress("::1:80").error().text, HasSubstr("needs brackets"));
 }

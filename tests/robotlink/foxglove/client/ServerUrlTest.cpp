@@ -32,6 +32,7 @@ TEST(ServerUrl, anErrorSaysHowToWriteOne) {
   EXPECT_THAT(problemOf("ws://a:99999"), HasSubstr("port must be a number"));
   EXPECT_THAT(problemOf("ws://a:"), HasSubstr("port must be a number"));
   EXPECT_THAT(problemOf("ws://[::1:80"), HasSubstr("bracket"));
+  EXPECT_THAT(problemOf("ws://[[]:2"), HasSubstr("bracket"));
   EXPECT_THAT(problemOf("ws://a b"), HasSubstr("blanks"));
   EXPECT_THAT(problemOf("ws://a\r\nX: y"), HasSubstr("blanks"));
   EXPECT_THAT(problemOf("ws://me:secret@a"), Not(HasSubstr("secret")));
