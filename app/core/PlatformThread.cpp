@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
+#include "app/core/program/Abandoned.h"
 #include "app/core/replay/ReplayMoves.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -24,7 +25,16 @@ PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder&
     : session_(session),
       recorder_(recorder),
       thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); },
-               [this] { feed_.reset(); }}) {}
+               [this] { endFeed(); }}) {}
+
+void PlatformThread::endFeed() {
+  reportedAtEnd_.clear();
+  if (!feed_) return;
+  reportedAtEnd_ = feed_->end();
+  const std::shared_ptr<PlatformFeed> ended(std::move(feed_));
+  // A module that never returns must not keep everything else.
+  if (!ended->hasEnded()) abandon(ended, [feed = ended.get()] { return feed->hasEnded(); });
+}
 
 void PlatformThread::postOther(PacedThread::Job job) {
   {
@@ -47,9 +57,7 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
     ended_ = {before.adapter, before.sources, feed_->overrides()};
   }
   // First, so that its last messages do not get into the history of the next one.
-  reportedAtEnd_.clear();
-  if (feed_) reportedAtEnd_ = feed_->end();
-  feed_.reset();
+  endFeed();
   refuseForwarded();
   recorder_.setLive(!feed || !feed->describe().isLogged());
   feed_ = std::move(feed);

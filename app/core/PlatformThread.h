@@ -67,6 +67,8 @@ class PlatformThread {
     /// By robot.
     std::map<std::string, ProgramOverrides> overrides;
   };
+  /// Ends the platform, if there is one; what it reports about its end is kept.
+  void endFeed();
   /// Replaces the platform (null: by none) and restarts the session with it.
   void start(std::unique_ptr<PlatformFeed> feed);
   /// The overrides with which a platform is opened: those of the one that runs, or of the last one that had

@@ -16,6 +16,7 @@
 #include "app/core/platform/FieldOptions.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/PlatformAdapter.h"
+#include "app/core/program/Abandoned.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
@@ -279,7 +280,10 @@ int start(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("RobotControl"));
   QApplication::setApplicationVersion(QStringLiteral(ROBOTCONTROL_VERSION));
   useFontOfDesktops();
-  return run(arguments);
+  const int status = run(arguments);
+  // A module that never returns does not keep the program.
+  app::leave(status);
+  return status;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "app/core/own/OwnProgramMain.h"
+#include "app/core/program/Abandoned.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Resources.h"
@@ -88,5 +89,8 @@ int main(int argc, char** argv) {
   } catch (const std::exception& exception) {
     std::cerr << "robotctl: " << exception.what() << "\n";
   }
-  return app::finish(status);
+  status = app::finish(status);
+  // A module that never returns does not keep the program.
+  app::leave(status);
+  return status;
 }

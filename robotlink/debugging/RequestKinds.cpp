@@ -84,9 +84,12 @@ std::string wrongSimulationSpeed(const Request& request) {
 }
 
 std::string wrongHosting(const Request& request) {
-  return robotcontrol::HostProgram::Where_IsValid(request.host_program().where())
+  const auto& wanted = request.host_program();
+  if (!robotcontrol::HostProgram::Where_IsValid(wanted.where()))
+    return "there is no such place for a program";
+  return robotcontrol::HostProgram::Executor_IsValid(wanted.executor())
              ? ""
-             : "there is no such place for a program";
+             : "there is no such way to execute processes";
 }
 
 std::string wrongReplay(const Request& request) {

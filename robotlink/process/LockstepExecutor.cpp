@@ -16,8 +16,10 @@ void LockstepExecutor::step() {
 }
 
 void LockstepExecutor::runProcesses() {
-  if (platforms_.empty()) return;
-  const Instant now = platforms_.front().process->clock().now();
+  if (!platforms_.empty()) runProcesses(platforms_.front().process->clock().now());
+}
+
+void LockstepExecutor::runProcesses(Instant now) {
   runUntilNoneCan(now);
   for (Entry& entry : processes_) {
     reportFailure(entry);

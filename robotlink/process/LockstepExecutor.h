@@ -42,6 +42,8 @@ class LockstepExecutor {
   void step();
   /// The first half of a step: runs processes until none can run.
   void runProcesses();
+  /// The same at an instant of an executor that has no platforms.
+  void runProcesses(Instant now);
   /// The second half of a step. A caller that begins with this half, such as a log player, sees what the
   /// processes compute from the new instant.
   void stepPlatforms();

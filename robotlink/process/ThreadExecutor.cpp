@@ -5,6 +5,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -19,6 +20,12 @@ std::string setNiceOfThisThread(int nice) {
   return std::strerror(errno);
 }
 
+std::int64_t steadyNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
 }  // namespace
 
 ThreadExecutor::ThreadExecutor(Options options) : options_(std::move(options)) {}
@@ -29,16 +36,32 @@ ThreadExecutor::~ThreadExecutor() {
 
 void ThreadExecutor::start() {
   for (Process* process : processes_) {
-    threads_.emplace_back([this, process] { run(*process); });
+    Slot& slot = *slots_.emplace_back(std::make_unique<Slot>(*process));
+    slot.thread = std::thread([this, &slot] { run(slot); });
   }
 }
 
-void ThreadExecutor::run(Process& process) {
+void ThreadExecutor::run(Slot& slot) {
+  Process& process = slot.process;
   const std::string refused = setNiceOfThisThread(process.priority());
   if (!refused.empty() && options_.onPriorityRefused) options_.onPriorityRefused(process, refused);
   constexpr std::chrono::milliseconds kLimit{1000};
-  while (process.waitForFrame(kLimit)) process.runFrame();
+  while (process.waitForFrame(kLimit)) {
+    slot.since.store(steadyNanoseconds());
+    process.runFrame();
+    slot.since.store(0);
+  }
   if (!process.failure().empty() && options_.onFailed) options_.onFailed(process);
+  slot.hasEnded.store(true);
+}
+
+std::chrono::nanoseconds ThreadExecutor::busyFor(const Process& process) const {
+  for (const auto& slot : slots_) {
+    if (&slot->process != &process) continue;
+    const std::int64_t since = slot->since.load();
+    return std::chrono::nanoseconds(since == 0 ? 0 : steadyNanoseconds() - since);
+  }
+  return {};
 }
 
 void ThreadExecutor::clockAdvanced() {
@@ -47,12 +70,29 @@ void ThreadExecutor::clockAdvanced() {
   }
 }
 
+bool ThreadExecutor::hasEnded() const {
+  return std::ranges::all_of(slots_, [](const auto& slot) { return slot->hasEnded.load(); });
+}
+
+bool ThreadExecutor::hasEnded(const Process& process) const {
+  return std::ranges::all_of(
+      slots_, [&](const auto& slot) { return &slot->process != &process || slot->hasEnded.load(); });
+}
+
+bool ThreadExecutor::stopWithin(std::chrono::milliseconds limit) {
+  for (Process* process : processes_) process->stop();
+  const auto end = std::chrono::steady_clock::now() + limit;
+  constexpr std::chrono::milliseconds kLook{1};
+  while (!hasEnded() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
+  return hasEnded();
+}
+
 void ThreadExecutor::stop() {
   for (Process* process : processes_) process->stop();
-  for (std::thread& thread : threads_) {
-    if (thread.joinable()) thread.join();
+  for (const auto& slot : slots_) {
+    if (slot->thread.joinable()) slot->thread.join();
   }
-  threads_.clear();
+  slots_.clear();
 }
 
 }  // namespace robotlink

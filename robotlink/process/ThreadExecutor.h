@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <functional>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -35,13 +38,28 @@ class ThreadExecutor {
   void clockAdvanced();
   /// Stops all processes and joins their threads. Processes cannot be started again.
   void stop();
+  /// The same, but waits only so long. Returns false if there are frames that have not ended by then: this
+  /// object and what these frames use must exist until hasEnded().
+  bool stopWithin(std::chrono::milliseconds limit);
+  bool hasEnded() const;
+  bool hasEnded(const Process& process) const;
+  /// How long the present frame of a process has lasted in real time; zero between frames.
+  std::chrono::nanoseconds busyFor(const Process& process) const;
 
  private:
-  void run(Process& process);
+  struct Slot {
+    explicit Slot(Process& executed) : process(executed) {}
+    Process& process;
+    /// When the present frame began, steady nanoseconds; 0 between frames.
+    std::atomic<std::int64_t> since{0};
+    std::atomic<bool> hasEnded{false};
+    std::thread thread;
+  };
+  void run(Slot& slot);
 
   Options options_;
   std::vector<Process*> processes_;
-  std::vector<std::thread> threads_;
+  std::vector<std::unique_ptr<Slot>> slots_;
 };
 
 }  // namespace robotlink

@@ -35,7 +35,7 @@ HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
   stack_->setMaximumHeight(kStackLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height());
   auto* row = new QHBoxLayout;
   row->addWidget(text_, 1);
-  for (QAction* action : {startAgain_, own_}) row->addWidget(makeLabeledButton(this, action));
+  for (QAction* action : {startAgain_, threads_, own_}) row->addWidget(makeLabeledButton(this, action));
   auto* menu = new QMenu(this);
   menu->addAction(allOwn_);
   menu->addAction(allInside_);
@@ -57,12 +57,19 @@ void HostingBar::createActions() {
       {"hostingOwn", tr("Own process"),
        tr("Runs the program of this robot in a process of its own: if it crashes or hangs, nothing "
           "else is harmed")});
+  threads_ = makeToggle(this, "processes",
+                        {"hostingThreads", tr("Threads"),
+                         tr("Gives each process of the programs of all robots a thread, with the priority of "
+                            "the layout, in real "
+                            "time; otherwise they are executed one after the other, and the same input gives "
+                            "the same results")});
   allOwn_ = makeAction(this, "processes",
                        {"hostingAllOwn", tr("Each in a process of its own"),
                         tr("Runs the program of each robot in a process of its own")});
   allInside_ = makeAction(
       this, "app", {"hostingAllInside", tr("In the workbench"), tr("Runs all programs in the workbench")});
   connect(own_, &QAction::triggered, this, [this](bool own) { choose(own, Robots::kThis); });
+  connect(threads_, &QAction::triggered, this, &HostingBar::chooseExecutor);
   connect(allOwn_, &QAction::triggered, this, [this] { choose(true, Robots::kAll); });
   connect(allInside_, &QAction::triggered, this, [this] { choose(false, Robots::kAll); });
   connect(startAgain_, &QAction::triggered, this, [this] {
@@ -78,6 +85,12 @@ void HostingBar::choose(bool own, Robots robots) {
   Q_EMIT chosen(choice, robots);
 }
 
+void HostingBar::chooseExecutor(bool threads) {
+  HostProgram choice;
+  choice.set_executor(threads ? HostProgram::THREADS : HostProgram::LOCKSTEP);
+  Q_EMIT chosen(choice, Robots::kAll);
+}
+
 void HostingBar::setStatus(const HostingStatus* status) {
   setVisible(status != nullptr);
   if (status == nullptr) return;
@@ -87,12 +100,15 @@ void HostingBar::setStatus(const HostingStatus* status) {
     text = status->own_process() ? tr("The program runs in a process of its own, number %1. A debugger looks "
                                       "at it with: gdb -p %1")
                                        .arg(status->pid())
-                                 : tr("The program runs in the workbench.");
+           : status->threads()
+               ? tr("The program runs in the workbench, each of its processes in a thread of its own.")
+               : tr("The program runs in the workbench.");
   }
   showOutcome(*text_, text, !runs);
   stack_->setPlainText(QString::fromStdString(status->stack()));
   stack_->setVisible(!status->stack().empty());
   own_->setChecked(status->own_process());
+  threads_->setChecked(status->threads());
 }
 
 }  // namespace widgets

@@ -33,10 +33,12 @@ class HostingBar final : public QWidget {
  private:
   void createActions();
   void choose(bool own, Robots robots);
+  void chooseExecutor(bool threads);
 
   QLabel* text_ = nullptr;
   QPlainTextEdit* stack_ = nullptr;
   QAction* own_ = nullptr;
+  QAction* threads_ = nullptr;
   QAction* allOwn_ = nullptr;
   QAction* allInside_ = nullptr;
   QAction* startAgain_ = nullptr;

@@ -10,6 +10,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
@@ -165,7 +166,9 @@ void BodyFeed::adopt(RobotHost::Candidate program) {
   robot_->adopt(std::move(program));
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       .kind = ExecutorKind::kThreads,
-      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); }});
+      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); },
+      .patience = kModulePatience,
+      .stuck = [this](const auto&, const std::string& what) { robot_->noteStuck(what); }});
   lostChoices_ = robot_->begin(*executor_);
   if (const auto& map = robot_->robot().map)
     tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map, clock_.now())});
@@ -173,18 +176,24 @@ void BodyFeed::adopt(RobotHost::Candidate program) {
 }
 
 void BodyFeed::stopProgram() {
-  executor_.reset();
-  if (robot_) robot_->stop();
+  if (!robot_) return;
+  leftOver_.end(std::move(executor_), {robot_.get()});
+  robot_->stop();
 }
 
 RobotHost::Listeners BodyFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            gate_.publishTrouble(robot, process, text);
-          },
-          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            gate_.publishPlatform(robot, time, text);
-          }};
+  return {
+      [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
+      [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+        gate_.publishTrouble(robot, process, text);
+      },
+      [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+        gate_.publishPlatform(robot, time, text);
+      },
+      {},
+      [this](const std::string& robot, robotlink::Instant time, const robotcontrol::HostingStatus& status) {
+        if (!status.text().empty()) gate_.publishHosting(robot, time, status);
+      }};
 }
 
 // ---- Running it
@@ -201,6 +210,7 @@ void BodyFeed::begin() {
 }
 
 void BodyFeed::step() {
+  leftOver_.forgetEnded();
   robot_->enqueueRequests();
   tap_->askForPackages();
   executor_->step();
@@ -250,7 +260,7 @@ std::vector<std::string> BodyFeed::end() {
   gate_.keepReports();
   stopProgram();
   if (stopSwitch_) stopSwitch_->forget();
-  robot_->reportPlatform();
+  robot_->endPlatform();
   return gate_.keptReports();
 }
 

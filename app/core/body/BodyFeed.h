@@ -9,6 +9,7 @@
 #include "app/core/body/RemoteBodyPlatform.h"
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotHost.h"
 
@@ -59,6 +60,7 @@ class BodyFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::vector<std::string> end() override;
+  bool hasEnded() const override { return leftOver_.haveEnded(); }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return stopSwitch_; }
   std::map<std::string, ProgramOverrides> overrides() const override;
 
@@ -100,6 +102,7 @@ class BodyFeed final : public PlatformFeed {
   std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;
+  LeftOverPrograms leftOver_;
   std::unique_ptr<ProgramExecutor> executor_;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;

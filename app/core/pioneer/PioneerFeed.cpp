@@ -56,7 +56,8 @@ PioneerRun::Listeners PioneerFeed::listeners() {
 
 std::vector<std::string> PioneerFeed::end() {
   gate_.keepReports();
-  run_.reset();
+  run_->end();
+  if (run_->hasEnded()) run_.reset();
   return gate_.keptReports();
 }
 

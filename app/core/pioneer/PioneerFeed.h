@@ -34,6 +34,7 @@ class PioneerFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::vector<std::string> end() override;
+  bool hasEnded() const override { return !run_ || run_->hasEnded(); }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
   std::map<std::string, ProgramOverrides> overrides() const override;
   void connectNow() override { run_->connectNow(); }

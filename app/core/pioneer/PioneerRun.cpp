@@ -112,7 +112,9 @@ void PioneerRun::start(RobotHost::Candidate program) {
   robot_->adopt(std::move(program));
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       .kind = ExecutorKind::kThreads,
-      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); }});
+      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); },
+      .patience = kModulePatience,
+      .stuck = [this](const auto&, const std::string& what) { robot_->noteStuck(what); }});
   lostChoices_ = robot_->begin(*executor_);
   if (const auto& known = map(); known && tap_)
     tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*known, clock_.now())});
@@ -120,11 +122,22 @@ void PioneerRun::start(RobotHost::Candidate program) {
 }
 
 void PioneerRun::stop() {
-  executor_.reset();
+  if (robot_) leftOver_.end(std::move(executor_), {robot_.get()});
   if (robot_) robot_->stop();
 }
 
+void PioneerRun::end() {
+  stop();
+  if (stopSwitch_) stopSwitch_->forget();
+  robot_->endPlatform();
+}
+
+bool PioneerRun::hasEnded() const {
+  return leftOver_.haveEnded();
+}
+
 void PioneerRun::step() {
+  leftOver_.forgetEnded();
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
   if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_));

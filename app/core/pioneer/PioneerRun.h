@@ -9,6 +9,7 @@
 
 #include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/platform/StopSwitch.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/spread/SpreadOptions.h"
 
@@ -70,8 +71,13 @@ class PioneerRun {
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
   static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(
       PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
-  /// Ends the program and the connection.
+  /// Ends the program and the connection. Waits for modules that do not return, unless end() was called and
+  /// hasEnded() is true.
   ~PioneerRun();
+  /// Ends the program and the connection. Nothing else but hasEnded() may be called then.
+  void end();
+  /// Whether all modules of programs that were ended have returned. Any thread, after end().
+  bool hasEnded() const;
 
   /// One step of the platform: requests, commands, sensor data.
   void step();
@@ -127,6 +133,7 @@ class PioneerRun {
   std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;
+  LeftOverPrograms leftOver_;
   std::unique_ptr<ProgramExecutor> executor_;
 };
 

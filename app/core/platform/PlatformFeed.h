@@ -83,6 +83,9 @@ class PlatformFeed {
   /// Ends the programs and shuts the platforms of the robots down; returns what these report, as a sentence
   /// each, since the session already belongs to nobody. Called once; then the feed is destroyed.
   virtual std::vector<std::string> end() { return {}; }
+  /// After end(): whether all modules of the programs have returned. Until then the feed must exist; nothing
+  /// else is called. Any thread.
+  virtual bool hasEnded() const { return true; }
 
   /// Fulfills a request or passes it to the program; the table of requests
   /// (robotlink/debugging/RequestKinds.h) says who is responsible. Fails with the reason if the request is

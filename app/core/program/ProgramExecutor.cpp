@@ -1,39 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/program/ProgramExecutor.h"
 
+#include <algorithm>
+
 namespace app {
+namespace {
+
+using robotlink::Process;
+
+/// How long the end of a frame is waited for when all are stopped.
+constexpr std::chrono::milliseconds kEndPatience{300};
+
+/// The process whose task is being executed; null if none is.
+const Process* busyProcess(const std::vector<Process*>& processes) {
+  const auto found =
+      std::ranges::find_if(processes, [](const Process* one) { return one->activity() != nullptr; });
+  return found == processes.end() ? nullptr : *found;
+}
+
+/// "ball-percept (region) of process cognition".
+std::string whatRuns(const Process* process) {
+  if (process == nullptr) return "its program";
+  const std::string* activity = process->activity();
+  return (activity != nullptr ? *activity + " of " : std::string()) + "process " + process->name();
+}
+
+}  // namespace
 
 const char* nameOf(ExecutorKind kind) {
   return kind == ExecutorKind::kLockstep ? "lockstep" : "threads";
 }
 
 ProgramExecutor::ProgramExecutor(Options options) : options_(std::move(options)) {
-  const auto failed = [this](const robotlink::Process& process) {
-    options_.trouble(process, "was stopped because it threw: " + process.failure());
-  };
   if (options_.kind == ExecutorKind::kLockstep) {
-    lockstep_ = std::make_unique<robotlink::LockstepExecutor>(robotlink::LockstepExecutor::Options{
-        .starvation = std::chrono::seconds(2),
-        .advance = options_.advance,
-        .onStarved = [this](const auto& process,
-                            const auto& what) { options_.trouble(process, "waits for " + what); },
-        .onFailed = failed});
-  } else {
-    threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-        .onFailed = failed, .onPriorityRefused = [this](const auto& process, const auto& why) {
-          options_.trouble(process, "runs with normal priority: " + why);
-        }});
+    auto lockstep = lockstepOptions();
+    lockstep.advance = options_.advance;
+    lockstep_ = std::make_unique<robotlink::LockstepExecutor>(std::move(lockstep));
+    return;
   }
+  const auto trouble = [muted = isMuted_, report = options_.trouble](const Process& process,
+                                                                     const std::string& text) {
+    if (!muted->load()) report(process, text);
+  };
+  threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
+      .onFailed =
+          [trouble](const Process& process) {
+            trouble(process, "was stopped because it threw: " + process.failure());
+          },
+      .onPriorityRefused = [trouble](
+                               const Process& process,
+                               const auto& why) { trouble(process, "runs with normal priority: " + why); }});
+}
+
+robotlink::LockstepExecutor::Options ProgramExecutor::lockstepOptions() const {
+  const auto trouble = [muted = isMuted_, report = options_.trouble](const Process& process,
+                                                                     const std::string& text) {
+    if (!muted->load()) report(process, text);
+  };
+  return {.starvation = std::chrono::seconds(2),
+          .advance = {},
+          .onStarved = [trouble](const auto& process,
+                                 const auto& what) { trouble(process, "waits for " + what); },
+          .onFailed =
+              [trouble](const auto& process) {
+                trouble(process, "was stopped because it threw: " + process.failure());
+              }};
 }
 
 ProgramExecutor::~ProgramExecutor() = default;
 
-void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes) {
+void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<Process*>& processes,
+                          Guard guard) {
+  Team& team = *teams_.emplace_back(std::make_unique<Team>());
+  team.platform = &platform;
+  team.processes = processes;
   if (lockstep_) lockstep_->add(platform);
-  if (threads_) platforms_.push_back(&platform);
-  for (robotlink::Process* process : processes) {
-    if (lockstep_) lockstep_->add(*process);
-    if (threads_) threads_->add(*process);
+  if (threads_) {
+    for (Process* process : processes) threads_->add(*process);
+  } else if (options_.patience.count() == 0) {
+    for (Process* process : processes) lockstep_->add(*process);
+  } else {
+    team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
+    for (Process* process : processes) team.lockstep->add(*process);
+    if (guard == Guard::kNo) return;
+    team.turns =
+        std::make_unique<TurnThread>([&team] { team.lockstep->runProcesses(team.platform->clock().now()); });
   }
 }
 
@@ -42,26 +93,85 @@ void ProgramExecutor::start() {
 }
 
 void ProgramExecutor::step() {
-  if (lockstep_) {
-    lockstep_->step();
-  } else {
-    stepPlatforms();
-  }
+  if (threads_) return stepPlatforms();
+  runProcesses();
+  lockstep_->stepPlatforms();
 }
 
 void ProgramExecutor::stepFromSensors() {
   lockstep_->stepPlatforms();
-  lockstep_->runProcesses();
+  runProcesses();
+}
+
+void ProgramExecutor::runProcesses() {
+  if (options_.patience.count() == 0) return lockstep_->runProcesses();
+  for (const auto& team : teams_) takeTurn(*team);
+}
+
+void ProgramExecutor::takeTurn(Team& team) {
+  if (!team.turns) return team.lockstep->runProcesses(team.platform->clock().now());
+  if (team.turns->isBusy()) return;
+  if (team.isStuck) setStuck(team, false, nullptr);
+  if (!team.turns->run(options_.patience)) setStuck(team, true, busyProcess(team.processes));
+}
+
+void ProgramExecutor::setStuck(Team& team, bool isStuck, const Process* process) {
+  team.isStuck = isStuck;
+  if (options_.stuck) options_.stuck(*team.platform, isStuck ? whatRuns(process) : std::string());
+}
+
+void ProgramExecutor::watchThreads() {
+  if (options_.patience.count() == 0) return;
+  for (const auto& team : teams_) {
+    const auto late = std::ranges::find_if(team->processes, [this](const Process* process) {
+      return threads_->busyFor(*process) > options_.patience;
+    });
+    const bool isStuck = late != team->processes.end();
+    if (isStuck != team->isStuck) setStuck(*team, isStuck, isStuck ? *late : nullptr);
+  }
+}
+
+bool ProgramExecutor::isStuck(const robotlink::Platform& platform) const {
+  const auto team = std::ranges::find(teams_, &platform, [](const auto& one) { return one->platform; });
+  return team != teams_.end() && (*team)->isStuck;
 }
 
 void ProgramExecutor::stepPlatforms() {
-  for (robotlink::Platform* platform : platforms_) {
-    platform->tryBeginFrame();
-    platform->guard([&] { platform->actuate(); });
+  for (const auto& team : teams_) {
+    team->platform->tryBeginFrame();
+    team->platform->guard([&] { team->platform->actuate(); });
   }
   options_.advance();
-  for (robotlink::Platform* platform : platforms_) platform->runFrame();
+  for (const auto& team : teams_) team->platform->runFrame();
   threads_->clockAdvanced();
+  watchThreads();
+}
+
+bool ProgramExecutor::stop() {
+  isMuted_->store(true);
+  if (threads_) return threads_->stopWithin(kEndPatience);
+  for (const auto& team : teams_) {
+    if (!team->turns) continue;
+    if (!team->turns->isBusy()) continue;
+    for (Process* process : team->processes) process->stop();
+    team->turns->waitFor(kEndPatience);
+  }
+  return hasEnded();
+}
+
+bool ProgramExecutor::hasEnded(const Team& team) const {
+  if (!threads_) return !team.turns || !team.turns->isBusy();
+  return std::ranges::all_of(team.processes,
+                             [this](const Process* process) { return threads_->hasEnded(*process); });
+}
+
+bool ProgramExecutor::hasEnded() const {
+  return std::ranges::all_of(teams_, [this](const auto& team) { return hasEnded(*team); });
+}
+
+bool ProgramExecutor::hasEnded(const robotlink::Platform& platform) const {
+  return std::ranges::all_of(
+      teams_, [&](const auto& team) { return team->platform != &platform || hasEnded(*team); });
 }
 
 }  // namespace app

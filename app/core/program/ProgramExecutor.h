@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/core/program/TurnThread.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
 
@@ -18,8 +22,11 @@ enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 const char* nameOf(ExecutorKind kind);
 
 /// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
-/// process in turn in the caller's thread, or each process in a thread of its own, with the platforms stepped
-/// by the caller. One thread at a time; with threads, `trouble` is called in the threads of the processes.
+/// process in turn, or each process in a thread of its own, with the platforms stepped by the caller.
+///
+/// With a `patience`, a frame that does not return within it keeps nothing but the program of its robot: in
+/// lockstep each robot's processes are executed in a thread of their own while the caller waits, with the
+/// same results. One thread at a time; with threads, `trouble` is called in the threads of the processes.
 class ProgramExecutor {
  public:
   /// The settings of an executor.
@@ -30,6 +37,12 @@ class ProgramExecutor {
     /// Called if something is wrong with a process, with the rest of a sentence: "was stopped because it
     /// threw: ...". Must not be empty.
     std::function<void(const robotlink::Process& process, const std::string& text)> trouble;
+    /// How long a frame may last, in real time, before it counts as not returning; 0: for ever, and in
+    /// lockstep processes are executed in the caller's thread.
+    std::chrono::milliseconds patience{0};
+    /// Called by step() for a platform whose program has such a frame, with what does not return, as in
+    /// "ball-percept (region) of process cognition"; and with an empty text when it has returned.
+    std::function<void(const robotlink::Platform& platform, const std::string& what)> stuck = {};
   };
   explicit ProgramExecutor(Options options);
   /// Stops the threads of all processes and waits for them.
@@ -37,8 +50,10 @@ class ProgramExecutor {
 
   ExecutorKind kind() const { return options_.kind; }
   /// Adds a robot before start(): its platform and its processes, in the order of their execution. All must
-  /// outlive this object.
-  void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes);
+  /// outlive this object. Processes that wait for others with a patience of their own are not guarded.
+  enum class Guard : bool { kNo, kYes };
+  void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes,
+           Guard guard = Guard::kYes);
   /// Starts the threads, if there are any; to be called once, after all add().
   void start();
   /// Makes one step: the platforms actuate, the world advances, the platforms send their sensor data. In
@@ -47,14 +62,43 @@ class ProgramExecutor {
   /// The same with the platforms first, so that the processes compute from the present sensor data. Only in
   /// lockstep.
   void stepFromSensors();
+  /// Whether the program of a platform has a frame that does not return.
+  bool isStuck(const robotlink::Platform& platform) const;
+
+  /// Stops all processes, and waits for their frames for a moment. Returns false if some have not returned:
+  /// this object, their programs and platforms, and the world must exist until hasEnded(). Nothing is called
+  /// any more.
+  bool stop();
+  bool hasEnded() const;
+  /// The same for the processes of one platform.
+  bool hasEnded(const robotlink::Platform& platform) const;
 
  private:
+  /// A robot.
+  struct Team {
+    robotlink::Platform* platform = nullptr;
+    std::vector<robotlink::Process*> processes;
+    /// Only in lockstep with patience.
+    std::unique_ptr<robotlink::LockstepExecutor> lockstep = nullptr;
+    bool isStuck = false;
+    /// After `lockstep`, which it uses.
+    std::unique_ptr<TurnThread> turns = nullptr;
+  };
+  robotlink::LockstepExecutor::Options lockstepOptions() const;
   /// A step with threads: the platforms' part only.
   void stepPlatforms();
+  /// The processes' part of a step in lockstep.
+  void runProcesses();
+  void takeTurn(Team& team);
+  bool hasEnded(const Team& team) const;
+  /// Looks for frames in threads that do not return, and for those that have.
+  void watchThreads();
+  void setStuck(Team& team, bool isStuck, const robotlink::Process* process);
 
   const Options options_;
-  /// Only with threads; the lockstep executor has its own list.
-  std::vector<robotlink::Platform*> platforms_;
+  std::vector<std::unique_ptr<Team>> teams_;
+  /// Shared with callbacks: nothing is reported after stop().
+  const std::shared_ptr<std::atomic<bool>> isMuted_ = std::make_shared<std::atomic<bool>>(false);
   /// One of the two is null, depending on the kind.
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;

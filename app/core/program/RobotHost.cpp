@@ -95,6 +95,9 @@ void RobotHost::adopt(Candidate candidate) {
 }
 
 std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
+  executor_ = executor.kind();
+  stuck_.clear();
+  stuckText_.clear();
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
@@ -104,9 +107,14 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
     lost = requests_.begin(*program_);
   }
   if (executor.kind() == ExecutorKind::kThreads) enqueueRequests();
-  executor.add(*platform_, processes_);
+  continueIn(executor);
   reportHosting();
   return lost;
+}
+
+void RobotHost::continueIn(ProgramExecutor& executor) {
+  using Guard = ProgramExecutor::Guard;
+  executor.add(*platform_, processes_, insideProgram() != nullptr ? Guard::kYes : Guard::kNo);
 }
 
 void RobotHost::setUp() {
@@ -134,6 +142,19 @@ void RobotHost::stop() {
   program_.reset();
 }
 
+std::unique_ptr<HostedProgram> RobotHost::release() {
+  if (program_) program_->stop();
+  return std::move(program_);
+}
+
+void RobotHost::noteStuck(const std::string& what) {
+  stuck_ = what;
+  stuckText_ = what.empty() ? "The program of " + robot_.name + " has returned and goes on."
+                            : "The program of " + robot_.name + " does not return from " + what +
+                                  ". The robot stands until it returns or its program is started again.";
+  reportHosting();
+}
+
 // ---- Requests
 
 /// The requests that the table of requests assigns to platforms.
@@ -155,6 +176,11 @@ robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request)
   }
   if (std::string why = program_ ? program_->refusal() : std::string(); !why.empty())
     return robotlink::failure("program.ended", std::move(why), {}, {robot_.name});
+  if (isStuck())
+    return robotlink::failure("program.stuck",
+                              "the program of " + robot_.name + " does not return from " + stuck_ +
+                                  "; start it again in the view Processes",
+                              {}, {robot_.name});
   if (requests_.ask(request)) return {};
   return robotlink::failure("request.queue-full",
                             "robot " + robot_.name + " does not take requests now: too many wait already", {},
@@ -178,6 +204,7 @@ void RobotHost::enqueueRequests() {
 }
 
 std::shared_ptr<const robotlink::SharedDebugQueue> RobotHost::answersToCome() {
+  if (isStuck()) return nullptr;
   return requests_.answersToCome(*program_, platform_->clock().now());
 }
 
@@ -193,7 +220,10 @@ void RobotHost::reportPlatform(const std::string& text) const {
 
 void RobotHost::reportHosting() {
   if (!program_) return;
-  const robotcontrol::HostingStatus status = program_->hosting();
+  robotcontrol::HostingStatus status = program_->hosting();
+  status.set_threads(executor_ == ExecutorKind::kThreads);
+  if (isStuck()) status.set_state(robotcontrol::HostingStatus::NOT_ANSWERING);
+  if (!stuckText_.empty()) status.set_text(stuckText_);
   platform_->setUnattended(status.state() != robotcontrol::HostingStatus::RUNNING);
   if (listeners_.hosting) listeners_.hosting(robot_.name, platform_->clock().now(), status);
 }

@@ -116,9 +116,17 @@ class RobotHost {
   std::vector<std::string> begin(ProgramExecutor& executor);
   /// Adds platform and program, which have begun, to another executor that has not started, because the
   /// program of another robot is replaced.
-  void continueIn(ProgramExecutor& executor) { executor.add(*platform_, processes_); }
+  void continueIn(ProgramExecutor& executor);
   /// Ends the program, whose processes must not be running in an executor any more. The platform stays.
   void stop();
+  /// Ends a program that has a frame which does not return; it must exist until that has returned.
+  std::unique_ptr<HostedProgram> release();
+  /// What of the program does not return, "ball-percept (region) of process cognition"; empty: it returns.
+  /// Meanwhile the robot stands.
+  void noteStuck(const std::string& what);
+  bool isStuck() const { return !stuck_.empty(); }
+  /// Shuts the platform down before this object is destroyed.
+  void endPlatform() { shutDown(); }
 
   /// Whether there is a handler that has the platform fulfill requests of this kind.
   static bool fulfills(const robotcontrol::Request& request);
@@ -170,6 +178,11 @@ class RobotHost {
   /// As in the candidate that was adopted last.
   bool overridden_ = false;
   std::vector<robotlink::Process*> processes_;
+  /// Since the last begin().
+  ExecutorKind executor_ = ExecutorKind::kLockstep;
+  std::string stuck_;
+  /// A sentence, when it has changed.
+  std::string stuckText_;
   /// Whether initialize() was called for platform_.
   bool platformIsSetUp_ = false;
 };

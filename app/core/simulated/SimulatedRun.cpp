@@ -204,8 +204,15 @@ void SimulatedRun::startPrograms(Candidates candidates) {
 
 void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
-      options_.executor, [this] { world_->advance(); },
-      [this](const auto& process, const auto& text) { reportTrouble(process, text); }});
+      .kind = options_.executor,
+      .advance = [this] { world_->advance(); },
+      .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
+      .patience = options_.patience,
+      .stuck =
+          [this](const auto& platform, const std::string& what) {
+            for (const auto& robot : robots_)
+              if (robot->platform() == &platform) robot->noteStuck(what);
+          }});
   lostChoices_.clear();
   for (const auto& robot : robots_) {
     if (std::ranges::find(robots, robot.get()) == robots.end()) {
@@ -217,20 +224,50 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_->start();
 }
 
-Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
+Errors SimulatedRun::checkHosting(const std::string& name, const robotcontrol::HostProgram& choice) const {
   using robotcontrol::HostProgram;
-  if (options_.executor != ExecutorKind::kLockstep)
-    return {{"program.threads", "programs are exchanged only while they run in lockstep", {}, {}}};
   if (!name.empty() && find(name) == nullptr)
     return {{"request.no-robot", "there is no robot " + name, {name}, {}}};
-  const RunOptions before = options_;
+  if (options_.instead)
+    return {{"program.elsewhere",
+             "the programs of these robots run elsewhere; only their bodies are here",
+             {},
+             {}}};
+  const bool threads = choice.executor() == HostProgram::SAME ? options_.executor == ExecutorKind::kThreads
+                                                              : choice.executor() == HostProgram::THREADS;
+  const bool own =
+      choice.where() == HostProgram::OWN_PROCESS ||
+      (choice.where() == HostProgram::UNCHANGED &&
+       std::ranges::any_of(robots_, [this](const auto& one) { return runsInOwnProcess(one->name()); }));
+  if (threads && own)
+    return {{"program.threads",
+             "programs in processes of their own run in lockstep only: choose either \"Threads\" or \"Own "
+             "process\"",
+             {},
+             {}}};
+  return {};
+}
+
+std::vector<RobotHost*> SimulatedRun::applyHosting(const std::string& name,
+                                                   const robotcontrol::HostProgram& choice) {
+  using robotcontrol::HostProgram;
+  const ExecutorKind before = options_.executor;
+  if (choice.executor() != HostProgram::SAME)
+    options_.executor =
+        choice.executor() == HostProgram::THREADS ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  // Threads are ended together.
+  const bool all =
+      before != options_.executor || (before == ExecutorKind::kThreads &&
+                                      (choice.start_again() || choice.where() != HostProgram::UNCHANGED));
   std::vector<RobotHost*> changed;
   for (const auto& robot : robots_) {
-    if (!name.empty() && robot->name() != name) continue;
+    const bool isMeant = name.empty() || robot->name() == name;
     const bool was = runsInOwnProcess(robot->name());
-    const bool own =
-        choice.where() == HostProgram::UNCHANGED ? was : choice.where() == HostProgram::OWN_PROCESS;
-    if (own != was || choice.start_again()) changed.push_back(robot.get());
+    const bool own = !isMeant || choice.where() == HostProgram::UNCHANGED
+                         ? was
+                         : choice.where() == HostProgram::OWN_PROCESS;
+    if (all || own != was || (isMeant && choice.start_again()) || robot->isStuck())
+      changed.push_back(robot.get());
     options_.otherwise.erase(robot->name());
     if (own != options_.ownProcesses) options_.otherwise.insert(robot->name());
   }
@@ -238,6 +275,14 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
     options_.ownProcesses = choice.where() == HostProgram::OWN_PROCESS;
     options_.otherwise.clear();
   }
+  return changed;
+}
+
+Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
+  if (Errors errors = checkHosting(name, choice); !errors.empty()) return errors;
+  const RunOptions before = options_;
+  const std::vector<RobotHost*> changed = applyHosting(name, choice);
+  if (changed.empty()) return {};
   Candidates candidates;
   for (RobotHost* robot : changed) {
     auto made = makeProgramOnPlatform(*robot);
@@ -247,7 +292,7 @@ Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::Ho
     }
     candidates.push_back(std::move(*made));
   }
-  executor_.reset();
+  stopExecutor();
   for (std::size_t i = 0; i < changed.size(); ++i) {
     changed[i]->stop();
     changed[i]->adopt(std::move(candidates[i]));
@@ -264,8 +309,24 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgramOnPlatform(R
       {.platform = nullptr, .file = file, .layout = std::move(*layout), .maker = makerFor(robot.name())});
 }
 
+void SimulatedRun::stopExecutor() {
+  std::vector<RobotHost*> all;
+  for (const auto& robot : robots_) all.push_back(robot.get());
+  leftOver_.end(std::move(executor_), all);
+}
+
+void SimulatedRun::end() {
+  stopPrograms();
+  ports_.reset();
+  for (const auto& robot : robots_) robot->endPlatform();
+}
+
+bool SimulatedRun::hasEnded() const {
+  return leftOver_.haveEnded();
+}
+
 void SimulatedRun::stopPrograms() {
-  executor_.reset();
+  stopExecutor();
   if (tap_) tap_->clear();
   for (const auto& robot : robots_) robot->stop();
 }
@@ -292,10 +353,12 @@ void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::s
 }
 
 void SimulatedRun::step() {
+  leftOver_.forgetEnded();
   for (const auto& robot : robots_) robot->enqueueRequests();
   if (tap_) tap_->askForPackages();
   if (options_.executor == ExecutorKind::kLockstep) {
-    for (const auto& robot : robots_) robot->startStep();
+    for (const auto& robot : robots_)
+      if (!robot->isStuck()) robot->startStep();
   }
   if (ports_) ports_->serve({});
   executor_->step();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "app/core/own/OwnProgram.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
 #include "app/core/simulated/KickOff.h"
@@ -50,6 +52,8 @@ struct RunOptions {
   /// TCP ports at which other programs find the Pioneers; unset: none.
   std::optional<ArcosPorts::Options> ports = {};
   ExecutorKind executor = ExecutorKind::kLockstep;
+  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  std::chrono::milliseconds patience{0};
   /// Where programs run: each in a process of the operating system of its own, or all inside.
   bool ownProcesses = false;
   /// The robots for which it is the other way, by name.
@@ -106,8 +110,12 @@ class SimulatedRun {
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
   static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(
       RunOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
-  /// Ends the programs.
+  /// Ends the programs. Waits for modules that do not return, unless end() was called and hasEnded() is true.
   ~SimulatedRun();
+  /// Ends the programs and closes the ports. Nothing else but hasEnded() may be called then.
+  void end();
+  /// Whether all modules of programs that were ended have returned. Any thread, after end().
+  bool hasEnded() const;
 
   /// Makes one step of the world, its platforms, and all processes that can run then.
   void step();
@@ -197,6 +205,11 @@ class SimulatedRun {
   void recordStep();
   /// Ends all programs and their executor.
   void stopPrograms();
+  /// Ends the executor; programs whose modules do not return are left over, the others stay.
+  void stopExecutor();
+  /// The robots whose programs are exchanged by hostProgram(); adapts the options.
+  std::vector<RobotHost*> applyHosting(const std::string& robot, const robotcontrol::HostProgram& choice);
+  robotlink::Errors checkHosting(const std::string& robot, const robotcontrol::HostProgram& choice) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// Lets the referee act, and reports goals and kick-offs.
@@ -216,6 +229,7 @@ class SimulatedRun {
   std::vector<std::string> lostChoices_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
+  LeftOverPrograms leftOver_;
   /// The last member, since it uses platforms and programs.
   std::unique_ptr<ProgramExecutor> executor_;
 };

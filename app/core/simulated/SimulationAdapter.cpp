@@ -56,6 +56,9 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
   options.ownProcesses = flagOf(values, "own", options.ownProcesses);
   if (values.contains("own")) options.otherwise.clear();
+  if (const std::string executor = textOf(values, "executor"); !executor.empty())
+    options.executor =
+        executor == nameOf(ExecutorKind::kThreads) ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
   if (const std::string layout = textOf(values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
 }
@@ -250,6 +253,18 @@ PlatformForm simulationForm() {
                          .isArgument = false,
                          .isShown = false,
                          .option = "--own-process"});
+  form.fields.push_back({.name = "executor",
+                         .kind = Kind::kChoice,
+                         .help = "How the processes of the programs are executed: lockstep, one after the "
+                                 "other and reproducible; or threads, one each, with the layout's priorities",
+                         .noun = "executor",
+                         .items =
+                             [] {
+                               return PlatformField::Items{{"lockstep", "lockstep"}, {"threads", "threads"}};
+                             },
+                         .isArgument = false,
+                         .isShown = false,
+                         .option = "--executor"});
   form.follow = followSimulation;
   return form;
 }

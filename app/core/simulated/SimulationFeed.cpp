@@ -50,6 +50,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
     RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices) {
   auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
   feed->choices_ = std::move(choices);
+  if (options.patience.count() == 0) options.patience = kModulePatience;
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -96,7 +97,8 @@ void SimulationFeed::inheritPlayback(const Going& before) {
 
 std::vector<std::string> SimulationFeed::end() {
   gate_.keepReports();
-  run_.reset();
+  run_->end();
+  if (run_->hasEnded()) run_.reset();
   return gate_.keptReports();
 }
 
@@ -118,6 +120,11 @@ void SimulationFeed::begin() {
 }
 
 std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
+  // Threads take the time that they take.
+  if (run_->options().executor == ExecutorKind::kThreads && pace_.speed() == 0) {
+    pace_.setSpeed(1);
+    restartPace();
+  }
   if (running_) return pace_.due(now());
   if (stepsWanted_ > 0) return Clock::now();
   return std::nullopt;

@@ -50,6 +50,7 @@ class SimulationFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::vector<std::string> end() override;
+  bool hasEnded() const override { return !run_ || run_->hasEnded(); }
 
  protected:
   /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.

@@ -101,6 +101,15 @@ class ProcessesViewTest : public QObject {
     bench.tick(*view);
     // Until the robot reports that it is so.
     QVERIFY(child<QToolButton>(*view, "hostingOwn").isChecked());
+    click(child<QToolButton>(*view, "hostingThreads"));
+    QCOMPARE(bench.requests.back().host_program().executor(), robotcontrol::HostProgram::THREADS);
+    QCOMPARE(bench.requests.back().robot(), std::string());  // all robots
+    status.Clear();
+    status.set_threads(true);
+    bench.push("red1/hosting", status, 3);
+    bench.tick(*view);
+    QVERIFY(child<QToolButton>(*view, "hostingThreads").isChecked());
+    QVERIFY(child<QLabel>(*view, "hostingText").text().contains(QStringLiteral("a thread of its own")));
   }
 
   void whatDoesNotBlockFollowsTheOrderOfTheLayout() {
