@@ -84,7 +84,18 @@ bool ThreadExecutor::stopWithin(std::chrono::milliseconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
   constexpr std::chrono::milliseconds kLook{1};
   while (!hasEnded() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kLook);
+  forgetEnded();
   return hasEnded();
+}
+
+void ThreadExecutor::forgetEnded() {
+  std::erase_if(slots_, [](const auto& slot) {
+    const bool isOver = slot->hasEnded.load();
+    if (isOver) slot->thread.join();
+    return isOver;
+  });
+  processes_.clear();
+  for (const auto& slot : slots_) processes_.push_back(&slot->process);
 }
 
 void ThreadExecutor::stop() {

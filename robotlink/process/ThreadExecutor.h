@@ -39,7 +39,7 @@ class ThreadExecutor {
   /// Stops all processes and joins their threads. Processes cannot be started again.
   void stop();
   /// The same, but waits only so long. Returns false if there are frames that have not ended by then: this
-  /// object and what these frames use must exist until hasEnded().
+  /// object, their processes and what these use must exist until hasEnded().
   bool stopWithin(std::chrono::milliseconds limit);
   bool hasEnded() const;
   bool hasEnded(const Process& process) const;
@@ -56,6 +56,8 @@ class ThreadExecutor {
     std::thread thread;
   };
   void run(Slot& slot);
+  /// After stopWithin(): processes that have ended may go.
+  void forgetEnded();
 
   Options options_;
   std::vector<Process*> processes_;

@@ -157,7 +157,7 @@ TEST_P(StuckModuleTest, itIsNamedAndItsRobotStandsWhileAllElseGoesOn) {
     stop.set_robot(other);
     stop.mutable_stop()->set_engaged(true);
     EXPECT_EQ(ask(stop), "accepted");
-    if (other != robot) EXPECT_EQ(hosting(other)->state(), HostingStatus::RUNNING);
+    EXPECT_EQ(hosting(other)->state() == HostingStatus::RUNNING, other != robot);
   }
   Request key;
   key.set_robot(robot);
@@ -207,7 +207,7 @@ TEST_P(StuckModuleTest, whatRunsIsEndedWhileItHangs) {
 
 INSTANTIATE_TEST_SUITE_P(Executors, StuckModuleTest,
                          testing::Values(ExecutorKind::kLockstep, ExecutorKind::kThreads),
-                         [](const auto& info) { return nameOf(info.param); });
+                         [](const auto& tested) { return nameOf(tested.param); });
 
 /// How processes are executed, chosen while they are.
 class ExecutorChoiceTest : public StuckModuleTest {};
@@ -229,7 +229,7 @@ TEST_P(ExecutorChoiceTest, itIsChosenWhileTheSimulationRuns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Executors, ExecutorChoiceTest, testing::Values(ExecutorKind::kLockstep),
-                         [](const auto& info) { return nameOf(info.param); });
+                         [](const auto& tested) { return nameOf(tested.param); });
 
 TEST(GuardedLockstep, givesTheSameBytesAsWithoutGuard) {
   const auto digestAfter = [](std::chrono::milliseconds patience) {

@@ -25,8 +25,7 @@ PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::R
       tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
 
 PioneerRun::~PioneerRun() {
-  stop();
-  if (stopSwitch_) stopSwitch_->forget();
+  if (robot_) end();
   if (tap_) tap_->clear();
 }
 
@@ -140,7 +139,7 @@ void PioneerRun::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
-  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_));
+  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
   executor_->step();
   robot_->reportPlatform();
   if (tap_) tap_->endStep();

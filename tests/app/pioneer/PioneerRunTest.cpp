@@ -11,6 +11,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
@@ -159,7 +160,7 @@ TEST_F(PioneerRunTest, afterAStopThatIsReleasedBeforeTheNextStepTheMotorsAreOnAg
   EXPECT_TRUE(playUntil([&] { return state()->motors_on(); }));
 }
 
-TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) {
+TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndItsEndIsNotWaitedFor) {
   std::ofstream(layout_)
       << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
          "processes:\n  - {name: stuck, blocking: [drive/state], tasks: [pioneer-run-test: hang]}\n"
@@ -176,27 +177,42 @@ TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) 
   ASSERT_TRUE(motors(true));
   // What the robot does is what counts: a program that hangs answers nothing.
   ASSERT_TRUE(playUntil([&] { return hangs && world_.motorsOn(); }));
-  const auto engage = [&](bool engaged) {
-    robotcontrol::Request stop;
-    stop.set_robot("p3at1");
-    stop.mutable_stop()->set_engaged(engaged);
-    ASSERT_TRUE(run_->request(stop));
-  };
-  engage(true);
+  robotcontrol::Request stop;
+  stop.set_robot("p3at1");
+  stop.mutable_stop()->set_engaged(true);
+  ASSERT_TRUE(run_->request(stop));
   EXPECT_TRUE(playUntil([&] { return !world_.motorsOn(); })) << "while it hangs";
-  engage(false);
-  ASSERT_TRUE(playUntil([&] { return world_.motorsOn(); }));
-  // Whoever ends the run waits for the program: nobody steps the platform any more.
+  // Whoever ends the run does not wait for the program: the robot is left at once.
   const auto stopSwitch = run_->stopSwitch();
-  std::thread ending([&] { run_.reset(); });
-  stopSwitch->engage("p3at2", true);
-  EXPECT_TRUE(world_.motorsOn());
-  stopSwitch->engage("p3at1", true);
-  EXPECT_TRUE(eventually([&] { return !world_.motorsOn(); }));
+  run_->end();
+  EXPECT_FALSE(run_->hasEnded());
   letGo = true;
   letGo.notify_all();
-  ending.join();
+  EXPECT_TRUE(eventually([&] { return run_->hasEnded(); }));
+  run_.reset();
   stopSwitch->engage("p3at1", true);  // of a robot that is gone
+}
+
+TEST_F(PioneerRunTest, aProgramThatHangsIsNamedAndItsRobotStands) {
+  std::ofstream(layout_)
+      << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
+         "processes:\n  - {name: stuck, blocking: [drive/state], tasks: [pioneer-run-test: hang]}\n"
+         "  - {name: debug, debug: true, period_ms: 16}\n";
+  letGo = hangs = false;
+  auto listeners = ears_.listeners();
+  std::string said;
+  listeners.hosting = [&](const std::string&, robotlink::Instant, const robotcontrol::HostingStatus& status) {
+    said = status.text();
+  };
+  auto run = PioneerRun::create({.url = world_.url(), .layout = layout_}, listeners);
+  ASSERT_TRUE(run) << robotlink::describe(run.error());
+  run_ = std::move(*run);
+  EXPECT_TRUE(playUntil([&] { return said.find("pioneer-run-test (hang) of process stuck") != said.npos; }));
+  EXPECT_TRUE(run_->platform().unattended());
+  letGo = true;
+  letGo.notify_all();
+  EXPECT_TRUE(playUntil([&] { return said.find("goes on") != said.npos; }));
+  EXPECT_FALSE(run_->platform().unattended());
 }
 
 TEST_F(PioneerRunTest, aLineThatIsLostIsOpenedAgain) {
