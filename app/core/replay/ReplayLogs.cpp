@@ -20,7 +20,7 @@ std::int64_t nanoseconds(Instant time) {
   return time.time_since_epoch().count();
 }
 
-std::uint64_t numberOf(const std::optional<robotlink::StreamMessage>& message) {
+std::uint64_t frameNumberOf(const std::optional<robotlink::StreamMessage>& message) {
   const auto* info = message ? dynamic_cast<const FrameInfo*>(message->value.get()) : nullptr;
   return info != nullptr ? info->number() : 0;
 }
@@ -141,9 +141,9 @@ std::optional<Instant> ReplayLogs::timeOfFrame(const std::string& process, std::
   if (place.source == nullptr) return std::nullopt;
   const auto& times = place.source->reader.times(place.stream);
   const auto found = std::partition_point(times.begin(), times.end(), [&](Instant time) {
-    return numberOf(place.source->reader.latest(place.stream, time)) < frame;
+    return frameNumberOf(place.source->reader.latest(place.stream, time)) < frame;
   });
-  if (found == times.end() || numberOf(place.source->reader.latest(place.stream, *found)) != frame)
+  if (found == times.end() || frameNumberOf(place.source->reader.latest(place.stream, *found)) != frame)
     return std::nullopt;
   return place.source->onLine(*found);
 }
@@ -229,7 +229,7 @@ void ReplayLogs::describeFrame(const std::string& process, Instant now, ReplaySt
   const auto& times = place.source->reader.times(place.stream);
   const auto index = std::ranges::upper_bound(times, time) - times.begin();
   status.set_frame_index(static_cast<std::uint64_t>(index));
-  if (index > 0) status.set_frame(numberOf(place.source->reader.latest(place.stream, time)));
+  if (index > 0) status.set_frame(frameNumberOf(place.source->reader.latest(place.stream, time)));
 }
 
 }  // namespace app

@@ -29,7 +29,7 @@ const RemoteRobots::Connection* connectionTo(const std::vector<RemoteRobots::Con
   return found == connections.end() ? nullptr : &*found;
 }
 
-QString nameOf(State state) {
+QString stateNameOf(State state) {
   return state == State::kSame      ? RobotsDialog::tr("the same")
          : state == State::kDiffers ? RobotsDialog::tr("differs")
                                     : RobotsDialog::tr("is missing");
@@ -137,7 +137,7 @@ void RobotsDialog::showReport() {
     for (const DeployDifference& one : *state.differences) {
       auto* file = new QTreeWidgetItem(&row);
       showIn(*file, 0, QString::fromStdString(one.path));
-      showIn(*file, 1, nameOf(one.state));
+      showIn(*file, 1, stateNameOf(one.state));
     }
     const bool differs = std::ranges::any_of(
         *state.differences, [](const DeployDifference& one) { return one.state != State::kSame; });
