@@ -247,6 +247,35 @@ class ProcessesViewTest : public QObject {
     QToolTip::hideText();
   }
 
+  void aBlockingOutputEndsAtABarAndSaysSo() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    ProcessTable table = someProcesses(10);
+    bench.push("red1/tables/processes", table, 1);
+    bench.tick(*view);
+    auto& graph = child<widgets::ProcessGraphWidget>(*view, "processGraph");
+    const QImage before = graph.grab().toImage();
+    table.mutable_processes(1)->mutable_senders(0)->set_blocking(true);
+    bench.push("red1/tables/processes", table, 1);
+    bench.tick(*view);
+    const auto& cognition =
+        graph.graph().nodes[static_cast<std::size_t>(graph.graph().find(QStringLiteral("cognition")))];
+    const auto output =
+        std::find_if(cognition.outputs.begin(), cognition.outputs.end(),
+                     [](const auto& port) { return port.package == QStringLiteral("behavior/motion"); });
+    QVERIFY(output != cognition.outputs.end() && output->blocking);
+    QVERIFY(graph.grab().toImage() != before);
+    // From places in the graph to those in the widget, as the node is drawn.
+    const QRectF node = graph.nodeRect(QStringLiteral("cognition"));
+    const double scale = node.width() / cognition.rect.width();
+    const QPoint at = (node.topLeft() + (output->rect.center() - cognition.rect.topLeft()) * scale).toPoint();
+    QHelpEvent help(QEvent::ToolTip, at, graph.mapToGlobal(at));
+    QCoreApplication::sendEvent(&graph, &help);
+    QVERIFY2(QToolTip::text().contains(QStringLiteral("waits until all receivers have taken it")),
+             qPrintable(QToolTip::text()));
+    QToolTip::hideText();
+  }
+
   void debugLinksAreShownOnWish() {
     Bench bench;
     auto view = bench.open<widgets::ProcessesView>({900, 600});
