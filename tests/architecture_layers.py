@@ -58,7 +58,7 @@ ROOMS = {
         "color/samples", "color/space"],
     "app/core": ["program", "own", "spread", "platform", "recordings", "deploy", "pioneer", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
-    "app/robotcontrol": ["actions", "docks", "bars", "."],
+    "app/robotcontrol": ["actions", "remote", "docks", "bars", "."],
 }
 
 # Libraries whose headers only some targets may show or use.

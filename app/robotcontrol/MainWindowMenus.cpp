@@ -13,7 +13,6 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
-#include "app/robotcontrol/actions/RemoteMenus.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "app/robotcontrol/bars/LightMenu.h"
@@ -22,6 +21,7 @@
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/docks/ViewMenu.h"
+#include "app/robotcontrol/remote/RemoteMenus.h"
 #include "widgets/Icon.h"
 
 namespace app {

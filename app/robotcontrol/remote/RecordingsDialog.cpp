@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/RecordingsDialog.h"
+#include "app/robotcontrol/remote/RecordingsDialog.h"
 
 #include <QComboBox>
 #include <QDateTime>

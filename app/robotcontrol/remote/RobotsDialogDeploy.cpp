@@ -7,8 +7,8 @@
 #include "app/core/Workbench.h"
 #include "app/core/deploy/DeployJobs.h"
 #include "app/robotcontrol/actions/CommandActions.h"
-#include "app/robotcontrol/actions/RobotColumns.h"
-#include "app/robotcontrol/actions/RobotsDialog.h"
+#include "app/robotcontrol/remote/RobotColumns.h"
+#include "app/robotcontrol/remote/RobotsDialog.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 #include "widgets/Controls.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/RemoteDialog.h"
+#include "app/robotcontrol/remote/RemoteDialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/RemoteQuestions.h"
+#include "app/robotcontrol/remote/RemoteQuestions.h"
 
 #include <QDialog>
 #include <algorithm>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/actions/CommandActions.h"
-#include "app/robotcontrol/actions/TokenDialog.h"
-#include "app/robotcontrol/actions/TrustDialog.h"
+#include "app/robotcontrol/remote/TokenDialog.h"
+#include "app/robotcontrol/remote/TrustDialog.h"
 
 namespace app {
 

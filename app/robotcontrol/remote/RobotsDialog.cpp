@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of robots: the window's parts, the table and its file. RobotsDialogDeploy.cpp has what is done with
 // the robots.
-#include "app/robotcontrol/actions/RobotsDialog.h"
+#include "app/robotcontrol/remote/RobotsDialog.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -16,7 +16,7 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/actions/RobotColumns.h"
+#include "app/robotcontrol/remote/RobotColumns.h"
 #include "robotlink/base/AtomicFile.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"

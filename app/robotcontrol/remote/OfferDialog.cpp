@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/OfferDialog.h"
+#include "app/robotcontrol/remote/OfferDialog.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

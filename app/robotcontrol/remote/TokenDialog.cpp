@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/TokenDialog.h"
+#include "app/robotcontrol/remote/TokenDialog.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/RemoteMenus.h"
+#include "app/robotcontrol/remote/RemoteMenus.h"
 
 #include <QJsonArray>
 #include <QMenu>
 
 #include "app/core/Workbench.h"
 #include "app/core/body/BodyFeed.h"
-#include "app/robotcontrol/actions/OfferDialog.h"
-#include "app/robotcontrol/actions/RecordingsDialog.h"
-#include "app/robotcontrol/actions/RemoteDialog.h"
-#include "app/robotcontrol/actions/RemoteQuestions.h"
-#include "app/robotcontrol/actions/RobotsDialog.h"
+#include "app/robotcontrol/remote/OfferDialog.h"
+#include "app/robotcontrol/remote/RecordingsDialog.h"
+#include "app/robotcontrol/remote/RemoteDialog.h"
+#include "app/robotcontrol/remote/RemoteQuestions.h"
+#include "app/robotcontrol/remote/RobotsDialog.h"
 #include "widgets/Icon.h"
 
 namespace app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/actions/TrustDialog.h"
+#include "app/robotcontrol/remote/TrustDialog.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
