@@ -20,7 +20,7 @@ class SendingEnd;
 /// links keep what they need of it.
 class ProgramNet final : public ProgramLinks {
  public:
-  /// Who takes part, as a value.
+  /// The robot and the program that take part, as a value.
   struct Identity {
     /// The robot: "p3at1". Robots on one network have different names.
     std::string robot;

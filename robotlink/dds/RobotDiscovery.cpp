@@ -80,7 +80,7 @@ Result<std::unique_ptr<RobotAnnouncement>> RobotAnnouncement::open(std::vector<s
 struct RobotDiscovery::Implementation {
   struct Network {
     std::shared_ptr<Node> node;
-    /// By the handles of their writers.
+    /// The robots heard, by the handles of their writers.
     std::map<std::uint64_t, AnnouncedRobots> robots;
     Sample sample;
     Entity reader;

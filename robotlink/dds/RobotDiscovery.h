@@ -19,8 +19,8 @@ struct AnnouncedRobots {
   std::string address;
   std::uint16_t port = 0;
   bool isEncrypted = false;
-  /// Of its certificate; empty without encryption. It is only what the network says: whoever connects still
-  /// has to compare it.
+  /// The fingerprint of its certificate; empty without encryption. It is only what the network says: a client
+  /// still has to compare it.
   std::string fingerprint = {};
 
   /// "wss://192.168.1.20:8765".

@@ -84,7 +84,7 @@ class SendingEnd final : public Link {
   mutable std::mutex mutex_;  // protects what follows; never held while something is written
   EndOwner* owner_;           // null after close()
   const bool blocking_;
-  /// By the handles of their writers of answers.
+  /// The receivers, by the handles of their writers of answers.
   std::map<std::uint64_t, Peer> peers_;
   std::uint64_t number_ = 0;
   Guid guid_{};

@@ -29,7 +29,7 @@ namespace {
 constexpr std::chrono::milliseconds kBodyStep{4};
 constexpr std::chrono::milliseconds kBodyStatusEvery{100};
 constexpr std::chrono::milliseconds kBodyLook{5};
-/// A server that has told its robots offers its bodies within this time, if it has some.
+/// A server that has listed its robots offers its bodies within this time, if it has some.
 constexpr robotlink::Duration kOfferTime = std::chrono::seconds(2);
 
 Errors bodyError(const std::string& text) {

@@ -18,7 +18,7 @@ class BodyInbox {
  public:
   static constexpr robotlink::Duration kGivenUp = std::chrono::seconds(2);
 
-  /// Who commands, as others see it.
+  /// The name of the program that commands, as others see it.
   struct Sender {
     std::uint64_t id = 0;
     std::string name;
@@ -30,7 +30,7 @@ class BodyInbox {
                   robotlink::Instant now);
   /// Removes and returns the newest command for a robot.
   std::optional<robotcontrol::BodyCommands> take(const std::string& robot);
-  /// Who commanded a robot last; empty: nobody yet.
+  /// The name of the program that commanded a robot last; empty: none yet.
   std::string commander(const std::string& robot) const;
 
  private:

@@ -129,7 +129,7 @@ struct BodyProgram::Implementation {
   Listeners listeners;
   robotcontrol::BodyOffer offer;
   bool isOffered = false;
-  /// Of the readings that the newest command answers.
+  /// The time of the readings that the newest command answers.
   std::optional<Instant> basedOn;
   bool isStoppedThere = false;
   std::uint64_t frame = 0, obeyed = 0, late = 0;

@@ -245,7 +245,7 @@ void RemoteBodyPlatform::engageStop(bool engaged) {
 void RemoteBodyPlatform::sendStop(bool engaged) {
   link_.engageStop(engaged, [open = stopOpen_, engaged](const std::string& why) {
     int expected = engaged ? 1 : 2;
-    // Who may only watch cannot release it, however often it is asked.
+    // A watcher cannot release it, however often that is asked.
     if (why.empty() || !engaged) open->compare_exchange_strong(expected, 0);
   });
 }

@@ -94,7 +94,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   std::set<std::string> wanted_;
   Counts counts_;
   std::uint64_t number_ = 0;
-  /// By local time: when a command or the status was sent, and when the body was heard last.
+  /// The local times at which a command or the status was sent, and the body was heard last.
   robotlink::Instant sentAt_, statusAt_;
   std::optional<robotlink::Instant> heardAt_;
   bool isConnected_ = false, wasConnected_ = false, isOther_ = false;

@@ -17,7 +17,7 @@ DeployedTables::DeployedTables(robotlink::Session& session, ResourceFolder folde
     : session_(session), folder_(std::move(folder)) {}
 
 void DeployedTables::begin() {
-  // Of several formats the newest file counts.
+  // If there are several formats, the newest file counts.
   std::map<fs::file_time_type, std::string> paths;
   std::error_code error;
   for (fs::directory_iterator file(folder_.path() / kColorTables, error);
