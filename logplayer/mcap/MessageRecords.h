@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -127,5 +128,18 @@ inline RecordsOverview overviewOf(Bytes records, const ChannelSet& channels,
   }
   return {offset == size, inOrder, instantOf(first), instantOf(last), listed, count};
 }
+
+/// The messages of some channels in the records of one section. Its memory is meant to be reused.
+struct Listing {
+  /// The channels that are wanted.
+  std::shared_ptr<const ChannelSet> channels;
+  /// Empty: not listed yet.
+  std::optional<RecordsOverview> overview;
+  /// The first ones, as many as `overview` says, are those listed; what follows is spare memory.
+  std::vector<MessageRecord> messages;
+
+  /// Lists the messages of `channels`.
+  void list(Bytes records) { overview = overviewOf(records, *channels, messages); }
+};
 
 }  // namespace logplayer::mcap

@@ -27,7 +27,9 @@ std::span<const MessageRecord>::iterator firstNot(std::span<const MessageRecord>
 ChunkMerge::ChunkMerge(const FileIndex& index, SectionCache& cache, std::vector<std::uint16_t> channels,
                        std::size_t maxBytes)
     : index_(index), cache_(cache), channels_(std::move(channels)), maxBytes_(maxBytes) {
-  for (const std::uint16_t channel : channels_) wanted_.set(channel);
+  const auto wanted = std::make_shared<ChannelSet>();
+  for (const std::uint16_t channel : channels_) wanted->set(channel);
+  wanted_ = wanted;
 }
 
 void ChunkMerge::sortSections() {
@@ -73,7 +75,8 @@ ChunkMerge::Run ChunkMerge::next(const MessagePosition& behind) {
   if (open_.empty()) return {};
   const Open& top = *open_.front();
   until_ = endOfRun();
-  const std::span<const MessageRecord> rest = std::span(top.messages).first(top.end).subspan(top.place);
+  const std::span<const MessageRecord> rest =
+      std::span(top.listing.messages).first(top.end).subspan(top.place);
   const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until_; };
   // Usually all.
   const auto count = nanosecondsOf(top.last) < until_
@@ -100,7 +103,7 @@ void ChunkMerge::enterDue(const MessagePosition& behind) {
          (open_.empty() || section(due_).info.start <= open_.front()->time)) {
     enter(order_[due_++], behind);
     const std::size_t ahead = walked_ ? std::min(due_ + ReadAhead::kSections, order_.size()) : due_;
-    for (std::size_t next = due_; next < ahead; ++next) cache_.expect(order_[next]);
+    for (std::size_t next = due_; next < ahead; ++next) cache_.expect(order_[next], wanted_);
   }
 }
 
@@ -115,7 +118,9 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
   open->section = section;
   open->offset = index_.sections[section].info.offset;
   open->channels.clear();
-  if (auto records = cache_.records(section)) {
+  open->listing.channels = wanted_;
+  open->listing.overview.reset();
+  if (auto records = cache_.records(section, &open->listing)) {
     open->records = std::move(*records);
     lookOver(*open);
   } else {
@@ -128,7 +133,8 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
 }
 
 void ChunkMerge::lookOver(Open& open) {
-  const RecordsOverview overview = overviewOf(*open.records, wanted_, open.messages);
+  if (!open.listing.overview) open.listing.list(*open.records);
+  const RecordsOverview& overview = *open.listing.overview;
   open.place = 0;
   if (!overview.whole) return sortBroken(open);
   const Section& section = index_.sections[open.section];
@@ -137,26 +143,26 @@ void ChunkMerge::lookOver(Open& open) {
   open.end = overview.listed;
   if (overview.messages == 0) return;
   if (!overview.inOrder)
-    std::ranges::stable_sort(std::span(open.messages).first(open.end), {}, &MessageRecord::time);
-  if (open.end != 0) open.last = open.messages[open.end - 1].time;
+    std::ranges::stable_sort(std::span(open.listing.messages).first(open.end), {}, &MessageRecord::time);
+  if (open.end != 0) open.last = open.listing.messages[open.end - 1].time;
   cache_.correctTimes(open.section, overview.first, overview.last);
 }
 
 /// As Reader::next() and read() find them, which look at the records where the message indexes say.
 void ChunkMerge::sortBroken(Open& open) {
-  open.messages = cache_.messagesOfBroken(open.section, *open.records);
-  std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
-  if (!open.messages.empty())
-    cache_.correctTimes(open.section, open.messages.front().time, open.messages.back().time);
+  open.listing.messages = cache_.messagesOfBroken(open.section, *open.records);
+  std::ranges::stable_sort(open.listing.messages, {}, &MessageRecord::time);
+  if (!open.listing.messages.empty())
+    cache_.correctTimes(open.section, open.listing.messages.front().time, open.listing.messages.back().time);
   const std::uint8_t* data = open.records->data();
-  std::erase_if(open.messages,
-                [&](const MessageRecord& message) { return !wanted_[channelOf(data, message)]; });
-  open.end = open.messages.size();
-  if (open.end != 0) open.last = open.messages.back().time;
+  std::erase_if(open.listing.messages,
+                [&](const MessageRecord& message) { return !(*wanted_)[channelOf(data, message)]; });
+  open.end = open.listing.messages.size();
+  if (open.end != 0) open.last = open.listing.messages.back().time;
 }
 
 void ChunkMerge::listDamaged(Open& open) {
-  open.messages.clear();
+  open.listing.messages.clear();
   open.place = open.end = 0;
   if (!index_.sections[open.section].indexed) return;
   const auto list = cache_.messages(open.section);
@@ -167,7 +173,7 @@ void ChunkMerge::listDamaged(Open& open) {
   }
   std::ranges::sort(lost);
   for (const MessagePosition& message : lost) {
-    open.messages.push_back({message.time, static_cast<std::uint32_t>(message.offset), 0});
+    open.listing.messages.push_back({message.time, static_cast<std::uint32_t>(message.offset), 0});
     open.channels.push_back(message.channelId);
   }
   open.end = lost.size();
@@ -192,18 +198,18 @@ void ChunkMerge::Open::seek(std::uint64_t until) {
     place = end;
     return;
   }
-  const std::span<const MessageRecord> rest = std::span(messages).first(end).subspan(place);
+  const std::span<const MessageRecord> rest = std::span(listing.messages).first(end).subspan(place);
   const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until; };
   place += static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
-  if (place < end) time = messages[place].time;
+  if (place < end) time = listing.messages[place].time;
 }
 
 void ChunkMerge::Open::seekBehind(const MessagePosition& position) {
   if (place == end) return;
   seek(nanosecondsOf(position.time));
-  while (place < end && std::tuple(time, offset, std::uint64_t{messages[place].offset}) <=
+  while (place < end && std::tuple(time, offset, std::uint64_t{listing.messages[place].offset}) <=
                             std::tuple(position.time, position.chunkOffset, position.offset)) {
-    if (++place < end) time = messages[place].time;
+    if (++place < end) time = listing.messages[place].time;
   }
 }
 

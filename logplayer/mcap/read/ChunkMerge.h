@@ -41,9 +41,9 @@ class ChunkMerge {
     /// Offset of the section in the file.
     std::uint64_t offset = 0;
     SectionCache::Records records;
-    /// The first `end` are in order of time; those beyond are spare memory.
-    std::vector<MessageRecord> messages;
-    /// The channels of `messages`, if the section is damaged.
+    /// The first `end` of its messages are in order of time; those beyond are spare memory.
+    Listing listing;
+    /// The channels of these messages, if the section is damaged.
     std::vector<std::uint16_t> channels;
     /// The next message and the end.
     std::size_t place = 0;
@@ -92,7 +92,7 @@ class ChunkMerge {
   SectionCache& cache_;
   std::vector<std::uint16_t> channels_;
   /// The same channels as a set.
-  ChannelSet wanted_;
+  std::shared_ptr<const ChannelSet> wanted_;
   std::size_t maxBytes_;
 
   /// SectionCache::surprises() when the sections were sorted.

@@ -23,15 +23,19 @@ struct ReadAhead::Place {
   ChunkLoader loader;
   Buffer records;
   Outcome outcome;
-  robotlink::Worker<Section> thread{
-      [this](const Section& section, const auto&) { outcome = loader.load(section, records); }};
+  Listing listing;
+  robotlink::Worker<Section> thread{[this](const Section& section, const auto&) {
+    outcome = loader.load(section, records);
+    listing.overview.reset();
+    if (outcome && listing.channels) listing.list(records);
+  }};
 };
 
 ReadAhead::ReadAhead(const Source& source, std::size_t maxRecordBytes, std::size_t maxBytes)
     : source_(source), maxRecordBytes_(maxRecordBytes), maxBytes_(maxBytes) {}
 ReadAhead::~ReadAhead() = default;
 
-void ReadAhead::begin(std::size_t number, const Section& section) {
+void ReadAhead::begin(std::size_t number, const Section& section, std::shared_ptr<const ChannelSet> listed) {
   const ChunkInfo& info = section.info;
   if (info.uncompressedBytes < kWorthIt || std::max(info.uncompressedBytes, info.length) > maxBytes_ ||
       find(number) != nullptr) {
@@ -48,16 +52,18 @@ void ReadAhead::begin(std::size_t number, const Section& section) {
     records.reserve(static_cast<std::size_t>(info.uncompressedBytes));
   }
   place->number = number;
+  place->listing.channels = std::move(listed);
   place->thread.post(section);
   ++next_;
 }
 
-std::optional<ReadAhead::Outcome> ReadAhead::take(std::size_t number, Buffer& records) {
+std::optional<ReadAhead::Outcome> ReadAhead::take(std::size_t number, Buffer& records, Listing* listing) {
   Place* place = find(number);
   if (place == nullptr) return std::nullopt;
   place->number.reset();
   place->thread.finish();
   std::swap(records, place->records);
+  if (listing != nullptr && listing->channels == place->listing.channels) std::swap(*listing, place->listing);
   return std::move(place->outcome);
 }
 

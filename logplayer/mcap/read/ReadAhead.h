@@ -4,13 +4,15 @@
 #include <array>
 #include <memory>
 
+#include "logplayer/mcap/MessageRecords.h"
 #include "logplayer/mcap/read/ChunkLoader.h"
 
 namespace logplayer::mcap {
 
 /// Loads the sections that will be requested next in threads of its own, while the current one is visited.
 /// The threads are started by the first sections that are worth it. Each holds one section of at most
-/// `maxBytes`. The source must outlive this object, whose functions are for one thread.
+/// `maxBytes`, and the list of its messages. The source must outlive this object, whose functions are for one
+/// thread.
 class ReadAhead {
  public:
   /// How many sections are loaded at the same time, so that decompressing is faster, too.
@@ -24,11 +26,13 @@ class ReadAhead {
   ReadAhead& operator=(const ReadAhead&) = delete;
 
   /// Begins to load a section, in place of the one that was begun kSections ago. Ignored if that is not done,
-  /// or if this section is too small or too large.
-  void begin(std::size_t number, const Section& section);
+  /// or if this section is too small or too large. `listed`: the channels whose messages are listed, too, if
+  /// not null.
+  void begin(std::size_t number, const Section& section, std::shared_ptr<const ChannelSet> listed = nullptr);
   /// The outcome of loading a section; waits for it if necessary. Its records are exchanged for those in
-  /// `records`, whose memory is reused. Empty if this section is not being loaded.
-  std::optional<Outcome> take(std::size_t number, Buffer& records);
+  /// `records`, whose memory is reused, and so is the list of its messages for `listing`, if it is not null
+  /// and its channels are those listed. Empty if this section is not being loaded.
+  std::optional<Outcome> take(std::size_t number, Buffer& records, Listing* listing = nullptr);
   /// To be called when sections have got other numbers.
   void forget();
 

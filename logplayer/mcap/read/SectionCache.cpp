@@ -34,12 +34,13 @@ void SectionCache::leave(std::size_t section) {
   left_[nextLeft_++ % left_.size()] = section;
 }
 
-void SectionCache::expect(std::size_t section) {
+void SectionCache::expect(std::size_t section, std::shared_ptr<const ChannelSet> listed) {
   if (section < index_.sections.size() && !records_.contains(section))
-    ahead_.begin(section, index_.sections[section]);
+    ahead_.begin(section, index_.sections[section], std::move(listed));
 }
 
-tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section) {
+tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section,
+                                                                       Listing* listing) {
   if (const auto* kept = records_.find(section)) return *kept;
   if (std::ranges::find(left_, section) != left_.end()) {
     keep_ = kKeptOnRegret;
@@ -48,13 +49,14 @@ tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size
   const std::size_t bytes = index_.sections[section].info.uncompressedBytes;
   std::shared_ptr<Buffer> buffer = records_.release(bytes);
   if (buffer == nullptr || buffer.use_count() > 1) buffer = std::make_shared<Buffer>();
-  if (const auto read = readInto(section, *buffer); !read) return tl::unexpected(read.error());
+  if (const auto read = readInto(section, *buffer, listing); !read) return tl::unexpected(read.error());
   records_.insert(section, buffer, buffer->capacity());
   return buffer;
 }
 
-tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer) {
-  auto ahead = ahead_.take(section, buffer);
+tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer,
+                                                       Listing* listing) {
+  auto ahead = ahead_.take(section, buffer, listing);
   auto loaded = ahead ? std::move(*ahead) : loader_.load(index_.sections[section], buffer);
   if (!loaded) {
     const Section& damaged = index_.sections[section];

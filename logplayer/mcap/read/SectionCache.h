@@ -24,13 +24,14 @@ class SectionCache {
   /// To be called when an iteration has left a section. Its buffer is reused for the next section: it is
   /// still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
-  /// Begins to load a section in another thread, because it is the one that will be requested next. Ignored
-  /// if there is no such section.
-  void expect(std::size_t section);
-  /// Loads the records of a section; the error is a sentence for the user.
-  tl::expected<Records, std::string> records(std::size_t section);
+  /// Begins to load a section in another thread, because it is the one that will be requested next, and to
+  /// list its messages of some channels, if these are not null. Ignored if there is no such section.
+  void expect(std::size_t section, std::shared_ptr<const ChannelSet> listed = nullptr);
+  /// Loads the records of a section; the error is a sentence for the user. If they were expected with the
+  /// channels of `listing`, that is complete, too.
+  tl::expected<Records, std::string> records(std::size_t section, Listing* listing = nullptr);
   /// Loads the records into `buffer`, bypassing the cache.
-  tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer);
+  tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer, Listing* listing = nullptr);
   /// The messages of a section, from its message indexes if they are valid, otherwise from its records. Empty
   /// if the section is damaged; never null.
   std::shared_ptr<const MessageList> messages(std::size_t section);

@@ -8,6 +8,7 @@
 
 using namespace logplayer::mcap;
 using namespace logplayer::mcap::test;
+using robotlink::Instant;
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
@@ -116,6 +117,23 @@ TEST(ReadAhead, numbersAreForgottenAndItMayEndWhileItLoads) {
   chunks.ahead.forget();
   EXPECT_FALSE(chunks.has(0));
   chunks.begin(1);
+}
+
+TEST(ReadAhead, messagesAreListedForWhomTheyWereExpected) {
+  const auto channels = std::make_shared<const ChannelSet>(ChannelSet().set(1));
+  const auto listingOf = [&](const std::shared_ptr<const ChannelSet>& wanted) {
+    Chunks chunks(largeChunks(3));
+    chunks.ahead.begin(2, chunks.scanned.index.sections[2], channels);
+    Listing listing{wanted, {}, {}};
+    Buffer records;
+    EXPECT_TRUE(chunks.ahead.take(2, records, &listing));
+    return listing;
+  };
+  const Listing listing = listingOf(channels);
+  ASSERT_TRUE(listing.overview);
+  EXPECT_EQ(listing.overview->listed, 1U);
+  EXPECT_EQ(listing.messages.at(0).time, Instant(std::chrono::nanoseconds(20)));
+  EXPECT_FALSE(listingOf(std::make_shared<const ChannelSet>()).overview) << "these are other channels";
 }
 
 /// All that a file has and lacks; with a cache of one byte nothing is read ahead.
