@@ -48,11 +48,11 @@ configure() {
   touch "$cache"
 }
 
-# build PRESET TARGET...: brings the given targets up to date, quietly if they are.
+# build PRESET TARGET...: brings the given targets up to date, quietly if they are. Waits for another build in the same folder.
 build() {
   local preset=$1
   shift
   if ninja -C "build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
   echo "Building $* (the first build takes some minutes)"
-  ninja -C "build/$preset" "$@"
+  flock "build/$preset/.building" ninja -C "build/$preset" "$@"
 }

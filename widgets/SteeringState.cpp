@@ -31,10 +31,15 @@ QString sentenceFor(const SteeringState& state, const QString& robot) {
 
 }  // namespace
 
+bool isLost(const robotlink::Session& session, const std::string& robot) {
+  const auto remote = session.remoteRobots().find(robot);
+  return remote != session.remoteRobots().end() && !remote->second.isConnected;
+}
+
 std::optional<SteeringState> steeringState(robotlink::Session& session, const std::string& robot) {
   const auto* status = session.store().latestAs<robotcontrol::SteeringStatus>(
       robot + "/" + robotlink::streams::kSteering, robotlink::Instant::max());
-  if (status == nullptr) return std::nullopt;
+  if (status == nullptr || isLost(session, robot)) return std::nullopt;
   SteeringState state;
   state.who = whoSteers(*status, session.remoteRobots().contains(robot));
   state.name = QString::fromStdString(status->who());

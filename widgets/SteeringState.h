@@ -25,8 +25,11 @@ struct SteeringState {
   QString details;
 };
 
+/// Whether the line to a robot elsewhere is lost, so that it stands and nobody here steers it.
+bool isLost(const robotlink::Session& session, const std::string& robot);
+
 /// As the robot said last; nothing if it has said nothing, so that it can be steered from here only, or
-/// nobody has steered it yet.
+/// nobody has steered it yet, or if the line to it is lost.
 std::optional<SteeringState> steeringState(robotlink::Session& session, const std::string& robot);
 
 }  // namespace widgets

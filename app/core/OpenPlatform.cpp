@@ -19,8 +19,12 @@ OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
       recording_(userFolder_),
       remote_(session_, recording_.recorder()),
       offer_(session_),
-      platform_(session_, recording_.recorder()) {
+      hosting_(userFolder_ / "hosting.json"),
+      platform_(session_, recording_.recorder(), &hosting_) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
+  // What is refused is among the notes of remote_.
+  offer_.onSteerElsewhere(
+      [this](const std::string& robot, bool giveUp) { static_cast<void>(remote_.steer(robot, giveUp)); });
 }
 
 OpenPlatform::~OpenPlatform() {
@@ -37,6 +41,7 @@ PlatformThread::LoadHandler OpenPlatform::outcomeOf(Change change, std::shared_p
 }
 
 void OpenPlatform::open(PlatformOpening opening) {
+  bodyQuestion_.begin(opening);
   const auto reading = opening.file.empty() ? nullptr : std::make_shared<Opening>(opening.file);
   platform_.open(std::move(opening), reading ? progressOf(reading) : logplayer::LogFile::Progress(),
                  outcomeOf(Change::kPlatform, reading));
@@ -87,7 +92,44 @@ robotlink::Result<void> OpenPlatform::connectRemote(const std::string& url, cons
   if (!connected) return tl::unexpected(connected.error());
   return {};
 }
+robotlink::Result<void> OpenPlatform::trustRemote(const std::string& url, const std::string& fingerprint) {
+  if (!bodyQuestion_.isAbout(url)) return remote_.trust(url, fingerprint);
+  auto opening = bodyQuestion_.trust(fingerprint);
+  if (!opening) return tl::unexpected(opening.error());
+  open(*std::move(opening));
+  return {};
+}
+robotlink::Result<void> OpenPlatform::showToken(const std::string& url, const std::string& token) {
+  if (!bodyQuestion_.isAbout(url)) return connectRemote(url, token);
+  open(bodyQuestion_.show(token));
+  return {};
+}
+robotlink::Result<void> OpenPlatform::rememberToken(const std::string& url) {
+  if (!bodyQuestion_.isShowing(url)) return remote_.rememberToken(url);
+  bodyQuestion_.rememberToken();
+  return {};
+}
+std::vector<LinkQuestion> OpenPlatform::questions() const {
+  std::vector<LinkQuestion> all;
+  if (bodyQuestion_.asked()) all.push_back(*bodyQuestion_.asked());
+  for (const auto& connection : remote_.connections()) {
+    const auto& objection = connection.state.objection;
+    if (objection.kind != robotlink::websocket::ServerObjection::Kind::kNone)
+      all.push_back({connection.url, objection});
+  }
+  return all;
+}
 robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
+  if (bodyQuestion_.isAbout(url)) {
+    bodyQuestion_.drop();
+    report(
+        {{"body.declined",
+          "the program of the robot at " + url +
+              " does not run here, since its question was not answered; choose Robot > Connect… to try again",
+          {url},
+          {}}});
+    return {};
+  }
   if (auto kept = keepKeys(); !kept) report({kept.error()});
   return remote_.disconnect(url);
 }
@@ -125,6 +167,7 @@ void OpenPlatform::take(const robotcontrol::Request& request) {
 void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
+  if (const auto saved = hosting_.save(); !saved) report({saved.error()});
   followRemote();
   session_.tick();
   offer_.tick();
@@ -164,12 +207,16 @@ void OpenPlatform::apply(Outcome outcome) {
   openings_.pop_front();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
+    if (bodyQuestion_.ask(errors)) return;
     const bool wanted =
         errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
     if (!wanted) report(errors);
     return;
   }
   loaded_ = std::move(*outcome.loaded);
+  if (outcome.change == Change::kPlatform) {
+    if (const auto kept = bodyQuestion_.finish(loaded_->sources); !kept) report({kept.error()});
+  }
   std::set<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.insert(name);
   remote_.setPlatform(loaded_->time ? std::optional(robots) : std::nullopt);

@@ -15,7 +15,10 @@
 
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
+#include "app/core/body/BodyQuestion.h"
+#include "app/core/platform/HostingMemory.h"
 #include "app/core/remote/RemoteRobots.h"
+#include "app/core/remote/RobotSearch.h"
 #include "app/core/remote/SessionOffer.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/Session.h"
@@ -27,8 +30,8 @@ namespace app {
 /// recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
 class OpenPlatform {
  public:
-  /// The settings of the recording, and the debug keys that were on for each robot, are kept below
-  /// `userFolder`.
+  /// The settings of the recording, the debug keys that were on for each robot, and where programs run are
+  /// kept below `userFolder`.
   explicit OpenPlatform(std::filesystem::path userFolder);
   ~OpenPlatform();
 
@@ -36,6 +39,9 @@ class OpenPlatform {
   Recording& recording() { return recording_; }
   const RemoteRobots& remote() const { return remote_; }
   const SessionOffer& offer() const { return offer_; }
+  SessionOffer& offer() { return offer_; }
+  /// Robots that announce themselves.
+  RobotSearch& search() { return search_; }
 
   /// Starts to open a platform. The result arrives in a later tick(), as for all functions that open or close
   /// something or change the layout. For a real robot it says only whether its program can be run; the
@@ -52,13 +58,18 @@ class OpenPlatform {
 
   /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
   robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);
+  /// Also gives up a body whose program was to run here, and that asks for something.
   robotlink::Result<void> disconnectRemote(const std::string& url);
   /// See RemoteRobots::trust().
-  robotlink::Result<void> trustRemote(const std::string& url, const std::string& fingerprint) {
-    return remote_.trust(url, fingerprint);
-  }
+  robotlink::Result<void> trustRemote(const std::string& url, const std::string& fingerprint);
+  /// Shows another token to a robot that objected to the one before.
+  robotlink::Result<void> showToken(const std::string& url, const std::string& token);
   /// Remembers the token of a connection once it was accepted.
-  robotlink::Result<void> rememberToken(const std::string& url) { return remote_.rememberToken(url); }
+  robotlink::Result<void> rememberToken(const std::string& url);
+  /// Whether one of questions() is about a body whose program is to run here.
+  bool asksForBody() const { return bodyQuestion_.asked().has_value(); }
+  /// What robots elsewhere object to, and the user can decide.
+  std::vector<LinkQuestion> questions() const;
   /// See RemoteRobots::recordings().
   RecordingJobs* recordingsAt(const std::string& url) { return remote_.recordings(url); }
   DeployJobs* deploymentAt(const std::string& url) { return remote_.deployment(url); }
@@ -143,12 +154,15 @@ class OpenPlatform {
   std::function<void(const robotlink::Errors&)> onErrors_;
   /// What the results to come are about, in their order; null where no file is read.
   std::deque<std::shared_ptr<Opening>> openings_;
+  BodyQuestion bodyQuestion_;
+  RobotSearch search_;
   RemoteRobots remote_;
   /// RemoteRobots::version() when the session was told.
   std::uint64_t remoteVersion_ = 0;
   /// Those whose debug keys were switched on as they were when they were connected last.
   std::set<std::string> remoteSwitchedOn_;
   SessionOffer offer_;
+  HostingMemory hosting_;
   /// The last member, since its thread uses the others.
   PlatformThread platform_;
 };

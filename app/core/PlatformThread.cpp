@@ -21,9 +21,11 @@ struct PlatformThread::Asked {
   std::vector<std::uint64_t> ids;
 };
 
-PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder)
+PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder,
+                               HostingMemory* hosting)
     : session_(session),
       recorder_(recorder),
+      hosting_(hosting),
       thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); },
                [this] { endFeed(); }}) {}
 
@@ -86,8 +88,8 @@ void PlatformThread::open(PlatformOpening opening, logplayer::LogFile::Progress 
       [this, opening = std::move(opening), progress = std::move(progress), handler = std::move(handler)] {
         const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
         if (sameKind) feed_->makeWay();
-        auto feed =
-            opening.make({session_, recorder_, memories_[opening.adapter], overridesFor(opening), progress});
+        auto feed = opening.make(
+            {session_, recorder_, memories_[opening.adapter], overridesFor(opening), progress, hosting_});
         if (!feed) {
           robotlink::Errors errors = feed.error();
           if (sameKind) {

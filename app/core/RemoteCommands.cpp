@@ -20,6 +20,11 @@ void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
        {{"url", Type::kText, "as it was connected"},
         {"fingerprint", Type::kText, "SHA256:..., as the robot has printed it at its start"}},
        [&open](const Values& values) { return open.trustRemote(text(values, 0), text(values, 1)); }});
+  commands.add({"remote.show-token",
+                "Shows a token to a robot elsewhere that asks for one",
+                {{"url", Type::kText, "as it was connected"},
+                 {"token", Type::kText, "one of the two that the robot has printed"}},
+                [&open](const Values& values) { return open.showToken(text(values, 0), text(values, 1)); }});
   commands.add({"remote.remember-token",
                 "Remembers the token of a connection on this computer, once the robot has accepted it",
                 {{"url", Type::kText, "as it was connected"}},

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/core/PlatformThread.h"
+#include "app/core/ServedRestarts.h"
 #include "app/core/body/BodyInbox.h"
 #include "app/core/body/BodyStreams.h"
 #include "app/core/deploy/DeployServices.h"
@@ -15,10 +16,10 @@
 #include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/ProgramNotes.h"
+#include "app/core/remote/RobotAnnouncer.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/dds/RobotDiscovery.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 
@@ -56,23 +57,6 @@ std::string offerOf(const LoadedPlatform& platform, const std::string& scheme, c
   std::string robots;
   for (const auto& [name, robot] : platform.robots) robots += (robots.empty() ? "" : ", ") + name;
   return (robots.empty() ? platform.title : robots) + " at " + scheme + "://" + toString(listener.address());
-}
-
-/// Lets others on the networks of the address find the robots; null on the loopback interface, or where that
-/// does not work.
-std::unique_ptr<robotlink::dds::RobotAnnouncement> announced(const std::vector<std::string>& robots,
-                                                             const ListenAccess& access,
-                                                             const Listener& listener) {
-  auto nodes = robotlink::dds::announcementNodes(listener.address().address);
-  if (nodes.empty()) return nullptr;
-  const auto& certificate = access.listening.certificate;
-  auto made = robotlink::dds::RobotAnnouncement::open(
-      std::move(nodes), {.names = robots,
-                         .address = {},
-                         .port = listener.address().port,
-                         .isEncrypted = certificate.has_value(),
-                         .fingerprint = certificate ? certificate->fingerprint : std::string()});
-  return made ? std::move(*made) : nullptr;
 }
 
 /// Prints a text of a program.
@@ -118,10 +102,19 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   if (!options.recordings.empty())
     recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
   DeployedTables tables(session, ResourceFolder(options.resources));
+  ServedRestarts restarts(session, platform);
   std::optional<DeployServices> deploying;
   if (!options.resources.empty())
-    deploying.emplace(server.server(), ResourceFolder(options.resources),
-                      [&](const std::string& path) { tables.noteWritten(path); });
+    deploying.emplace(
+        server.server(), ResourceFolder(options.resources),
+        [&](const std::string& path) {
+          tables.noteWritten(path);
+          restarts.programs().noteWritten(path);
+        },
+        DeployServices::Programs{[&] { return restarts.programs().programs(); },
+                                 [&](const auto& robot, const auto& layout, auto done) {
+                                   restarts.ask(robot, layout, std::move(done));
+                                 }});
   const auto access = listenAccess(options.address, options.access);
   if (!access) return {access.error()};
   server.setImageEncoder(jpegOf);
@@ -134,6 +127,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   platform.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
   const auto tick = [&] {
     for (const auto& error : tables.tick()) out << error.describe() << std::endl;
+    restarts.tick();
     session.tick();
     server.tick();
   };
@@ -147,10 +141,12 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   for (const auto& [name, robot] : outcome->robots) robots.push_back(name);
   session.setRobots(robots);
   publishPrograms(session, *outcome);
+  restarts.setLoaded(*outcome);
   if (!options.resources.empty()) tables.begin();
   if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
   tick();  // who connects at once finds everything
-  const auto announcement = announced(robots, *access, **listener);
+  RobotAnnouncer announcer((*listener)->address(), *access);
+  announcer.update(robotsToAnnounce(session));
   out << offerOf(*outcome, access->scheme(), **listener) << std::endl;
 
   std::optional<robotlink::Instant> end;
@@ -160,6 +156,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
     if (options.seconds && !end && now != robotlink::Instant())
       end = now + robotlink::fromSeconds(*options.seconds);
     if (end && now >= *end) break;
+    if (restarts.takeChanged()) announcer.update(robotsToAnnounce(session));
     std::this_thread::sleep_for(server.server()->clients().empty() ? kIdleTick : kTick);
   }
   return {};

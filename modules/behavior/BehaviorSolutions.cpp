@@ -234,19 +234,30 @@ class Obey final : public Behavior {
     auto motion = std::make_shared<MotionRequest>();
     auto head = std::make_shared<HeadMode>();
     if (remote_) {
-      *motion = remote_->motion();
+      if (remote_.isNew()) heard_ = clock_.now();
       *head = remote_->head();
+      if (holds(remote_->motion())) *motion = remote_->motion();
     }
     want(std::move(motion), std::move(head));
   }
 
  private:
+  /// As on wheels: while the user steers, the request is repeated ten times a second. If it stops, the window
+  /// hangs or the connection is lost. It is time of the platform, which may be ten times as fast.
+  static constexpr robotlink::Duration kObeyPatience = std::chrono::seconds(2);
+
+  /// A walk goes on until it is ended; whatever else is requested ends by itself.
+  bool holds(const MotionRequest& motion) const {
+    return motion.kind() != MotionRequest::WALK || clock_.now() - heard_ <= kObeyPatience;
+  }
+
   robotlink::Input<robotcontrol::RemoteMotion> remote_;
+  robotlink::Instant heard_;
 };
 
 const robotlink::SolutionRegistration kObey =
-    robotlink::SolutionBuilder<Obey>("behavior", "obey",
-                                     "Does only what the user requests; stands until then.")
+    robotlink::SolutionBuilder<Obey>(
+        "behavior", "obey", "Does only what the user requests; stands until then, and when requests stop.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)

@@ -2,10 +2,12 @@
 #include "robotlink/dds/RobotDiscovery.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <mutex>
 #include <sstream>
 
+#include "robotlink/base/Utf8.h"
 #include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/dds/Wire.h"
 
@@ -18,21 +20,69 @@ constexpr std::uint32_t kAnnouncementDomain = 229;
 constexpr std::uint32_t kMaxAnnouncers = 256;
 constexpr std::size_t kMaxNames = 100;
 
+/// What stands for a robot that is only a body, in the place of its layout.
+constexpr char kBodyLayout[] = "(body)";
+
 std::string textIn(const char* text) {
   return text != nullptr ? text : "";
+}
+
+/// A text of somebody else in the network, as a terminal and a dialog may show it.
+std::string shownText(const std::string& text) {
+  constexpr std::size_t kMaxText = 100;
+  std::string shown = validUtf8(text.substr(0, kMaxText));
+  std::ranges::replace_if(
+      shown, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return shown;
+}
+
+bool isAddress(const std::string& text) {
+  return !text.empty() && std::ranges::all_of(text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '.' || c == ':' || c == '-' || c == '%';
+  });
+}
+
+/// A line "KIND<tab>LAYOUT" for each robot. Programs of before do not send them.
+std::string detailsOf(const std::vector<AnnouncedRobot>& robots) {
+  std::string text;
+  for (const AnnouncedRobot& robot : robots)
+    text += robot.kind + '\t' + (robot.isBody ? kBodyLayout : robot.layout) + '\n';
+  return text;
+}
+
+std::string namesOf(const std::vector<AnnouncedRobot>& robots, const char* separator) {
+  std::string names;
+  for (const AnnouncedRobot& robot : robots) names += (names.empty() ? "" : separator) + robot.name;
+  return names;
+}
+
+std::vector<AnnouncedRobot> robotsOf(const std::string& names, const std::string& details) {
+  std::vector<AnnouncedRobot> robots;
+  std::istringstream nameLines(names), detailLines(details);
+  for (std::string name, line; robots.size() < kMaxNames && std::getline(nameLines, name);) {
+    AnnouncedRobot& robot = robots.emplace_back();
+    robot.name = shownText(name);
+    if (!std::getline(detailLines, line)) continue;
+    const std::size_t tab = line.find('\t');
+    const std::string layout = tab == std::string::npos ? std::string() : line.substr(tab + 1);
+    robot.kind = shownText(line.substr(0, tab));
+    robot.isBody = layout == kBodyLayout;
+    if (!robot.isBody) robot.layout = shownText(layout);
+  }
+  return robots;
 }
 
 /// Nothing: what somebody else in the network sent makes no sense.
 std::optional<AnnouncedRobots> robotsIn(const robotlink_wire_Package& sample) {
   AnnouncedRobots robots;
+  const auto* details = reinterpret_cast<const char*>(sample.data._buffer);
+  robots.robots = robotsOf(textIn(sample.name),
+                           details == nullptr ? std::string() : std::string(details, sample.data._length));
   robots.address = textIn(sample.sender);
-  robots.fingerprint = textIn(sample.type);
+  robots.fingerprint = shownText(textIn(sample.type));
   robots.isEncrypted = sample.kind != 0;
   robots.port = static_cast<std::uint16_t>(sample.number);
-  std::istringstream names(textIn(sample.name));
-  for (std::string name; robots.names.size() < kMaxNames && std::getline(names, name, '\n');)
-    robots.names.push_back(name);
-  if (robots.address.empty() || sample.number == 0 || sample.number > 65535 || robots.names.empty())
+  if (!isAddress(robots.address) || sample.number == 0 || sample.number > 65535 || robots.robots.empty())
     return std::nullopt;
   return robots;
 }
@@ -44,12 +94,34 @@ std::string AnnouncedRobots::url() const {
   return (isEncrypted ? "wss://" : "ws://") + host + ":" + std::to_string(port);
 }
 
+std::string AnnouncedRobots::names() const {
+  return namesOf(robots, ", ");
+}
+
 // ---- Announcing
 
 struct RobotAnnouncement::Implementation {
+  void send() const;
+
+  AnnouncedRobots announced;
   std::vector<std::shared_ptr<Node>> nodes;
+  /// One for each node.
   std::vector<Entity> writers;
 };
+
+void RobotAnnouncement::Implementation::send() const {
+  const std::string names = namesOf(announced.robots, "\n"), details = detailsOf(announced.robots);
+  for (std::size_t i = 0; i < writers.size(); ++i) {
+    const std::string address = nodes[i]->address().empty() ? "127.0.0.1" : nodes[i]->address();
+    write(writers[i].get(), {.name = names,
+                             .type = announced.fingerprint,
+                             .sender = address,
+                             .number = announced.port,
+                             .kind = static_cast<std::uint8_t>(announced.isEncrypted ? 1 : 0),
+                             .data = details.data(),
+                             .size = details.size()});
+  }
+}
 
 RobotAnnouncement::RobotAnnouncement(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -58,21 +130,20 @@ RobotAnnouncement::~RobotAnnouncement() = default;
 Result<std::unique_ptr<RobotAnnouncement>> RobotAnnouncement::open(std::vector<std::shared_ptr<Node>> nodes,
                                                                    const AnnouncedRobots& robots) {
   auto made = std::make_unique<Implementation>();
-  std::string names;
-  for (const std::string& name : robots.names) names += (names.empty() ? "" : "\n") + name;
   for (const auto& node : nodes) {
     auto writer = openWriter(node->participant(), kRobotsTopic, History::kLatched);
     if (!writer) return tl::unexpected(writer.error());
-    const std::string address = node->address().empty() ? "127.0.0.1" : node->address();
-    write(writer->get(), {.name = names,
-                          .type = robots.fingerprint,
-                          .sender = address,
-                          .number = robots.port,
-                          .kind = static_cast<std::uint8_t>(robots.isEncrypted ? 1 : 0)});
     made->writers.push_back(std::move(*writer));
   }
+  made->announced = robots;
   made->nodes = std::move(nodes);
+  made->send();
   return std::unique_ptr<RobotAnnouncement>(new RobotAnnouncement(std::move(made)));
+}
+
+void RobotAnnouncement::update(const std::vector<AnnouncedRobot>& robots) {
+  implementation_->announced.robots = robots;
+  implementation_->send();
 }
 
 // ---- Listening
@@ -134,7 +205,7 @@ std::vector<AnnouncedRobots> RobotDiscovery::robots() const {
     }
   }
   std::sort(all.begin(), all.end(), [](const AnnouncedRobots& a, const AnnouncedRobots& b) {
-    return std::pair(a.names, a.url()) < std::pair(b.names, b.url());
+    return std::pair(a.names(), a.url()) < std::pair(b.names(), b.url());
   });
   return all;
 }

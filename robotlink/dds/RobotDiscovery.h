@@ -11,10 +11,23 @@
 
 namespace robotlink::dds {
 
+/// One of the robots that a program announces. A plain value.
+struct AnnouncedRobot {
+  /// "red1".
+  std::string name;
+  /// Its kind, "ers210"; empty: not known.
+  std::string kind = {};
+  /// The layout that its program runs in, "compact"; empty: not known.
+  std::string layout = {};
+  /// Whether only its body is there, so that its program can run elsewhere.
+  bool isBody = false;
+  bool operator==(const AnnouncedRobot&) const = default;
+};
+
 /// What a program announces that lets others watch and steer its robots (--listen). A plain value.
 struct AnnouncedRobots {
-  /// "red1", "red2".
-  std::vector<std::string> names;
+  /// At least one.
+  std::vector<AnnouncedRobot> robots;
   /// Where they can be connected to.
   std::string address;
   std::uint16_t port = 0;
@@ -25,6 +38,8 @@ struct AnnouncedRobots {
 
   /// "wss://192.168.1.20:8765".
   std::string url() const;
+  /// "red1, red2".
+  std::string names() const;
   bool operator==(const AnnouncedRobots&) const = default;
 };
 
@@ -35,6 +50,8 @@ class RobotAnnouncement {
   static Result<std::unique_ptr<RobotAnnouncement>> open(std::vector<std::shared_ptr<Node>> nodes,
                                                          const AnnouncedRobots& robots);
   ~RobotAnnouncement();
+  /// Announces other robots from now on, at the same place.
+  void update(const std::vector<AnnouncedRobot>& robots);
 
  private:
   struct Implementation;

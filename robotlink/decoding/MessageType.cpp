@@ -21,6 +21,9 @@ using google::protobuf::Message;
 
 namespace {
 
+/// Imports of imports, of which no schema of people's making has so many.
+constexpr int kMaxImports = 100;
+
 bool fitsProtobuf(std::size_t size) {
   return size <= static_cast<std::size_t>(std::numeric_limits<int>::max());
 }
@@ -30,7 +33,8 @@ bool fitsProtobuf(std::size_t size) {
 struct MessageType::Dynamic {
   explicit Dynamic(FileDescriptorSet set);
   const Message* prototype(const std::string& name);
-  bool build(const std::string& file);
+  /// `depth`: how many imports led to it.
+  bool build(const std::string& file, int depth);
 
   std::map<std::string, FileDescriptorProto> files;  // not built yet
   SilentErrors silence;
@@ -46,21 +50,21 @@ MessageType::Dynamic::Dynamic(FileDescriptorSet set) {
 }
 
 /// Builds a file and its imports, whatever their order in the set. Each file is tried once, so that cycles
-/// end.
-bool MessageType::Dynamic::build(const std::string& name) {
+/// end, and no chain of them is followed for too long.
+bool MessageType::Dynamic::build(const std::string& name, int depth) {
   if (pool.FindFileByName(name) != nullptr) return true;
   const auto found = files.find(name);
-  if (found == files.end()) return false;
+  if (found == files.end() || depth > kMaxImports) return false;
   const FileDescriptorProto file = std::move(found->second);
   files.erase(found);
   for (const std::string& import : file.dependency()) {
-    if (!build(import)) return false;
+    if (!build(import, depth + 1)) return false;
   }
   return pool.BuildFileCollectingErrors(file, &silence) != nullptr;
 }
 
 const Message* MessageType::Dynamic::prototype(const std::string& name) {
-  while (!files.empty()) build(files.begin()->first);
+  while (!files.empty()) build(files.begin()->first, 0);
   const auto* descriptor = pool.FindMessageTypeByName(name);
   return descriptor != nullptr ? factory.GetPrototype(descriptor) : nullptr;
 }

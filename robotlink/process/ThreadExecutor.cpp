@@ -45,6 +45,7 @@ void ThreadExecutor::run(Slot& slot) {
   Process& process = slot.process;
   const std::string refused = setNiceOfThisThread(process.priority());
   if (!refused.empty() && options_.onPriorityRefused) options_.onPriorityRefused(process, refused);
+  if (options_.onStarted) options_.onStarted(process);
   constexpr std::chrono::milliseconds kLimit{1000};
   while (process.waitForFrame(kLimit)) {
     slot.since.store(steadyNanoseconds());

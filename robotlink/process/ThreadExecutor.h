@@ -23,6 +23,8 @@ class ThreadExecutor {
     std::function<void(const Process&)> onFailed;
     /// Called in the process's thread if its priority could not be set, with the reason.
     std::function<void(const Process&, const std::string&)> onPriorityRefused;
+    /// Called in the thread of each process before its first frame.
+    std::function<void(const Process&)> onStarted = {};
   };
 
   explicit ThreadExecutor(Options options);

@@ -8,12 +8,15 @@
 #include <fstream>
 #include <set>
 
+#include "app/core/program/ProgramSetups.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/simulated/BallTrials.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/Solution.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 #include "tests/app/TableRequest.h"
@@ -438,6 +441,55 @@ TEST(SimulatedRun, stopHoldsARobotWhateverItsProgramDoes) {
   EXPECT_GT((poseOf(*run, "red1").translation() - held.translation()).norm() +
                 std::abs(robotlink::normalizedAngle(poseOf(*run, "red1").heading - held.heading)),
             0.1);
+}
+
+namespace {
+
+/// The layout that is broken when a program was made; empty: none.
+std::filesystem::path layoutToBreak;
+
+/// Breaks its own layout, as an editor that saves at this moment.
+class BreaksItsLayout final : public robotlink::Solution {
+ public:
+  explicit BreaksItsLayout(robotlink::SolutionContext&) {
+    if (!layoutToBreak.empty()) std::ofstream(layoutToBreak) << "broken: [";
+  }
+  void execute() override {}
+};
+const robotlink::SolutionRegistration kBreaksItsLayout =
+    robotlink::SolutionBuilder<BreaksItsLayout>("layout-breaker", "break", "Breaks its layout.");
+
+}  // namespace
+
+TEST(SimulatedRun, aLayoutThatIsBrokenInTheMiddleOfAResetLeavesTheProgramsThatCouldBeMade) {
+  const TestFolder folder;
+  RunOptions broken = options();
+  broken.layout = folder.write("breaking.yaml",
+                               "version: 1\nname: breaking\nhelp: Is broken.\nprocesses:\n"
+                               "  - {name: worker, period_ms: 8, tasks: [layout-breaker: break]}\n"
+                               "  - {name: debug, debug: true, period_ms: 16}\n");
+  Reported reported;
+  const auto run = makeRun(broken, reported.listeners());
+  play(*run, 0.1);
+  layoutToBreak = folder / "breaking.yaml";
+  EXPECT_EQ(robotlink::describe(run->reset(1)), "");
+  layoutToBreak.clear();
+  play(*run, 0.1);
+  EXPECT_NE(robotlink::describe(run->reset(1)), "") << "now it is broken from the start";
+  play(*run, 0.1);
+}
+
+TEST(ProgramSetups, parametersOfProgramsThatBeginLaterAreAdded) {
+  robotcontrol::ProgramSetup setup;
+  robotlink::SharedDebugQueue queue;
+  auto& values = queue.add<robotcontrol::ParameterValues>("parameters/path-planning/grid");
+  values.set_task("path-planning");
+  values.set_solution("grid");
+  values.mutable_value()->set_data("new");
+  EXPECT_TRUE(follow(setup, queue.messages.front()));
+  ASSERT_EQ(setup.parameters_size(), 1);
+  EXPECT_EQ(setup.parameters(0).solution(), "grid");
+  EXPECT_FALSE(follow(setup, queue.messages.front())) << "nothing new";
 }
 
 TEST(SimulatedRun, aRobotThatDoesNotExistIsRefusedByName) {

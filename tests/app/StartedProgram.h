@@ -2,9 +2,8 @@
 #pragma once
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
-#include <poll.h>
-#include <sys/inotify.h>
+#include <sched.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,37 +16,24 @@
 #include <utility>
 #include <vector>
 
-/// Tells what happens in a folder, or to a file.
-class Watch {
- public:
-  Watch(const std::filesystem::path& path, std::uint32_t events) : descriptor_(::inotify_init1(IN_CLOEXEC)) {
-    EXPECT_GE(::inotify_add_watch(descriptor_, path.c_str(), events), 0);
-  }
-  ~Watch() { ::close(descriptor_); }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-
-  /// Waits for it to happen; false: it did not.
-  bool happens() const {
-    pollfd ready{descriptor_, POLLIN, 0};
-    if (::poll(&ready, 1, kPatienceMs) != 1) return false;
-    std::array<char, 4096> events{};
-    return ::read(descriptor_, events.data(), events.size()) > 0;
-  }
-
- private:
-  static constexpr int kPatienceMs = 30'000;  // for what should take far less
-
-  int descriptor_;
-};
-
-/// A program of ours, started in a folder; it is killed if a test forgets it. What it says of errors is in
-/// the file "errors" beside that folder.
+/// A program of ours, started in a folder; it is killed if a test forgets it or ends abnormally. What it says
+/// of errors is in the file "errors" beside that folder.
 class StartedProgram {
  public:
-  /// `ignored`: a signal that whoever starts it lets it ignore.
+  struct Options {
+    /// A signal that whoever starts it lets it ignore.
+    int ignored = 0;
+    /// The network namespace that it runs in, as a file descriptor; -1: that of whoever starts it.
+    int network = -1;
+    /// What its environment has beside that of whoever starts it: names and values.
+    std::vector<std::pair<std::string, std::string>> environment = {};
+  };
+
   StartedProgram(const char* program, const std::filesystem::path& folder,
-                 const std::vector<std::string>& arguments, int ignored = 0)
+                 const std::vector<std::string>& arguments)
+      : StartedProgram(program, folder, arguments, Options()) {}
+  StartedProgram(const char* program, const std::filesystem::path& folder,
+                 const std::vector<std::string>& arguments, const Options& options)
       : folder_(folder) {
     std::vector<char*> words{const_cast<char*>(program)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -56,7 +42,10 @@ class StartedProgram {
     if (::pipe2(output, O_CLOEXEC) != 0) std::abort();
     pid_ = ::fork();
     if (pid_ == 0) {
-      if (ignored != 0) std::signal(ignored, SIG_IGN);
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (options.ignored != 0) std::signal(options.ignored, SIG_IGN);
+      if (options.network >= 0 && ::setns(options.network, CLONE_NEWNET) != 0) ::_exit(127);
+      for (const auto& [name, value] : options.environment) ::setenv(name.c_str(), value.c_str(), 1);
       const int errors = ::open(errorsFile().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
       ::dup2(output[1], STDOUT_FILENO);
       ::dup2(errors, STDERR_FILENO);

@@ -103,8 +103,8 @@ TEST_P(ShippedLayoutsTest, withoutASimulatorOraclesSayWhyTheyCannotBeChosen) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest,
                          testing::Values(Shipped{"parallel", "ers210"}, Shipped{"compact", "ers210"},
-                                         Shipped{"balanced", "ers210"}, Shipped{"pioneer", "p3at"},
-                                         Shipped{"pioneer-parallel", "p3at"},
+                                         Shipped{"balanced", "ers210"}, Shipped{"ers210-programs", "ers210"},
+                                         Shipped{"pioneer", "p3at"}, Shipped{"pioneer-parallel", "p3at"},
                                          Shipped{"pioneer-programs", "p3at"}),
                          [](const auto& shipped) {
                            std::string name = shipped.param.layout;

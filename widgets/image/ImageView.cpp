@@ -124,7 +124,9 @@ void ImageView::showMessage() {
   for (CurrentDrawing& drawing : drawings) drawing.old = drawing.old || drawing.time < imageTime_;
   const bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
-  canvas_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
+  canvas_->setHint(session().robots().empty()
+                       ? tr("No robot. Start a simulation or connect to a robot.")
+                       : tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
   if (same) return;
   shownDrawings_ = std::move(drawings);
   ImagePicture picture;

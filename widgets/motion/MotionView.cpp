@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/motion/MotionView.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
 #include "widgets/SteeringBar.h"
+#include "widgets/SteeringState.h"
 #include "widgets/StopStyle.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/motion/HeadPanel.h"
@@ -146,6 +148,8 @@ void MotionView::connectSignals() {
 
 void MotionView::followRobot() {
   const std::string& robot = session().selectedRobot();
+  const auto known = context().robots.find(robot);
+  const auto description = known == context().robots.end() ? nullptr : known->second;
   if (robot != robot_) {
     stand();
     robot_ = robot;
@@ -153,9 +157,13 @@ void MotionView::followRobot() {
     tables_.clear();
     askedForStatus_ = false;
     commander_.setActive(false);
-    const auto description = context().robots.find(robot);
-    useRobot(description == context().robots.end() ? nullptr : description->second.get());
+    description_ = description;
+    useRobot(description.get());
     nameRobot();
+  } else if (description != description_) {
+    // That of a robot elsewhere is known later than its name.
+    description_ = description;
+    useRobot(description.get());
   }
   const auto tables =
       latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
@@ -248,6 +256,7 @@ void MotionView::tick() {
 }
 
 void MotionView::send() {
+  if (isLost(session(), robot_)) return;
   robotcontrol::Request request;
   *request.mutable_motion() = commander_.command();
   robotlink::assign(*request.mutable_motion()->mutable_timestamp(), session().timeline().newest());
@@ -348,6 +357,9 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
 
 QString MotionView::stateText() const {
   if (robot_.empty()) return tr("No robot. Start a simulation or connect to a robot.");
+  if (isLost(session(), robot_))
+    return tr(
+        "The connection to the robot is lost. It stands, and can be steered as soon as it is found again.");
   const auto* base = drive_ ? driveState() : nullptr;
   if (base == nullptr || manualControl_.state() != ManualControl::State::kTaken) return manualControl_.text();
   if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");

@@ -120,6 +120,8 @@ class MotionView final : public View {
   /// Who steers, of those who can over a link.
   SteeringBar* steering_ = nullptr;
   std::string robot_;
+  /// What is known of the robot; null: nothing.
+  std::shared_ptr<const robotlink::RobotDescription> description_;
   /// The robot's drive; unset if it has legs or no description.
   std::optional<robotlink::RobotDescription::Drive> drive_;
   /// The limits that the user set for walking robots.

@@ -118,8 +118,10 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
   const bool plot = below.starts_with("plots/");
   std::string found;
   for (const auto* message : latestTable(store, robot, robotlink::streams::kKeys, time)) {
-    if (message == nullptr) continue;
-    for (const auto& key : static_cast<const robotcontrol::KeyTable&>(*message->value).keys()) {
+    const auto* table =
+        message == nullptr ? nullptr : dynamic_cast<const robotcontrol::KeyTable*>(message->value.get());
+    if (table == nullptr) continue;
+    for (const auto& key : table->keys()) {
       const std::string path = plot ? "plots/" + key.name() : key.name();
       const bool fits = plot ? below == path || below.starts_with(path + '/') : path == "package/" + below;
       if (fits && isOff(key) && key.name().size() > found.size()) found = key.name();

@@ -11,6 +11,8 @@ using robotlink::Instant;
 
 /// A step back that is no disorder any more, but a new beginning.
 constexpr Duration kNewBeginning = std::chrono::seconds(1);
+/// Times and shifts beyond it are nonsense; no sum of some of them leaves what an Instant can hold.
+constexpr Duration kMaxTime = std::chrono::hours(24 * 365 * 70);
 /// How long a shortest delay is looked for.
 constexpr Duration kLookTime = std::chrono::seconds(1);
 
@@ -26,7 +28,8 @@ Instant BodyClock::now() const {
 
 void BodyClock::hear(Instant bodyTime) {
   const Instant local = local_.now();
-  if (heard_ && bodyTime < *heard_ - kNewBeginning) shift_ = now() - bodyTime;
+  bodyTime = std::clamp(bodyTime, Instant(), Instant(kMaxTime));
+  if (heard_ && bodyTime < *heard_ - kNewBeginning) shift_ = std::min(now() - bodyTime, kMaxTime);
   const Instant mapped = bodyTime + shift_;
   const Duration ahead = local + Duration(offset_.load()) - mapped;
   if (!heard_ || ahead < Duration::zero()) {

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RealHosting.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/SceneMessages.h"
 #include "app/core/program/SolutionChoices.h"
@@ -48,16 +49,23 @@ std::string listed(const std::vector<std::string>& names) {
 // ---- Making it
 
 PlatformOpening BodyFeed::opening(BodyOptions options) {
-  if (const auto url = robotlink::websocket::parseServerUrl(options.url)) options.url = toString(*url);
-  return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
-            BodyOptions chosen = options;
-            const auto before = context.overrides.find(chosen.robot);
-            if (before != context.overrides.end()) chosen.overrides = before->second;
-            // The only robot that was open there, whatever its name.
-            if (chosen.robot.empty() && context.overrides.size() == 1)
-              chosen.overrides = context.overrides.begin()->second;
-            return create(std::move(chosen), context.session, context.recorder);
-          }};
+  const auto url = robotlink::websocket::parseServerUrl(options.url);
+  PlatformOpening opening{kAdapter, {url ? toString(*url) : options.url}, {}};
+  opening.make = [options](const PlatformContext& context) -> PlatformOpening::Made {
+    BodyOptions chosen = options;
+    const auto before = context.overrides.find(chosen.robot);
+    if (before != context.overrides.end()) chosen.overrides = before->second;
+    // The only robot that was open there, whatever its name.
+    if (chosen.robot.empty() && context.overrides.size() == 1)
+      chosen.overrides = context.overrides.begin()->second;
+    return create(std::move(chosen), context.session, context.recorder);
+  };
+  opening.withToken = [options](const std::string& token) {
+    BodyOptions chosen = options;
+    if (!token.empty()) chosen.token = token;
+    return BodyFeed::opening(std::move(chosen));
+  };
+  return opening;
 }
 
 tl::expected<std::unique_ptr<BodyFeed>, Errors> BodyFeed::create(BodyOptions options,
@@ -67,6 +75,15 @@ tl::expected<std::unique_ptr<BodyFeed>, Errors> BodyFeed::create(BodyOptions opt
   for (const auto part : {&BodyFeed::findBody, &BodyFeed::describeRobot, &BodyFeed::startProgram})
     if (Errors errors = (feed.get()->*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
   return feed;
+}
+
+tl::expected<FoundBody, Errors> BodyFeed::find(BodyOptions options) {
+  robotlink::Session session;
+  logplayer::Recorder recorder({});
+  BodyFeed feed(std::move(options), session, recorder);
+  for (const auto part : {&BodyFeed::findBody, &BodyFeed::describeRobot})
+    if (Errors errors = (feed.*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
+  return FoundBody{feed.robot_->robot(), feed.link_->body()->offer};
 }
 
 BodyFeed::BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder)
@@ -82,11 +99,12 @@ BodyFeed::~BodyFeed() {
 }
 
 Errors BodyFeed::findBody() {
-  const auto url = robotlink::websocket::parseServerUrl(options_.url);
-  if (!url) return {url.error()};
+  auto connection = linkOptions(options_.url, options_.token, options_.isTrusted);
+  if (!connection) return {connection.error()};
+  // Without a token that may be in it, since users see it.
+  options_.url = toString(connection->url);
   BodyLink::Options linking;
-  linking.connection.url = *url;
-  linking.connection.token = options_.token;
+  linking.connection = std::move(*connection);
   linking.robot = options_.robot;
   linking.asJpeg = options_.asJpeg;
   link_ = std::make_unique<BodyLink>(std::move(linking));
@@ -95,7 +113,7 @@ Errors BodyFeed::findBody() {
   while (!link_->body()) {
     link_->tick();
     const auto state = link_->state();
-    if (state.phase == ConnectionState::Phase::kRefused) return bodyError(options_.url + ": " + state.reason);
+    if (state.phase == ConnectionState::Phase::kRefused) return {refusalOf(options_.url, state)};
     const auto others = link_->robotsWithPrograms();
     if (!others.empty() && !told) told = local_.now();
     if (told && local_.now() - *told > kOfferTime)
@@ -159,7 +177,27 @@ tl::expected<RobotHost::Candidate, Errors> BodyFeed::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  return robot_->make({.platform = std::move(platform), .file = file, .layout = std::move(*layout)});
+  HostedProgram::Maker maker;
+  if (!options_.spread.program.empty()) {
+    auto spread = SpreadProgram::open(options_.spread, *layout, name(), clock_,
+                                      [this](const std::string& text) { reportSpread(text); });
+    if (!spread) return tl::unexpected(Errors{spread.error()});
+    spread_ = std::move(*spread);
+    maker = spread_->maker();
+  } else if (options_.ownProcess) {
+    OwnProgram::Options own = options_.own;
+    own.threads = own.inRealTime = true;
+    maker = OwnProgram::maker(own);
+  }
+  return robot_->make({.platform = std::move(platform),
+                       .file = file,
+                       .layout = std::move(*layout),
+                       .maker = std::move(maker)});
+}
+
+void BodyFeed::reportSpread(const std::string& text) {
+  if (options_.spreadReport) return options_.spreadReport(text);
+  gate_.publishPlatform(name(), clock_.now(), text);
 }
 
 void BodyFeed::adopt(RobotHost::Candidate program) {
@@ -182,18 +220,16 @@ void BodyFeed::stopProgram() {
 }
 
 RobotHost::Listeners BodyFeed::listeners() {
-  return {
-      [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-      [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-        gate_.publishTrouble(robot, process, text);
-      },
-      [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-        gate_.publishPlatform(robot, time, text);
-      },
-      {},
-      [this](const std::string& robot, robotlink::Instant time, const robotcontrol::HostingStatus& status) {
-        if (!status.text().empty()) gate_.publishHosting(robot, time, status);
-      }};
+  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            gate_.publishTrouble(robot, process, text);
+          },
+          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+            gate_.publishPlatform(robot, time, text);
+          },
+          {},
+          [this](const std::string& robot, robotlink::Instant time,
+                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
 // ---- Running it
@@ -213,7 +249,9 @@ void BodyFeed::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   tap_->askForPackages();
+  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
   executor_->step();
+  robot_->startStep();
   robot_->reportPlatform();
   tap_->endStep();
   const auto real = Clock::now();
@@ -233,13 +271,38 @@ std::map<std::string, ProgramOverrides> BodyFeed::overrides() const {
 }
 
 Errors BodyFeed::setLayout(const std::filesystem::path& file) {
+  if (spread_) return {SpreadProgram::refusalOfLayout(file)};
   auto program = makeProgram(nullptr, file);
   if (!program) return program.error();
   stopProgram();
   options_.layout = file;
   adopt(std::move(*program));
+  return {};
+}
+
+void BodyFeed::publishLostOverrides() {
   for (const std::string& lost : lostChoices_)
     gate_.publishText(name(), "layout", clock_.now(), foxglove::Log::WARNING, lost);
+}
+
+robotlink::Result<void> BodyFeed::requestSimulation(const robotcontrol::Request& request) {
+  using robotcontrol::HostProgram;
+  if (!request.has_host_program()) return PlatformFeed::requestSimulation(request);
+  const HostProgram& choice = request.host_program();
+  const Errors refused = refusalOfHosting(name(), request.robot(), choice, spread_ != nullptr);
+  if (!refused.empty()) return tl::unexpected(refused.front());
+  const bool before = options_.ownProcess;
+  if (choice.where() != HostProgram::UNCHANGED)
+    options_.ownProcess = choice.where() == HostProgram::OWN_PROCESS;
+  if (options_.ownProcess == before && !choice.start_again()) return {};
+  auto program = makeProgram(nullptr, layoutFileInUse());
+  if (!program) {
+    options_.ownProcess = before;
+    return tl::unexpected(program.error().front());
+  }
+  stopProgram();
+  adopt(std::move(*program));
+  publishLostOverrides();
   return {};
 }
 

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "app/core/body/RemoteBodyPlatform.h"
+#include "app/core/own/OwnProgram.h"
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotHost.h"
+#include "app/core/remote/LinkAccess.h"
+#include "app/core/spread/SpreadProgram.h"
 
 namespace app {
 
@@ -19,7 +23,10 @@ namespace app {
 struct BodyOptions {
   /// "ws://HOST:PORT" or "wss://...".
   std::string url;
+  /// Empty: the one that is remembered for this URL.
   std::string token = {};
+  /// Whether a robot with a new certificate is believed.
+  TrustRule isTrusted = askWhomToTrust();
   /// The robot whose body it is; empty: the first that is offered there.
   std::string robot = {};
   /// The file of the process layout; empty: that of its kind.
@@ -33,6 +40,20 @@ struct BodyOptions {
   ProgramOverrides overrides = {};
   /// How long the body is looked for.
   robotlink::Duration patience = std::chrono::seconds(5);
+  /// Whether the program runs in a process of the operating system of its own.
+  bool ownProcess = false;
+  /// How it is run there; always with threads, in real time.
+  OwnProgram::Options own = {};
+  /// Which of the layout's programs it is, if other programs run the other processes.
+  SpreadOptions spread = {};
+  /// Gets sentences about the other programs, from any thread; empty: they go to the robot's log.
+  std::function<void(const std::string& text)> spreadReport = {};
+};
+
+/// A robot whose body is elsewhere, as its server says.
+struct FoundBody {
+  HostedRobot robot;
+  robotcontrol::BodyOffer offer;
 };
 
 /// A robot whose body is elsewhere (`robotctl platform ... --listen`), while its program runs here in real
@@ -46,12 +67,15 @@ class BodyFeed final : public PlatformFeed {
   /// The name of its PlatformAdapter.
   static constexpr const char* kAdapter = "body";
 
-  /// Returns the opening for PlatformThread. The robot's overrides are those of the last time it was open.
+  /// Returns the opening for PlatformThread. The robot's overrides are those of the last time it was open. If
+  /// the body objects to what a person can decide, the errors say so: questionIn().
   static PlatformOpening opening(BodyOptions options);
   static tl::expected<std::unique_ptr<BodyFeed>, robotlink::Errors> create(BodyOptions options,
                                                                            robotlink::Session& session,
                                                                            logplayer::Recorder& recorder);
   ~BodyFeed() override;
+  /// Looks for the body only.
+  static tl::expected<FoundBody, robotlink::Errors> find(BodyOptions options);
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override { return due_; }
@@ -70,6 +94,8 @@ class BodyFeed final : public PlatformFeed {
 
  protected:
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  /// Only where the program runs counts here.
+  robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
   using Clock = PacedThread::Clock;
@@ -84,6 +110,9 @@ class BodyFeed final : public PlatformFeed {
   std::filesystem::path layoutFileInUse() const;
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
       std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  /// Publishes a sentence about the other programs; any thread.
+  void reportSpread(const std::string& text);
+  void publishLostOverrides();
   /// Adopts a program and starts its threads.
   void adopt(RobotHost::Candidate program);
   void stopProgram();
@@ -99,6 +128,8 @@ class BodyFeed final : public PlatformFeed {
   std::unique_ptr<RecordingTap> tap_;
   /// Owned by robot_.
   RemoteBodyPlatform* platform_ = nullptr;
+  /// Null if all processes run in this program.
+  std::unique_ptr<SpreadProgram> spread_;
   std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
   std::shared_ptr<StopSwitch> stopSwitch_;

@@ -8,10 +8,13 @@
 #include <thread>
 
 #include "app/core/body/BodyFeed.h"
+#include "app/core/body/BodyStandIn.h"
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/RobotName.h"
 #include "app/core/platform/TextMessages.h"
+#include "app/core/program/ProgramSetups.h"
 #include "app/core/program/ShippedFiles.h"
+#include "app/core/spread/OtherProgram.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 
@@ -25,17 +28,25 @@ constexpr char kMapOption[] = "map", kRobotOption[] = "robot", kSecondsOption[] 
                kTextsOption[] = "texts", kTokenOption[] = "token", kJpegOption[] = "jpeg";
 constexpr robotlink::StreamStore::Limits kNoHistory{std::chrono::seconds(1), 64U << 20U};
 
-BodyOptions bodyOptionsOf(const HeadlessChoices& choices) {
+BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole& console) {
   const FormValues& values = choices.options.values;
   const char* token = std::getenv("ROBOTCONTROL_TOKEN");
   BodyOptions options{.url = choices.platform};
+  options.isTrusted = trustAndPrint(console.errors);
   options.token = textOf(values, kTokenOption, token != nullptr ? token : "");
   options.robot = textOf(values, kRobotOption);
   if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
   options.map = textOf(values, kMapOption);
   options.solutions = choices.solutions;
   options.asJpeg = flagOf(values, kJpegOption);
+  options.spread = choices.spread;
+  options.ownProcess = flagOf(values, ownProcessField().name);
   return options;
+}
+
+/// Prints what concerns the links between programs, which users should see without asking for it.
+std::function<void(const std::string& text)> bodySpreadReport(const HeadlessConsole& console) {
+  return [&console](const std::string& text) { console.errors << text + "\n" << std::flush; };
 }
 
 json bodyFigures(const BodyFeed& feed, double seconds) {
@@ -105,17 +116,53 @@ tl::expected<HeadlessSummary, robotlink::Errors> runBody(const BodyOptions& opti
   return HeadlessSummary{jsonOutput(figures), bodyFiguresText(figures), recorded};
 }
 
-robotlink::Result<HeadlessServing> prepareServedBody(const HeadlessChoices& choices, const HeadlessConsole&) {
+robotlink::Result<HeadlessServing> prepareServedBody(const HeadlessChoices& choices,
+                                                     const HeadlessConsole& console) {
   const FormValues& values = choices.options.values;
-  HeadlessServing serving{BodyFeed::opening(bodyOptionsOf(choices))};
+  BodyOptions options = bodyOptionsOf(choices, console);
+  options.spreadReport = bodySpreadReport(console);
+  HeadlessServing serving{BodyFeed::opening(std::move(options))};
   if (const double seconds = numberOf(values, kSecondsOption); seconds > 0) serving.seconds = seconds;
   serving.texts = flagOf(values, kTextsOption);
   return serving;
 }
 
 robotlink::Result<HeadlessPlatform::Run> prepareBody(const HeadlessChoices& choices) {
-  return [options = bodyOptionsOf(choices), choices](const HeadlessConsole& console) {
-    return runBody(options, choices, console);
+  return [choices](const HeadlessConsole& console) {
+    BodyOptions reporting = bodyOptionsOf(choices, console);
+    reporting.spreadReport = bodySpreadReport(console);
+    return runBody(reporting, choices, console);
+  };
+}
+
+std::filesystem::path bodyLayoutOf(const HeadlessChoices& choices) {
+  return choices.layout.empty() ? std::filesystem::path() : layoutNamed(choices.layout);
+}
+
+tl::expected<HeadlessSummary, robotlink::Errors> runOtherOfBody(const BodyOptions& options, double seconds,
+                                                                const HeadlessConsole& console) {
+  auto layout = readLayoutWith(options.layout, options.solutions);
+  if (!layout) return tl::unexpected(layout.error());
+  const auto body = BodyFeed::find(options);
+  if (!body) return tl::unexpected(body.error());
+  const auto program = OtherProgram::create(
+      {.robot = body->robot,
+       .layout = std::move(*layout),
+       .options = options.spread,
+       .platform = [&](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
+         return std::make_unique<BodyStandIn>(body->offer, clock);
+       },
+       .report = bodySpreadReport(console)});
+  if (!program) return tl::unexpected(program.error());
+  const bool heard = (*program)->run(seconds, console.interrupted);
+  const json figures = {{"program", options.spread.program}, {"heard", heard}};
+  return HeadlessSummary{jsonOutput(figures), bodyFiguresText(figures), heard ? kDone : kFailed};
+}
+
+robotlink::Result<HeadlessPlatform::Run> prepareOtherOfBody(const HeadlessChoices& choices) {
+  return [choices](const HeadlessConsole& console) {
+    return runOtherOfBody(bodyOptionsOf(choices, console), numberOf(choices.options.values, kSecondsOption),
+                          console);
   };
 }
 
@@ -125,30 +172,35 @@ HeadlessPlatform headlessBody() {
   return {
       .help = "a body that is elsewhere, where 'robotctl platform ... --listen' runs: ws://HOST[:PORT]",
       .usage = "a body elsewhere: ws://HOST:PORT",
-      .options = {{.name = kMapOption, .help = "Robots: a map (.map) of where it drives", .option = "--map"},
-                  {.name = kRobotOption, .help = "Robots: its name", .option = "--robot", .check = robotName},
-                  {.name = kSecondsOption,
-                   .kind = Kind::kNumber,
-                   .help = "Robots: how long it runs (until Ctrl-C)",
-                   .initial = 0.0,
-                   .noun = "duration",
-                   .max = 1e6,
-                   .option = "--seconds"},
-                  {.name = kTextsOption,
-                   .kind = Kind::kFlag,
-                   .help = "Robots: prints the program's text messages on stderr",
-                   .initial = false,
-                   .option = "--texts"},
-                  {.name = kTokenOption,
-                   .help = "Bodies elsewhere: the token that was printed there ($ROBOTCONTROL_TOKEN)",
-                   .option = "--token"},
-                  {.name = kJpegOption,
-                   .kind = Kind::kFlag,
-                   .help = "Bodies elsewhere: images as JPEG, for narrow lines",
-                   .initial = false,
-                   .option = "--jpeg"}},
+      .options =
+          {{.name = kMapOption, .help = "Robots: a map (.map) of where it drives", .option = "--map"},
+           {.name = kRobotOption, .help = "Robots: its name", .option = "--robot", .check = robotName},
+           {.name = kSecondsOption,
+            .kind = Kind::kNumber,
+            .help = "Robots: how long it runs (until Ctrl-C)",
+            .initial = 0.0,
+            .noun = "duration",
+            .max = 1e6,
+            .option = "--seconds"},
+           {.name = kTextsOption,
+            .kind = Kind::kFlag,
+            .help = "Robots: prints the program's text messages on stderr",
+            .initial = false,
+            .option = "--texts"},
+           {.name = kTokenOption,
+            .help = "Bodies elsewhere: the token that was printed there ($ROBOTCONTROL_TOKEN); without one "
+                    "that which is remembered",
+            .option = "--token"},
+           {.name = kJpegOption,
+            .kind = Kind::kFlag,
+            .help = "Bodies elsewhere: images as JPEG, for narrow lines",
+            .initial = false,
+            .option = "--jpeg"},
+           ownProcessField()},
       .prepare = prepareBody,
-      .prepareServing = prepareServedBody};
+      .prepareServing = prepareServedBody,
+      .layoutOf = bodyLayoutOf,
+      .prepareOther = prepareOtherOfBody};
 }
 
 }  // namespace app

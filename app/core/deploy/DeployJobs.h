@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -21,8 +22,8 @@ class DeployJobs {
   struct State {
     bool isBusy = false;
     double share = 0;
-    /// Whether files were sent, rather than compared only.
-    bool wasSent = false;
+    /// Whether files were sent, or its program was started again, rather than compared only.
+    bool wasSent = false, wasRestarted = false;
     /// Nothing before the first job is done, and if it failed.
     std::optional<std::vector<DeployDifference>> differences = {};
     std::optional<robotlink::Error> error = {};
@@ -34,16 +35,28 @@ class DeployJobs {
   DeployJobs(const DeployJobs&) = delete;
   DeployJobs& operator=(const DeployJobs&) = delete;
 
-  void check(const std::string& robot, std::vector<DeployFile> files) { run(robot, std::move(files), false); }
-  void send(const std::string& robot, std::vector<DeployFile> files) { run(robot, std::move(files), true); }
+  void check(const std::string& robot, std::vector<DeployFile> files) {
+    run(robot, std::move(files), Job::kCheck);
+  }
+  void send(const std::string& robot, std::vector<DeployFile> files) {
+    run(robot, std::move(files), Job::kSend);
+  }
+  /// See Deployment::restart().
+  void restart(const std::string& robot, std::vector<DeployFile> files) {
+    run(robot, std::move(files), Job::kRestart);
+  }
+  /// Cancels what is in progress and what waits; a file that is being sent is sent as a whole or not at all.
+  void cancel();
   /// Empty if nothing was asked for.
   State state(const std::string& robot) const;
 
  private:
-  void run(const std::string& robot, std::vector<DeployFile> files, bool sends);
+  enum class Job { kCheck, kSend, kRestart };
+  void run(const std::string& robot, std::vector<DeployFile> files, Job job);
 
   const ServiceCall call_;
-  std::atomic<bool> isEnding_ = false;
+  /// The number of times that all was canceled: jobs of before do nothing any more.
+  std::atomic<std::uint64_t> cancels_ = 0;
   /// Protects the states.
   mutable std::mutex mutex_;
   std::map<std::string, State> states_;

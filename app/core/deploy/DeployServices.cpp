@@ -28,13 +28,15 @@ json objectOf(const ResourceFolder::Entry& entry) {
 }  // namespace
 
 DeployServices::DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
-                               Written written)
+                               Written written, Programs programs)
     : server_(std::move(server)),
       folder_(std::move(folder)),
       written_(std::move(written)),
+      programs_(std::move(programs)),
       jobs_(std::make_shared<JobQueue>()) {
   offer("deploy/list", &DeployServices::list, ServiceAccess::kAnybody);
   offer("deploy/put", &DeployServices::put, ServiceAccess::kControl);
+  if (programs_.restart) offer("deploy/restart", &DeployServices::restart, ServiceAccess::kControl);
 }
 
 DeployServices::~DeployServices() {
@@ -63,7 +65,14 @@ void DeployServices::list(const json&, const Reply& reply) {
   if (!entries) return reply.fail(entries.error().describe());
   json all = json::array();
   for (const auto& entry : *entries) all.push_back(objectOf(entry));
-  reply.succeed(jsonMessage(json{{"files", std::move(all)}}), kJsonEncoding);
+  json answer{{"files", std::move(all)}};
+  if (programs_.list) {
+    answer["robots"] = json::array();
+    for (const auto& program : programs_.list())
+      answer["robots"].push_back(
+          {{"robot", program.robot}, {"layout", program.layout}, {"waiting", program.waiting}});
+  }
+  reply.succeed(jsonMessage(answer), kJsonEncoding);
 }
 
 void DeployServices::put(const json& argument, const Reply& reply) {
@@ -76,6 +85,22 @@ void DeployServices::put(const json& argument, const Reply& reply) {
   if (!written) return reply.fail(written.error().describe());
   if (written_) written_(path);
   reply.succeed(jsonMessage(objectOf(*written)), kJsonEncoding);
+}
+
+void DeployServices::restart(const json& argument, const Reply& reply) {
+  const std::string robot = memberOf(argument, "robot"), layout = memberOf(argument, "layout");
+  std::filesystem::path file;
+  if (!layout.empty()) {
+    const auto found = folder_.find("layouts/" + layout);
+    if (!found) return reply.fail(found.error().describe());
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(*found, error))
+      return reply.fail("there is no layout '" + layout + "' here; deploy it first");
+    file = *found;
+  }
+  programs_.restart(robot, file, [reply](const std::string& why) {
+    why.empty() ? reply.succeed("{}", kJsonEncoding) : reply.fail(why);
+  });
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/core/deploy/ResourceFolder.h"
+#include "app/core/deploy/RunningPrograms.h"
 #include "app/core/recordings/JobQueue.h"
 #include "robotlink/foxglove/server/Server.h"
 
@@ -16,19 +17,32 @@ namespace app {
 /// Lets clients of a server see and replace the files of a robot's resource folder. Arguments and answers are
 /// JSON objects:
 ///
-/// - `deploy/list`: {"files": [{"path", "bytes", "sha256"}]}, in the order of their paths
+/// - `deploy/list`: {"files": [{"path", "bytes", "sha256"}]}, in the order of their paths, and with programs
+///   {"robots": [{"robot", "layout", "waiting"}]}: the file of the layout in which the robot's program runs,
+///   and the paths of the files that it has not read since they were written
 /// - `deploy/put` {"path", "content" (base64), "sha256"}: the file as it is now. Written only if the checksum
 ///   fits, as a whole or not at all; up to 2 MiB.
+/// - with programs `deploy/restart` {"robot", "layout"}: starts the robot's program again, so that it reads
+/// the
+///   files; in this layout ("own.yaml", one of those here) if it is given and another one.
 ///
-/// Those who may only watch may list, but not put. Files are read and written in a thread of their own. The
-/// server may outlive this object, whose destructor withdraws the services.
+/// Those who may only watch may list, but not put or restart. Files are read and written in a thread of their
+/// own. The server may outlive this object, whose destructor withdraws the services.
 class DeployServices {
  public:
   /// Called after a file was written, in that thread.
   using Written = std::function<void(const std::string& path)>;
+  /// The robots' programs; both functions are called in that thread.
+  struct Programs {
+    std::function<std::vector<RunningPrograms::Program>()> list;
+    /// `done` is called once, from any thread, with the reason why it was not done; empty if it was.
+    std::function<void(const std::string& robot, const std::filesystem::path& layout,
+                       std::function<void(const std::string& why)> done)>
+        restart;
+  };
 
   DeployServices(std::shared_ptr<robotlink::websocket::Server> server, ResourceFolder folder,
-                 Written written = {});
+                 Written written = {}, Programs programs = {});
   ~DeployServices();
   DeployServices(const DeployServices&) = delete;
   DeployServices& operator=(const DeployServices&) = delete;
@@ -41,10 +55,12 @@ class DeployServices {
   // The handlers run in the queue's thread.
   void list(const nlohmann::json& argument, const Reply& reply);
   void put(const nlohmann::json& argument, const Reply& reply);
+  void restart(const nlohmann::json& argument, const Reply& reply);
 
   const std::shared_ptr<robotlink::websocket::Server> server_;
   const ResourceFolder folder_;
   const Written written_;
+  const Programs programs_;
   std::vector<std::uint32_t> services_;
   /// Outlives this object with the server's handlers.
   const std::shared_ptr<JobQueue> jobs_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
 
 #include "app/core/deploy/ResourceFolder.h"
 #include "app/core/platform/JsonOutput.h"
@@ -24,6 +26,14 @@ using robotlink::Errors;
 using robotlink::Result;
 using State = DeployDifference::State;
 using Differences = std::vector<DeployDifference>;
+
+/// The folder of layouts at robots.
+constexpr std::string_view kLayouts = "layouts/";
+
+/// Whether the robot has the file as it is here.
+bool isThere(const DeployDifference& difference) {
+  return difference.state == State::kSame || difference.state == State::kWaiting;
+}
 
 /// Reads the files that a robot shall have, and notes what is wrong with them.
 class DeployReader {
@@ -83,21 +93,52 @@ std::string folderName(fs::path folder) {
   return folder.filename().string();
 }
 
-/// The checksums of what a robot has, by path.
-Result<std::map<std::string, std::string>> digestsIn(const std::string& answer) {
+/// What a robot answers to deploy/list.
+struct RobotFileList {
+  /// The checksums of what it has, by path.
+  std::map<std::string, std::string> digests;
+  /// What its program has not read yet; and the layout in which it runs, empty if that is not known.
+  std::set<std::string> waiting;
+  std::string layout;
+
+  State stateOf(const DeployFile& file) const {
+    const auto found = digests.find(file.path);
+    if (found == digests.end()) return State::kMissing;
+    if (found->second != file.sha256) return State::kDiffers;
+    const bool isOtherLayout =
+        !layout.empty() && file.path.starts_with(kLayouts) && file.path.substr(kLayouts.size()) != layout;
+    return isOtherLayout || waiting.contains(file.path) ? State::kWaiting : State::kSame;
+  }
+};
+
+/// What the list says of the program of a robot. Robots of before say nothing.
+void readProgram(const json& answer, const std::string& robot, RobotFileList& list) {
+  const auto robots = answer.find("robots");
+  if (robot.empty() || robots == answer.end() || !robots->is_array()) return;
+  for (const json& one : *robots) {
+    if (!one.is_object() || one.value("robot", json()) != json(robot)) continue;
+    if (const json layout = one.value("layout", json()); layout.is_string())
+      list.layout = layout.get<std::string>();
+    for (const json& path : one.value("waiting", json::array()))
+      if (path.is_string()) list.waiting.insert(path.get<std::string>());
+  }
+}
+
+Result<RobotFileList> fileListIn(const std::string& answer, const std::string& robot) {
   const auto object = json::parse(answer, nullptr, false);
   const auto nonsense =
       robotlink::failure("deploy.answer", "the robot's answer to deploy/list is not understood");
   const auto files = object.is_object() ? object.find("files") : object.end();
   if (!object.is_object() || files == object.end() || !files->is_array()) return nonsense;
-  std::map<std::string, std::string> digests;
+  RobotFileList list;
   for (const json& file : *files) {
     if (!file.is_object() || !file.value("path", json()).is_string() ||
         !file.value("sha256", json()).is_string())
       return nonsense;
-    digests[file["path"].get<std::string>()] = file["sha256"].get<std::string>();
+    list.digests[file["path"].get<std::string>()] = file["sha256"].get<std::string>();
   }
-  return digests;
+  readProgram(object, robot, list);
+  return list;
 }
 
 }  // namespace
@@ -124,15 +165,10 @@ PendingAnswer::Answer Deployment::ask(const std::string& service, const std::str
 Result<Differences> Deployment::check(const std::vector<DeployFile>& files, const Progress& progress) {
   const auto answer = ask("deploy/list", "{}", progress, 0);
   if (!answer) return tl::unexpected(answer.error());
-  const auto digests = digestsIn(*answer);
-  if (!digests) return tl::unexpected(digests.error());
+  const auto list = fileListIn(*answer, robot_);
+  if (!list) return tl::unexpected(list.error());
   Differences all;
-  for (const DeployFile& file : files) {
-    const auto found = digests->find(file.path);
-    all.push_back({file.path, found == digests->end()        ? State::kMissing
-                              : found->second == file.sha256 ? State::kSame
-                                                             : State::kDiffers});
-  }
+  for (const DeployFile& file : files) all.push_back({file.path, list->stateOf(file)});
   return all;
 }
 
@@ -140,7 +176,7 @@ Result<Differences> Deployment::send(const std::vector<DeployFile>& files, const
   const auto before = check(files, progress);
   if (!before) return before;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if ((*before)[i].state == State::kSame) continue;
+    if (isThere((*before)[i])) continue;
     const std::string argument =
         jsonMessage(json{{"path", files[i].path},
                          {"sha256", files[i].sha256},
@@ -151,24 +187,44 @@ Result<Differences> Deployment::send(const std::vector<DeployFile>& files, const
   }
   auto after = check(files, progress);
   if (!after) return after;
-  const bool isSame = std::ranges::all_of(*after, [](const auto& one) { return one.state == State::kSame; });
-  if (!isSame) return robotlink::failure("deploy.differs", "after sending, " + describe(*after));
+  if (!std::ranges::all_of(*after, isThere))
+    return robotlink::failure("deploy.differs", "after sending, " + describe(*after));
   return after;
+}
+
+Result<Differences> Deployment::restart(const std::vector<DeployFile>& files, const Progress& progress) {
+  auto before = check(files, progress);
+  if (!before || !needsRestart(*before)) return before;
+  json argument{{"robot", robot_}};
+  for (const DeployFile& file : files)
+    if (file.path.starts_with(kLayouts)) argument["layout"] = file.path.substr(kLayouts.size());
+  if (const auto done = ask("deploy/restart", jsonMessage(argument), progress, 0.5); !done)
+    return robotlink::failure(done.error().id, "its program was not started again: " + done.error().text);
+  return check(files, progress);
+}
+
+bool needsRestart(const Differences& differences) {
+  return std::ranges::any_of(differences, [](const auto& one) { return one.state == State::kWaiting; });
 }
 
 std::string describe(const Differences& differences) {
   std::string text;
   int count = 0;
   for (const DeployDifference& one : differences) {
-    if (one.state == State::kSame) continue;
+    if (isThere(one)) continue;
     ++count;
     text +=
         (text.empty() ? ": " : ", ") + one.path + (one.state == State::kMissing ? " is missing" : " differs");
   }
   const std::string all = std::to_string(differences.size());
   if (differences.empty()) return "nothing is to be sent";
-  return count == 0 ? "all of " + all + " files are the same"
-                    : std::to_string(count) + " of " + all + " files differ" + text;
+  if (count > 0) return std::to_string(count) + " of " + all + " files differ" + text;
+  const auto waiting =
+      std::ranges::count_if(differences, [](const auto& one) { return one.state == State::kWaiting; });
+  return "all of " + all + " files are the same" +
+         (waiting == 0   ? ""
+          : waiting == 1 ? "; 1 takes effect when its program starts again"
+                         : "; " + std::to_string(waiting) + " take effect when its program starts again");
 }
 
 }  // namespace app

@@ -28,7 +28,12 @@ tl::expected<std::vector<DeployFile>, robotlink::Errors> filesFor(const RobotSet
 
 /// How a file at a robot is, compared with the one here.
 struct DeployDifference {
-  enum class State { kSame, kDiffers, kMissing };
+  enum class State {
+    kSame,
+    kDiffers,
+    kMissing,
+    kWaiting,  ///< the same, but the robot's program has not read it yet: it does when it starts again
+  };
   std::string path;
   State state = State::kSame;
   bool operator==(const DeployDifference&) const = default;
@@ -40,7 +45,9 @@ class Deployment {
   /// Called several times a second with the share that is done, 0 to 1; returns false to cancel.
   using Progress = std::function<bool(double share)>;
 
-  explicit Deployment(ServiceCall call) : call_(std::move(call)) {}
+  /// `robot` is its name there, by which it is known what its program has read; empty: that is not asked.
+  explicit Deployment(ServiceCall call, std::string robot = {})
+      : call_(std::move(call)), robot_(std::move(robot)) {}
 
   /// One for each file, in their order.
   robotlink::Result<std::vector<DeployDifference>> check(const std::vector<DeployFile>& files,
@@ -48,13 +55,21 @@ class Deployment {
   /// Sends what differs, and checks again; fails if something differs still.
   robotlink::Result<std::vector<DeployDifference>> send(const std::vector<DeployFile>& files,
                                                         const Progress& progress = {});
+  /// Starts the robot's program again if it has not read some of the files, in the layout among them, and
+  /// checks again. The robot stands meanwhile.
+  robotlink::Result<std::vector<DeployDifference>> restart(const std::vector<DeployFile>& files,
+                                                           const Progress& progress = {});
 
  private:
   PendingAnswer::Answer ask(const std::string& service, const std::string& argument, const Progress& progress,
                             double share);
 
   const ServiceCall call_;
+  const std::string robot_;
 };
+
+/// Whether the robot's program has to be started again so that all files take effect.
+bool needsRestart(const std::vector<DeployDifference>& differences);
 
 /// "2 of 14 files differ: layouts/compact.yaml differs, motions/sit.mof is missing".
 std::string describe(const std::vector<DeployDifference>& differences);

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -29,6 +31,17 @@ constexpr std::array kFatal{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SI
 int reportTo = -1;                                          // NOLINT
 const std::vector<robotlink::Process*>* watched = nullptr;  // NOLINT
 std::array<char, 65536> signalStack;                        // NOLINT
+/// The process that this thread executes; null: all.
+thread_local const robotlink::Process* mine = nullptr;  // NOLINT
+
+/// The threads of processes.
+struct ProcessThread {
+  std::atomic<const robotlink::Process*> process;
+  std::atomic<::pid_t> thread;
+};
+std::array<ProcessThread, 64> processThreads;  // NOLINT
+/// The thread that a report is asked of; 0: any.
+std::atomic<::pid_t> suspected{0};  // NOLINT
 
 // Only what may be called in a handler of signals.
 void put(std::string_view text) {
@@ -45,7 +58,7 @@ void put(std::string_view text) {
   for (std::size_t i = 0; watched != nullptr && i < watched->size(); ++i) {
     const robotlink::Process& process = *(*watched)[i];
     const std::string* activity = process.activity();
-    if (activity == nullptr) continue;
+    if (activity == nullptr || (mine != nullptr && mine != &process)) continue;
     put(kActivity);
     put(*activity);
     put("\n");
@@ -62,7 +75,12 @@ void put(std::string_view text) {
 
 void onQuestion(int) {
   const int before = errno;
-  putReport(kInSignal);
+  // The system chooses the thread that gets a signal of another program.
+  if (const ::pid_t thread = suspected.load(); thread != 0 && thread != ::gettid()) {
+    ::tgkill(::getpid(), thread, SIGUSR1);
+  } else {
+    putReport(kInSignal);
+  }
   errno = before;
 }
 
@@ -131,6 +149,29 @@ void CrashReport::install(int descriptor) {
 
 void CrashReport::watch(const std::vector<robotlink::Process*>& processes) {
   watched = &processes;
+}
+
+void CrashReport::enterThread(const robotlink::Process& process) {
+  mine = &process;
+  // A stack overflow needs another stack for its report. It exists as long as the thread.
+  static thread_local std::vector<char> stackOfThread(signalStack.size());
+  stack_t stack = {};
+  stack.ss_sp = stackOfThread.data();
+  stack.ss_size = stackOfThread.size();
+  ::sigaltstack(&stack, nullptr);
+  for (ProcessThread& entry : processThreads) {
+    const robotlink::Process* nobody = nullptr;
+    if (!entry.process.compare_exchange_strong(nobody, &process)) continue;
+    entry.thread = ::gettid();
+    return;
+  }
+}
+
+void CrashReport::suspect(const robotlink::Process* process) {
+  suspected = 0;
+  for (const ProcessThread& entry : processThreads) {
+    if (process != nullptr && entry.process == process) suspected = entry.thread.load();
+  }
 }
 
 CrashReport CrashReport::parse(std::string_view text) {

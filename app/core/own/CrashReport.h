@@ -26,11 +26,16 @@ struct CrashReport {
   /// " in ball-percept (region) of process cognition", or an empty text.
   std::string place() const;
 
-  // In the program itself, once, in its main thread:
+  // In the program itself, once each, in its main thread:
   /// From now on writes a report to a file descriptor at fatal signals, at exit(), and at kAskSignal.
   static void install(int descriptor);
   /// The processes of which a report may say what they do; they must exist until the program ends.
   static void watch(const std::vector<robotlink::Process*>& processes);
+  // With a thread for each process:
+  /// To be called in the thread of a process, which then is what a report of this thread is about.
+  static void enterThread(const robotlink::Process& process);
+  /// The next reports that are asked for are about the thread of this process; null: any.
+  static void suspect(const robotlink::Process* process);
 };
 
 /// The signal at which a program writes a report and goes on.

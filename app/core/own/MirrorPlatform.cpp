@@ -29,6 +29,12 @@ MirrorPlatform::MirrorPlatform(const robotcontrol::WireSetup& setup, const robot
   };
   for (const auto& port : setup.senders()) {
     senders_.push_back(std::make_unique<robotlink::AnySender>(*this, port.package(), blocking(port)));
+    turnOfSender_.push_back(port.turn());
+    auto& turn = turns_[port.turn()];
+    if (!turn && !port.turn().empty()) {
+      turn = std::make_unique<StandInProcess>("turn of " + port.turn(), clock);
+      turn->setFrame([this, name = port.turn()] { sendTurn(name); });
+    }
     if (port.on_request()) onRequest_.push_back(senders_.back().get());
   }
   for (const auto& port : setup.receivers())
@@ -39,12 +45,31 @@ void MirrorPlatform::setPackages(google::protobuf::RepeatedPtrField<robotcontrol
   packages_ = std::move(packages);
 }
 
+void MirrorPlatform::wake() {
+  Process::wake();
+  if (wakeUp_) wakeUp_();
+}
+
 void MirrorPlatform::execute() {
-  for (const auto& wire : packages_) {
+  sendTurn({});
+}
+
+robotlink::Process* MirrorPlatform::turnOf(const std::string& process) {
+  const auto found = turns_.find(process);
+  return found == turns_.end() ? nullptr : found->second.get();
+}
+
+void MirrorPlatform::sendTurn(const std::string& turn) {
+  google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> later;
+  for (auto& wire : packages_) {
     if (wire.port() >= senders_.size()) continue;
-    if (const auto package = packageIn(wire)) senders_[wire.port()]->send(package);
+    if (turnOfSender_[wire.port()] != turn) {
+      later.Add()->Swap(&wire);
+    } else if (const auto package = packageIn(wire)) {
+      senders_[wire.port()]->send(package);
+    }
   }
-  packages_.Clear();
+  packages_.Swap(&later);
 }
 
 void MirrorPlatform::takeTo(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage>& packages) {

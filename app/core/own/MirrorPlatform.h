@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "app/core/own/StandInProcess.h"
 #include "robotcontrol/ProgramWire.pb.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/process/Platform.h"
@@ -16,14 +20,21 @@ class MirrorPlatform final : public robotlink::Platform {
  public:
   MirrorPlatform(const robotcontrol::WireSetup& setup, const robotlink::Clock& clock);
 
-  /// What the next frame sends.
+  /// What the next frame sends, and the turns.
   void setPackages(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages);
+  /// What is executed in the turn of a process, whose packages the platform sends then; null if there are
+  /// none.
+  robotlink::Process* turnOf(const std::string& process);
   /// Adds what has arrived since the last call.
   void takeTo(google::protobuf::RepeatedPtrField<robotcontrol::WirePackage>& packages);
   /// Adds the indices of senders, or of receivers, that are connected.
   void connectedTo(google::protobuf::RepeatedField<std::uint32_t>& senders) const;
   void fedTo(google::protobuf::RepeatedField<std::uint32_t>& receivers) const;
 
+  /// Called when a package has arrived, in the thread that sent it. Before the program runs.
+  void setWakeUp(std::function<void()> wakeUp) { wakeUp_ = std::move(wakeUp); }
+
+  void wake() override;
   void actuate() override {}
   void engageStop(bool) override {}
   std::vector<robotlink::AnySender*> onRequest() override { return onRequest_; }
@@ -32,12 +43,18 @@ class MirrorPlatform final : public robotlink::Platform {
   void execute() override;
 
  private:
+  /// Sends the packages of a turn; those of none if it is empty.
+  void sendTurn(const std::string& turn);
+
   std::vector<std::unique_ptr<robotlink::AnySender>> senders_;
+  std::vector<std::string> turnOfSender_;
+  std::map<std::string, std::unique_ptr<StandInProcess>> turns_;
   std::vector<std::unique_ptr<robotlink::AnyReceiver>> receivers_;
   /// How many packages each receiver had taken when takeTo() was called last.
   std::vector<std::uint64_t> taken_;
   std::vector<robotlink::AnySender*> onRequest_;
   google::protobuf::RepeatedPtrField<robotcontrol::WirePackage> packages_;
+  std::function<void()> wakeUp_;
 };
 
 /// A package in its form on the wire, and back: null if its type is unknown.

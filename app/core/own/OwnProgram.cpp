@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "app/core/own/MirrorPlatform.h"
+#include "app/core/own/OwnPreview.h"
 #include "app/core/own/PlatformPorts.h"
 #include "app/core/own/ProgramChild.h"
 #include "app/core/own/StandInProcess.h"
+#include "app/core/own/WireSetups.h"
 #include "app/core/program/HostedRobot.h"
-#include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
-#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace app {
@@ -29,29 +29,10 @@ constexpr std::size_t kMaxWaitingRequests = 1000;
 constexpr std::uint64_t kMaxDebugFrames = 1000;
 /// The name of what stands for the program in the executor.
 constexpr char kExchange[] = "program";
-
-robotcontrol::WireSetup setupOf(const HostedProgram::Parts& parts, const OwnProgram::Options& options) {
-  const HostedRobot& robot = parts.robot;
-  robotcontrol::WireSetup setup;
-  setup.set_robot(robot.name);
-  setup.set_team(robot.team);
-  setup.set_kind(robot.description->name);
-  setup.set_field_file(robot.fieldFile.string());
-  setup.set_map_file(robot.mapFile.string());
-  setup.set_layout_file(parts.file.string());
-  for (const auto& process : parts.layout.processes) {
-    for (const auto& task : process.tasks) {
-      if (task.ownSolution.empty()) continue;
-      auto& choice = *setup.add_solutions();
-      choice.set_task(task.task);
-      choice.set_solution(task.solution);
-    }
-  }
-  for (const auto& values : parts.parameters.recorded) *setup.add_parameters() = values;
-  setup.set_time(parts.platform.clock().now().time_since_epoch().count());
-  setup.set_memory_limit(options.memoryLimit);
-  return setup;
-}
+/// How often it is looked whether the wait for an answer was cut short.
+constexpr std::chrono::milliseconds kAnswerLook{10};
+/// With threads, what a socket does not take within this time is sent in the next step.
+constexpr std::chrono::milliseconds kSendTime{5};
 
 Errors errorsIn(const robotcontrol::WireProgram& program) {
   Errors errors;
@@ -84,6 +65,11 @@ struct OwnProgram::Implementation {
   // ---- Steps
   void startStep();
   void runStep();
+  /// With threads: takes all that has come.
+  void takeNews();
+  /// In lockstep: waits for the answer as long as the patience lasts.
+  ProgramLink::Outcome receiveAnswer();
+  void take(const WireAnswer& arrived);
   void apply(const robotcontrol::WireResult& result);
   void applyEvent(const robotcontrol::WireResult::Event& event);
   // ---- Questions between steps
@@ -93,7 +79,12 @@ struct OwnProgram::Implementation {
   // ---- What may go wrong
   void silent();
   void heard();
+  /// With threads: something does not return there, or it has if `what` is empty.
+  void stuck(const std::string& what);
   void ended();
+  /// The calls of what does not return, as far as they can be known.
+  CrashReport lookIntoIt();
+  std::string waited() const;
   void setState(HostingStatus::State state, const std::string& what, const std::string& stack);
 
   const Options options;
@@ -110,8 +101,15 @@ struct OwnProgram::Implementation {
   std::vector<robotlink::Process*> executed;
   /// The requests of the next step.
   std::vector<robotcontrol::Request> requests;
+  PlatformPorts::Packages offers;
+  PackageTap tap;
   /// A step was sent and its result has not come.
   bool waits = false;
+  std::chrono::steady_clock::time_point sentAt;
+  /// It does not take part in steps; and with threads, one of them does not return.
+  bool isSilent = false, isStuck = false;
+  /// The first step was sent: its threads run.
+  bool hasBegun = false;
   /// The frames of the platform when the last step was sent.
   std::uint64_t platformFrames = 0;
   WireOrder order;
@@ -123,7 +121,7 @@ struct OwnProgram::Implementation {
 
 HostedProgram::Maker OwnProgram::maker(Options options) {
   return [options = std::move(options)](Parts parts) -> Made {
-    robotcontrol::WireSetup setup = setupOf(parts, options);
+    robotcontrol::WireSetup setup = wireSetup(parts, options);
     auto child = ProgramChild::start(options.executable, parts.robot.name);
     if (!child) return tl::unexpected(Errors{child.error()});
     auto made = std::make_unique<Implementation>(options, std::move(parts), std::move(*child));
@@ -134,7 +132,7 @@ HostedProgram::Maker OwnProgram::maker(Options options) {
 }
 
 Errors OwnProgram::Implementation::make(robotcontrol::WireSetup setup) {
-  ports.describeTo(setup);
+  ports.describeTo(setup, options.turns);
   *order.mutable_setup() = std::move(setup);
   ProgramLink& link = child->link();
   auto outcome = link.send(order, options.startLimit);
@@ -156,6 +154,9 @@ Errors OwnProgram::Implementation::make(robotcontrol::WireSetup setup) {
   ports.connect(program.fed(), program.connected());
   platformFrames = platform.frames();
   status.set_own_process(true);
+  status.set_threads(options.threads);
+  // Threads take the newest, as from any link.
+  ports.setBehind(options.threads);
   status.set_pid(static_cast<std::uint32_t>(child->pid()));
   return {};
 }
@@ -183,7 +184,8 @@ void OwnProgram::stop() {
   implementation_->ports.close();
   implementation_->exchange.stop();
   // One that does not answer does not listen either.
-  if (implementation_->child && implementation_->waits) implementation_->child->kill();
+  const bool listens = !implementation_->waits && !implementation_->isStuck;
+  if (implementation_->child && !listens) implementation_->child->kill();
   implementation_->child.reset();
 }
 
@@ -202,27 +204,61 @@ void OwnProgram::Implementation::startStep() {
   ports.takeTo(*step.mutable_packages());
   for (auto& request : requests) *step.add_requests() = std::move(request);
   requests.clear();
-  waits = true;
-  if (child->link().send(order, options.patience) == ProgramLink::Outcome::kEnded) ended();
+  step.mutable_offers()->Swap(&offers);
+  offers.Clear();
+  waits = hasBegun = true;
+  sentAt = std::chrono::steady_clock::now();
+  const auto limit = options.threads ? kSendTime : options.patience;
+  if (child->link().send(order, limit) == ProgramLink::Outcome::kEnded) ended();
 }
 
 void OwnProgram::Implementation::runStep() {
+  if (options.threads) return takeNews();
   startStep();
   if (!child) return;
-  const bool late = status.state() == HostingStatus::NOT_ANSWERING;
-  switch (child->link().receive(answer, late ? std::chrono::milliseconds(0) : options.patience)) {
+  switch (receiveAnswer()) {
     case ProgramLink::Outcome::kTimeout:
-      if (!late) silent();
+      if (!isSilent) silent();
       return;
     case ProgramLink::Outcome::kEnded:
       return ended();
     case ProgramLink::Outcome::kDone:
-      break;
+      return take(answer);
   }
-  waits = false;
-  if (late) heard();
+}
+
+ProgramLink::Outcome OwnProgram::Implementation::receiveAnswer() {
+  ProgramLink& link = child->link();
+  if (isSilent) return link.receive(answer, std::chrono::milliseconds(0));
+  if (!options.cut) return link.receive(answer, options.patience);
+  const auto begin = std::chrono::steady_clock::now();
+  for (;;) {
+    const auto outcome = link.receive(answer, kAnswerLook);
+    if (outcome != ProgramLink::Outcome::kTimeout || options.cut->isOver(begin)) return outcome;
+  }
+}
+
+void OwnProgram::Implementation::takeNews() {
+  while (child) {
+    switch (child->link().receive(answer, std::chrono::milliseconds(0))) {
+      case ProgramLink::Outcome::kTimeout:
+        if (waits && !isSilent && std::chrono::steady_clock::now() - sentAt > options.patience) silent();
+        return;
+      case ProgramLink::Outcome::kEnded:
+        return ended();
+      case ProgramLink::Outcome::kDone:
+        take(answer);
+    }
+  }
+}
+
+void OwnProgram::Implementation::take(const WireAnswer& arrived) {
+  if (!arrived.result().unasked()) {
+    waits = false;
+    if (isSilent) heard();
+  }
   // It may be the late answer to a question.
-  if (answer.has_result()) apply(answer.result());
+  if (arrived.has_result()) apply(arrived.result());
 }
 
 void OwnProgram::Implementation::apply(const robotcontrol::WireResult& result) {
@@ -257,21 +293,35 @@ void OwnProgram::Implementation::applyEvent(const robotcontrol::WireResult::Even
         taskProcesses, [&](const auto& process) { return process->name() == event.trouble().process(); });
     const robotlink::Process& process = found == taskProcesses.end() ? *debugProcess : **found;
     listeners.trouble(process, event.trouble().text());
+  } else if (event.has_tapped()) {
+    const auto package = packageIn(event.tapped().package());
+    if (package && tap) tap(event.tapped().name(), package);
+  } else if (event.has_stuck()) {
+    stuck(event.stuck().what());
   }
 }
 
 // ---- What may go wrong
 
-void OwnProgram::Implementation::silent() {
+CrashReport OwnProgram::Implementation::lookIntoIt() {
   // Someone who looks at it step by step wants it to stay as it is.
-  const CrashReport report = child->isDebugged() ? CrashReport() : child->ask();
-  const auto seconds = std::chrono::duration<double>(options.patience).count();
+  return child->isDebugged() ? CrashReport() : child->ask();
+}
+
+std::string OwnProgram::Implementation::waited() const {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g s", seconds);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - sentAt;
+  std::snprintf(text, sizeof text, "%.1f s", time.count());
+  return text;
+}
+
+void OwnProgram::Implementation::silent() {
+  const CrashReport report = lookIntoIt();
+  isSilent = true;
   ports.setBehind(true);
   setState(
       HostingStatus::NOT_ANSWERING,
-      "The program of " + robot + " has not answered for " + text +
+      "The program of " + robot + " has not answered for " + waited() +
           (report.activity.empty() ? std::string() : ": it does not return" + report.place()) +
           ". The robot stands until it answers or is started again. A debugger looks at it with: gdb -p " +
           std::to_string(child->pid()),
@@ -279,8 +329,23 @@ void OwnProgram::Implementation::silent() {
 }
 
 void OwnProgram::Implementation::heard() {
-  ports.setBehind(false);
-  setState(HostingStatus::RUNNING, "The program of " + robot + " answers again.", {});
+  isSilent = false;
+  ports.setBehind(options.threads);
+  if (!isStuck) setState(HostingStatus::RUNNING, "The program of " + robot + " answers again.", {});
+}
+
+void OwnProgram::Implementation::stuck(const std::string& what) {
+  isStuck = !what.empty();
+  if (!isStuck) {
+    return setState(HostingStatus::RUNNING, "The program of " + robot + " has returned and goes on.", {});
+  }
+  const CrashReport report = lookIntoIt();
+  setState(HostingStatus::NOT_ANSWERING,
+           "The program of " + robot + " does not return from " + what +
+               ". The robot stands until it returns or its program is started again. A debugger looks at it "
+               "with: gdb -p " +
+               std::to_string(child->pid()),
+           report.stack);
 }
 
 void OwnProgram::Implementation::ended() {
@@ -307,12 +372,14 @@ void OwnProgram::Implementation::setState(HostingStatus::State state, const std:
 // ---- Questions between steps
 
 bool OwnProgram::Implementation::answers() {
-  return child && !waits;
+  // Among the news of threads an answer would not be found.
+  return child && !waits && !(options.threads && hasBegun);
 }
 
 const WireAnswer* OwnProgram::Implementation::ask(const WireOrder& asked) {
   if (!answers()) return nullptr;
   ProgramLink& link = child->link();
+  sentAt = std::chrono::steady_clock::now();
   auto outcome = link.send(asked, options.patience);
   if (outcome == ProgramLink::Outcome::kDone) outcome = link.receive(answer, options.patience);
   if (outcome == ProgramLink::Outcome::kDone) return &answer;
@@ -325,56 +392,6 @@ const WireAnswer* OwnProgram::Implementation::ask(const WireOrder& asked) {
   }
   return nullptr;
 }
-
-namespace {
-
-/// A preview of a program elsewhere; without effect once the program does not answer.
-class OwnPreview final : public ProgramPreview {
- public:
-  using Ask = std::function<const WireAnswer*(const WireOrder& order)>;
-  OwnPreview(Ask ask, std::function<std::string()> refusal)
-      : ask_(std::move(ask)), refusal_(std::move(refusal)) {
-    WireOrder order;
-    order.set_begin_preview(true);
-    ask_(order);
-  }
-
-  std::string add(const robotcontrol::Request& request) override { return asked(request, false); }
-  bool answer(const robotcontrol::Request& request) override {
-    const std::string why = asked(request, true);
-    // The program itself says in its queue why it refuses a request.
-    if (const std::string gone = refusal_(); !gone.empty()) refuse(request, gone);
-    return why.empty();
-  }
-  std::shared_ptr<const robotlink::SharedDebugQueue> takeQueue(robotlink::Instant now) override {
-    WireOrder order;
-    order.set_take_preview(now.time_since_epoch().count());
-    const WireAnswer* answer = ask_(order);
-    if (answer != nullptr && answer->has_queue()) return robotlink::fromWire(answer->queue());
-    return std::exchange(refused_, nullptr);
-  }
-
- private:
-  std::string asked(const robotcontrol::Request& request, bool withResult) {
-    WireOrder order;
-    *order.mutable_preview()->mutable_request() = request;
-    order.mutable_preview()->set_with_result(withResult);
-    const WireAnswer* answer = ask_(order);
-    return answer != nullptr ? answer->refusal() : refusal_();
-  }
-  void refuse(const robotcontrol::Request& request, const std::string& why) {
-    if (!refused_) refused_ = std::make_shared<robotlink::SharedDebugQueue>();
-    auto& result = refused_->add<robotcontrol::RequestResult>(robotlink::streams::kResults);
-    result.set_id(request.id());
-    result.set_reason(why);
-  }
-
-  const Ask ask_;
-  const std::function<std::string()> refusal_;
-  std::shared_ptr<robotlink::SharedDebugQueue> refused_;
-};
-
-}  // namespace
 
 std::unique_ptr<ProgramPreview> OwnProgram::preview() {
   return std::make_unique<OwnPreview>(
@@ -392,6 +409,17 @@ std::string OwnProgram::refusal() const {
     default:
       return {};
   }
+}
+
+void OwnProgram::offer(const robotlink::PackagePtr& package) {
+  assign(*implementation_->offers.Add(), 0, *package);
+}
+
+void OwnProgram::tap(const std::set<std::string>& packages, PackageTap tap) {
+  implementation_->tap = std::move(tap);
+  WireOrder order;
+  order.mutable_tap()->mutable_packages()->Assign(packages.begin(), packages.end());
+  (void)implementation_->ask(order);
 }
 
 bool OwnProgram::request(const robotcontrol::Request& request) {

@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
-#include <cstdint>
-#include <filesystem>
+#include <memory>
 
+#include "app/core/own/OwnProgramOptions.h"
 #include "app/core/program/HostedProgram.h"
 
 namespace app {
 
 /// A robot's program in a process of the operating system of its own (OWN_PROCESS.md). Whatever ends that
 /// process, or keeps it busy, concerns only this robot: the platform then is unattended, and the robot
-/// stands. In lockstep it computes the same as an InsideProgram, byte by byte.
+/// stands. In lockstep it computes the same as an InsideProgram, byte by byte. One thread at a time.
 class OwnProgram final : public HostedProgram {
  public:
-  struct Options {
-    /// What is started; the executable's main() begins with ownProgramMain().
-    std::filesystem::path executable = "/proc/self/exe";
-    /// How long a step, or the answer to a question, may take before the program counts as not answering.
-    std::chrono::milliseconds patience{2000};
-    /// How long it may take to be made.
-    std::chrono::milliseconds startLimit{20'000};
-    /// How much memory it may allocate, bytes; 0: as much as there is.
-    std::uint64_t memoryLimit = std::uint64_t{2} << 30U;
-  };
+  using Options = OwnProgramOptions;
   static Maker maker(Options options);
   ~OwnProgram() override;
 
@@ -35,6 +25,8 @@ class OwnProgram final : public HostedProgram {
   std::vector<std::string> yieldedPackages() const override;
   const std::vector<robotlink::Process*>& processes() const override;
   const robotlink::Process& debugProcess() const override;
+  void offer(const robotlink::PackagePtr& package) override;
+  void tap(const std::set<std::string>& packages, PackageTap tap) override;
   bool request(const robotcontrol::Request& request) override;
   std::string refusal() const override;
   std::unique_ptr<ProgramPreview> preview() override;

@@ -58,13 +58,15 @@ bool PlatformPorts::isOnRequest(std::size_t port) const {
   return std::ranges::find(onRequest, platform_.senders()[port]) != onRequest.end();
 }
 
-void PlatformPorts::describeTo(robotcontrol::WireSetup& setup) const {
+void PlatformPorts::describeTo(robotcontrol::WireSetup& setup,
+                               const std::map<std::string, std::string>& turns) const {
   setup.set_platform(platform_.name());
   for (std::size_t i = 0; i < platform_.senders().size(); ++i) {
     auto& port = *setup.add_senders();
     port.set_package(platform_.senders()[i]->package());
     port.set_blocking(platform_.senders()[i]->blocking());
     port.set_on_request(isOnRequest(i));
+    if (const auto turn = turns.find(port.package()); turn != turns.end()) port.set_turn(turn->second);
   }
   for (const robotlink::AnyReceiver* receiver : platform_.receivers()) {
     auto& port = *setup.add_receivers();

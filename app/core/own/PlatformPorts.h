@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "robotcontrol/ProgramWire.pb.h"
@@ -23,8 +25,8 @@ class PlatformPorts {
   PlatformPorts(robotlink::Platform& platform, robotlink::EndOwner& owner);
   ~PlatformPorts();
 
-  /// Describes the platform's ports.
-  void describeTo(robotcontrol::WireSetup& setup) const;
+  /// Describes the platform's ports; `turns` are OwnProgramOptions::turns.
+  void describeTo(robotcontrol::WireSetup& setup, const std::map<std::string, std::string>& turns) const;
   /// Makes the links: the receivers in `fed` get packages.
   void connect(const Indices& fed, const Indices& connected);
   /// Which of the senders have receivers in the program. Those that produce only on request are connected

@@ -38,6 +38,7 @@ Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
   options.map = textOf(choices.values, "map");
+  options.ownProcess = flagOf(choices.values, "own", false);
   return PioneerFeed::opening(std::move(options));
 }
 
@@ -220,6 +221,7 @@ PlatformForm pioneerForm() {
                          .files = "Maps (*.map)",
                          .option = "--map",
                          .remembered = "robot_map"});
+  form.fields.push_back(ownProcessField());
   form.follow = followAddress;
   form.normalize = normalizeAddress;
   return form;

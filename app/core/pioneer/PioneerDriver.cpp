@@ -151,6 +151,8 @@ void PioneerDriver::actuate(bool stopEngaged, Instant now) {
   if (stopEngaged != held_) {
     held_ = stopEngaged;
     driving_ = false;
+    // What was requested before does not count after it.
+    if (held_) requestCame_.reset();
     if (held_) command(CommandId::kEStop, 0, now);
     command(CommandId::kEnable, !held_ && motorsWanted_ ? 1 : 0, now);
   }
@@ -184,7 +186,7 @@ void PioneerDriver::setUp(Instant now) {
 void PioneerDriver::drive(Instant now) {
   const robotcontrol::DriveRequest* request = request_.get();
   if (request != nullptr && request_.isNew()) requestCame_ = now;
-  if (request == nullptr || now - requestCame_ > kSilence) {
+  if (request == nullptr || !requestCame_ || now - *requestCame_ > kSilence) {
     if (driving_) command(CommandId::kStop, 0, now);
     driving_ = false;
     return;

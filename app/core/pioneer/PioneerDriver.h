@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -131,7 +132,9 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   /// For takeReport().
   std::string report_;
   /// The times of the last event of each kind.
-  robotlink::Instant lineOpened_, lastBytes_, requestCame_, commandSent_, statusSent_;
+  robotlink::Instant lineOpened_, lastBytes_, commandSent_, statusSent_;
+  /// When the newest request of the program came; nothing if the robot was held since.
+  std::optional<robotlink::Instant> requestCame_;
   /// The speeds that were last commanded, mm/s and degrees/s; valid while driving_.
   int speedMmS_ = 0, rotationDegS_ = 0;
   /// As of the last actuate(): whether STOP is engaged, and whether the last command made it drive.

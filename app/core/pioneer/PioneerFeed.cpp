@@ -26,13 +26,19 @@ PlatformOpening PioneerFeed::opening(PioneerOptions options) {
             PioneerOptions chosen = options;
             const auto before = context.overrides.find(chosen.robot);
             if (before != context.overrides.end()) chosen.overrides = before->second;
-            return create(std::move(chosen), context.session, context.recorder);
+            // Whoever has chosen a process of its own for one robot means those that are connected later,
+            // too.
+            std::any& memory = context.memory;
+            if (const bool* own = std::any_cast<bool>(&memory)) chosen.ownProcess |= *own;
+            return create(std::move(chosen), context.session, context.recorder,
+                          [&memory](bool own) { memory = own; });
           }};
 }
 
 tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
-    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
+    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choice choice) {
   auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
+  feed->choice_ = std::move(choice);
   auto run = PioneerRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -40,18 +46,16 @@ tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::creat
 }
 
 PioneerRun::Listeners PioneerFeed::listeners() {
-  return {
-      [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-      [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-        gate_.publishTrouble(robot, process, text);
-      },
-      [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-        gate_.publishPlatform(robot, time, text);
-      },
-      {},
-      [this](const std::string& robot, robotlink::Instant time, const robotcontrol::HostingStatus& status) {
-        if (!status.text().empty()) gate_.publishHosting(robot, time, status);
-      }};
+  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            gate_.publishTrouble(robot, process, text);
+          },
+          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
+            gate_.publishPlatform(robot, time, text);
+          },
+          {},
+          [this](const std::string& robot, robotlink::Instant time,
+                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
 std::vector<std::string> PioneerFeed::end() {
@@ -89,11 +93,21 @@ std::map<std::string, ProgramOverrides> PioneerFeed::overrides() const {
 }
 
 robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
-  robotlink::Errors errors = run_->setLayout(file);
-  if (!errors.empty()) return errors;
+  return run_->setLayout(file);
+}
+
+void PioneerFeed::publishLostOverrides() {
   for (const std::string& lost : run_->lostChoices()) {
     gate_.publishText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
   }
+}
+
+robotlink::Result<void> PioneerFeed::requestSimulation(const robotcontrol::Request& request) {
+  if (!request.has_host_program()) return PlatformFeed::requestSimulation(request);
+  const robotlink::Errors errors = run_->hostProgram(request.robot(), request.host_program());
+  if (!errors.empty()) return tl::unexpected(errors.front());
+  if (choice_) choice_(run_->options().ownProcess);
+  publishLostOverrides();
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,10 +23,14 @@ class PioneerFeed final : public PlatformFeed {
   /// Returns the opening of a robot for PlatformThread. The robot's overrides are those of the last time it
   /// was open.
   static PlatformOpening opening(PioneerOptions options);
+  /// Called in the platform's thread when the user has chosen whether the program runs in a process of its
+  /// own.
+  using Choice = std::function<void(bool ownProcess)>;
   /// Makes the run. Fails if the program cannot be run; whether the robot can be reached does not matter.
   static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(PioneerOptions options,
                                                                               robotlink::Session& session,
-                                                                              logplayer::Recorder& recorder);
+                                                                              logplayer::Recorder& recorder,
+                                                                              Choice choice = {});
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override { return due_; }
@@ -42,6 +47,8 @@ class PioneerFeed final : public PlatformFeed {
  protected:
   /// STOP and requests for the base go to the platform, whatever the program does.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  /// Only where the program runs counts here.
+  robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
   using Clock = PacedThread::Clock;
@@ -50,11 +57,15 @@ class PioneerFeed final : public PlatformFeed {
       : gate_(session), recorder_(recorder) {}
   /// Listeners that publish.
   PioneerRun::Listeners listeners();
+  /// Publishes the overrides that the present program cannot fulfill as warnings, where describe() is not
+  /// asked.
+  void publishLostOverrides();
 
   /// Publishes to the session from begin() on.
   PublishGate gate_;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
+  Choice choice_;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;
 };

@@ -16,6 +16,7 @@
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/spread/OtherProgram.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/RobotUse.h"
 
@@ -27,12 +28,16 @@ using Kind = PlatformField::Kind;
 
 constexpr std::chrono::milliseconds kHeadlessStep{10};
 constexpr char kMap[] = "map", kRobot[] = "robot", kSeconds[] = "seconds", kMotors[] = "motors",
-               kTexts[] = "texts";
+               kTexts[] = "texts", kOwn[] = "own";
 
 PioneerRun::Listeners robotListeners(std::ostream& errors, bool texts) {
   PioneerRun::Listeners listeners;
   listeners.trouble = [&errors](const std::string& robot, const robotlink::Process&,
                                 const std::string& text) { errors << robot << ": " << text << "\n"; };
+  listeners.hosting = [&errors](const std::string&, robotlink::Instant,
+                                const robotcontrol::HostingStatus& status) {
+    if (!status.text().empty()) errors << status.text() << "\n" << status.stack();
+  };
   if (texts) {
     listeners.queue = [&errors](const std::string& robot, const auto& queue) {
       printTexts(errors, robot, *queue);
@@ -126,6 +131,7 @@ PioneerOptions pioneerOptionsOf(const HeadlessChoices& choices) {
   options.solutions = choices.solutions;
   options.motorsOn = flagOf(values, kMotors);
   options.spread = choices.spread;
+  options.ownProcess = flagOf(values, kOwn);
   return options;
 }
 
@@ -191,13 +197,7 @@ tl::expected<HeadlessSummary, robotlink::Errors> runOtherProgram(const PioneerOp
       .report = spreadReport(console)};
   const auto program = OtherProgram::create(std::move(parts));
   if (!program) return tl::unexpected(program.error());
-  const auto end = std::chrono::steady_clock::now() + robotlink::fromSeconds(seconds);
-  bool heard = false;
-  while (!console.interrupted() && (seconds == 0 || std::chrono::steady_clock::now() < end)) {
-    if (!heard && (*program)->begin()) console.errors << "The program with the platform runs." << std::endl;
-    heard = (*program)->begin();
-    std::this_thread::sleep_for(kHeadlessStep);
-  }
+  const bool heard = (*program)->run(seconds, console.interrupted);
   const json figures = {{"program", options.spread.program}, {"heard", heard}};
   return HeadlessSummary{jsonOutput(figures), figuresText(figures), heard ? kDone : kFailed};
 }
@@ -239,7 +239,8 @@ HeadlessPlatform headlessPioneer() {
                        .kind = Kind::kFlag,
                        .help = "Robots: prints the program's text messages on stderr",
                        .initial = false,
-                       .option = "--texts"}},
+                       .option = "--texts"},
+                      ownProcessField()},
           .prepare = preparePioneer,
           .prepareServing = prepareServedPioneer,
           .layoutOf = pioneerLayoutOf,

@@ -2,11 +2,13 @@
 #include "app/core/pioneer/PioneerRun.h"
 
 #include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RealHosting.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/SceneMessages.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/spread/SpreadProgram.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/GroundMap.h"
@@ -88,18 +90,25 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  HostedProgram::Maker maker = options_.instead;
+  HostedProgram::Maker made = maker();
   if (!options_.spread.program.empty()) {
     auto spread = SpreadProgram::open(options_.spread, *layout, options_.robot, clock_,
                                       [this](const std::string& text) { reportSpread(text); });
     if (!spread) return tl::unexpected(Errors{spread.error()});
     spread_ = std::move(*spread);
-    maker = spread_->maker();
+    made = spread_->maker();
   }
   return robot_->make({.platform = std::move(platform),
                        .file = file,
                        .layout = std::move(*layout),
-                       .maker = std::move(maker)});
+                       .maker = std::move(made)});
+}
+
+HostedProgram::Maker PioneerRun::maker() const {
+  if (options_.instead || !options_.ownProcess) return options_.instead;
+  OwnProgram::Options own = options_.own;
+  own.threads = own.inRealTime = true;
+  return OwnProgram::maker(own);
 }
 
 void PioneerRun::reportSpread(const std::string& text) const {
@@ -121,6 +130,11 @@ void PioneerRun::start(RobotHost::Candidate program) {
 }
 
 void PioneerRun::stop() {
+  // The robot must not go on as the program commanded last. Who begins another one ends this.
+  if (executor_ && platform_ != nullptr) {
+    platform_->setUnattended(true);
+    platform_->actuate();
+  }
   if (robot_) leftOver_.end(std::move(executor_), {robot_.get()});
   if (robot_) robot_->stop();
 }
@@ -141,23 +155,37 @@ void PioneerRun::step() {
   if (tap_) tap_->askForPackages();
   if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
   executor_->step();
+  robot_->startStep();
   robot_->reportPlatform();
   if (tap_) tap_->endStep();
 }
 
 Errors PioneerRun::setLayout(const std::filesystem::path& file) {
-  if (spread_) {
-    return {{"spread.layout",
-             "the layout of a robot whose processes are spread over several programs cannot be changed while "
-             "they run; end all of them, and start them with " +
-                 file.string(),
-             {file.string()},
-             {}}};
-  }
+  if (spread_) return {SpreadProgram::refusalOfLayout(file)};
   auto program = makeProgram(nullptr, file);
   if (!program) return program.error();
   stop();
   options_.layout = file;
+  start(std::move(*program));
+  return {};
+}
+
+Errors PioneerRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
+  using robotcontrol::HostProgram;
+  if (options_.instead)
+    return {{"program.elsewhere", "the program of this robot runs elsewhere; only its body is here", {}, {}}};
+  if (Errors errors = refusalOfHosting(options_.robot, name, choice, spread_ != nullptr); !errors.empty())
+    return errors;
+  const bool before = options_.ownProcess;
+  if (choice.where() != HostProgram::UNCHANGED)
+    options_.ownProcess = choice.where() == HostProgram::OWN_PROCESS;
+  if (options_.ownProcess == before && !choice.start_again()) return {};
+  auto program = makeProgram(nullptr, layout());
+  if (!program) {
+    options_.ownProcess = before;
+    return program.error();
+  }
+  stop();
   start(std::move(*program));
   return {};
 }

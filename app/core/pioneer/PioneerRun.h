@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "app/core/own/OwnProgram.h"
 #include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
@@ -17,8 +18,9 @@ namespace logplayer {
 class Recorder;
 }
 namespace robotcontrol {
+class HostProgram;
 class Request;
-}
+}  // namespace robotcontrol
 namespace robotlink {
 class RobotProgram;
 struct FieldDescription;
@@ -46,6 +48,10 @@ struct PioneerOptions {
   std::map<std::string, std::string> solutions = {};
   /// Whether the motors are switched on when the robot is connected.
   bool motorsOn = false;
+  /// Whether the program runs in a process of the operating system of its own.
+  bool ownProcess = false;
+  /// How it is run there; always with threads, in real time.
+  OwnProgram::Options own = {};
   /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.
   HostedProgram::Maker instead = {};
   /// Which of the layout's programs it is, if other programs run the other processes.
@@ -58,7 +64,7 @@ struct PioneerOptions {
 };
 
 /// A Pioneer at the other end of a line together with its program, which runs here in real time: each process
-/// in a thread of its own.
+/// in a thread of its own, in this process of the operating system or in another one.
 ///
 /// The caller steps it about a hundred times per second. It is made as a whole or refused with all reasons. A
 /// robot that does not answer is no such reason: the line is opened again and again, and the stream
@@ -84,6 +90,9 @@ class PioneerRun {
   /// Restarts the program in another layout while the robot stays connected. If that is impossible, the
   /// program that runs continues. The user's overrides are kept as far as the layout permits.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// Chooses where the program runs, and starts it there or anew; the robot stays connected. If that is
+  /// impossible, the program that runs continues.
+  robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// The overrides that the present program cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
   /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if it
@@ -114,6 +123,8 @@ class PioneerRun {
   /// Makes a program in a layout; `platform` is null if that of the robot stays.
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
       std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  /// What makes the program; empty: it is one inside.
+  HostedProgram::Maker maker() const;
   /// Adopts a program and starts its threads.
   void start(RobotHost::Candidate program);
   /// Ends the threads and the program.

@@ -20,6 +20,12 @@ std::string usageOf(const std::vector<HeadlessPlatform>& platforms) {
   return text;
 }
 
+/// Whether a kind of platform has this option, too.
+bool has(const HeadlessPlatform& platform, const PlatformField& option) {
+  return std::ranges::any_of(platform.options,
+                             [&](const PlatformField& own) { return own.option == option.option; });
+}
+
 }  // namespace
 
 std::vector<HeadlessPlatform> headlessPlatforms() {
@@ -38,8 +44,9 @@ robotlink::Result<HeadlessPlatform> headlessPlatformFor(const HeadlessChoices& c
       platforms, [&](const HeadlessPlatform& platform) { return platform.runs(choices.platform); });
   if (chosen == platforms.end()) return robotlink::failure("usage", usageOf(platforms));
   for (const HeadlessPlatform& other : platforms) {
-    const bool given = std::ranges::any_of(
-        other.options, [&](const PlatformField& option) { return choices.options.given(option); });
+    const bool given = std::ranges::any_of(other.options, [&](const PlatformField& option) {
+      return choices.options.given(option) && !has(*chosen, option);
+    });
     if (&other != &*chosen && given && other.optionsAreMine != nullptr)
       return robotlink::failure("usage", other.optionsAreMine);
   }

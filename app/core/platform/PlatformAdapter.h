@@ -22,6 +22,7 @@ class Session;
 
 namespace app {
 
+class HostingMemory;
 class PlatformFeed;
 struct HeadlessPlatform;
 
@@ -50,6 +51,8 @@ struct PlatformContext {
   /// To be called with the share of PlatformOpening::file that was read; returns false if that is to be
   /// canceled. May be empty.
   std::function<bool(double share)> progress = {};
+  /// Where the user wants programs to run; null: nobody has chosen, and nothing is to be remembered.
+  HostingMemory* hosting = nullptr;
 };
 
 /// A platform that is to be opened, as a value that can be passed to the platform's thread.
@@ -65,6 +68,9 @@ struct PlatformOpening {
   std::function<Made(const PlatformContext& context)> make;
   /// The file that is read meanwhile, if that may take a while.
   std::filesystem::path file = {};
+  /// The same with a token that the user was asked for meanwhile, or, if that is empty, as before; unset:
+  /// nothing is asked for. May be called from any thread.
+  std::function<PlatformOpening(const std::string& token)> withToken = {};
 };
 
 /// What the user wants to be opened. A plain value.

@@ -43,6 +43,8 @@ struct LoadedPlatform {
   /// The layout file of the (first) robot's program; empty if there is none, or if a log's own layout is
   /// used.
   std::filesystem::path layout;
+  /// Those of robots with other layouts, by name.
+  std::map<std::string, std::filesystem::path> otherLayouts = {};
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
   /// What the platform that ran before reported about its end, as a sentence each: "p3at1: The platform was
@@ -50,6 +52,11 @@ struct LoadedPlatform {
   std::vector<std::string> ended;
 
   const std::string& name() const { return title; }
+  /// The layout file of a robot's program; empty if there is none.
+  std::filesystem::path layoutOf(const std::string& robot) const {
+    const auto other = otherLayouts.find(robot);
+    return other == otherLayouts.end() ? layout : other->second;
+  }
   bool isSimulated() const { return time == PlatformTime::kSimulated; }
   bool isLogged() const { return time == PlatformTime::kLogged; }
   bool isReal() const { return time == PlatformTime::kReal; }
@@ -96,8 +103,8 @@ class PlatformFeed {
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
   /// Describes what runs now.
   virtual LoadedPlatform describe() const = 0;
-  /// The switch that stops a real robot from any thread, even while this one is blocked. Null for platforms
-  /// without one: simulated and logged robots stand still while this thread is blocked.
+  /// The switch that stops robots from any thread, even while this one is blocked. Null for platforms without
+  /// one, such as logs.
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Publishes whether the platform runs, how fast, and where it is.
   virtual void publishStatus() = 0;

@@ -50,6 +50,18 @@ std::string problemOfNumber(const PlatformField& field, double number) {
 
 }  // namespace
 
+PlatformField ownProcessField() {
+  return {.name = "own",
+          .kind = PlatformField::Kind::kFlag,
+          .help =
+              "The program of each robot runs in a process of its own: if it crashes or hangs, only that "
+              "robot stands",
+          .initial = false,
+          .isArgument = false,
+          .isShown = false,
+          .option = "--own-process"};
+}
+
 bool flagOf(const FormValues& values, const std::string& field, bool fallback) {
   const bool* value = valueOf<bool>(values, field);
   return value != nullptr ? *value : fallback;

@@ -147,6 +147,9 @@ struct PlatformForm {
   std::vector<const PlatformField*> arguments() const;
 };
 
+/// The field "own" of adapters whose programs can run in processes of their own: --own-process.
+PlatformField ownProcessField();
+
 /// The values of a form that nobody has filled in yet; a field with a toggle does not count.
 FormValues initialValues(const PlatformForm& form);
 

@@ -14,6 +14,7 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/debugging/SolutionParameters.h"
 #include "robotlink/process/Layout.h"
+#include "robotlink/process/Link.h"
 
 namespace robotcontrol {
 class Request;
@@ -90,14 +91,23 @@ class HostedProgram {
   /// The program, if it is in this process of the operating system, otherwise null.
   virtual robotlink::RobotProgram* inside() { return nullptr; }
 
+  // For logs:
+  /// Has the debug process send a package, such as a color table, without a request: in its next frame.
+  virtual void offer(const robotlink::PackagePtr&) {}
+  /// Called with packages that tasks have sent, by name.
+  using PackageTap = std::function<void(const std::string& package, const robotlink::PackagePtr& value)>;
+  /// Calls a function with these packages, in the threads of the program; in lockstep, during the steps.
+  /// Before it runs.
+  virtual void tap(const std::set<std::string>&, PackageTap) {}
+
   /// Enqueues a request. Returns false if it takes none now.
   virtual bool request(const robotcontrol::Request& request) = 0;
   /// Why it takes no requests, as a sentence; empty if it does.
   virtual std::string refusal() const { return {}; }
   /// Only in lockstep, between steps.
   virtual std::unique_ptr<ProgramPreview> preview() = 0;
-  /// To be called in lockstep before a step, when no more requests come: a program elsewhere begins to
-  /// compute.
+  /// A program elsewhere begins to compute. To be called in lockstep before a step, when no more requests
+  /// come, and with threads after a step.
   virtual void startStep() {}
   /// Where it runs, and whether it does.
   virtual robotcontrol::HostingStatus hosting() const = 0;

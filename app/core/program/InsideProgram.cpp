@@ -69,6 +69,20 @@ const robotlink::Process& InsideProgram::debugProcess() const {
   return program_->debugProcess();
 }
 
+void InsideProgram::offer(const robotlink::PackagePtr& package) {
+  program_->debugProcess().offer(package);
+}
+
+void InsideProgram::tap(const std::set<std::string>& packages, PackageTap tap) {
+  for (const robotlink::Process* process : program_->processes()) {
+    for (robotlink::AnySender* sender : process->senders()) {
+      if (!packages.contains(sender->package())) continue;
+      sender->addTap(
+          [tap, name = sender->package()](const robotlink::PackagePtr& value) { tap(name, value); });
+    }
+  }
+}
+
 bool InsideProgram::request(const robotcontrol::Request& request) {
   return program_->debugProcess().request(request);
 }

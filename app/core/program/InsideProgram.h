@@ -23,6 +23,8 @@ class InsideProgram final : public HostedProgram {
   std::vector<std::string> yieldedPackages() const override;
   const std::vector<robotlink::Process*>& processes() const override;
   const robotlink::Process& debugProcess() const override;
+  void offer(const robotlink::PackagePtr& package) override;
+  void tap(const std::set<std::string>& packages, PackageTap tap) override;
   robotlink::RobotProgram* inside() override { return program_.get(); }
   bool request(const robotcontrol::Request& request) override;
   std::unique_ptr<ProgramPreview> preview() override;

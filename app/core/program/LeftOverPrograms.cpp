@@ -4,15 +4,29 @@
 #include <algorithm>
 
 #include "app/core/program/RobotHost.h"
+#include "robotlink/process/Platform.h"
 
 namespace app {
 
-void LeftOverPrograms::end(std::unique_ptr<ProgramExecutor> executor, const std::vector<RobotHost*>& robots) {
+struct LeftOverPrograms::LeftOver {
+  std::vector<std::unique_ptr<robotlink::Platform>> platforms;
+  std::vector<std::unique_ptr<HostedProgram>> programs;
+  /// After the programs that it executes.
+  std::unique_ptr<ProgramExecutor> executor;
+};
+
+LeftOverPrograms::LeftOverPrograms() = default;
+LeftOverPrograms::~LeftOverPrograms() = default;
+
+void LeftOverPrograms::end(std::unique_ptr<ProgramExecutor> executor, const std::vector<RobotHost*>& robots,
+                           Platforms platforms) {
   if (!executor || executor->stop()) return;
   LeftOver left;
   for (RobotHost* robot : robots) {
     const bool runs = robot->platform() != nullptr && !executor->hasEnded(*robot->platform());
-    if (runs) left.programs.push_back(robot->release());
+    if (!runs) continue;
+    left.programs.push_back(robot->release());
+    if (platforms == Platforms::kReplaced) left.platforms.push_back(robot->releasePlatform());
   }
   left.executor = std::move(executor);
   all_.push_back(std::move(left));

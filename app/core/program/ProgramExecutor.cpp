@@ -31,7 +31,9 @@ const char* nameOf(ExecutorKind kind) {
   return kind == ExecutorKind::kLockstep ? "lockstep" : "threads";
 }
 
-ProgramExecutor::ProgramExecutor(Options options) : options_(std::move(options)) {
+ProgramExecutor::ProgramExecutor(Options options)
+    : options_(std::move(options)),
+      patience_(options_.cut ? options_.cut : std::make_shared<const ModulePatience>(options_.patience)) {
   if (options_.kind == ExecutorKind::kLockstep) {
     auto lockstep = lockstepOptions();
     lockstep.advance = options_.advance;
@@ -49,7 +51,8 @@ ProgramExecutor::ProgramExecutor(Options options) : options_(std::move(options))
           },
       .onPriorityRefused = [trouble](
                                const Process& process,
-                               const auto& why) { trouble(process, "runs with normal priority: " + why); }});
+                               const auto& why) { trouble(process, "runs with normal priority: " + why); },
+      .onStarted = options_.started});
 }
 
 robotlink::LockstepExecutor::Options ProgramExecutor::lockstepOptions() const {
@@ -75,14 +78,14 @@ void ProgramExecutor::add(robotlink::Platform& platform, const std::vector<Proce
   team.platform = &platform;
   team.processes = processes;
   if (lockstep_) lockstep_->add(platform);
-  if (threads_) {
+  if (threads_ && guard != Guard::kStandIn) {
     for (Process* process : processes) threads_->add(*process);
-  } else if (options_.patience.count() == 0) {
+  } else if (lockstep_ && options_.patience.count() == 0) {
     for (Process* process : processes) lockstep_->add(*process);
   } else {
     team.lockstep = std::make_unique<robotlink::LockstepExecutor>(lockstepOptions());
     for (Process* process : processes) team.lockstep->add(*process);
-    if (guard == Guard::kNo) return;
+    if (guard != Guard::kYes) return;
     team.turns =
         std::make_unique<TurnThread>([&team] { team.lockstep->runProcesses(team.platform->clock().now()); });
   }
@@ -112,7 +115,7 @@ void ProgramExecutor::takeTurn(Team& team) {
   if (!team.turns) return team.lockstep->runProcesses(team.platform->clock().now());
   if (team.turns->isBusy()) return;
   if (team.isStuck) setStuck(team, false, nullptr);
-  if (!team.turns->run(options_.patience)) setStuck(team, true, busyProcess(team.processes));
+  if (!team.turns->run(*patience_)) setStuck(team, true, busyProcess(team.processes));
 }
 
 void ProgramExecutor::setStuck(Team& team, bool isStuck, const Process* process) {
@@ -138,6 +141,7 @@ bool ProgramExecutor::isStuck(const robotlink::Platform& platform) const {
 
 void ProgramExecutor::stepPlatforms() {
   for (const auto& team : teams_) {
+    if (team->lockstep) team->lockstep->runProcesses(team->platform->clock().now());
     team->platform->tryBeginFrame();
     team->platform->guard([&] { team->platform->actuate(); });
   }

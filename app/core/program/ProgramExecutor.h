@@ -40,9 +40,13 @@ class ProgramExecutor {
     /// How long a frame may last, in real time, before it counts as not returning; 0: for ever, and in
     /// lockstep processes are executed in the caller's thread.
     std::chrono::milliseconds patience{0};
+    /// The same for whoever can cut it short in lockstep; null: nobody.
+    std::shared_ptr<const ModulePatience> cut = nullptr;
     /// Called by step() for a platform whose program has such a frame, with what does not return, as in
     /// "ball-percept (region) of process cognition"; and with an empty text when it has returned.
     std::function<void(const robotlink::Platform& platform, const std::string& what)> stuck = {};
+    /// With threads, called in the thread of each process before its first frame.
+    std::function<void(const robotlink::Process& process)> started = {};
   };
   explicit ProgramExecutor(Options options);
   /// Stops the threads of all processes and waits for them.
@@ -50,8 +54,9 @@ class ProgramExecutor {
 
   ExecutorKind kind() const { return options_.kind; }
   /// Adds a robot before start(): its platform and its processes, in the order of their execution. All must
-  /// outlive this object. Processes that wait for others with a patience of their own are not guarded.
-  enum class Guard : bool { kNo, kYes };
+  /// outlive this object. Processes that wait for others with a patience of their own are not guarded; those
+  /// that stand for a program elsewhere are executed by step() itself, also where others have threads.
+  enum class Guard : std::uint8_t { kNo, kYes, kStandIn };
   void add(robotlink::Platform& platform, const std::vector<robotlink::Process*>& processes,
            Guard guard = Guard::kYes);
   /// Starts the threads, if there are any; to be called once, after all add().
@@ -78,7 +83,7 @@ class ProgramExecutor {
   struct Team {
     robotlink::Platform* platform = nullptr;
     std::vector<robotlink::Process*> processes;
-    /// Only in lockstep with patience.
+    /// Only in lockstep with patience, and for stand-ins.
     std::unique_ptr<robotlink::LockstepExecutor> lockstep = nullptr;
     bool isStuck = false;
     /// After `lockstep`, which it uses.
@@ -96,6 +101,7 @@ class ProgramExecutor {
   void setStuck(Team& team, bool isStuck, const robotlink::Process* process);
 
   const Options options_;
+  const std::shared_ptr<const ModulePatience> patience_;
   std::vector<std::unique_ptr<Team>> teams_;
   /// Shared with callbacks: nothing is reported after stop().
   const std::shared_ptr<std::atomic<bool>> isMuted_ = std::make_shared<std::atomic<bool>>(false);

@@ -9,6 +9,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/process/Platform.h"
 
 namespace app {
 
@@ -87,7 +88,7 @@ bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& tab
   return true;
 }
 
-/// Only solutions that the setup knows are updated.
+/// Those that the setup does not know are of another program, which has begun later.
 bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& reported) {
   for (auto& values : *setup.mutable_parameters()) {
     if (values.task() != reported.task() || values.solution() != reported.solution()) continue;
@@ -95,7 +96,8 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
     *values.mutable_value() = reported.value();
     return true;
   }
-  return false;
+  *setup.add_parameters() = reported;
+  return true;
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
 
 void RobotHost::continueIn(ProgramExecutor& executor) {
   using Guard = ProgramExecutor::Guard;
-  executor.add(*platform_, processes_, insideProgram() != nullptr ? Guard::kYes : Guard::kNo);
+  const Guard elsewhere = program_->hosting().own_process() ? Guard::kStandIn : Guard::kNo;
+  executor.add(*platform_, processes_, insideProgram() != nullptr ? Guard::kYes : elsewhere);
 }
 
 void RobotHost::setUp() {
@@ -145,6 +146,11 @@ void RobotHost::stop() {
 std::unique_ptr<HostedProgram> RobotHost::release() {
   if (program_) program_->stop();
   return std::move(program_);
+}
+
+std::unique_ptr<robotlink::Platform> RobotHost::releasePlatform() {
+  shutDown();
+  return std::move(platform_);
 }
 
 void RobotHost::noteStuck(const std::string& what) {

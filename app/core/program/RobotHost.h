@@ -121,6 +121,8 @@ class RobotHost {
   void stop();
   /// Ends a program that has a frame which does not return; it must exist until that has returned.
   std::unique_ptr<HostedProgram> release();
+  /// Shuts the platform down, which must exist until a frame that uses it has returned.
+  std::unique_ptr<robotlink::Platform> releasePlatform();
   /// What of the program does not return, "ball-percept (region) of process cognition"; empty: it returns.
   /// Meanwhile the robot stands.
   void noteStuck(const std::string& what);
@@ -135,8 +137,8 @@ class RobotHost {
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// To be called before each step: passes the requests since the last step to the program.
   void enqueueRequests();
-  /// To be called in lockstep before each step, when no more requests come: a program in a process of its own
-  /// begins to compute, while others do.
+  /// Has a program in a process of its own compute from what the platform has sent. To be called in lockstep
+  /// before each step, when no more requests come, and with threads after each step.
   void startStep() { program_->startStep(); }
   /// To be called after each step: passes what the platform reports to the listener.
   void reportPlatform();

@@ -2,6 +2,12 @@
 #include "app/core/program/TurnThread.h"
 
 namespace app {
+namespace {
+
+/// How often a turn that takes long is looked at.
+constexpr std::chrono::milliseconds kTurnLook{10};
+
+}  // namespace
 
 TurnThread::TurnThread(std::function<void()> turn) : turn_(std::move(turn)), thread_([this] { loop(); }) {}
 
@@ -14,13 +20,17 @@ TurnThread::~TurnThread() {
   thread_.join();
 }
 
-bool TurnThread::run(std::chrono::milliseconds limit) {
+bool TurnThread::run(const ModulePatience& patience) {
+  const auto begin = ModulePatience::Clock::now();
   {
     const std::lock_guard lock(mutex_);
     isWanted_ = true;
   }
   wanted_.notify_one();
-  return waitFor(limit);
+  while (!waitFor(kTurnLook)) {
+    if (patience.isOver(begin)) return false;
+  }
+  return true;
 }
 
 bool TurnThread::isBusy() const {

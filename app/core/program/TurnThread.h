@@ -7,6 +7,8 @@
 #include <mutex>
 #include <thread>
 
+#include "app/core/program/ModulePatience.h"
+
 namespace app {
 
 /// A thread in which turns are made while whoever asks for one waits, but not for longer than he wants: a
@@ -20,8 +22,8 @@ class TurnThread {
   TurnThread(const TurnThread&) = delete;
   TurnThread& operator=(const TurnThread&) = delete;
 
-  /// Makes a turn; false if it has not ended after so long. Only while none is in progress.
-  bool run(std::chrono::milliseconds limit);
+  /// Makes a turn; false if it has not ended when the patience is over. Only while none is in progress.
+  bool run(const ModulePatience& patience);
   /// Whether a turn is in progress. Any thread.
   bool isBusy() const;
   /// Waits for it so long; whether it has ended.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/recordings/RecordingFolder.h"
 #include "logplayer/mcap/Crc.h"
 #include "logplayer/mcap/Source.h"
 #include "robotlink/foxglove/client/Client.h"
@@ -30,6 +31,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kPieceBytes = 64U << 10U;
 /// So many are asked for at once, so that a long way there costs little.
 constexpr std::size_t kPiecesUnderWay = 4;
+/// In seconds since 1970, as Instants can have them.
+constexpr double kMaxModified = 9e9;
 /// Before a call is repeated.
 constexpr std::chrono::milliseconds kPause{200};
 
@@ -145,8 +148,11 @@ Result<std::vector<RecordingFetch::Entry>> RecordingFetch::list(const Progress& 
     const auto recording = entry.find("recording");
     const auto bytes = numberIn<std::uint64_t>(entry, "bytes");
     if (name == entry.end() || !name->is_string() || !bytes) return strange(kService);
-    entries.push_back({name->get<std::string>(), *bytes, numberIn<double>(entry, "modified").value_or(0),
-                       recording != entry.end() && *recording == json(true),
+    const auto& file = name->get_ref<const std::string&>();
+    // A robot does not choose where its recordings are written here.
+    if (!RecordingFolder::isName(file)) continue;
+    const double modified = std::clamp(numberIn<double>(entry, "modified").value_or(0), 0.0, kMaxModified);
+    entries.push_back({file, *bytes, modified, recording != entry.end() && *recording == json(true),
                        entry.value("whole", json(true)) != json(false)});
   }
   return entries;

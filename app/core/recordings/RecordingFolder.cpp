@@ -17,11 +17,6 @@ using robotlink::Result;
 
 constexpr char kSuffix[] = ".mcap";
 
-bool isRecording(const std::string& name) {
-  return name.ends_with(kSuffix) && !name.starts_with('.') && name.find('/') == std::string::npos &&
-         name.find('\0') == std::string::npos;
-}
-
 double secondsSince1970(fs::file_time_type time) {
   const auto system = std::chrono::file_clock::to_sys(time);
   return std::chrono::duration<double>(system.time_since_epoch()).count();
@@ -38,6 +33,13 @@ bool endsWell(const fs::path& file) {
 
 }  // namespace
 
+bool RecordingFolder::isName(const std::string& name) {
+  constexpr std::size_t kMaxName = 255;
+  const auto isPlain = [](unsigned char c) { return c >= ' ' && c != 127 && c != '/'; };
+  return name.ends_with(kSuffix) && !name.starts_with('.') && name.size() <= kMaxName &&
+         std::ranges::all_of(name, isPlain);
+}
+
 Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
   std::vector<Entry> entries;
   std::error_code error;
@@ -47,7 +49,7 @@ Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
     const std::string name = file->path().filename().string();
     // What cannot be asked, since it was just deleted, is left out.
     std::error_code gone;
-    if (!isRecording(name) || file->is_symlink(gone) || !file->is_regular_file(gone)) continue;
+    if (!isName(name) || file->is_symlink(gone) || !file->is_regular_file(gone)) continue;
     const std::uint64_t bytes = file->file_size(gone);
     const auto modified = file->last_write_time(gone);
     if (!gone) entries.push_back({name, bytes, secondsSince1970(modified), endsWell(file->path())});
@@ -65,7 +67,7 @@ Result<std::vector<RecordingFolder::Entry>> RecordingFolder::list() const {
 Result<fs::path> RecordingFolder::find(const std::string& name) const {
   const fs::path file = folder_ / name;
   std::error_code error;
-  if (!isRecording(name) || fs::is_symlink(file, error) || !fs::is_regular_file(file, error))
+  if (!isName(name) || fs::is_symlink(file, error) || !fs::is_regular_file(file, error))
     return failure("recordings.name", "there is no recording '" + name + "'", {}, {name});
   return file;
 }

@@ -35,6 +35,9 @@ class RecordingFolder {
 
   explicit RecordingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
+  /// Whether it is a name that a recording in such a folder can have: that of a file alone.
+  static bool isName(const std::string& name);
+
   const std::filesystem::path& path() const { return folder_; }
   /// The newest first; empty if the folder does not exist.
   robotlink::Result<std::vector<Entry>> list() const;

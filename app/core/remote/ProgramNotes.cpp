@@ -44,7 +44,7 @@ void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform
     if (session.store().find(path) != nullptr && platform.isLogged()) continue;
     auto setup = std::make_shared<ProgramSetup>();
     setup->set_robot(name);
-    addFile(*setup->mutable_layout(), platform.layout);
+    addFile(*setup->mutable_layout(), platform.layoutOf(name));
     if (description) addFile(*setup->mutable_description(), descriptionFile(description->name));
     if (platform.field) addFile(*setup->mutable_field(), fileOf(*platform.field));
     session.push({path, session.store().newest(), std::move(setup)});

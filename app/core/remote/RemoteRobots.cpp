@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "app/core/deploy/DeployJobs.h"
 #include "app/core/recordings/RecordingJobs.h"
 #include "app/core/remote/ImageCodings.h"
+#include "app/core/remote/LinkAccess.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -38,26 +38,9 @@ constexpr char kPackageKeys[] = "package/";
 /// The streams of a platform by which its newest time is known.
 constexpr std::array kClocks{streams::kTransforms, streams::kSimulation, streams::kReplay};
 
-/// What others see of who steers.
-std::string nameOfThisProgram() {
-  for (const char* variable : {"USER", "LOGNAME"}) {
-    const char* user = std::getenv(variable);
-    if (user != nullptr && *user != '\0') return std::string("RobotControl of ") + user;
-  }
-  return "RobotControl";
-}
-
 std::string robotOfStream(const std::string& path) {
   const std::size_t slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
-}
-
-Request keyRequest(const std::string& robot, const std::string& key, robotcontrol::KeyMode::Kind kind) {
-  Request request;
-  request.set_robot(robot);
-  request.mutable_set_key()->set_name(key);
-  request.mutable_set_key()->mutable_mode()->set_kind(kind);
-  return request;
 }
 
 }  // namespace
@@ -92,9 +75,10 @@ RemoteRobots::Line* RemoteRobots::find(const std::string& url) {
 }
 
 Result<std::string> RemoteRobots::connect(const std::string& url, const std::string& token) {
-  auto parsed = websocket::parseServerUrl(url);
-  if (!parsed) return tl::unexpected(parsed.error());
-  const std::string name = toString(*parsed);
+  // A person decides whom to trust; see trust().
+  auto connection = linkOptions(url, token, askWhomToTrust());
+  if (!connection) return tl::unexpected(connection.error());
+  const std::string name = toString(connection->url);
   Line* line = find(name);
   if (line == nullptr) line = lines_.emplace_back(std::make_unique<Line>()).get();
   line->url = name;
@@ -102,16 +86,13 @@ Result<std::string> RemoteRobots::connect(const std::string& url, const std::str
   line->deployment.reset();
   line->client.reset();
   SessionClient::Options options;
-  options.connection.url = std::move(*parsed);
-  line->token = token.empty() ? websocket::RememberedTokens().find(name).value_or("") : token;
+  line->token = connection->token;
   line->remembersToken = false;
-  options.connection.token = line->token;
-  options.connection.name = nameOfThisProgram();
+  options.connection = std::move(*connection);
   options.isTaken = [this, line](const std::string& robot) { return isTaken(robot, line); };
   options.leadingTime = [this, line] { return leadingTime(*line); };
-  // A person decides; see trust().
-  options.connection.isTrusted = [](const std::string&, const std::string&) { return false; };
   options.convert = decodedImage;
+  options.alsoWanted = [this](const std::string& path) { return recorded_.contains(path); };
   line->client = std::make_unique<SessionClient>(session_, std::move(options));
   ++version_;
   return name;
@@ -247,7 +228,7 @@ void RemoteRobots::tick() {
   keepTokens();
   describeRobots();
   showRobots();
-  switchRecorded();
+  subscribeRecorded();
 }
 
 /// The first that was heard; if none was, the first.
@@ -319,23 +300,21 @@ void RemoteRobots::record(const robotlink::StreamMessage& message) {
     recorder_.add({message});
 }
 
-void RemoteRobots::switchRecorded() {
-  if (!recorder_.status().recording()) {
-    for (const auto& [robot, key] : std::exchange(switchedOn_, {}))
-      session_.request(keyRequest(robot, key, robotcontrol::KeyMode::OFF));
-    return;
-  }
-  for (const auto& [robot, remote] : session_.remoteRobots()) {
-    const auto* table = session_.store().latestAs<KeyTable>(robot + "/" + streams::kKeys, Instant::max());
-    if (table == nullptr || !remote.isConnected) continue;
-    for (const auto& key : table->keys()) {
-      const bool isOff = key.mode().kind() == robotcontrol::KeyMode::OFF;
-      if (!isOff || !key.name().starts_with(kPackageKeys)) continue;
-      if (!recorder_.wants(robot + "/" + key.stream())) continue;
-      if (switchedOn_.emplace(robot, key.name()).second)
-        session_.request(keyRequest(robot, key.name(), robotcontrol::KeyMode::ALWAYS));
+void RemoteRobots::subscribeRecorded() {
+  std::set<std::string> recorded;
+  if (recorder_.status().recording()) {
+    for (const auto& [robot, remote] : session_.remoteRobots()) {
+      const auto* table = session_.store().latestAs<KeyTable>(robot + "/" + streams::kKeys, Instant::max());
+      if (table == nullptr) continue;
+      for (const auto& key : table->keys()) {
+        const std::string path = robot + "/" + key.stream();
+        if (key.name().starts_with(kPackageKeys) && recorder_.wants(path)) recorded.insert(path);
+      }
     }
   }
+  if (recorded == recorded_) return;
+  recorded_ = std::move(recorded);
+  for (const auto& line : lines_) line->client->updateSubscriptions();
 }
 
 }  // namespace app

@@ -121,8 +121,9 @@ class RemoteRobots {
   void describeRobots();
   void showRobots();
   void record(const robotlink::StreamMessage& message);
-  /// While a recording runs, switches on the packages that it wants of these robots; then off again.
-  void switchRecorded();
+  /// While a recording runs, subscribes to the packages that it wants of these robots. Whichever debug keys
+  /// the user has switched on meanwhile stay.
+  void subscribeRecorded();
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
@@ -135,8 +136,8 @@ class RemoteRobots {
   /// The one whose times and world the session has, if no platform is open; null: none yet.
   const Line* leader_ = nullptr;
   std::map<std::string, Described> described_;
-  /// Robots and keys that were switched on for a recording.
-  std::set<std::pair<std::string, std::string>> switchedOn_;
+  /// The streams that are subscribed to for a recording.
+  std::set<std::string> recorded_;
   std::uint64_t version_ = 0;
 };
 

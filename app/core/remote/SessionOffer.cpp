@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/remote/SessionOffer.h"
 
+#include <algorithm>
+
 #include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/ListenAccess.h"
 #include "app/core/remote/OfferAddress.h"
+#include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 
@@ -13,6 +16,7 @@ namespace {
 using robotlink::websocket::Listener;
 using robotlink::websocket::SessionServer;
 
+/// Clients are measured, and robots looked at, so often.
 constexpr robotlink::Duration kMeasureEvery = std::chrono::seconds(1);
 constexpr std::size_t kMaxReports = 20;
 
@@ -35,6 +39,7 @@ robotlink::Result<void> SessionOffer::begin(const std::string& address) {
       session_, robotlink::websocket::ServerOptions{},
       [queue = reported_](const std::string& sentence) { queue->push(sentence); });
   server->setImageEncoder(jpegOf);
+  server->onSteerElsewhere(steerElsewhere_);
   auto listener = Listener::open(server->server(), access->listening);
   if (!listener) return tl::unexpected(listener.error());
   end();
@@ -42,10 +47,14 @@ robotlink::Result<void> SessionOffer::begin(const std::string& address) {
   listener_ = std::move(*listener);
   scheme_ = access->scheme();
   for (const std::string& note : access->notes) reported_->push(note);
+  localAddresses_ = robotlink::dds::localAddresses();
+  announcer_ = std::make_unique<RobotAnnouncer>(listener_->address(), *access, nodes_);
+  announce();
   return {};
 }
 
 void SessionOffer::end() {
+  announcer_.reset();
   listener_.reset();
   server_.reset();
   clients_.clear();
@@ -65,11 +74,21 @@ std::string SessionOffer::url() const {
   return isOffered() ? scheme_ + "://" + toString(listener_->address()) : std::string();
 }
 
+bool SessionOffer::isOfferedAt(const std::string& address, std::uint16_t port) const {
+  return isOffered() && listener_->address().port == port && std::ranges::count(localAddresses_, address) > 0;
+}
+
+void SessionOffer::announce() {
+  announced_ = clock_.now();
+  announcer_->update(robotsToAnnounce(session_));
+}
+
 void SessionOffer::tick() {
   for (std::string& sentence : reported_->drain()) reports_.push_back(std::move(sentence));
   while (reports_.size() > kMaxReports) reports_.pop_front();
   if (!isOffered()) return;
   server_->tick();
+  if (clock_.now() - announced_ >= kMeasureEvery) announce();
   const robotlink::Duration passed = clock_.now() - measured_;
   const auto states = server_->server()->clients();
   if (passed >= kMeasureEvery || states.size() != clients_.size()) measure(passed);

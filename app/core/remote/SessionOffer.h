@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/remote/RobotAnnouncer.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
@@ -40,7 +41,8 @@ class SessionOffer {
   SessionOffer& operator=(const SessionOffer&) = delete;
 
   /// Offers the session at "[ADDRESS:]PORT" instead of where it was offered before; empty: the default
-  /// address. If that fails, the error says what to do, and nothing changes.
+  /// address. At an address that other machines reach, its robots are announced on these networks, as long as
+  /// it is offered. If that fails, the error says what to do, and nothing changes.
   robotlink::Result<void> begin(const std::string& address);
   /// Ends all connections.
   void end();
@@ -50,6 +52,14 @@ class SessionOffer {
   bool isOffered() const { return listener_ != nullptr; }
   /// What others connect to: "ws://127.0.0.1:8765"; empty if nothing is offered.
   std::string url() const;
+  /// Whether this is where the session is offered, by an address of this machine.
+  bool isOfferedAt(const std::string& address, std::uint16_t port) const;
+  /// See SessionServer::onSteerElsewhere(); from the next begin() on.
+  void onSteerElsewhere(std::function<void(const std::string& robot, bool giveUp)> handler) {
+    steerElsewhere_ = std::move(handler);
+  }
+  /// Announces on other nodes from the next begin() on.
+  void announceOn(RobotAnnouncer::Nodes nodes) { nodes_ = std::move(nodes); }
 
   /// Serves clients; to be called after Session::tick().
   void tick();
@@ -60,6 +70,8 @@ class SessionOffer {
 
  private:
   void measure(robotlink::Duration passed);
+  /// Announces the robots that the session has now.
+  void announce();
 
   robotlink::Session& session_;
   robotlink::SteadyClock clock_;
@@ -74,6 +86,13 @@ class SessionOffer {
   /// What each client was sent until clients_ was measured, by its id.
   std::map<std::uint64_t, std::uint64_t> sent_;
   robotlink::Instant measured_;
+  std::function<void(const std::string& robot, bool giveUp)> steerElsewhere_;
+  RobotAnnouncer::Nodes nodes_ = robotlink::dds::announcementNodes;
+  /// Null if nothing is offered.
+  std::unique_ptr<RobotAnnouncer> announcer_;
+  robotlink::Instant announced_;
+  /// Those of this machine when the offer began.
+  std::vector<std::string> localAddresses_;
 };
 
 }  // namespace app

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "logplayer/record/Recorder.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/Streams.h"
@@ -34,7 +35,12 @@ PlatformOpening ReplayFeed::opening(ReplayOptions options) {
   const auto make = [options](const PlatformContext& context) -> PlatformOpening::Made {
     ReplayOptions opened = options;
     opened.progress = context.progress;
-    return create(std::move(opened), context.session, context.recorder);
+    // Whoever has chosen processes of their own means logs that are opened later, too.
+    std::any& memory = context.memory;
+    if (const bool* own = std::any_cast<bool>(&memory)) opened.ownProcesses |= *own;
+    auto feed = create(std::move(opened), context.session, context.recorder);
+    if (feed) (*feed)->onChoice([&memory](const ReplayOptions& chosen) { memory = chosen.ownProcesses; });
+    return feed;
   };
   return {kAdapter, std::move(sources), make,
           options.logs.empty() ? std::filesystem::path() : options.logs.front().file};
@@ -56,6 +62,7 @@ tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptio
                                                                      logplayer::Recorder& recorder,
                                                                      std::optional<Instant> time) {
   auto feed = std::unique_ptr<ReplayFeed>(new ReplayFeed(session, recorder));
+  if (options.patience.count() == 0) options.patience = kModulePatience;
   auto run = ReplayRun::create(std::move(options), feed->listeners());
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -74,6 +81,9 @@ ReplayRun::Listeners ReplayFeed::listeners() {
           [this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
             gate_.publishError(robot, process.name(), run_ ? run_->now() : process.clock().now(), text);
+          },
+          [this](const std::string& robot, Instant time, const robotcontrol::HostingStatus& status) {
+            gate_.publishHosting(robot, time, status);
           }};
 }
 
@@ -82,6 +92,7 @@ Playback::Place ReplayFeed::place() const {
 }
 
 void ReplayFeed::playLike(const ReplayFeed& before) {
+  choice_ = before.choice_;
   playback_ = before.playback_;
   playback_.jumped(Clock::now(), place());
   run_->setStepProcess(before.run_->stepProcess());
@@ -96,6 +107,12 @@ ReplayOptions ReplayFeed::options() const {
   }
   options.overrides = run_->overrides();
   return options;
+}
+
+std::vector<std::string> ReplayFeed::end() {
+  run_->stop();
+  if (run_->hasEnded()) run_.reset();
+  return {};
 }
 
 void ReplayFeed::begin() {

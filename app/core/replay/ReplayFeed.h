@@ -33,6 +33,8 @@ class ReplayFeed final : public PlatformFeed {
   static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(
       ReplayOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
       std::optional<robotlink::Instant> time = {});
+  /// Called in the platform's thread when the user has chosen where programs run.
+  using Choice = std::function<void(const ReplayOptions& options)>;
 
   /// Publishes what the last jump has collected, and the status.
   void begin() override;
@@ -43,12 +45,15 @@ class ReplayFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   /// Publishes the streams "replay" and "recording".
   void publishStatus() override;
+  std::vector<std::string> end() override;
+  bool hasEnded() const override { return !run_ || run_->hasEnded(); }
   /// Opens the same logs and one more at the present instant; playback and choices are inherited.
   PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                 const logplayer::LogFile::Progress& progress) const override;
 
   /// Whether there is a handler for requests of this kind, other than those to robots.
   static bool fulfills(const robotcontrol::Request& request);
+  void onChoice(Choice choice) { choice_ = std::move(choice); }
   /// The present instant of the time line.
   robotlink::Instant now() const { return run_->now(); }
   /// The options with which it was created, updated by what the user chose since.
@@ -57,7 +62,7 @@ class ReplayFeed final : public PlatformFeed {
  protected:
   /// Passes a request to a robot's program. STOP is refused.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
-  /// Refused: nothing is simulated.
+  /// Only where programs run counts here: nothing is simulated.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
   /// Controls playback, packages and offsets.
   robotlink::Result<void> requestReplay(const robotcontrol::Request& request) override;
@@ -113,6 +118,7 @@ class ReplayFeed final : public PlatformFeed {
   /// Publishes to the session from begin() on; closed during jumps.
   PublishGate gate_;
   std::unique_ptr<ReplayRun> run_;
+  Choice choice_;
   Playback playback_;
   /// A program got a request whose effect at the present instant is not published yet.
   bool stale_ = false;

@@ -40,8 +40,12 @@ Result<void> ReplayFeed::requestReplay(const robotcontrol::Request& request) {
   return (this->*row->handler)(request);
 }
 
-Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request&) {
-  return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
+Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request& request) {
+  if (!request.has_host_program())
+    return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
+  auto done = changed([&] { return run_->hostProgram(request.robot(), request.host_program()); });
+  if (done && choice_) choice_(run_->options());
+  return done;
 }
 
 Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {

@@ -16,6 +16,7 @@
 #include "app/core/replay/ReplayFeed.h"
 #include "app/core/replay/ReplayRun.h"
 #include "logplayer/base/LogWriter.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
@@ -62,6 +63,11 @@ class HeadlessRecording {
     listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) { write(messages); };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       write(messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder).messages);
+    };
+    listeners.hosting = [this](const std::string&, robotlink::Instant,
+                               const robotcontrol::HostingStatus& status) {
+      if (!status.text().empty()) errors_ << status.text() << "\n" << status.stack();
+      failed_ = failed_ || status.state() == robotcontrol::HostingStatus::ENDED;
     };
     listeners.trouble = [this](const std::string& robot, const robotlink::Process& process,
                                const std::string& text) {
@@ -303,6 +309,7 @@ Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
   if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
   options.solutions = choices.solutions;
   options.colorTable = textOf(choices.options.values, kColorTable);
+  options.ownProcesses = flagOf(choices.options.values, ownProcessField().name);
   return options;
 }
 
@@ -345,7 +352,8 @@ HeadlessPlatform headlessReplay() {
                    .several = true},
                   {.name = kColorTable,
                    .help = "A color table (.c64) instead of the log's",
-                   .option = "--color-table"}},
+                   .option = "--color-table"},
+                  ownProcessField()},
       .optionsAreMine = "--offset, --package and --color-table are for logs",
       .prepare = prepareReplay,
       .prepareServing = prepareServedReplay};

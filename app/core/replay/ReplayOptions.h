@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "app/core/own/OwnProgram.h"
 #include "app/core/program/ProgramOverrides.h"
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Logging.pb.h"
@@ -44,6 +46,14 @@ struct ReplayOptions {
   bool publishAllPackages = false;
   /// How much of the log before the aim of a jump the programs run on, so that their models settle.
   robotlink::Duration preroll = std::chrono::seconds(2);
+  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  std::chrono::milliseconds patience{0};
+  /// Where programs run: each in a process of the operating system of its own, or all inside.
+  bool ownProcesses = false;
+  /// The robots for which it is the other way, by name.
+  std::set<std::string> otherwise = {};
+  /// How those in processes of their own are run.
+  OwnProgram::Options own = {};
   /// Called while the logs are opened; can cancel that.
   logplayer::LogFile::Progress progress;
 };

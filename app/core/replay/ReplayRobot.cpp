@@ -44,7 +44,8 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
     : log_(std::move(log)),
       logName_(std::move(logName)),
       types_(robotlink::packageTypes()),
-      host_({.name = std::move(name)}, comparing(std::move(listeners)), nullptr, std::move(overrides)) {
+      host_({.name = std::move(name)}, inTurns(comparing(std::move(listeners))), nullptr,
+            std::move(overrides)) {
   started_.choices = std::move(choices);
   for (const auto& stream : log_->streams()) {
     if (!stream.path.starts_with(logName_ + "/")) continue;
@@ -61,7 +62,38 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
   }
 }
 
-ReplayRobot::~ReplayRobot() = default;
+ReplayRobot::~ReplayRobot() {
+  end();
+}
+
+void ReplayRobot::end() {
+  leftOver_.end(std::move(executor_), {&host_}, LeftOverPrograms::Platforms::kReplaced);
+  events_.beginProgram();
+}
+
+RobotHost::Listeners ReplayRobot::inTurns(RobotHost::Listeners listeners) {
+  const auto pass = [this](auto listener) {
+    return [this, listener = std::move(listener)](const auto&... values) {
+      events_.add([listener, values...] { listener(values...); });
+    };
+  };
+  if (listeners.queue) listeners.queue = pass(std::move(listeners.queue));
+  if (listeners.overridden) listeners.overridden = pass(std::move(listeners.overridden));
+  // A robot for which nothing is computed has no program that anybody could be interested in.
+  if (listeners.hosting) {
+    listeners.hosting = [this, listener = std::move(listeners.hosting)](const std::string& robot,
+                                                                        Instant time, const auto& status) {
+      if (computes()) listener(robot, time, status);
+    };
+  }
+  if (!listeners.trouble) return listeners;
+  listeners.trouble = [this, listener = std::move(listeners.trouble)](const std::string& robot,
+                                                                      const robotlink::Process& process,
+                                                                      const std::string& text) {
+    events_.add([listener, robot, &process, text] { listener(robot, process, text); });
+  };
+  return listeners;
+}
 
 RobotHost::Listeners ReplayRobot::comparing(RobotHost::Listeners listeners) {
   listeners.overridden = [this](const Request& request) {
@@ -139,16 +171,40 @@ void ReplayRobot::begin(Start start) {
 }
 
 void ReplayRobot::adopt(Start start) {
-  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
-      .trouble = [this](const auto& process, const auto& text) { host_.reportTrouble(process, text); }});
+  leftOver_.forgetEnded();
+  leftOver_.end(std::move(executor_), {&host_}, LeftOverPrograms::Platforms::kReplaced);
+  events_.beginProgram();
   clock_.set(start.time);
   host_.adopt(std::move(start.program));
   started_ = std::move(start);
+  makeExecutor();
   paths_ = LoggedPaths(plan());
   due_.clear();
   differences_.dropInstant();
   compare();
   (void)host_.begin(*executor_);
+}
+
+void ReplayRobot::makeExecutor() {
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      .trouble = [this](const auto& process, const auto& text) { host_.reportTrouble(process, text); },
+      .patience = computes() ? choices().hosting.patience : std::chrono::milliseconds(0),
+      .stuck = [this](const auto&, const std::string& what) { host_.noteStuck(what); }});
+}
+
+HostedProgram::Maker ReplayRobot::makerOf(const Start& start) const {
+  const ReplayHosting& hosting = start.choices.hosting;
+  const auto& processes = start.plan.layout.processes;
+  const bool computes =
+      std::ranges::any_of(processes, [](const auto& process) { return !process.tasks.empty(); });
+  if (!hosting.ownProcess || !computes) return nullptr;
+  OwnProgram::Options own = hosting.own;
+  own.texts = std::make_shared<const ProgramSetup>(start.setup.files);
+  for (const auto& process : start.setup.layout.processes) own.order.push_back(process.name);
+  for (const auto& package : platformPackages(start.plan)) {
+    if (!package.process.empty()) own.turns[package.name] = package.process;
+  }
+  return OwnProgram::maker(std::move(own));
 }
 
 Errors ReplayRobot::makeProgram(Start& start) {
@@ -217,22 +273,26 @@ Errors ReplayRobot::makeProgramOfPlan(Start& start) {
                           .layout = start.plan.layout,
                           .robot = start.setup.robot,
                           .parameters = start.setup.parameters,
-                          .overridden = true});
+                          .overridden = true,
+                          .maker = makerOf(start)});
   if (!made) return made.error();
-  robotlink::RobotProgram& program = *made->program->inside();
+  HostedProgram& program = *made->program;
   if (start.choices.publishAllPackages) {
     const auto yielded = program.yieldedPackages(), chosen = host_.overrides().recordedPackages();
     std::set<std::string> all(yielded.begin(), yielded.end());
     all.insert(chosen.begin(), chosen.end());
     program.recordPackages(all);
   }
+  // What stands for a program elsewhere runs after all turns, which it gets together.
+  const bool isElsewhere = program.inside() == nullptr;
   made->processes.clear();
   for (const auto& process : start.setup.layout.processes) {
     if (robotlink::Process* turn = start.platform->turnOf(process.name)) made->processes.push_back(turn);
     for (robotlink::Process* running : program.processes()) {
-      if (running->name() == process.name) made->processes.push_back(running);
+      if (!isElsewhere && running->name() == process.name) made->processes.push_back(running);
     }
   }
+  if (isElsewhere) made->processes.push_back(program.processes().front());
   start.program = std::move(*made);
   return {};
 }
@@ -247,16 +307,18 @@ std::shared_ptr<const ProgramSetup> ReplayRobot::ownSetup() const {
 }
 
 void ReplayRobot::compare() {
-  for (const robotlink::Process* process : host_.insideProgram()->processes()) {
-    for (robotlink::AnySender* sender : process->senders()) {
-      const auto* package = plan().find(sender->package());
-      if (package == nullptr || !package->logged) continue;
-      sender->addTap([this, name = package->name](const robotlink::PackagePtr& value) {
-        const bool counts = countsDifferences_ && clock_.now() <= comparedUntil_.at(name);
-        if (counts) differences_.addRecomputed(name, value);
-      });
-    }
+  std::set<std::string> packages;
+  for (const auto& package : plan().packages) {
+    if (package.logged) packages.insert(package.name);
   }
+  const auto compareOne = [this](const std::string& name, const robotlink::PackagePtr& value) {
+    const bool counts = countsDifferences_ && clock_.now() <= comparedUntil_.at(name);
+    if (counts) differences_.addRecomputed(name, value);
+  };
+  host_.program()->tap(
+      packages, [this, compareOne, program = events_.program()](const std::string& name, const auto& value) {
+        events_.add(program, [compareOne, name, value] { compareOne(name, value); });
+      });
 }
 
 // Packages that are not published in every frame must be there from the start. Those that processes wait for
@@ -276,17 +338,17 @@ void ReplayRobot::giveWhatIsBefore() {
     if (const auto message = before(package.name, earlier))
       started_.platform->put(package.name, message->value);
   }
-  auto& debugProcess = host_.insideProgram()->debugProcess();
+  HostedProgram& program = *host_.program();
   // Requests at `time` itself are taken from the log at that instant, if it contains requests.
   for (const std::string& package : robotlink::debugPackages()) {
     const auto message = before(package, hasRequests() ? earlier : time);
     if (!message) continue;
     const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(message->value.get());
     const bool own = table != nullptr && !table->cells().empty();
-    debugProcess.offer(own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table))
-                           : message->value);
+    program.offer(own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table))
+                      : message->value);
   }
-  if (const auto table = host_.overrides().colorTable()) debugProcess.offer(table);
+  if (const auto table = host_.overrides().colorTable()) program.offer(table);
 }
 
 }  // namespace app

@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/own/OwnProgram.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/replay/LoggedPaths.h"
 #include "app/core/replay/PackageDifferences.h"
 #include "app/core/replay/ReplayPlan.h"
 #include "app/core/replay/ReplaySetup.h"
+#include "app/core/replay/TurnEvents.h"
 #include "logplayer/LogPlatform.h"
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Perception.pb.h"
@@ -22,6 +25,15 @@
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
+
+/// How the program of a robot of a log is run. A plain value.
+struct ReplayHosting {
+  /// How long a module may take before it counts as not returning, in real time; 0: for ever.
+  std::chrono::milliseconds patience{0};
+  bool ownProcess = false;
+  /// How it is run in a process of its own.
+  OwnProgram::Options own = {};
+};
 
 /// What the user chose for a robot of a log. It is kept when the program is made again. A plain value.
 struct ReplayChoices {
@@ -33,6 +45,7 @@ struct ReplayChoices {
   bool recomputeAll = false;
   /// Whether the program publishes all packages that it yields, even if their debug keys are off.
   bool publishAllPackages = false;
+  ReplayHosting hosting = {};
 };
 
 /// One robot of a log: chooses what runs for it on the logged data, passes that data to the platform of its
@@ -86,8 +99,13 @@ class ReplayRobot {
   std::vector<std::string> neededStreams() const;
   /// Advances to an instant. `messages` are all that the log has of this robot at that time, images decoded.
   void take(robotlink::Instant now, const std::vector<robotlink::StreamMessage>& messages);
-  /// Runs the program on what was taken.
+  /// Runs the program on what was taken. A module that does not return is given up after the patience; then
+  /// the program does not run until it returns or is replaced.
   void run();
+  /// Ends the program; nothing else but hasEnded() may be called then.
+  void end();
+  /// Whether all modules of programs that were ended have returned. Any thread, after end().
+  bool hasEnded() const { return leftOver_.haveEnded(); }
   /// Returns a message of the log as it is published beside this program: on its own path or on that of
   /// logged ones.
   robotlink::StreamMessage published(robotlink::StreamMessage message) const;
@@ -115,6 +133,12 @@ class ReplayRobot {
   std::vector<logplayer::LogPlatform::Package> platformPackages(const ReplayPlan& plan) const;
   /// Adds to the listeners what affects the comparison.
   RobotHost::Listeners comparing(RobotHost::Listeners listeners);
+  /// Has the listeners called in the thread of this object only.
+  RobotHost::Listeners inTurns(RobotHost::Listeners listeners);
+  /// Makes an executor for the program that was started.
+  void makeExecutor();
+  /// What makes the program of a start; empty: it is one inside.
+  HostedProgram::Maker makerOf(const Start& start) const;
   /// Taps what the program sends to compare it with what was logged.
   void compare();
   /// begin() without the data before that time.
@@ -151,7 +175,9 @@ class ReplayRobot {
   LoggedPaths paths_;
   /// The clock of the platform, in times of the log.
   robotlink::ManualClock clock_;
+  TurnEvents events_;
   RobotHost host_;
+  LeftOverPrograms leftOver_;
   /// Declared after the host, whose processes it executes.
   std::unique_ptr<ProgramExecutor> executor_;
   /// Logged requests that wait until the debug process ran in the recording.

@@ -57,6 +57,8 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
     const bool isSetup = setup != nullptr && below(message.path) == streams::kProgram;
     if (isSetup && takeSetup(*setup, now)) startedAnew = true;
   }
+  // Meanwhile the module may return at any time, and use what is given to it.
+  if (host_.isStuck()) return;
   host_.enqueueRequests();
   for (const StreamMessage& message : messages) {
     const std::string path = below(message.path);
@@ -69,8 +71,7 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
   // Requests take effect when the debug process ran in the recording. Here it runs at every instant, so that
   // what programs publish is seen at once.
   if (!debugProcessRan(messages)) return;
-  for (const Request& request : std::exchange(due_, {}))
-    host_.insideProgram()->debugProcess().request(request);
+  for (const Request& request : std::exchange(due_, {})) (void)host_.program()->request(request);
 }
 
 bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) const {
@@ -129,8 +130,13 @@ void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
 }
 
 void ReplayRobot::run() {
+  leftOver_.forgetEnded();
+  const bool wasStuck = host_.isStuck();
+  if (!wasStuck && choices().hosting.patience.count() > 0) events_.beginTurn();
   executor_->stepFromSensors();
-  if (countsDifferences_) {
+  // The events of a module that does not return wait until it does.
+  if (!host_.isStuck()) events_.endTurn();
+  if (countsDifferences_ && !wasStuck) {
     differences_.endInstant(clock_.now());
   } else {
     differences_.dropInstant();

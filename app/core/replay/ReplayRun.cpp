@@ -38,17 +38,6 @@ bool isFrameEnd(const StreamMessage& message) {
   return dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
 }
 
-/// Returns a queue with an offset added to all times; the same one if that is 0.
-std::shared_ptr<const SharedDebugQueue> moved(const std::shared_ptr<const SharedDebugQueue>& queue,
-                                              Duration offset) {
-  if (offset == Duration::zero()) return queue;
-  auto copy = std::make_shared<SharedDebugQueue>(*queue);
-  for (SharedDebugMessage& message : copy->messages) {
-    if (message.time) *message.time += offset;
-  }
-  return copy;
-}
-
 /// Returns a message of a log as it is published; nothing if it is not.
 std::optional<StreamMessage> published(const ReplayLogs::Source& source, const StreamMessage& message) {
   const auto robot = source.byLogName.find(robotOf(message.path));
@@ -69,6 +58,14 @@ ReplayRun::ReplayRun(ReplayOptions options, Listeners listeners)
     : options_(std::move(options)), listeners_(std::move(listeners)) {}
 
 ReplayRun::~ReplayRun() = default;
+
+void ReplayRun::stop() {
+  for (ReplayRobot* robot : logs_.robots()) robot->end();
+}
+
+bool ReplayRun::hasEnded() const {
+  return std::ranges::all_of(logs_.robots(), [](const ReplayRobot* robot) { return robot->hasEnded(); });
+}
 
 // ---- Making it
 
@@ -126,7 +123,12 @@ Errors ReplayRun::addRobots(ReplayLogs::Source& source) {
     const std::string name = logs_.freeName(logName);
     RobotHost::Listeners listeners{
         [this, &source](const std::string& robot, const auto& queue) { hear(source, robot, queue); },
-        listeners_.trouble};
+        listeners_.trouble,
+        {},
+        {},
+        [this, &source](const std::string& robot, Instant time, const auto& status) {
+          if (listeners_.hosting) listeners_.hosting(robot, source.onLine(time), status);
+        }};
     auto& robot = *source.robots.emplace_back(
         std::make_unique<ReplayRobot>(source.reader.filePointer(), logName, name, choicesOf(name),
                                       overridesOf(name), std::move(listeners)));
@@ -143,6 +145,7 @@ ReplayChoices ReplayRun::choicesOf(const std::string& robot) const {
   choices.layout = options_.layout;
   choices.recomputeAll = options_.recomputeAll;
   choices.publishAllPackages = options_.publishAllPackages;
+  choices.hosting = {options_.patience, runsInOwnProcess(robot), options_.own};
   for (const std::string& prefix : {std::string("*/"), robot + "/"}) {
     for (const auto& [package, choice] : options_.packages) {
       if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;
@@ -212,7 +215,7 @@ void ReplayRun::publish(ReplayLogs::Source& source, const std::vector<StreamMess
 
 void ReplayRun::hear(const ReplayLogs::Source& source, const std::string& robot,
                      const std::shared_ptr<const SharedDebugQueue>& queue) {
-  const auto shown = moved(queue, source.log.offset);
+  const auto shown = onLine(queue, source.log.offset);
   if (!quiet_) {
     if (listeners_.queue) listeners_.queue(robot, shown);
     return;
@@ -233,6 +236,16 @@ void ReplayRun::hear(const ReplayLogs::Source& source, const std::string& robot,
     answers_->process = shown->process;
     answers_->messages.push_back(message);
   }
+}
+
+std::shared_ptr<const SharedDebugQueue> ReplayRun::onLine(
+    const std::shared_ptr<const SharedDebugQueue>& queue, Duration offset) {
+  if (offset == Duration::zero()) return queue;
+  auto copy = std::make_shared<SharedDebugQueue>(*queue);
+  for (SharedDebugMessage& message : copy->messages) {
+    if (message.time) *message.time += offset;
+  }
+  return copy;
 }
 
 void ReplayRun::note(const ReplayLogs::Source& source, const std::string& robot, Instant logTime, int level,
@@ -353,68 +366,7 @@ Errors ReplayRun::jump(Instant time) {
   return jump(std::clamp(time, begin(), end()), {});
 }
 
-// ---- What the user chooses
-
-// The programs of a jump begin before now(), where the log may have another setup.
-Errors ReplayRun::change(const Change& change) {
-  for (const auto& source : logs_.sources()) {
-    for (const auto& robot : source->robots) {
-      ReplayChoices choices = robot->choices();
-      change(robot->name(), choices);
-      const auto tried = robot->prepare(source->inLog(now_), std::move(choices));
-      if (!tried) return tried.error();
-    }
-  }
-  return jump(now_, change);
-}
-
-Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::PackageSource>& packages) {
-  for (const auto& [package, source] : packages) {
-    const std::string robot = robotOf(package);
-    if (logs_.find(robot) != nullptr) continue;
-    return {{"replay.no-robot", "there is no robot " + robot + " in the logs", {robot}, {}}};
-  }
-  return change([&](const std::string& robot, ReplayChoices& choices) {
-    for (const auto& [package, source] : packages) {
-      if (package.starts_with(robot + "/")) choices.packages[package.substr(robot.size() + 1)] = source;
-    }
-  });
-}
-
-Errors ReplayRun::setLayout(const std::filesystem::path& file) {
-  Errors errors = change([&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
-  if (errors.empty()) options_.layout = file;
-  return errors;
-}
-
-Errors ReplayRun::setOffsets(const std::map<std::filesystem::path, Duration>& offsets) {
-  const std::vector<ReplayLog> before = options_.logs;
-  for (ReplayLog& log : options_.logs) {
-    if (const auto offset = offsets.find(log.file); offset != offsets.end())
-      log = {log.file, offset->second, true};
-  }
-  Errors errors = jump(now_);
-  // The sources refer to the elements, which stay where they are.
-  if (!errors.empty()) std::ranges::copy(before, options_.logs.begin());
-  return errors;
-}
-
-robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request) {
-  if (ReplayRobot* robot = logs_.find(request.robot())) return robot->host().request(request);
-  return robotlink::failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
-                            {request.robot()});
-}
-
-std::vector<ReplayRun::Answers> ReplayRun::answersToCome() {
-  std::vector<Answers> all;
-  for (const auto& source : logs_.sources()) {
-    for (const auto& robot : source->robots) {
-      if (const auto queue = robot->host().answersToCome())
-        all.emplace_back(robot->name(), moved(queue, source->log.offset));
-    }
-  }
-  return all;
-}
+// ---- What the user chose
 
 std::map<std::string, ProgramOverrides> ReplayRun::overrides() const {
   std::map<std::string, ProgramOverrides> all;

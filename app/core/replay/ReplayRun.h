@@ -38,12 +38,22 @@ class ReplayRun {
     /// Called with a sentence if something is wrong with a process.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
         trouble;
+    /// Called when it has changed where a robot's program runs, or whether it does; only for robots for which
+    /// something is computed.
+    std::function<void(const std::string& robot, robotlink::Instant time,
+                       const robotcontrol::HostingStatus& status)>
+        hosting = {};
   };
   /// Opens the logs at the beginning of the time line. Fails with all reasons if a file cannot be read or a
   /// program cannot be made.
   static tl::expected<std::unique_ptr<ReplayRun>, robotlink::Errors> create(ReplayOptions options,
                                                                             Listeners listeners);
   ~ReplayRun();
+  /// Ends the programs. Nothing else but hasEnded() may be called then. Otherwise the destructor waits for
+  /// modules that do not return.
+  void stop();
+  /// Whether all modules of programs that were ended have returned. Any thread, after stop().
+  bool hasEnded() const;
 
   /// The present instant; before the first step the beginning.
   robotlink::Instant now() const { return now_; }
@@ -86,6 +96,9 @@ class ReplayRun {
       const std::map<std::string, robotcontrol::ControlReplay::PackageSource>& packages);
   /// Restarts the programs in another layout at now(). If that is impossible, the previous layouts stay.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// Chooses where the program of a robot runs, or of all if the name is empty, and starts all programs again
+  /// at now(). If that is impossible, those that run continue.
+  robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
   /// Shifts logs on the time line, by their files; jumps to now(), or to the nearer end. If that is
   /// impossible, the previous offsets stay.
   robotlink::Errors setOffsets(const std::map<std::filesystem::path, robotlink::Duration>& offsets);
@@ -129,6 +142,9 @@ class ReplayRun {
   robotlink::Errors addRobots(ReplayLogs::Source& source);
   /// What the options say about a robot.
   ReplayChoices choicesOf(const std::string& robot) const;
+  bool runsInOwnProcess(const std::string& robot) const;
+  /// Adapts the options.
+  void chooseHosting(const std::string& robot, bool ownProcess);
   ProgramOverrides overridesOf(const std::string& robot) const;
   /// Checks the solutions of the options. A comparison with another solution than the requested one would be
   /// wrong.
@@ -152,6 +168,9 @@ class ReplayRun {
                    const std::vector<robotlink::StreamMessage>& messages);
   /// Publishes the messages of an instant, after waiting notes.
   void publish(ReplayLogs::Source& source, const std::vector<robotlink::StreamMessage>& messages);
+  /// Returns a queue with an offset added to all times; the same one if that is 0.
+  static std::shared_ptr<const robotlink::SharedDebugQueue> onLine(
+      const std::shared_ptr<const robotlink::SharedDebugQueue>& queue, robotlink::Duration offset);
   /// Publishes a debug queue, or collects its messages during a jump.
   void hear(const ReplayLogs::Source& source, const std::string& robot,
             const std::shared_ptr<const robotlink::SharedDebugQueue>& queue);

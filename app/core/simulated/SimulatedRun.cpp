@@ -45,9 +45,12 @@ RunOptions defaultSimulation() {
 SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder)
     : options_(std::move(options)),
       listeners_(std::move(listeners)),
-      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
+      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr),
+      patience_(std::make_shared<ModulePatience>(options_.patience)),
+      ownPatience_(std::make_shared<ModulePatience>(options_.own.patience)) {}
 
 SimulatedRun::~SimulatedRun() {
+  if (stopSwitch_) stopSwitch_->forget();
   stopPrograms();
 }
 
@@ -70,6 +73,13 @@ Errors SimulatedRun::load() {
   world_ = std::move(*world);
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
+  const std::vector<std::string> names = robots();
+  stopSwitch_ = std::make_shared<StopSwitch>(std::set<std::string>(names.begin(), names.end()),
+                                             [inside = patience_, own = ownPatience_](bool engaged) {
+                                               if (!engaged) return;
+                                               inside->cut();
+                                               own->cut();
+                                             });
   // They may have been chosen in another scene.
   std::erase_if(options_.otherwise, [this](const std::string& name) { return find(name) == nullptr; });
   if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
@@ -150,6 +160,15 @@ std::filesystem::path SimulatedRun::layout() const {
   return robots_.empty() ? std::filesystem::path() : layoutOf(*robots_.front(), options_.layouts);
 }
 
+std::map<std::string, std::filesystem::path> SimulatedRun::otherLayouts() const {
+  std::map<std::string, std::filesystem::path> others;
+  for (const auto& robot : robots_) {
+    const auto file = layoutOf(*robot, options_.layouts);
+    if (file != layout()) others[robot->name()] = file;
+  }
+  return others;
+}
+
 tl::expected<SimulatedRun::Candidates, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
   std::map<std::filesystem::path, robotlink::Layout> read;
   Candidates candidates;
@@ -186,7 +205,11 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
 
 HostedProgram::Maker SimulatedRun::makerFor(const std::string& robot) const {
   if (options_.instead) return options_.instead;
-  return runsInOwnProcess(robot) ? OwnProgram::maker(options_.own) : nullptr;
+  if (!runsInOwnProcess(robot)) return nullptr;
+  OwnProgram::Options own = options_.own;
+  own.threads = options_.executor == ExecutorKind::kThreads;
+  own.cut = ownPatience_;
+  return OwnProgram::maker(own);
 }
 
 bool SimulatedRun::runsInOwnProcess(const std::string& robot) const {
@@ -208,6 +231,7 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
       .advance = [this] { world_->advance(); },
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
+      .cut = patience_,
       .stuck =
           [this](const auto& platform, const std::string& what) {
             for (const auto& robot : robots_)
@@ -224,25 +248,12 @@ void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_->start();
 }
 
-Errors SimulatedRun::checkHosting(const std::string& name, const robotcontrol::HostProgram& choice) const {
-  using robotcontrol::HostProgram;
+Errors SimulatedRun::checkHosting(const std::string& name) const {
   if (!name.empty() && find(name) == nullptr)
     return {{"request.no-robot", "there is no robot " + name, {name}, {}}};
   if (options_.instead)
     return {{"program.elsewhere",
              "the programs of these robots run elsewhere; only their bodies are here",
-             {},
-             {}}};
-  const bool threads = choice.executor() == HostProgram::SAME ? options_.executor == ExecutorKind::kThreads
-                                                              : choice.executor() == HostProgram::THREADS;
-  const bool own =
-      choice.where() == HostProgram::OWN_PROCESS ||
-      (choice.where() == HostProgram::UNCHANGED &&
-       std::ranges::any_of(robots_, [this](const auto& one) { return runsInOwnProcess(one->name()); }));
-  if (threads && own)
-    return {{"program.threads",
-             "programs in processes of their own run in lockstep only: choose either \"Threads\" or \"Own "
-             "process\"",
              {},
              {}}};
   return {};
@@ -279,7 +290,7 @@ std::vector<RobotHost*> SimulatedRun::applyHosting(const std::string& name,
 }
 
 Errors SimulatedRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
-  if (Errors errors = checkHosting(name, choice); !errors.empty()) return errors;
+  if (Errors errors = checkHosting(name); !errors.empty()) return errors;
   const RunOptions before = options_;
   const std::vector<RobotHost*> changed = applyHosting(name, choice);
   if (changed.empty()) return {};
@@ -362,6 +373,9 @@ void SimulatedRun::step() {
   }
   if (ports_) ports_->serve({});
   executor_->step();
+  if (options_.executor == ExecutorKind::kThreads) {
+    for (const auto& robot : robots_) robot->startStep();
+  }
   if (ports_) ports_->deliver();
   for (const auto& robot : robots_) robot->reportPlatform();
   if (kickOff_) watchGame();
@@ -380,17 +394,20 @@ void SimulatedRun::watchGame() {
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
-  // Try to make the programs before anything is given up: a file may have been broken meanwhile.
-  if (auto tried = makePrograms(options_.layouts); !tried) return tried.error();
+  // Made before anything is given up: a file may have been broken meanwhile.
+  auto before = makePrograms(options_.layouts);
+  if (!before) return before.error();
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
   if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;
+  // Made again, so that what they have is that of the new world. If a file was broken just now, those of
+  // before are as good.
   auto programs = makePrograms(options_.layouts);
-  if (!programs) return programs.error();
   if (tap_) tap_->restart();
-  startPrograms(std::move(*programs));
+  if (programs) before->clear();
+  startPrograms(std::move(programs ? *programs : *before));
   return {};
 }
 
@@ -449,6 +466,10 @@ std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const {
 }
 
 robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& request) {
+  if (request.has_stop()) {
+    patience_->restore();
+    ownPatience_->restore();
+  }
   if (RobotHost* robot = find(request.robot())) return robot->request(request);
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
                             {request.robot()});

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/core/own/OwnProgram.h"
+#include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
@@ -117,6 +118,9 @@ class SimulatedRun {
   /// Whether all modules of programs that were ended have returned. Any thread, after end().
   bool hasEnded() const;
 
+  /// Ends the wait for a module that does not return, so that STOP acts. Not null.
+  std::shared_ptr<StopSwitch> stopSwitch() const { return stopSwitch_; }
+
   /// Makes one step of the world, its platforms, and all processes that can run then.
   void step();
   /// To be called while the simulation is paused, in lockstep: passes the results of open requests, which the
@@ -134,6 +138,8 @@ class SimulatedRun {
   /// Chooses where the program of a robot runs, or of all if the name is empty, and starts programs there or
   /// anew; the world and the other programs continue. If that is impossible, everything continues as before.
   robotlink::Errors hostProgram(const std::string& robot, const robotcontrol::HostProgram& choice);
+  /// The layout files of those robots whose programs run in another one than layout(), by name.
+  std::map<std::string, std::filesystem::path> otherLayouts() const;
   /// The overrides that the present programs cannot fulfill, as a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
@@ -209,7 +215,7 @@ class SimulatedRun {
   void stopExecutor();
   /// The robots whose programs are exchanged by hostProgram(); adapts the options.
   std::vector<RobotHost*> applyHosting(const std::string& robot, const robotcontrol::HostProgram& choice);
-  robotlink::Errors checkHosting(const std::string& robot, const robotcontrol::HostProgram& choice) const;
+  robotlink::Errors checkHosting(const std::string& robot) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// Lets the referee act, and reports goals and kick-offs.
@@ -229,6 +235,9 @@ class SimulatedRun {
   std::vector<std::string> lostChoices_;
   /// Steps until transforms are recorded again.
   int stepsToTransforms_ = 0;
+  /// With modules inside, and with programs in processes of their own; shared with stopSwitch_.
+  std::shared_ptr<ModulePatience> patience_, ownPatience_;
+  std::shared_ptr<StopSwitch> stopSwitch_;
   LeftOverPrograms leftOver_;
   /// The last member, since it uses platforms and programs.
   std::unique_ptr<ProgramExecutor> executor_;

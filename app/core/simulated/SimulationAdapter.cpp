@@ -56,9 +56,17 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
   options.ownProcesses = flagOf(values, "own", options.ownProcesses);
   if (values.contains("own")) options.otherwise.clear();
-  if (const std::string executor = textOf(values, "executor"); !executor.empty())
+  const std::string executor = textOf(values, "executor");
+  if (!executor.empty())
     options.executor =
         executor == nameOf(ExecutorKind::kThreads) ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  // What is chosen now goes before what was chosen some time, if they do not fit together.
+  const bool isOwnChosen = flagOf(values, "own");
+  if (isOwnChosen && executor.empty()) options.executor = ExecutorKind::kLockstep;
+  if (!isOwnChosen && !executor.empty() && options.executor == ExecutorKind::kThreads) {
+    options.ownProcesses = false;
+    options.otherwise.clear();
+  }
   if (const std::string layout = textOf(values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
 }
@@ -245,14 +253,7 @@ PlatformForm simulationForm() {
                          .isArgument = false,
                          .isShown = false,
                          .option = "--seed"});
-  form.fields.push_back({.name = "own",
-                         .kind = Kind::kFlag,
-                         .help = "The program of each robot runs in a process of its own: if it crashes or "
-                                 "hangs, only that robot stands",
-                         .initial = false,
-                         .isArgument = false,
-                         .isShown = false,
-                         .option = "--own-process"});
+  form.fields.push_back(ownProcessField());
   form.fields.push_back({.name = "executor",
                          .kind = Kind::kChoice,
                          .help = "How the processes of the programs are executed: lockstep, one after the "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulationFeed.h"
 
+#include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
@@ -19,10 +20,37 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
-/// The options of the last simulation, as the adapter's memory keeps them.
-std::shared_ptr<RunOptions> lastSimulation(std::any& memory) {
-  if (!memory.has_value()) memory = std::make_shared<RunOptions>(defaultSimulation());
+HostingChoices hostingOf(const RunOptions& options) {
+  return {options.ownProcesses, options.otherwise, options.executor == ExecutorKind::kThreads};
+}
+
+/// The options of the last simulation, as the adapter's memory keeps them; at first, programs run where they
+/// did in the last run of the workbench.
+std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
+  std::any& memory = context.memory;
+  if (!memory.has_value()) {
+    const auto first = std::make_shared<RunOptions>(defaultSimulation());
+    if (context.hosting != nullptr) {
+      const HostingChoices before = context.hosting->choices(SimulationFeed::kAdapter);
+      first->ownProcesses = before.ownProcesses;
+      first->otherwise = before.otherwise;
+      first->executor = before.threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+    }
+    memory = first;
+  }
   return std::any_cast<std::shared_ptr<RunOptions>>(memory);
+}
+
+/// Keeps the options of a simulation for the next one; and where the user lets programs run, as far as that
+/// has changed since it was opened, for the next run of the workbench.
+SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory* hosting) {
+  return [last = std::move(last), hosting,
+          known = std::optional<HostingChoices>()](const RunOptions& running) mutable {
+    *last = running;
+    const HostingChoices now = hostingOf(running);
+    if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
+    known = now;
+  };
 }
 
 }  // namespace
@@ -35,13 +63,12 @@ PlatformOpening SimulationFeed::opening(const std::filesystem::path& scene,
                                         std::function<void(RunOptions& options)> adapt) {
   const auto make = [scene,
                      adapt = std::move(adapt)](const PlatformContext& context) -> PlatformOpening::Made {
-    const std::shared_ptr<RunOptions> last = lastSimulation(context.memory);
+    const std::shared_ptr<RunOptions> last = lastSimulation(context);
     RunOptions options = *last;
     adapt(options);
     options.scene = scene;
     options.progress = context.progress;
-    return create(std::move(options), context.session, context.recorder,
-                  [last](const RunOptions& running) { *last = running; });
+    return create(std::move(options), context.session, context.recorder, keeperOf(last, context.hosting));
   };
   return {kAdapter, {scene.string()}, make, scene};
 }
@@ -157,6 +184,7 @@ LoadedPlatform SimulationFeed::describe() const {
   loaded.title = run_->options().scene.stem().string();
   if (!run_->field()->name.empty()) loaded.field = run_->field();
   loaded.layout = run_->layout();
+  loaded.otherLayouts = run_->otherLayouts();
   loaded.lostChoices = run_->lostChoices();
   return loaded;
 }
@@ -239,7 +267,6 @@ robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
   if (errors.empty()) {
     if (choices_) choices_(run_->options());
     publishAnswers();
-    publishLostOverrides();
   }
   return errors;
 }

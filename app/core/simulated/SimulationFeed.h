@@ -51,6 +51,7 @@ class SimulationFeed final : public PlatformFeed {
   void publishStatus() override;
   std::vector<std::string> end() override;
   bool hasEnded() const override { return !run_ || run_->hasEnded(); }
+  std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
 
  protected:
   /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.
@@ -85,7 +86,8 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> reset();
   /// While the simulation is paused, publishes results that the programs would give in their next frames.
   void publishAnswers();
-  /// Publishes the overrides that the present programs cannot fulfill as warnings.
+  /// Publishes the overrides that the present programs cannot fulfill as warnings, where describe() is not
+  /// asked.
   void publishLostOverrides();
   /// Publishes map, scene, transforms and status.
   void publishScene();

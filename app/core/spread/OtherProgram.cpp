@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/spread/OtherProgram.h"
 
+#include <thread>
+
 #include "app/core/program/RobotFiles.h"
 #include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
 using robotlink::Errors;
+
+namespace {
+
+constexpr std::chrono::milliseconds kOtherLook{10};
+
+}  // namespace
 
 OtherProgram::OtherProgram(Parts parts) : parts_(std::move(parts)) {}
 
@@ -28,6 +36,10 @@ Errors OtherProgram::make() {
   auto node = robotlink::dds::Node::open(network->node);
   if (!node) return {node.error()};
   node_ = std::move(*node);
+  auto presence = robotlink::dds::ProgramPresence::claim(
+      node_, {robot.name, parts_.options.program, robotlink::dds::ProgramPresence::here()}, parts_.report);
+  if (!presence) return {presence.error()};
+  presence_ = std::move(*presence);
   if (const auto followed = clock_.follow(node_, robot.name); !followed) return {followed.error()};
   auto life = robotlink::dds::LifeSign::open(node_, robot.name);
   if (!life) return {life.error()};
@@ -55,6 +67,16 @@ Errors OtherProgram::make() {
           }});
   for (robotlink::Process* process : program_->processes()) executor_->add(*process);
   return {};
+}
+
+bool OtherProgram::run(double seconds, const std::function<bool()>& interrupted) {
+  const auto end = std::chrono::steady_clock::now() + robotlink::fromSeconds(seconds);
+  while (!interrupted() && (seconds == 0 || std::chrono::steady_clock::now() < end)) {
+    const bool before = begun_;
+    if (begin() && !before) parts_.report("The program with the platform runs.");
+    std::this_thread::sleep_for(kOtherLook);
+  }
+  return begun_;
 }
 
 bool OtherProgram::begin() {

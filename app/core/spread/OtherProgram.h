@@ -10,6 +10,7 @@
 #include "app/core/spread/SpreadNetwork.h"
 #include "robotlink/dds/FollowedClock.h"
 #include "robotlink/dds/ProgramNet.h"
+#include "robotlink/dds/ProgramPresence.h"
 #include "robotlink/process/ThreadExecutor.h"
 
 namespace robotlink {
@@ -43,6 +44,9 @@ class OtherProgram {
   /// To be called again and again: starts the processes when the program with the platform is heard for the
   /// first time, since there is no time before. Returns whether they were started.
   bool begin();
+  /// Runs it until `seconds` of real time have passed (0: for ever) or `interrupted` says so. Returns whether
+  /// the program with the platform was heard.
+  bool run(double seconds, const std::function<bool()>& interrupted);
 
  private:
   explicit OtherProgram(Parts parts);
@@ -51,6 +55,7 @@ class OtherProgram {
   Parts parts_;
   robotlink::dds::FollowedClock clock_;
   std::shared_ptr<robotlink::dds::Node> node_;
+  std::unique_ptr<robotlink::dds::ProgramPresence> presence_;
   std::unique_ptr<robotlink::dds::ProgramNet> net_;
   std::unique_ptr<robotlink::dds::LifeSign> life_;
   std::unique_ptr<robotlink::Platform> platform_;

@@ -18,6 +18,9 @@ robotlink::Result<std::unique_ptr<SpreadProgram>> SpreadProgram::open(const Spre
   if (!network) return tl::unexpected(network.error());
   auto node = robotlink::dds::Node::open(network->node);
   if (!node) return tl::unexpected(node.error());
+  auto presence = robotlink::dds::ProgramPresence::claim(
+      *node, {robot, options.program, robotlink::dds::ProgramPresence::here()}, report);
+  if (!presence) return tl::unexpected(presence.error());
   auto source = robotlink::dds::ClockSource::open(*node, robot, clock);
   if (!source) return tl::unexpected(source.error());
   std::unique_ptr<SpreadProgram> made(new SpreadProgram);
@@ -26,6 +29,7 @@ robotlink::Result<std::unique_ptr<SpreadProgram>> SpreadProgram::open(const Spre
       *node, robotlink::dds::ProgramNet::Identity{robot, options.program}, clock,
       robotlink::dds::ProgramNet::Behavior{{}, report});
   made->clock_ = std::move(*source);
+  made->presence_ = std::move(*presence);
   report(network->note);
   return made;
 }
@@ -34,6 +38,15 @@ HostedProgram::Maker SpreadProgram::maker() {
   return [this](HostedProgram::Parts parts) {
     return InsideProgram::create(std::move(parts), {program_, net_.get()});
   };
+}
+
+robotlink::Error SpreadProgram::refusalOfLayout(const std::filesystem::path& file) {
+  return {"spread.layout",
+          "the layout of a robot whose processes are spread over several programs cannot be changed while "
+          "they run; end all of them, and start them with " +
+              file.string(),
+          {file.string()},
+          {}};
 }
 
 bool SpreadProgram::isUnattended(const robotlink::Platform& platform) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "app/core/spread/SpreadNetwork.h"
 #include "robotlink/dds/FollowedClock.h"
 #include "robotlink/dds/ProgramNet.h"
+#include "robotlink/dds/ProgramPresence.h"
 
 namespace app {
 
@@ -33,11 +35,14 @@ class SpreadProgram {
   /// Whether a package that the platform takes comes from a program that does not run, so that the robot has
   /// to stand. Any thread.
   static bool isUnattended(const robotlink::Platform& platform);
+  /// Why programs that are spread cannot change to the layout of a file.
+  static robotlink::Error refusalOfLayout(const std::filesystem::path& file);
 
  private:
   SpreadProgram() = default;
 
   std::string program_;
+  std::unique_ptr<robotlink::dds::ProgramPresence> presence_;
   std::unique_ptr<robotlink::dds::ProgramNet> net_;
   std::unique_ptr<robotlink::dds::ClockSource> clock_;
 };

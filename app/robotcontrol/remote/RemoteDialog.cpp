@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "app/core/remote/RemoteRobots.h"
+#include "app/robotcontrol/remote/FoundRobots.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 #include "robotlink/session/CommandTable.h"
@@ -45,17 +46,39 @@ RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots
   auto* what = new QLabel(tr("Robots whose programs run elsewhere: there, robotctl sim or robotctl run was "
                              "started with --listen, or somebody chose Robot > Offer this session. They are "
                              "shown beside those that are open here. Where only robotctl platform was "
-                             "started, the program runs here, in place of what is open."),
+                             "started, the program runs here, in place of what is open. Those that announce "
+                             "themselves are listed; a click takes their address."),
                           this);
   what->setWordWrap(true);
   layout->addWidget(what);
+  createFound();
   createFields();
+  createState();
   createConnections();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  setMinimumWidth(fontMetrics().averageCharWidth() * 80);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 92);
+  // The layout's minimum knows too little of wrapped text.
+  const QMargins margins = layout->contentsMargins();
+  what->setMinimumHeight(what->heightForWidth(minimumWidth() - margins.left() - margins.right()));
   url_->lineEdit()->selectAll();
+}
+
+void RemoteDialog::createFound() {
+  found_ = new FoundRobots(this);
+  static_cast<QVBoxLayout*>(layout())->addWidget(found_, 1);
+  connect(found_, &FoundRobots::picked, this, &RemoteDialog::take);
+  connect(found_, &FoundRobots::wanted, this, [this](const auto& robots) {
+    take(robots);
+    connect_->click();
+  });
+}
+
+void RemoteDialog::take(const robotlink::dds::AnnouncedRobots& robots) {
+  url_->setEditText(QString::fromStdString(robots.url()));
+  const bool isBody = std::ranges::all_of(robots.robots, [](const auto& robot) { return robot.isBody; });
+  program_->setCurrentIndex(isBody ? 1 : 0);
 }
 
 void RemoteDialog::createFields() {
@@ -78,8 +101,12 @@ void RemoteDialog::createFields() {
   program_->addItem(tr("here: only the body is there"));
   form->addRow(tr("&Program:"), program_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
+  connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showProgram);
+}
+
+void RemoteDialog::createState() {
   state_ = widgets::makeNote(this, "remoteState", tr("State"));
-  state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  state_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   layout()->addWidget(state_);
   progress_ = new QProgressBar(this);
@@ -118,6 +145,12 @@ std::string RemoteDialog::enteredUrl() const {
   if (!url.contains(QStringLiteral("://"))) url.prepend(QStringLiteral("ws://"));
   const auto parsed = robotlink::websocket::parseServerUrl(url.toStdString());
   return parsed ? toString(*parsed) : std::string();
+}
+
+void RemoteDialog::showProgram() {
+  const QString url = QString::fromStdString(enteredUrl());
+  const auto known = std::ranges::find_if(recent_, [&](const Recent& one) { return one.url == url; });
+  if (known != recent_.end()) program_->setCurrentIndex(known->isHosted ? 1 : 0);
 }
 
 void RemoteDialog::showToken() {
@@ -226,7 +259,8 @@ void RemoteDialog::hostUrl(const std::string& url) {
   widgets::showOutcome(*state_, tr("Looking for a body at %1…").arg(wanted_), false);
 }
 
-void RemoteDialog::showHosted(const QString& url) {
+void RemoteDialog::showHosted(const QString& url, const QString& robot) {
+  if (std::exchange(hosted_, url) != url && !url.isEmpty()) remember({url, robot, true});
   if (!wantsProgram_ || wanted_.isEmpty() || url != wanted_) return;
   wantsProgram_ = false;
   wanted_.clear();
@@ -234,6 +268,11 @@ void RemoteDialog::showHosted(const QString& url) {
   progress_->hide();
   state_->clear();
   accept();
+}
+
+void RemoteDialog::showAsked() {
+  if (wantsProgram_ && !wanted_.isEmpty())
+    widgets::showOutcome(*state_, tr("%1 asks something before it lets you in.").arg(wanted_), false);
 }
 
 void RemoteDialog::failHosted(const QString& reason) {

@@ -14,9 +14,13 @@ class QTreeWidget;
 namespace robotlink {
 class CommandTable;
 }
+namespace robotlink::dds {
+struct AnnouncedRobots;
+}
 
 namespace app {
 
+class FoundRobots;
 class RemoteRobots;
 
 /// Connects robots whose programs run elsewhere, and shows the connections with their states. Not modal; it
@@ -41,19 +45,29 @@ class RemoteDialog final : public QDialog {
   void setRecent(const QList<Recent>& servers);
   /// Shows the states of the connections.
   void tick();
-  /// Says which body elsewhere has its program here; empty: none.
-  void showHosted(const QString& url);
+  /// Says which body elsewhere has its program here, and its robot; empty: none. It is remembered.
+  void showHosted(const QString& url, const QString& robot);
   /// Shows why a body that the user asked for could not be opened.
   void failHosted(const QString& reason);
+  /// Says that the user is asked something before that body can be opened.
+  void showAsked();
+  /// The robots that announce themselves; a click takes their address.
+  FoundRobots& found() { return *found_; }
 
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
+  void createFound();
   void createFields();
+  void createState();
   QLayout* createToken();
   /// The URL that the user has entered, as connections have it; empty if it is none.
   std::string enteredUrl() const;
+  /// Takes the address of robots that announce themselves.
+  void take(const robotlink::dds::AnnouncedRobots& robots);
+  /// Shows where the program ran when this URL was connected last.
+  void showProgram();
   /// Shows whether a token is remembered for it.
   void showToken();
   void forgetToken();
@@ -75,6 +89,7 @@ class RemoteDialog final : public QDialog {
 
   robotlink::CommandTable& commands_;
   const RemoteRobots& robots_;
+  FoundRobots* found_ = nullptr;
   QComboBox* url_ = nullptr;
   QComboBox* program_ = nullptr;
   QLineEdit* token_ = nullptr;
@@ -88,6 +103,8 @@ class RemoteDialog final : public QDialog {
   QString wanted_;
   /// Whether its program is to run here.
   bool wantsProgram_ = false;
+  /// What showHosted() has said last.
+  QString hosted_;
 };
 
 }  // namespace app

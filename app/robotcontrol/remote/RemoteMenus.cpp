@@ -6,6 +6,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/body/BodyFeed.h"
+#include "app/robotcontrol/remote/FoundRobots.h"
 #include "app/robotcontrol/remote/OfferDialog.h"
 #include "app/robotcontrol/remote/RecordingsDialog.h"
 #include "app/robotcontrol/remote/RemoteDialog.h"
@@ -96,13 +97,34 @@ void RemoteMenus::fail(const QString& reason) {
 
 void RemoteMenus::tick() {
   connect_->tick();
-  const LoadedPlatform* loaded = workbench_.loaded();
-  const bool isBody = loaded != nullptr && loaded->adapter == BodyFeed::kAdapter && !workbench_.loading();
-  connect_->showHosted(isBody ? QString::fromStdString(loaded->sources.front()) : QString());
+  followHosted();
+  followSearch();
   offer_->tick();
   recordings_->tick();
   questions_->tick();
   robots_->tick();
+}
+
+void RemoteMenus::followHosted() {
+  const LoadedPlatform* loaded = workbench_.loaded();
+  const bool isBody = loaded != nullptr && loaded->adapter == BodyFeed::kAdapter && !workbench_.loading();
+  const std::string robot = isBody && !loaded->robots.empty() ? loaded->robots.begin()->first : std::string();
+  connect_->showHosted(isBody ? QString::fromStdString(loaded->sources.front()) : QString(),
+                       QString::fromStdString(robot));
+  if (workbench_.asksForBody()) connect_->showAsked();
+}
+
+void RemoteMenus::followSearch() {
+  RobotSearch& search = workbench_.search();
+  const bool isShown = connect_->isVisible() || robots_->isVisible();
+  search.setWanted(isShown);
+  if (!isShown) return;
+  const RobotSearch::State state = search.state();
+  const auto isOwn = [this](const FoundRobots::Announced& robots) {
+    return workbench_.offer().isOfferedAt(robots.address, robots.port);
+  };
+  connect_->found().show(state, isOwn);
+  robots_->found().show(state, isOwn);
 }
 
 void RemoteMenus::load(const QJsonObject& window) {

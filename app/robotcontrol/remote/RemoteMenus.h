@@ -47,6 +47,10 @@ class RemoteMenus final : public QObject {
 
  private:
   static void show(QWidget& dialog);
+  /// Lets the dialogs show which robots announce themselves, as long as one is visible.
+  void followSearch();
+  /// Shows in the dialog how a body is getting on whose program is to run here.
+  void followHosted();
   /// Lists the servers that were connected last.
   void fillAgain();
   /// Runs the program of a body elsewhere here.

@@ -15,21 +15,18 @@ RemoteQuestions::RemoteQuestions(Workbench& workbench, CommandActions& actions, 
     : QObject(window), workbench_(workbench), actions_(actions), window_(window) {}
 
 void RemoteQuestions::tick() {
-  const auto connections = workbench_.remote().connections();
+  const auto questions = workbench_.questions();
   if (open_ != nullptr) {
-    const bool isAsked = std::ranges::any_of(connections, [this](const auto& connection) {
-      return connection.url == url_ && connection.state.objection == objection_;
-    });
-    if (isAsked) return;
+    if (std::ranges::count(questions, LinkQuestion{url_, objection_}) > 0) return;
     open_->disconnect(this);
     open_->close();
     open_ = nullptr;
   }
-  for (const auto& connection : connections) {
+  for (const auto& connection : workbench_.remote().connections())
     if (connection.state.isConnected()) entered_.erase(connection.url);
-    if (connection.state.objection.kind == Objection::Kind::kNone) continue;
-    return ask(connection.url, connection.state.objection);
-  }
+  if (const auto* loaded = workbench_.loaded(); loaded != nullptr && !workbench_.loading())
+    for (const std::string& source : loaded->sources) entered_.erase(source);
+  if (!questions.empty()) ask(questions.front().url, questions.front().objection);
 }
 
 void RemoteQuestions::ask(const std::string& url, const Objection& objection) {
@@ -59,7 +56,7 @@ QDialog* RemoteQuestions::askForToken(const std::string& url) {
   auto* dialog = new TokenDialog(url, shown, window_);
   connect(dialog, &QDialog::accepted, this, [this, url, dialog] {
     entered_.insert(url);
-    actions_.run(QStringLiteral("remote.connect"), {url, dialog->token()});
+    actions_.run(QStringLiteral("remote.show-token"), {url, dialog->token()});
     if (dialog->remembers()) actions_.run(QStringLiteral("remote.remember-token"), {url});
   });
   return dialog;

@@ -16,16 +16,18 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/remote/FoundRobots.h"
 #include "app/robotcontrol/remote/RobotColumns.h"
 #include "robotlink/base/AtomicFile.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
 #include "widgets/Icon.h"
 
 namespace app {
 namespace {
 
-constexpr int kRobotLines = 6, kReportLines = 6;
+constexpr int kRobotLines = 4, kReportLines = 4;
 constexpr int kMinSetWidth = 132;  // characters
 
 /// Where a column's text is in a robot of a set.
@@ -60,6 +62,7 @@ RobotsDialog::RobotsDialog(Workbench& workbench, CommandActions& actions, QWidge
   new QVBoxLayout(this);
   createTop();
   createTable();
+  createFound();
   createButtons();
   createReport();
   connectSignals();
@@ -108,7 +111,25 @@ void RobotsDialog::createTable() {
   fit->expect(kSetRole, QStringLiteral("defender"));
   fit->expect(kSetAddress, QStringLiteral("wss://192.168.100.100:8765"));
   table_->setMinimumHeight((kRobotLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  auto* hint = new widgets::EmptyHint(table_);
+  hint->setObjectName(QStringLiteral("robotsHint"));
+  const auto showHint = [this, hint] {
+    hint->setHint(table_->topLevelItemCount() > 0
+                      ? QString()
+                      : tr("The set has no robots yet. Add gives it one; a double "
+                           "click on a robot below takes that."));
+  };
+  connect(table_->model(), &QAbstractItemModel::rowsInserted, hint, showHint);
+  connect(table_->model(), &QAbstractItemModel::rowsRemoved, hint, showHint);
+  connect(table_->model(), &QAbstractItemModel::modelReset, hint, showHint);
+  showHint();
   static_cast<QVBoxLayout*>(layout())->addWidget(table_, 2);
+}
+
+void RobotsDialog::createFound() {
+  found_ = new FoundRobots(this);
+  static_cast<QVBoxLayout*>(layout())->addWidget(found_, 1);
+  connect(found_, &FoundRobots::wanted, this, &RobotsDialog::addFound);
 }
 
 void RobotsDialog::createButtons() {
@@ -120,9 +141,8 @@ void RobotsDialog::createButtons() {
     row->addWidget(button);
     return button;
   };
-  connect(add("robotsAdd", "add", tr("A&dd"),
-              tr("Adds the robots elsewhere that are connected, or an empty row")),
-          &QPushButton::clicked, this, &RobotsDialog::addRobots);
+  add_ = add("robotsAdd", "add", tr("A&dd"),
+             tr("Adds the selected robots on the network; else those that are connected; else an empty row"));
   remove_ = add("robotsRemove", "remove", tr("&Remove"), tr("Removes the selected robot from the set"));
   choose_ = add("robotsChoose", "open", tr("Choose &file…"),
                 tr("Chooses the layout, the color table, or the folder of parameters or motions for the "
@@ -134,6 +154,13 @@ void RobotsDialog::createButtons() {
                tr("Compares the files of the robots that are ticked with those here, by their checksums"));
   deploy_ = add("robotsDeploy", "send", tr("De&ploy"),
                 tr("Sends what differs to the robots that are ticked, and compares again"));
+  restart_ =
+      add("robotsRestart", "reset", tr("Restart pro&grams"),
+          tr("Starts the programs of the robots that are ticked again, if they have not read yet what was "
+             "deployed; these robots stand meanwhile"));
+  cancel_ = add("robotsCancel", "close", tr("Cance&l"), tr("Cancels comparing and sending"));
+  restart_->setEnabled(false);
+  cancel_->setEnabled(false);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
@@ -162,12 +189,15 @@ void RobotsDialog::connectSignals() {
     if (!isShowing_ && column != kSetState) setChanged(true);
   });
   connect(table_, &QTreeWidget::currentItemChanged, this, &RobotsDialog::enableButtons);
+  connect(add_, &QPushButton::clicked, this, &RobotsDialog::addRobots);
   connect(remove_, &QPushButton::clicked, this, &RobotsDialog::removeRobot);
   connect(choose_, &QPushButton::clicked, this, &RobotsDialog::chooseFile);
   connect(connect_, &QPushButton::clicked, this, &RobotsDialog::connectAll);
   connect(disconnect_, &QPushButton::clicked, this, &RobotsDialog::disconnectAll);
   connect(check_, &QPushButton::clicked, this, [this] { deploy(Deploy::kCheck); });
   connect(deploy_, &QPushButton::clicked, this, [this] { deploy(Deploy::kSend); });
+  connect(restart_, &QPushButton::clicked, this, [this] { deploy(Deploy::kRestart); });
+  connect(cancel_, &QPushButton::clicked, this, &RobotsDialog::cancelDeploying);
 }
 
 // ---- The set, and its rows
@@ -281,7 +311,24 @@ void RobotsDialog::saveAs() {
   save();
 }
 
+void RobotsDialog::addFound(const robotlink::dds::AnnouncedRobots& robots) {
+  const RobotSet now = set();
+  QTreeWidgetItem* shown = nullptr;
+  for (const auto& robot : robots.robots) {
+    const auto known = std::ranges::find(now.robots, robot.name, &RobotSet::Robot::name);
+    if (known == now.robots.end()) {
+      shown = addRow({.name = robot.name, .address = robots.url()});
+    } else {
+      shown = table_->topLevelItem(static_cast<int>(known - now.robots.begin()));
+      shown->setText(kSetAddress, QString::fromStdString(robots.url()));
+    }
+  }
+  table_->setCurrentItem(shown);
+  setChanged(true);
+}
+
 void RobotsDialog::addRobots() {
+  if (const auto selected = found_->selected()) return addFound(*selected);
   const RobotSet now = set();
   QTreeWidgetItem* added = nullptr;
   for (const auto& connection : workbench_.remote().connections()) {

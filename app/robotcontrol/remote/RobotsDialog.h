@@ -14,10 +14,14 @@ class QLineEdit;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
+namespace robotlink::dds {
+struct AnnouncedRobots;
+}
 
 namespace app {
 
 class CommandActions;
+class FoundRobots;
 class Workbench;
 
 /// Sets of robots (app/core/deploy/ROBOT_SETS.md): edited as a table, saved as a file, connected as a whole;
@@ -33,10 +37,13 @@ class RobotsDialog final : public QDialog {
   QString file() const { return file_; }
   /// Opens a set; says what is wrong with it.
   void open(const QString& file);
+  /// The robots that announce themselves, which can be added to the set.
+  FoundRobots& found() { return *found_; }
 
  private:
   void createTop();
   void createTable();
+  void createFound();
   void createButtons();
   void createReport();
   void connectSignals();
@@ -54,6 +61,8 @@ class RobotsDialog final : public QDialog {
   void save();
   void saveAs();
   void addRobots();
+  /// Adds those robots of a program that are not in the set; those that are get its address.
+  void addFound(const robotlink::dds::AnnouncedRobots& robots);
   void removeRobot();
   /// Asks for what the current cell names: a file or a folder.
   void chooseFile();
@@ -62,8 +71,11 @@ class RobotsDialog final : public QDialog {
   std::vector<RobotSet::Robot> chosen() const;
   void connectAll();
   void disconnectAll();
-  enum class Deploy { kCheck, kSend };
+  enum class Deploy { kCheck, kSend, kRestart };
   void deploy(Deploy what);
+  /// Begins what is to be done with a robot; returns why that is not possible, empty if it is.
+  QString deployTo(const RobotSet::Robot& robot, Deploy what);
+  void cancelDeploying();
   void showStates();
   void showReport();
   void enableButtons();
@@ -74,8 +86,10 @@ class RobotsDialog final : public QDialog {
   bool isChanged_ = false, isShowing_ = false;
   QLineEdit* name_ = nullptr;
   QTreeWidget *table_ = nullptr, *report_ = nullptr;
-  QPushButton *remove_ = nullptr, *choose_ = nullptr, *connect_ = nullptr, *disconnect_ = nullptr,
-              *check_ = nullptr, *deploy_ = nullptr;
+  FoundRobots* found_ = nullptr;
+  QPushButton *add_ = nullptr, *remove_ = nullptr, *choose_ = nullptr, *connect_ = nullptr,
+              *disconnect_ = nullptr, *check_ = nullptr, *deploy_ = nullptr, *restart_ = nullptr,
+              *cancel_ = nullptr;
   QLabel* state_ = nullptr;
   /// Those that were compared or sent to, in the order of the report.
   std::vector<RobotSet::Robot> reported_;

@@ -30,9 +30,17 @@ const RemoteRobots::Connection* connectionTo(const std::vector<RemoteRobots::Con
 }
 
 QString stateNameOf(State state) {
-  return state == State::kSame      ? RobotsDialog::tr("the same")
-         : state == State::kDiffers ? RobotsDialog::tr("differs")
-                                    : RobotsDialog::tr("is missing");
+  switch (state) {
+    case State::kSame:
+      return RobotsDialog::tr("the same");
+    case State::kDiffers:
+      return RobotsDialog::tr("differs");
+    case State::kMissing:
+      return RobotsDialog::tr("is missing");
+    case State::kWaiting:
+      return RobotsDialog::tr("the same; takes effect when the program starts again");
+  }
+  return {};
 }
 
 QString textOf(const DeployJobs::State& state) {
@@ -40,7 +48,9 @@ QString textOf(const DeployJobs::State& state) {
   if (state.error) return QString::fromStdString(state.error->text);
   if (!state.differences) return {};
   const QString text = QString::fromStdString(describe(*state.differences)).section(QLatin1Char(':'), 0, 0);
-  return state.wasSent ? RobotsDialog::tr("deployed: %1").arg(text) : text;
+  return state.wasSent        ? RobotsDialog::tr("deployed: %1").arg(text)
+         : state.wasRestarted ? RobotsDialog::tr("restarted: %1").arg(text)
+                              : text;
 }
 
 void showIn(QTreeWidgetItem& row, int column, const QString& text) {
@@ -87,27 +97,47 @@ void RobotsDialog::deploy(Deploy what) {
   QStringList problems;
   reported_.clear();
   report_->clear();
-  const auto connections = workbench_.remote().connections();
   for (const RobotSet::Robot& robot : chosen()) {
-    const QString name = QString::fromStdString(robot.name);
-    const auto* connection = connectionTo(connections, robot.address);
-    auto files = filesFor(robot, folder());
-    if (!files) {
-      problems << QStringLiteral("%1: %2").arg(name,
-                                               QString::fromStdString(robotlink::describe(files.error())));
-    } else if (connection == nullptr || !connection->state.isConnected()) {
-      problems << tr("%1 is not connected.").arg(name);
-    } else if (!connection->hasResources) {
-      problems << tr("%1 takes no files: its program has to be started with --resources FOLDER.").arg(name);
-    } else if (DeployJobs* jobs = workbench_.deploymentAt(connection->url)) {
-      what == Deploy::kSend ? jobs->send(robot.name, *std::move(files))
-                            : jobs->check(robot.name, *std::move(files));
-      reported_.push_back(robot);
-      new QTreeWidgetItem(report_);
+    const QString problem = deployTo(robot, what);
+    if (!problem.isEmpty()) {
+      problems << problem;
+      continue;
     }
+    reported_.push_back(robot);
+    new QTreeWidgetItem(report_);
   }
   if (!problems.isEmpty()) widgets::showOutcome(*state_, problems.join(QLatin1Char('\n')), true);
   showReport();
+}
+
+QString RobotsDialog::deployTo(const RobotSet::Robot& robot, Deploy what) {
+  const QString name = QString::fromStdString(robot.name);
+  const auto connections = workbench_.remote().connections();
+  const auto* connection = connectionTo(connections, robot.address);
+  auto files = filesFor(robot, folder());
+  if (!files)
+    return QStringLiteral("%1: %2").arg(name, QString::fromStdString(robotlink::describe(files.error())));
+  DeployJobs* jobs = connection == nullptr ? nullptr : workbench_.deploymentAt(connection->url);
+  if (jobs == nullptr || !connection->state.isConnected()) return tr("%1 is not connected.").arg(name);
+  if (!connection->hasResources)
+    return tr("%1 takes no files: its program has to be started with --resources FOLDER.").arg(name);
+  switch (what) {
+    case Deploy::kCheck:
+      jobs->check(robot.name, *std::move(files));
+      break;
+    case Deploy::kSend:
+      jobs->send(robot.name, *std::move(files));
+      break;
+    case Deploy::kRestart:
+      jobs->restart(robot.name, *std::move(files));
+      break;
+  }
+  return {};
+}
+
+void RobotsDialog::cancelDeploying() {
+  for (const RobotSet::Robot& robot : reported_)
+    if (DeployJobs* jobs = workbench_.deploymentAt(urlOf(robot.address))) jobs->cancel();
 }
 
 void RobotsDialog::tick() {
@@ -127,10 +157,13 @@ void RobotsDialog::showStates() {
 }
 
 void RobotsDialog::showReport() {
+  bool isBusy = false, waits = false;
   for (std::size_t i = 0; i < reported_.size(); ++i) {
     QTreeWidgetItem& row = *report_->topLevelItem(static_cast<int>(i));
     const DeployJobs* jobs = workbench_.deploymentAt(urlOf(reported_[i].address));
     const auto state = jobs == nullptr ? DeployJobs::State() : jobs->state(reported_[i].name);
+    isBusy = isBusy || state.isBusy;
+    waits = waits || (state.differences && needsRestart(*state.differences));
     showIn(row, 0, QString::fromStdString(reported_[i].name));
     showIn(row, 1, jobs == nullptr ? tr("not connected") : textOf(state));
     if (!state.differences || row.childCount() > 0) continue;
@@ -143,6 +176,8 @@ void RobotsDialog::showReport() {
         *state.differences, [](const DeployDifference& one) { return one.state != State::kSame; });
     row.setExpanded(differs);
   }
+  cancel_->setEnabled(isBusy);
+  restart_->setEnabled(waits && !isBusy);
 }
 
 }  // namespace app

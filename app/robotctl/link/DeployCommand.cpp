@@ -28,7 +28,7 @@ using Differences = std::vector<DeployDifference>;
 struct DeployArguments {
   std::string file, token;
   std::vector<std::string> robots;
-  bool checks = false, asJson = false;
+  bool checks = false, restarts = false, asJson = false;
 };
 
 /// Whether there is a connection within a few seconds; why not is in the client's state.
@@ -52,9 +52,10 @@ robotlink::Result<Differences> deployTo(const RobotSet::Robot& robot, const std:
   const Connector connector(client, *connection);
   if (!becomesConnected(*client))
     return robotlink::failure("deploy.link", toString(connection->url) + ": " + client->state().reason);
-  Deployment deployment(callsOf(*client));
+  Deployment deployment(callsOf(*client), robot.name);
   const auto proceed = [](double) { return !Interrupt::noted(); };
-  return arguments.checks ? deployment.check(files, proceed) : deployment.send(files, proceed);
+  auto done = arguments.checks ? deployment.check(files, proceed) : deployment.send(files, proceed);
+  return done && arguments.restarts ? deployment.restart(files, proceed) : done;
 }
 
 nlohmann::json jsonOf(const RobotSet::Robot& robot, const robotlink::Result<Differences>& done) {
@@ -65,7 +66,7 @@ nlohmann::json jsonOf(const RobotSet::Robot& robot, const robotlink::Result<Diff
   }
   result["files"] = nlohmann::json::array();
   for (const DeployDifference& one : *done) {
-    const char* states[] = {"same", "differs", "missing"};
+    const char* states[] = {"same", "differs", "missing", "waiting"};
     result["files"].push_back({{"path", one.path}, {"state", states[static_cast<int>(one.state)]}});
   }
   return result;
@@ -102,19 +103,25 @@ int runDeploy(const DeployArguments& arguments) {
   if (!errors.empty()) return printErrors(errors);
   const Interrupt interrupt;
   int status = kDone;
+  bool waits = false;
   nlohmann::json all = nlohmann::json::array();
   for (std::size_t i = 0; i < robots->size() && !Interrupt::noted(); ++i) {
     const auto& robot = (*robots)[i];
     const auto done = deployTo(robot, files[i], arguments);
+    using State = DeployDifference::State;
     const bool isSame = done && std::ranges::all_of(*done, [](const auto& one) {
-                          return one.state == DeployDifference::State::kSame;
+                          return one.state == State::kSame || one.state == State::kWaiting;
                         });
     if (!isSame) status = kFailed;
     all.push_back(jsonOf(robot, done));
     if (arguments.asJson) continue;
     (done ? std::cout : std::cerr) << robot.name << ": " << (done ? describe(*done) : done.error().describe())
                                    << std::endl;
+    waits = waits || (done && needsRestart(*done));
   }
+  if (waits && !arguments.asJson)
+    std::cerr << "Start the programs again, while the robots may stand: robotctl deploy " << arguments.file
+              << " --restart" << std::endl;
   if (arguments.asJson) std::cout << jsonOutput(all);
   return status;
 }
@@ -128,8 +135,14 @@ void addDeployCommand(CLI::App& app, int& status) {
   command->add_option("set", arguments->file, "The set: a YAML file, as Robot > Robots... writes it")
       ->required()
       ->type_name("SET.yaml");
-  command->add_flag("--check", arguments->checks,
-                    "Sends nothing, and says what differs; the exit status is 1 if something does");
+  auto* checks =
+      command->add_flag("--check", arguments->checks,
+                        "Sends nothing, and says what differs; the exit status is 1 if something does");
+  command
+      ->add_flag(
+          "--restart", arguments->restarts,
+          "Then starts the programs again that have not read all of it yet; these robots stand meanwhile")
+      ->excludes(checks);
   command->add_option("--robot", arguments->robots, "Only this robot; may be repeated");
   command->add_option("--token", arguments->token, "The robots' token; without it those that are remembered")
       ->envname("ROBOTCONTROL_TOKEN");

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "robotlink/foxglove/security/RememberedTokens.h"
+#include "app/core/remote/LinkAccess.h"
 
 namespace app {
 
@@ -17,20 +17,8 @@ void LinkOptions::addTo(CLI::App& command) {
 }
 
 robotlink::Result<robotlink::websocket::Connector::Options> LinkOptions::connection() const {
-  auto parsed = robotlink::websocket::parseServerUrl(url);
-  if (!parsed) return tl::unexpected(parsed.error());
-  robotlink::websocket::Connector::Options options;
-  options.url = *std::move(parsed);
-  // One in the URL is what the user wants.
-  const bool isGiven = !token.empty() || options.url.target.find("token=") != std::string::npos;
-  options.token =
-      isGiven ? token : robotlink::websocket::RememberedTokens().find(toString(options.url)).value_or("");
-  options.name = "robotctl";
-  options.isTrusted = [](const std::string& server, const std::string& fingerprint) {
-    std::cerr << "The robot at " << server << " is new here, and remembered by its fingerprint "
-              << fingerprint << ": compare it with the one that the robot printed" << std::endl;
-    return true;
-  };
+  auto options = linkOptions(url, token, trustAndPrint(std::cerr));
+  if (options) options->name = "robotctl";
   return options;
 }
 

@@ -38,7 +38,13 @@ int listRobots(const RobotsArguments& arguments) {
     std::this_thread::sleep_for(kDiscoveryLook);
   for (const auto& robots : (*discovery)->robots()) {
     std::string names;
-    for (const std::string& name : robots.names) names += (names.empty() ? "" : ", ") + name;
+    for (const auto& robot : robots.robots) {
+      const std::string runs = robot.isBody           ? ", only its body"
+                               : robot.layout.empty() ? std::string()
+                                                      : ", layout " + robot.layout;
+      const std::string what = robot.kind.empty() ? std::string() : " (" + robot.kind + runs + ")";
+      names += (names.empty() ? "" : ", ") + robot.name + what;
+    }
     std::cout << robots.url() << "  " << names;
     if (robots.isEncrypted) std::cout << "  fingerprint " << robots.fingerprint;
     std::cout << '\n';

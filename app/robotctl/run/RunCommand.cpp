@@ -49,7 +49,9 @@ std::optional<int> runOtherProgram(const HeadlessPlatform& platform, const RunAr
   if (spread.program.empty()) return std::nullopt;
   if (platform.prepareOther == nullptr)
     return usage({"usage", "--program is not possible with " + std::string(platform.usage), {}, {}});
-  const auto layout = robotlink::readLayout(platform.layoutOf(arguments.choices));
+  const auto file = platform.layoutOf(arguments.choices);
+  if (file.empty()) return usage({"usage", "--program needs --layout with this platform", {}, {}});
+  const auto layout = robotlink::readLayout(file);
   if (!layout) return printErrors(layout.error());
   if (const auto network = spreadNetworkOf(*layout, spread); !network) return printErrors({network.error()});
   if (layout->findProgram(spread.program) == layout->mainProgram()) return std::nullopt;

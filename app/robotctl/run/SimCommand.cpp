@@ -265,10 +265,6 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   arguments.arcos.applyTo(arguments.run);
   if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
-  if (threads && !arguments.ownProcesses.empty()) {
-    std::cerr << "robotctl sim: programs in processes of their own run in lockstep; omit --executor\n";
-    return kUsage;
-  }
   for (const std::string& robot : arguments.ownProcesses) {
     if (robot == kAllRobots) {
       arguments.run.ownProcesses = true;

@@ -145,13 +145,12 @@ void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
 }
 
-void DebugProcess::addProgram(const std::string& program, const std::vector<std::string>& processes) {
+void DebugProcess::addProgram(const std::string& program, const OtherPrograms::Questions& processes) {
   std::vector<ProcessChannel*> channels;
   for (const auto& channel : implementation_->channels) {
-    if (std::ranges::find(processes, channel->process()) != processes.end())
-      channels.push_back(channel.get());
+    if (processes.contains(channel->process())) channels.push_back(channel.get());
   }
-  implementation_->others.add(program, std::move(channels));
+  implementation_->others.add(program, std::move(channels), processes);
 }
 
 void DebugProcess::askOtherPrograms(const Request& request) {

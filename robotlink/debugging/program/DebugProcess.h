@@ -49,9 +49,10 @@ class DebugProcess final : public Process {
   /// Adds a process of this program (itself, a task process, the platform) to the table of processes. It must
   /// outlive this object. Call it before the process runs.
   void watch(const Process& process);
-  /// Says which of the processes run in another program. The links to it are made by RobotProgram. Call it
-  /// before the process runs.
-  void addProgram(const std::string& program, const std::vector<std::string>& processes);
+  /// Says which of the processes run in another program, and what each is asked for whenever that begins. The
+  /// links to it are made by RobotProgram. Call it before the process runs.
+  void addProgram(const std::string& program,
+                  const std::map<std::string, std::vector<robotcontrol::Request>>& processes);
   /// Processes of other programs get a request, now and whenever their program was started again; the others
   /// do not. Call it before the process runs.
   void askOtherPrograms(const robotcontrol::Request& request);

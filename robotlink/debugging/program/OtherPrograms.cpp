@@ -19,12 +19,14 @@ constexpr std::uint64_t kIdsHere = kRepeatedIds | (std::uint64_t{1} << 62U);
 
 }  // namespace
 
-void OtherPrograms::add(const std::string& program, std::vector<ProcessChannel*> channels) {
+void OtherPrograms::add(const std::string& program, std::vector<ProcessChannel*> channels,
+                        Questions questions) {
   Program& added = programs_.emplace_back();
   added.name = program;
   added.table =
       std::make_unique<Receiver<ProcessTable>>(debugProcess_, "debug/processes/" + program, Blocking::kNo);
-  for (ProcessChannel* channel : channels) added.seats.push_back({channel});
+  for (ProcessChannel* channel : channels)
+    added.seats.push_back({channel, 0, std::move(questions[channel->process()])});
 }
 
 bool OtherPrograms::isConnected(const Program& program) {
@@ -61,9 +63,11 @@ void OtherPrograms::askAgain(Seat& seat) {
   seat.channel->restart();
   Request tables;
   tables.mutable_send_tables();
-  for (Request& request : seat.remembered) {
-    request.set_id(kIdsHere | ++repeated_);
-    seat.channel->add(request);
+  for (auto* requests : {&seat.questions, &seat.remembered}) {
+    for (Request& request : *requests) {
+      request.set_id(kIdsHere | ++repeated_);
+      seat.channel->add(request);
+    }
   }
   tables.set_id(kIdsHere | ++repeated_);
   seat.channel->add(tables);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,9 +22,11 @@ class OtherPrograms {
  public:
   explicit OtherPrograms(Process& debugProcess) : debugProcess_(debugProcess) {}
 
+  /// What each process is asked for whenever its program begins, by its name.
+  using Questions = std::map<std::string, std::vector<robotcontrol::Request>>;
   /// Adds a program with the channels to its processes, which must outlive this object. Before the debug
   /// process runs.
-  void add(const std::string& program, std::vector<ProcessChannel*> channels);
+  void add(const std::string& program, std::vector<ProcessChannel*> channels, Questions questions);
   /// Looks who came and went since the last call. Returns a sentence for each program that did.
   std::vector<std::string> update();
 
@@ -44,6 +47,7 @@ class OtherPrograms {
     ProcessChannel* channel;
     /// The generation of its link when it was asked for everything.
     std::uint64_t generation = 0;
+    std::vector<robotcontrol::Request> questions = {};
     std::vector<robotcontrol::Request> remembered = {};
   };
   struct Program {

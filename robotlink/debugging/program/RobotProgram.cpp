@@ -6,6 +6,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/program/OtherPrograms.h"
 #include "robotlink/debugging/program/ProcessReporter.h"
 
 namespace robotlink {
@@ -49,6 +50,7 @@ struct RobotProgram::Implementation {
   Errors connectPackages(Platform& platform, const PlatformPackages& packages);
   Errors connectDebugging();
   Errors connectPrograms();
+  std::vector<robotcontrol::Request> questionsTo(const std::string& process) const;
   /// Links two ends of which one or both are in this program; null: it is in another.
   Result<void> connect(const std::string& package, Process* from, const std::string& fromName, Process* to);
   Result<void> link(AnySender* sender, const std::string& from);
@@ -194,15 +196,33 @@ Errors RobotProgram::Implementation::connectDebugging() {
   return errors;
 }
 
+/// Its parameters, which only the program that has them knows.
+std::vector<robotcontrol::Request> RobotProgram::Implementation::questionsTo(
+    const std::string& process) const {
+  std::vector<robotcontrol::Request> questions;
+  for (const Layout::Process& one : layout.processes) {
+    if (one.name != process) continue;
+    for (const Layout::Task& task : one.tasks) {
+      for (const SolutionDescription& solution : SolutionRegistry::all()) {
+        if (solution.task != task.task || solution.parameters == nullptr) continue;
+        auto& question = *questions.emplace_back().mutable_get_parameters();
+        question.set_task(task.task);
+        question.set_solution(solution.name);
+      }
+    }
+  }
+  return questions;
+}
+
 /// What the programs tell the one with the debug process about themselves.
 Errors RobotProgram::Implementation::connectPrograms() {
   Errors errors;
   for (const Layout::Program& program : layout.programs) {
     if (part.program.empty() || &program == layout.mainProgram()) continue;
     if (debugProcess != nullptr) {
-      std::vector<std::string> names;
-      for (const auto& process : program.processes) names.push_back(process.process);
-      debugProcess->addProgram(program.name, names);
+      OtherPrograms::Questions processes;
+      for (const auto& process : program.processes) processes[process.process] = questionsTo(process.process);
+      debugProcess->addProgram(program.name, processes);
     } else if (program.name != part.program) {
       continue;
     }

@@ -100,7 +100,7 @@ class ConnectorThread {
 
   asio::steady_timer timer_{context};
   std::shared_ptr<HostLookup> lookup_;
-  /// Of the newest failure.
+  /// The objection of the newest failure.
   ServerObjection objection_;
   /// Which of several addresses is tried next.
   std::size_t nextAddress_ = 0;

@@ -15,12 +15,12 @@ bool Outbox::pushControl(FrameKind kind, SharedBytes bytes) {
 void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t maxWaiting) {
   Stream& stream = streams_[id];
   stream.delivery = delivery;
-  streamBytes_ += message.size();
-  const bool isCalm = streamBytes_ <= limits_.calmBytes;
+  const bool isCalm = message.size() + smallBytes_ <= limits_.calmBytes;
+  addWaiting(message.size());
   if (delivery == Delivery::kLatest && !stream.waiting.empty() && !isCalm) {
     while (stream.waiting.size() > 1) giveUpOldest(stream);
     Outgoing& waiting = stream.waiting.front()->message;
-    streamBytes_ -= waiting.size();
+    removeWaiting(waiting.size());
     waiting = std::move(message);
     ++stream.counters.thinned;
   } else {
@@ -32,9 +32,19 @@ void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t 
     giveUpOldest(streams_[turns_.front().stream]);
 }
 
+void Outbox::addWaiting(std::size_t size) {
+  streamBytes_ += size;
+  if (size <= limits_.calmBytes) smallBytes_ += size;
+}
+
+void Outbox::removeWaiting(std::size_t size) {
+  streamBytes_ -= size;
+  if (size <= limits_.calmBytes) smallBytes_ -= size;
+}
+
 void Outbox::giveUpOldest(Stream& stream) {
   ++(stream.delivery == Delivery::kLatest ? stream.counters.thinned : stream.counters.dropped);
-  streamBytes_ -= stream.waiting.front()->message.size();
+  removeWaiting(stream.waiting.front()->message.size());
   turns_.erase(stream.waiting.front());
   stream.waiting.pop_front();
 }
@@ -43,7 +53,7 @@ void Outbox::clear(StreamId id) {
   const auto found = streams_.find(id);
   if (found == streams_.end()) return;
   for (const auto turn : found->second.waiting) {
-    streamBytes_ -= turn->message.size();
+    removeWaiting(turn->message.size());
     turns_.erase(turn);
   }
   found->second.waiting.clear();
@@ -59,7 +69,7 @@ void Outbox::clear() {
   controlBytes_ = 0;
   for (auto& [id, stream] : streams_) stream.waiting.clear();
   turns_.clear();
-  streamBytes_ = 0;
+  streamBytes_ = smallBytes_ = 0;
 }
 
 std::optional<Outgoing> Outbox::next(Instant now) {
@@ -76,7 +86,7 @@ std::optional<Outgoing> Outbox::next(Instant now) {
     message = std::move(turn.message);
     stream.waiting.pop_front();
     turns_.pop_front();
-    streamBytes_ -= message->size();
+    removeWaiting(message->size());
     ++stream.counters.sent;
     stream.counters.bytes += message->size();
   }

@@ -54,8 +54,9 @@ class Outbox {
     /// Bytes that may wait of all streams; over it the oldest messages go. A message that waits alone may be
     /// larger.
     std::size_t streamBytes = 16U << 20U;
-    /// While no more waits of all streams, a message does not replace an older one of its stream: on a line
-    /// that is fast enough nothing is thinned only because two messages were published at once.
+    /// While no more waits in messages of up to this size, such a message does not replace an older one of
+    /// its stream: on a line that is fast enough nothing is thinned only because two messages were published
+    /// at once, or because an image is being sent meanwhile.
     std::size_t calmBytes = 0;
   };
   using StreamId = std::uint64_t;
@@ -97,11 +98,16 @@ class Outbox {
   };
 
   void giveUpOldest(Stream& stream);
+  /// A message of this size waits from now on, or no longer.
+  void addWaiting(std::size_t size);
+  void removeWaiting(std::size_t size);
 
   const Limits limits_;
   Allowance budget_;
   std::deque<Outgoing> control_;
   std::size_t controlBytes_ = 0, streamBytes_ = 0;
+  /// Those of streamBytes_ that are in messages of up to Limits::calmBytes.
+  std::size_t smallBytes_ = 0;
   Turns turns_;
   std::unordered_map<StreamId, Stream> streams_;
   std::uint64_t sentBytes_ = 0;

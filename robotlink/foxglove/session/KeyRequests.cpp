@@ -25,6 +25,13 @@ void KeyRequests::setSubscribers(const std::string& robot, const std::string& st
   update(robot, known);
 }
 
+void KeyRequests::forgetSubscribers(const std::string& robot) {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return;
+  known->second.subscribers.clear();
+  known->second.hasChanged = true;
+}
+
 void KeyRequests::setTable(const std::string& robot, const robotcontrol::KeyTable& table) {
   Robot& known = robots_[robot];
   std::map<std::string, Key> keys;
@@ -86,7 +93,8 @@ void KeyRequests::update(const std::string& name, Robot& robot) {
   robot.hasChanged = true;
   for (auto& [keyName, key] : robot.keys) {
     const bool wanted = std::ranges::any_of(
-        robot.subscribers, [&](const auto& subscribed) { return publishesOn(key, subscribed.first); });
+        robot.subscribers,
+        [&one = std::as_const(key)](const auto& subscribed) { return publishesOn(one, subscribed.first); });
     if (wanted && !key.before && !key.isTheirs && key.mode.kind() == KeyMode::OFF) {
       key.before = key.mode;
       KeyMode always;

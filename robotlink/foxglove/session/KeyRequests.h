@@ -27,6 +27,9 @@ class KeyRequests {
   /// The subscribers of one of a robot's streams, after each change; none: the last one has gone.
   void setSubscribers(const std::string& robot, const std::string& stream,
                       const std::set<std::string>& clients);
+  /// A robot is gone, and its streams with it. Should it come back, keys that were switched on here get their
+  /// modes back.
+  void forgetSubscribers(const std::string& robot);
   /// The newest table of a robot's keys.
   void setTable(const std::string& robot, const robotcontrol::KeyTable& table);
   /// Somebody (a view, a script, also a client by its own request) sets a key explicitly. Ignored while this

@@ -16,8 +16,8 @@ namespace {
 
 using robotcontrol::KeyTable;
 
-constexpr std::size_t kMaxGaps = 1000;
-/// A step back in time within a stream that is no disorder any more, but a reset.
+constexpr std::size_t kMaxGaps = 1000, kMaxPaths = 50'000;
+/// A step back in time within a stream of several processes that is no disorder any more, but a reset.
 constexpr Duration kReset = std::chrono::seconds(1);
 /// After a connection was made anew, robots that are not mentioned again are gone.
 constexpr Duration kStaleTime = std::chrono::seconds(2);
@@ -40,6 +40,11 @@ bool isHeavy(const std::string& type) {
   return std::ranges::any_of(kHeavy,
                              [&](const char* part) { return type.find(part) != std::string::npos; }) &&
          type.find("Annotation") == std::string::npos;
+}
+
+/// Streams of a world are published by one thread, so each step back in their times is a reset.
+bool isOfWorld(const std::string& path) {
+  return path == streams::kTransforms || path == streams::kSimulation;
 }
 
 bool isJpegOfOther(const RemoteChannel& channel) {
@@ -67,7 +72,9 @@ RemoteSession::RemoteSession(Session& sharedSession, SessionClientOptions chosen
       inbox({}, options.convert),
       robots(options.isTaken),
       restarts(session.restarts()),
-      client(std::make_shared<Client>(handlers(), ClientLimits(), options.connection.clock)) {
+      client(std::make_shared<Client>(handlers(), ClientLimits(), options.connection.clock)) {}
+
+void RemoteSession::connect() {
   connector = std::make_unique<Connector>(client, options.connection);
 }
 
@@ -238,7 +245,7 @@ PackagePtr RemoteSession::shownSteering(const std::string& path, const PackagePt
   return shown;
 }
 
-/// Who steers may have been heard before the number came.
+/// The steering may have been heard before the number came.
 void RemoteSession::onNumber(std::uint64_t value) {
   if (std::exchange(number, value) == value) return;
   for (const auto& [path, status] : std::map(steering))
@@ -304,9 +311,11 @@ void RemoteSession::enter(StreamMessage message) {
 
 Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latchedMessage) {
   const auto leading = options.leadingTime ? options.leadingTime() : std::nullopt;
+  remote = std::max(remote, Instant());
   const auto known = newestOf.find(path);
+  const Duration disorder = isOurs && isOfWorld(path) ? Duration(0) : kReset;
   if (known != newestOf.end() && !latchedMessage && known->second.remote != Instant::min() &&
-      remote < known->second.remote - kReset) {
+      remote < known->second.remote - disorder) {
     shift.reset();
     // The history of a robot that leads is cut there; another one's goes on.
     if (!leading)
@@ -314,6 +323,8 @@ Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latc
     else
       for (auto& [other, times] : newestOf) times.remote = Instant::min();
   }
+  // A server that goes on to invent names.
+  if (newestOf.size() >= kMaxPaths && known == newestOf.end()) newestOf.clear();
   Instant mapped = shift.map(remote, leading);
   Times& times = newestOf[path];
   // Messages of several processes may come out of order.

@@ -23,6 +23,8 @@ class RemoteSession {
   RemoteSession(Session& sharedSession, SessionClientOptions chosen);
 
   ClientHandlers handlers();
+  /// Connects now, and again after each cut. Without it, messages of a server can be put into the client.
+  void connect();
   void tick();
 
   // From the server.
@@ -34,7 +36,7 @@ class RemoteSession {
   void onMessage(const RemoteInbox::Arrival& arrival);
   void enter(StreamMessage message);
   void pushKeys(RemoteRobotList::Robot& robot);
-  /// Who steers, with whether it is this session.
+  /// The one who steers, and whether it is this session.
   PackagePtr shownSteering(const std::string& path, const PackagePtr& value);
   void onNumber(std::uint64_t value);
   Instant timeOf(const std::string& path, Instant remote, bool latched);
@@ -85,7 +87,7 @@ class RemoteSession {
   std::uint64_t fallbacks = 0;
   /// The number by which the server knows this client; 0: not yet known.
   std::uint64_t number = 0;
-  /// Who steers which robot, by the path in the session, as the server says.
+  /// The steering of each robot, as the server says, by the path in the session.
   std::map<std::string, std::shared_ptr<const robotcontrol::SteeringStatus>> steering;
   std::string serverSession;
   bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
@@ -93,7 +95,7 @@ class RemoteSession {
   /// When the connection was lost and made, by the client's clock.
   Instant lostAt, connectedAt;
   const std::shared_ptr<Client> client;
-  /// Calls the handlers, so it goes first.
+  /// Calls the handlers, so it goes first. Null until connect().
   std::unique_ptr<Connector> connector;
 };
 

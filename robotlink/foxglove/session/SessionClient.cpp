@@ -53,7 +53,9 @@ void RemoteSession::forward(const std::string& robot, const Request& request) {
 // ---- The class itself
 
 SessionClient::SessionClient(Session& session, Options options)
-    : parts_(std::make_unique<RemoteSession>(session, std::move(options))) {}
+    : parts_(std::make_unique<RemoteSession>(session, std::move(options))) {
+  parts_->connect();
+}
 
 SessionClient::~SessionClient() = default;
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
 
 #include "foxglove/Image.pb.h"
@@ -31,11 +32,16 @@ using robotcontrol::ProcessTable;
 using robotcontrol::Request;
 using robotcontrol::SolutionTable;
 
+/// A number that no client has.
+constexpr std::uint64_t kNoClientHere = std::numeric_limits<std::uint64_t>::max();
 /// What a line of 1 Mbit/s sends in 65 ms.
 constexpr std::size_t kCalmBytes = 8U << 10U;
 /// How often it is looked whether lines carry what is sent.
 constexpr Duration kLookAtLines = std::chrono::milliseconds(250);
 constexpr char kRawImage[] = "foxglove.RawImage";
+
+/// For so long a channel is not replaced by one of another type again.
+constexpr Duration kKeepType = std::chrono::seconds(1);
 
 /// After so many ticks without anything new the session counts as paused.
 constexpr int kStillTicks = 10;
@@ -61,6 +67,10 @@ ChannelSetup setupOf(const std::string& path, const Descriptor& type) {
       setup.latched || std::ranges::find(kCompleteTypes, type.full_name()) != kCompleteTypes.end();
   setup.delivery = complete ? Delivery::kComplete : Delivery::kLatest;
   return setup;
+}
+
+bool fits(const StreamMessage& message, const ServerChannel& channel) {
+  return message.value->GetDescriptor()->full_name() == channel.setup().schemaName;
 }
 
 }  // namespace
@@ -124,19 +134,61 @@ void SessionServer::tick() {
 
 void SessionServer::pass(const StreamMessage& message) {
   auto found = channels_.find(message.path);
+  if (found != channels_.end() && !fits(message, *found->second)) {
+    if (!removeOutdated(message.path)) return;
+    found = channels_.end();
+  }
   if (found == channels_.end()) {
     addChannels({setupOf(message.path, *message.value->GetDescriptor())});
     found = channels_.find(message.path);
   }
-  if (found->second->isWanted()) found->second->publish(message.time, message.value->SerializeAsString());
+  if (found->second->isWanted()) found->second->publish(message.time, shownTo(message)->SerializeAsString());
   if (encoder_ && found->second->setup().schemaName == kRawImage) passAsJpeg(message);
   unheard_.erase(message.path);
   notice(message);
 }
 
+/// A channel keeps its type, but another layout, or a robot elsewhere, may publish something else on a path.
+/// A publisher that alternates does not keep clients busy with it.
+bool SessionServer::removeOutdated(const std::string& path) {
+  const Instant now = server_->clock().now();
+  const auto before = outdated_.find(path);
+  if (before != outdated_.end() && now - before->second < kKeepType) return false;
+  outdated_[path] = now;
+  std::vector<ChannelPtr> removed;
+  for (const std::string& each : {path, path + kJpegChannel}) {
+    const auto channel = channels_.find(each);
+    const bool isOther = each != path && session_.store().find(each) != nullptr;
+    if (channel == channels_.end() || isOther) continue;
+    removed.push_back(channel->second);
+    channels_.erase(channel);
+  }
+  server_->removeChannels(removed);
+  const auto [robot, stream] = splitAtSlash(path);
+  keys_.setSubscribers(robot, stream, {});
+  offerOnDemand(robot);
+  return true;
+}
+
+PackagePtr SessionServer::shownTo(const StreamMessage& message) const {
+  const auto* status = dynamic_cast<const robotcontrol::SteeringStatus*>(message.value.get());
+  const std::string robot = splitAtSlash(message.path).first;
+  if (status == nullptr || !isElsewhere(robot)) return message.value;
+  auto shown = std::make_shared<robotcontrol::SteeringStatus>(*status);
+  shown->set_own(false);
+  if (status->own()) {
+    const Steering::Status here = steering_.status(robot);
+    shown->set_client(here.client);
+    if (!here.who.empty()) shown->set_who(here.who);
+  } else if (status->client() != 0) {
+    shown->set_client(kNoClientHere);
+  }
+  return shown;
+}
+
 void SessionServer::addChannels(std::vector<ChannelSetup> setups) {
   for (std::size_t i = 0, count = setups.size(); encoder_ && i < count; ++i) {
-    if (setups[i].schemaName == kRawImage)
+    if (setups[i].schemaName == kRawImage && !channels_.contains(setups[i].topic + kJpegChannel))
       setups.push_back(setupOf(setups[i].topic + kJpegChannel, *foxglove::CompressedImage::descriptor()));
   }
   for (const ChannelPtr& channel : server_->addChannels(std::move(setups)))
@@ -172,7 +224,7 @@ void SessionServer::publishUnheard() {
     if (newest == nullptr) continue;
     if (isJpeg) {
       passAsJpeg(*newest);
-    } else {
+    } else if (fits(*newest, *channel->second)) {
       channel->second->publish(newest->time, newest->value->SerializeAsString());
     }
   }
@@ -188,23 +240,25 @@ void SessionServer::notice(const StreamMessage& message) {
 
 void SessionServer::noticeTable(const std::string& robot, const std::string& stream, const Message& value) {
   Robot& known = robots_[robot];
-  if (stream == streams::kKeys) {
-    known.keys = dynamic_cast<const KeyTable&>(value);
+  // A robot elsewhere may publish anything on these paths.
+  if (const auto* keys = dynamic_cast<const KeyTable*>(&value); keys && stream == streams::kKeys) {
+    known.keys = *keys;
     keys_.setTable(robot, known.keys);
     offerKeyChannels(robot, known);
     std::map<std::string, std::string> modes;
     for (const auto& key : known.keys.keys()) modes[key.name()] = textOf(key.mode());
     offerParameters(robot, known, kKeysGroup, modes);
     offerOnDemand(robot);
-  } else if (stream == streams::kSolutions) {
-    const auto& table = dynamic_cast<const SolutionTable&>(value);
-    std::map<std::string, std::string> active;
-    for (const auto& task : table.tasks()) active[task.name()] = task.active();
-    offerParameters(robot, known, kSolutionsGroup, active);
-    server_->updateParameters(modules_.keep(robot, table));
-  } else if (stream == streams::kProcesses) {
-    noticeProcesses(robot, dynamic_cast<const ProcessTable&>(value), known);
   }
+  if (const auto* table = dynamic_cast<const SolutionTable*>(&value);
+      table && stream == streams::kSolutions) {
+    std::map<std::string, std::string> active;
+    for (const auto& task : table->tasks()) active[task.name()] = task.active();
+    offerParameters(robot, known, kSolutionsGroup, active);
+    server_->updateParameters(modules_.keep(robot, *table));
+  }
+  const auto* processes = dynamic_cast<const ProcessTable*>(&value);
+  if (processes != nullptr && stream == streams::kProcesses) noticeProcesses(robot, *processes, known);
 }
 
 void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable& table, Robot& to) {
@@ -301,6 +355,7 @@ void SessionServer::removeRobot(const std::string& name, Robot& robot) {
   for (const auto& [group, names] : std::map(robot.parameters)) offerParameters(name, robot, group, {});
   server_->updateParameters(modules_.remove(name));
   steering_.remove(name);
+  keys_.forgetSubscribers(name);
   std::vector<ChannelPtr> channels;
   std::erase_if(channels_, [&](const auto& channel) {
     if (!channel.first.starts_with(name + "/")) return false;
@@ -321,8 +376,8 @@ void SessionServer::getParameters() {
       auto wanted = modules_.nextToGet(name);
       if (!wanted) break;
       ++robot.asking;
-      request(std::move(*wanted), [this, name](const robotcontrol::RequestResult&) {
-        if (const auto known = robots_.find(name); known != robots_.end()) --known->second.asking;
+      request(std::move(*wanted), [this, of = name](const robotcontrol::RequestResult&) {
+        if (const auto known = robots_.find(of); known != robots_.end()) --known->second.asking;
       });
     }
   }
@@ -360,6 +415,15 @@ void SessionServer::offerJpeg() {
 }
 
 void SessionServer::publishSteering(const std::string& robot, const Steering::Status& status) {
+  const std::string path = robot + "/" + streams::kSteering;
+  if (isElsewhere(robot)) {
+    // What the session has of it comes from there; clients are told anew which of them it is.
+    const StreamMessage* message = session_.store().latest(path, Instant::max());
+    const auto channel = channels_.find(path);
+    if (message != nullptr && channel != channels_.end() && channel->second->isWanted())
+      channel->second->publish(message->time, shownTo(*message)->SerializeAsString());
+    return;
+  }
   auto message = std::make_shared<robotcontrol::SteeringStatus>();
   const Instant time = session_.store().newest();
   assign(*message->mutable_timestamp(), time);
@@ -367,12 +431,13 @@ void SessionServer::publishSteering(const std::string& robot, const Steering::St
   message->set_client(status.client);
   message->set_silent(status.isSilent);
   message->set_text(status.text);
-  session_.push({robot + "/" + streams::kSteering, time, std::move(message)});
+  session_.push({path, time, std::move(message)});
 }
 
 void SessionServer::publishSubscribers() {
   for (auto& [name, robot] : robots_) {
-    if (name.empty() || !keys_.takeChanged(name)) continue;
+    // For a robot elsewhere, this session is one of those who ask.
+    if (name.empty() || isElsewhere(name) || !keys_.takeChanged(name)) continue;
     auto subscribers = keys_.clientsByKey(name);
     if (subscribers == robot.subscribers) continue;
     robot.subscribers = std::move(subscribers);

@@ -69,6 +69,12 @@ class SessionServer {
   };
   void takeFromClients(ClientStream stream) { clientStreams_.push_back(std::move(stream)); }
 
+  /// Called when a client takes over a robot whose program is elsewhere, or gives it up: this session is only
+  /// one of those who may steer it.
+  void onSteerElsewhere(std::function<void(const std::string& robot, bool giveUp)> handler) {
+    steerElsewhere_ = std::move(handler);
+  }
+
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
@@ -100,6 +106,8 @@ class SessionServer {
   Steering::Actions steeringActions();
   // From the session.
   void addChannels(std::vector<ChannelSetup> setups);
+  /// Removes the channel of a path, because its type is another one now; false: not so soon again.
+  bool removeOutdated(const std::string& path);
   void passAsJpeg(const StreamMessage& message);
   void pass(const StreamMessage& message);
   void notice(const StreamMessage& message);
@@ -130,6 +138,11 @@ class SessionServer {
   void watchLinks();
   void publishSubscribers();
   void publishSteering(const std::string& robot, const Steering::Status& status);
+  /// Whether the session has the robot from another server.
+  bool isElsewhere(const std::string& robot) const { return session_.remoteRobots().contains(robot); }
+  /// What clients are told on a stream: who steers a robot elsewhere is known there, and which of the clients
+  /// here it is, is known here.
+  PackagePtr shownTo(const StreamMessage& message) const;
   // From clients.
   using ServiceHandlerOf = void (SessionServer::*)(const std::string& robot, const std::string& service,
                                                    const ClientInfo& client, const ServiceCallRequest& call,
@@ -170,7 +183,10 @@ class SessionServer {
   NarrowLines narrowLines_;
   Instant lookedAtLines_;
   std::vector<ClientStream> clientStreams_;
+  std::function<void(const std::string& robot, bool giveUp)> steerElsewhere_;
   std::unordered_map<std::string, ChannelPtr> channels_;
+  /// When the channel of a path was replaced last.
+  std::map<std::string, Instant> outdated_;
   std::map<std::string, Robot> robots_;
   /// What was reported to clients about their commands on a topic, so that it is reported once.
   std::map<std::pair<std::uint64_t, std::string>, std::string> complaints_;

@@ -12,6 +12,7 @@
 #include "robotlink/foxglove/session/PostedWork.h"
 #include "robotlink/foxglove/session/RequestServices.h"
 #include "robotlink/foxglove/session/RobotPath.h"
+#include "robotlink/foxglove/session/SessionServer.h"
 
 namespace robotlink::websocket {
 namespace {
@@ -174,6 +175,7 @@ void SessionServer::steer(const std::string& robot, const std::string& service, 
   if (!isRead) return reply.fail("the argument of " + service + R"( is {} or {"give_up": true})");
   const Instant now = server_->clock().now();
   wanted.give_up() ? steering_.giveUp(client, robot, now) : steering_.takeOver(client, robot, now);
+  if (isElsewhere(robot) && steerElsewhere_) steerElsewhere_(robot, wanted.give_up());
   answer(reply, call.encoding, "");
 }
 

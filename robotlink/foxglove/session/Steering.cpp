@@ -242,6 +242,11 @@ void Steering::tell(const std::string& name, Robot& robot, const std::string& te
   actions_.changed(name, status);
 }
 
+Steering::Status Steering::status(const std::string& robot) const {
+  const auto found = robots_.find(robot);
+  return found == robots_.end() ? Status() : found->second.told;
+}
+
 std::set<std::uint64_t> Steering::clients() const {
   std::set<std::uint64_t> ids;
   for (const auto& [name, robot] : robots_) ids.insert(robot.client);

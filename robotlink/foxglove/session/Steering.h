@@ -80,6 +80,8 @@ class Steering {
   void remove(const std::string& robot) { robots_.erase(robot); }
 
   const Limits& limits() const { return limits_; }
+  /// The person or program that steers a robot.
+  Status status(const std::string& robot) const;
   /// Those whose links have to be watched closely.
   std::set<std::uint64_t> clients() const;
 

@@ -6,8 +6,10 @@
 namespace robotlink::websocket {
 namespace {
 
-/// No sum of two times leaves what an Instant can hold.
+/// All times lie between zero and this one, so that no sum of them leaves what an Instant can hold (292
+/// years).
 constexpr Instant kMaxTime{std::chrono::hours(24 * 365 * 100)};
+constexpr Duration kMaxGap = std::chrono::hours(24 * 365);
 
 }  // namespace
 
@@ -17,10 +19,10 @@ void TimeShift::reset() {
 
 Instant TimeShift::map(Instant remote, std::optional<Instant> leading) {
   remote = std::clamp(remote, Instant(), kMaxTime);
-  if (gap_ && newest_ && !leading) offset_ = *newest_ + *gap_ - remote;
+  if (gap_ && newest_ && !leading) offset_ = *newest_ + std::clamp(*gap_, Duration(), kMaxGap) - remote;
   const bool isNewest = gap_ || !newestRemote_ || remote > *newestRemote_;
   gap_.reset();
-  if (!isNewest) return std::max(remote + offset_, Instant());
+  if (!isNewest) return std::clamp(remote + offset_, Instant(), kMaxTime);
   newestRemote_ = remote;
   if (leading) {
     const Instant lead = std::clamp(*leading, Instant(), kMaxTime);
@@ -29,7 +31,7 @@ Instant TimeShift::map(Instant remote, std::optional<Instant> leading) {
     // Never back, whatever the leading time does.
     if (newest_ && remote + offset_ < *newest_) offset_ = *newest_ - remote;
   }
-  newest_ = remote + offset_;
+  newest_ = std::clamp(remote + offset_, Instant(), kMaxTime);
   return *newest_;
 }
 

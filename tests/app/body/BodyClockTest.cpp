@@ -66,5 +66,17 @@ TEST_F(BodyClockTest, aBodyThatIsStartedAnewContinues) {
   EXPECT_LE(clock_.now(), before + 2100ms);
 }
 
+TEST_F(BodyClockTest, absurdTimesOfABodyDoNotOverflow) {
+  Instant before;
+  for (int i = 0; i < 20; ++i) {
+    for (const Instant time : {Instant::max(), Instant::min(), Instant(1s)}) {
+      clock_.hear(time);
+      EXPECT_GE(clock_.now(), before);
+      before = clock_.now();
+    }
+  }
+  EXPECT_LT(before, Instant(24h * 365 * 150));
+}
+
 }  // namespace
 }  // namespace app

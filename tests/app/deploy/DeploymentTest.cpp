@@ -94,6 +94,85 @@ TEST_F(DeploymentTest, whatDiffersIsSaidAndSent) {
   EXPECT_EQ(written_.size(), 4U);
 }
 
+/// A robot whose program runs in another layout than the set has for it.
+class RestartTest : public testing::Test {
+ protected:
+  RestartTest() {
+    programs_.set({{"red1", "ers210", "compact.yaml"}});
+    files_.write("set/own.yaml", robotlink::readFile(robotlink::resource("layouts/compact.yaml")).value());
+    files_.write("set/motions/sit.mof", "sit");
+    Listener::Options options;
+    options.address.port = 0;
+    options.greetingDelay = {};
+    listener_ = Listener::open(server_, options).value();
+    Connector::Options connection;
+    connection.url = {.host = "127.0.0.1", .port = listener_->address().port};
+    connector_ = std::make_unique<Connector>(client_, connection);
+  }
+  void restart(const std::string& robot, const std::filesystem::path& layout,
+               const std::function<void(const std::string&)>& done) {
+    asked_ += robot + " " + layout.filename().string() + ";";
+    if (!why_.empty()) return done(why_);
+    if (!layout.empty()) programs_.set({{"red1", "ers210", layout.filename().string()}});
+    programs_.noteStarted(robot);
+    done({});
+  }
+  std::vector<DeployFile> files() const {
+    return filesFor({"red1", "", "", "ws://127.0.0.1", "own.yaml", "", "", "motions"}, files_ / "set")
+        .value();
+  }
+
+  const TestFolder files_;
+  RunningPrograms programs_;
+  std::string asked_, why_;
+  const std::shared_ptr<Server> server_ = Server::make({}, {});
+  const DeployServices services_{
+      server_, ResourceFolder(files_ / "robot"),
+      [this](const std::string& path) { programs_.noteWritten(path); },
+      DeployServices::Programs{
+          [this] { return programs_.programs(); },
+          [this](const auto& robot, const auto& layout, const auto& done) { restart(robot, layout, done); }}};
+  std::unique_ptr<Listener> listener_;
+  const std::shared_ptr<Client> client_ = std::make_shared<Client>(robotlink::websocket::ClientHandlers{});
+  std::unique_ptr<Connector> connector_;
+  Deployment deployment_{callsOf(*client_), "red1"};
+};
+
+TEST_F(RestartTest, whatTakesEffectAtTheNextStartIsSaidAndStarted) {
+  const auto sent = deployment_.send(files());
+  ASSERT_TRUE(sent) << sent.error().text;
+  EXPECT_TRUE(needsRestart(*sent));
+  EXPECT_EQ(describe(*sent), "all of 2 files are the same; 2 take effect when its program starts again");
+  const auto restarted = deployment_.restart(files());
+  ASSERT_TRUE(restarted) << restarted.error().text;
+  EXPECT_EQ(describe(*restarted), "all of 2 files are the same");
+  EXPECT_EQ(asked_, "red1 own.yaml;");
+  // There is nothing to be read any more.
+  ASSERT_TRUE(deployment_.restart(files()));
+  EXPECT_EQ(asked_, "red1 own.yaml;");
+}
+
+TEST_F(RestartTest, whyAProgramIsNotStartedAgainIsSaid) {
+  ASSERT_TRUE(deployment_.send(files()));
+  why_ = "its layout is no layout";
+  const auto refused = deployment_.restart(files());
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text, HasSubstr("not started again: its layout is no layout"));
+}
+
+TEST_F(RestartTest, onlyLayoutsOfTheRobotAreStarted) {
+  const auto restart = [&](const std::string& argument) {
+    const auto answer =
+        PendingAnswer(callsOf(*client_), "deploy/restart", argument).wait([] { return true; });
+    return answer && !*answer ? answer->error().text : std::string("done");
+  };
+  EXPECT_THAT(restart(R"({"robot": "red1", "layout": "../../own.yaml"})"), HasSubstr("not allowed"));
+  EXPECT_THAT(restart(R"({"robot": "red1", "layout": "own.yaml"})"), HasSubstr("deploy it first"));
+  EXPECT_EQ(asked_, "");
+  EXPECT_EQ(restart(R"({"robot": "red1"})"), "done");
+  EXPECT_EQ(asked_, "red1 ;");
+}
+
 TEST_F(DeploymentTest, allFilesThatAreNotHereAreNamed) {
   RobotSet::Robot wrong = robot();
   wrong.layout = "none.yaml";

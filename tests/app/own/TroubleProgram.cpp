@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "app/core/own/OwnProgramMain.h"
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Packages.h"
 
 using robotlink::Solution;
 using robotlink::SolutionBuilder;
@@ -71,19 +73,35 @@ void sleepOnce() {
   if (!std::exchange(slept, true)) std::this_thread::sleep_for(std::chrono::milliseconds(300));
 }
 
-const SolutionRegistration kCalm = SolutionBuilder<Troublemaker<nothing>>("trouble", "none", "Does nothing.");
+void sleepLongOnce() {
+  static bool slept = false;
+  if (!std::exchange(slept, true)) std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+}
+
+const SolutionRegistration kCalm =
+    SolutionBuilder<Troublemaker<nothing>>("trouble", "none", "Does nothing.").yields(robotlink::kDrivePath);
 const SolutionRegistration kWrites =
-    SolutionBuilder<Troublemaker<writeNowhere>>("trouble", "segfault", "Writes where nothing is.");
+    SolutionBuilder<Troublemaker<writeNowhere>>("trouble", "segfault", "Writes where nothing is.")
+        .yields(robotlink::kDrivePath);
 const SolutionRegistration kAborts =
-    SolutionBuilder<Troublemaker<abortAll>>("trouble", "abort", "Calls abort().");
-const SolutionRegistration kLeaves = SolutionBuilder<Troublemaker<leave>>("trouble", "exit", "Calls exit().");
-const SolutionRegistration kLoops = SolutionBuilder<Troublemaker<loop>>("trouble", "loop", "Never returns.");
+    SolutionBuilder<Troublemaker<abortAll>>("trouble", "abort", "Calls abort().")
+        .yields(robotlink::kDrivePath);
+const SolutionRegistration kLeaves =
+    SolutionBuilder<Troublemaker<leave>>("trouble", "exit", "Calls exit().").yields(robotlink::kDrivePath);
+const SolutionRegistration kLoops =
+    SolutionBuilder<Troublemaker<loop>>("trouble", "loop", "Never returns.").yields(robotlink::kDrivePath);
 const SolutionRegistration kTakes =
-    SolutionBuilder<Troublemaker<takeMemory>>("trouble", "memory", "Allocates 4 GiB.");
+    SolutionBuilder<Troublemaker<takeMemory>>("trouble", "memory", "Allocates 4 GiB.")
+        .yields(robotlink::kDrivePath);
 const SolutionRegistration kSleeps =
-    SolutionBuilder<Troublemaker<sleepOnce>>("trouble", "late", "Returns late, once.");
+    SolutionBuilder<Troublemaker<sleepOnce>>("trouble", "late", "Returns late, once.")
+        .yields(robotlink::kDrivePath);
+const SolutionRegistration kSleepsLong =
+    SolutionBuilder<Troublemaker<sleepLongOnce>>("trouble", "very-late", "Returns very late, once.")
+        .yields(robotlink::kDrivePath);
 const SolutionRegistration kUnmakeable =
-    SolutionBuilder<Unmakeable>("trouble", "unmakeable", "Calls abort() when it is made.");
+    SolutionBuilder<Unmakeable>("trouble", "unmakeable", "Calls abort() when it is made.")
+        .yields(robotlink::kDrivePath);
 
 }  // namespace
 

@@ -178,6 +178,22 @@ TEST_F(PioneerDriverTest, stopTakesTheMotorsOffUntilItIsReleased) {
   EXPECT_GT(sensing_.leftSpeed, 0.2);
 }
 
+TEST_F(PioneerDriverTest, afterItWasHeldOnlyNewRequestsCount) {
+  play(2);
+  ASSERT_TRUE(driver_.control(motors(true), clock_.now()));
+  playAsking(2, 0.3, 0);
+  stop_ = true;
+  play(0.3);
+  EXPECT_EQ(sensing_.leftSpeed, 0);
+  // A program that takes the place of another one has not requested anything yet.
+  stop_ = false;
+  play(0.5);
+  EXPECT_TRUE(state_.get()->motors_on());
+  EXPECT_EQ(sensing_.leftSpeed, 0);
+  playAsking(2, 0.3, 0);
+  EXPECT_GT(sensing_.leftSpeed, 0.2);
+}
+
 TEST_F(PioneerDriverTest, wishesThatAreNoNumbersOrTooLargeAreLimited) {
   play(2);
   ASSERT_TRUE(driver_.control(motors(true), clock_.now()));

@@ -20,7 +20,7 @@
 #include "robotlink/session/QueueMessages.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
-#include "tests/app/ServedWorld.h"
+#include "tests/app/served/ServedWorld.h"
 
 using namespace app;
 using namespace std::chrono_literals;

@@ -11,8 +11,8 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
-#include "tests/app/ServedWorld.h"
 #include "tests/app/TickUntil.h"
+#include "tests/app/served/ServedWorld.h"
 
 using namespace app;
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
 
@@ -159,6 +160,27 @@ TEST_F(RecordingFetchTest, aRobotThatAnswersNonsenseIsNotBelieved) {
     EXPECT_FALSE(fetch.fetch("game.mcap", files_ / "here.mcap", false)) << answer;
   }
   EXPECT_FALSE(std::filesystem::exists(files_ / "here.mcap"));
+}
+
+TEST(RecordingsOfAHostileRobot, areNotWrittenWhereItWantsThem) {
+  const auto entry = [](const std::string& name, double modified) {
+    return nlohmann::json{{"name", name}, {"bytes", 1}, {"modified", modified}};
+  };
+  nlohmann::json all = nlohmann::json::array({entry("good.mcap", 1e300), entry("old.mcap", -1e300)});
+  for (const char* name : {"../up.mcap", "/etc/passwd", "/tmp/a.mcap", "a/b.mcap", ".hidden.mcap", "..", "",
+                           ".bashrc", "a\n.mcap", "a\x1b[2J.mcap"})
+    all.push_back(entry(name, 1));
+  all.push_back(entry(std::string("a\0.mcap", 7), 1));
+  RecordingFetch fetch([&](const auto&, const auto&, const auto& handler) {
+    handler(nlohmann::json{{"recordings", all}}.dump());
+  });
+  const auto listed = fetch.list();
+  ASSERT_TRUE(listed);
+  ASSERT_EQ(listed->size(), 2U);
+  EXPECT_EQ((*listed)[0].name, "good.mcap");
+  // As a date.
+  EXPECT_LT((*listed)[0].modified, 1e10);
+  EXPECT_EQ((*listed)[1].modified, 0);
 }
 
 TEST_F(RecordingFetchTest, whatIsBeingRecordedIsNotDeleted) {

@@ -149,6 +149,35 @@ TEST_F(RobotctlLaunchTest, theProgramsEndWithTheirLauncher) {
   EXPECT_TRUE(eventually([&] { return hasEnded(drive) && hasEnded(plan); }));
 }
 
+/// A robot with a camera, of which only the body is in the scene.
+TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsWhoseNamesAreTheirs) {
+  Launched body({"platform", ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf", "--listen", "0"});
+  const std::string line = body.lineWith(" at ws://");
+  ASSERT_FALSE(line.empty()) << body.all();
+  const std::string url = line.substr(line.find("ws://"));
+  Launched launched({"launch", "ers210-programs", "--platform", url, "--dds-domain", domain(), "--texts"});
+  const std::string think = launched.lineWith("Program think runs as process");
+  ASSERT_FALSE(think.empty()) << launched.all();
+  ASSERT_FALSE(launched.lineWith("Program think runs.").empty()) << launched.all();
+  const std::vector<std::string> words{"run",          "--layout", "ers210-programs", "--program",
+                                       "think",        "--local",  "--platform",      url,
+                                       "--dds-domain", domain()};
+  Launched second(words);
+  EXPECT_EQ(1, second.finish());
+  EXPECT_THAT(second.all(), HasSubstr("program think of red1 runs already, as process " +
+                                      std::to_string(processIn(think)) + " on "));
+  ::kill(processIn(think), SIGKILL);
+  ASSERT_FALSE(launched.lineWith("Program think does not run any more").empty()) << launched.all();
+  Launched again(words);
+  EXPECT_FALSE(launched.lineWith("Program think runs again.").empty()) << launched.all() << again.all();
+  EXPECT_FALSE(again.lineWith("The program with the platform runs.").empty()) << again.all();
+  again.send(SIGINT);
+  EXPECT_EQ(0, again.finish()) << again.all();
+  launched.send(SIGINT);
+  launched.finish();
+  EXPECT_THAT(launched.all(), HasSubstr("move: commands"));
+}
+
 TEST(RobotctlLaunchErrorsTest, wrongProgramsAndLayoutsAreRefusedWithTheirPlace) {
   const auto folder = std::filesystem::temp_directory_path() / ("launch" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);

@@ -10,6 +10,9 @@
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/foxglove/security/Certificate.h"
+#include "robotlink/foxglove/security/KnownServers.h"
+#include "robotlink/foxglove/security/RememberedTokens.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 #include "tests/TestFolder.h"
@@ -23,6 +26,7 @@ using robotlink::Session;
 using robotlink::websocket::Listener;
 using robotlink::websocket::SessionServer;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A robot that publishes a text and a ball a hundred times a second, and refuses solutions.
 class OfferedRobot : public testing::Test {
@@ -140,6 +144,32 @@ TEST_F(OfferedRobot, whatDoesNotConnectIsSaid) {
   EXPECT_THAT(nobody.errors, HasSubstr("nobody listens there"));
   url_ = "127.0.0.1";
   EXPECT_EQ(robotctl("watch", "--seconds 0.3").status, 2);
+}
+
+TEST_F(OfferedRobot, runKnowsARobotElsewhereAgainAsOtherCommandsDo) {
+  ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+  Listener::Options options;
+  options.address.port = 0;
+  options.admission.token = "secret";
+  options.admission.wrongTokenDelay = {};
+  options.certificate = robotlink::websocket::loadOrMakeCertificate(folder_ / "robot.pem").value();
+  const auto secured = *Listener::open(server_.server(), options);
+  const std::string server = toString(secured->address()), url = "wss://" + server;
+  const auto run = [&] { return runRobotctl(folder_.path(), "run --platform " + url); };
+  const auto first = run();
+  EXPECT_EQ(first.status, 1);
+  EXPECT_THAT(first.errors, HasSubstr("is new here, and remembered by its fingerprint " +
+                                      options.certificate->fingerprint));
+  EXPECT_THAT(first.errors, HasSubstr("token"));
+  ASSERT_TRUE(robotlink::websocket::RememberedTokens().add(url, "secret"));
+  const auto second = run();
+  EXPECT_THAT(second.errors, Not(HasSubstr("is new here")));
+  EXPECT_THAT(second.errors, HasSubstr("the program of red1 runs at " + url));
+  ASSERT_TRUE(robotlink::websocket::KnownServers().add(server, "SHA256:other"));
+  const auto third = run();
+  EXPECT_EQ(third.status, 1);
+  EXPECT_THAT(third.errors, HasSubstr("SHA256:other"));
+  ::unsetenv("XDG_STATE_HOME");
 }
 
 TEST_F(OfferedRobot, deploySaysWhatIsWrongBeforeAnythingIsSent) {

@@ -11,6 +11,7 @@
 
 #include "logplayer/file/LogFile.h"
 #include "tests/app/StartedProgram.h"
+#include "tests/app/Watch.h"
 #include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/logplayer/SampleLog.h"
 
@@ -25,7 +26,7 @@ using testing::Not;
 class Program : public StartedProgram {
  public:
   Program(const std::filesystem::path& folder, const std::vector<std::string>& arguments, int ignored = 0)
-      : StartedProgram(ROBOTCTL, folder, arguments, ignored) {}
+      : StartedProgram(ROBOTCTL, folder, arguments, {.ignored = ignored}) {}
 };
 
 class Signals : public testing::TestWithParam<int> {

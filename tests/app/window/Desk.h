@@ -16,6 +16,7 @@
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/app/MadeUpRobots.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/color/ColorBench.h"
 
@@ -36,6 +37,7 @@ class Desk {
 
   explicit Desk(const std::filesystem::path& home, Opens opens = Opens::kScene)
       : workbench(home), window(workbench, home) {
+    workbench.search().listenBy(network.source());
     window.resize(1600, 1000);
     window.show();
     if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
@@ -85,6 +87,8 @@ class Desk {
 
   widgets::ColorBench& colors() { return *window.context().colors; }
 
+  /// What is announced there, rather than on the network of the machine.
+  MadeUpRobots network;
   Workbench workbench;
   MainWindow window;
 };

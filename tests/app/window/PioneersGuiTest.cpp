@@ -12,7 +12,7 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/PioneerRobot.h"
-#include "tests/app/ServedWorld.h"
+#include "tests/app/served/ServedWorld.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"

@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "tests/app/ServedHall.h"
+#include "tests/app/served/ServedHall.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"

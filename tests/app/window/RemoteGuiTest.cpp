@@ -12,53 +12,16 @@
 #include "colortool/table/ColorTableFile.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
-#include "tests/app/OfferedHall.h"
-#include "tests/app/window/Desk.h"
+#include "robotcontrol/Linking.pb.h"
+#include "tests/app/served/OfferedHall.h"
+#include "tests/app/window/RemoteDesk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 namespace app::test {
-namespace {
 
 using logplayer::tests::ReadLog;
 using logplayer::tests::TestFolder;
-
-/// A desk at which a robot elsewhere is connected.
-class RemoteDesk : public EmptyDesk {
- public:
-  using EmptyDesk::EmptyDesk;
-
-  /// Connects as a person does.
-  void join(const std::string& url) {
-    choose("remote.connect");
-    auto* address = find<QComboBox>("remoteUrl").lineEdit();
-    address->setFocus();
-    address->selectAll();
-    QTest::keyClicks(address, QString::fromStdString(url));
-    QTest::mouseClick(&find<QPushButton>("remoteConnect"), Qt::LeftButton);
-  }
-  void run(const std::string& line) {
-    const auto done = workbench.commands().runLine(line);
-    QVERIFY2(done.has_value(), done ? "" : done.error().text.c_str());
-  }
-  template <typename T>
-  const T* newest(const std::string& stream) {
-    return workbench.session().store().latestAs<T>(stream, robotlink::Instant::max());
-  }
-  /// How many messages of a stream have come.
-  std::uint64_t count(const std::string& stream) {
-    const auto* found = workbench.session().store().find(stream);
-    return found == nullptr ? 0 : found->count;
-  }
-  QString robot() { return find<QComboBox>("robotBox").currentText(); }
-  /// What the status bar says of the first connection.
-  QString state() {
-    auto* button = window.findChild<QToolButton*>(QStringLiteral("statusRemote1"));
-    return button == nullptr || button->isHidden() ? QString() : button->toolTip();
-  }
-};
-
-}  // namespace
 
 class RemoteGuiTest : public WindowTest {
   Q_OBJECT
@@ -225,6 +188,31 @@ class RemoteGuiTest : public WindowTest {
     QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("You steer red1."), kWaitMs);
     auto& theirs = guest.find<QToolButton>("statusSteering");
     QTRY_VERIFY_WITH_TIMEOUT(theirs.toolTip().contains(QStringLiteral("own computer steers")), kWaitMs);
+  }
+
+  void whoSteersARobotElsewhereIsSaidOnceAlsoWhereItIsOfferedOn() {
+    OfferedHall hall;
+    RemoteDesk host(home_ / "host"), guest(home_ / "guest"), other(home_ / "other");
+    host.run("remote.connect " + hall.url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(host.robot(), QStringLiteral("red1"), kWaitMs);
+    host.run("session.offer 127.0.0.1:0");
+    guest.run("remote.connect " + host.workbench.offer().url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(guest.robot(), QStringLiteral("red1"), kWaitMs);
+    other.run("remote.connect " + hall.url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(other.robot(), QStringLiteral("red1"), kWaitMs);
+    const auto bar = [](RemoteDesk& desk) { return desk.find<QToolButton>("statusSteering").text(); };
+    guest.run("robot.steer red1 true");
+    QTRY_COMPARE_WITH_TIMEOUT(bar(guest), QStringLiteral("You steer red1."), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(bar(host), QStringLiteral("You steer red1."), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(other).contains(QStringLiteral("Steer instead")), kWaitMs);
+    // The robot has said it, and nobody else: once, since it has changed once.
+    QCOMPARE(host.count("red1/steering"), std::uint64_t{1});
+    QCOMPARE(guest.newest<robotcontrol::SteeringStatus>("red1/steering")->own(), true);
+    other.run("robot.steer red1 true");
+    QTRY_COMPARE_WITH_TIMEOUT(bar(other), QStringLiteral("You steer red1."), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(host).contains(QStringLiteral("Steer instead")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar(guest).contains(QStringLiteral("Steer instead")), kWaitMs);
+    QCOMPARE(host.count("red1/steering"), std::uint64_t{2});
   }
 
   void aSessionIsOfferedToASecondPerson() {

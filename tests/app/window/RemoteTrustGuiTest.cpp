@@ -12,7 +12,7 @@
 #include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/RememberedTokens.h"
 #include "robotlink/foxglove/security/Tokens.h"
-#include "tests/app/ServedHall.h"
+#include "tests/app/served/ServedHall.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 

@@ -7,6 +7,7 @@
 #include "logplayer/file/LogFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/StartedProgram.h"
+#include "tests/app/Watch.h"
 
 namespace {
 

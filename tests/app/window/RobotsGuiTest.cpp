@@ -8,13 +8,15 @@
 
 #include "app/core/deploy/RobotSet.h"
 #include "colortool/table/ColorTableFile.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
-#include "tests/app/ServedHall.h"
+#include "tests/app/served/ServedHall.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "widgets/EmptyHint.h"
 
 namespace app::test {
 namespace {
@@ -34,6 +36,12 @@ class RobotsDesk : public EmptyDesk {
     const auto& tree = find<QTreeWidget>("robotsReport");
     return tree.topLevelItemCount() == 0 ? QString() : tree.topLevelItem(0)->text(1);
   }
+  /// The layout in which the robot's program runs, as it says.
+  QString layout() {
+    const auto* setup = workbench.session().store().latestAs<robotcontrol::ProgramSetup>(
+        "red1/program", robotlink::Instant::max());
+    return setup == nullptr ? QString() : QString::fromStdString(setup->layout().name());
+  }
   QString state() { return find<QLabel>("robotsState").text(); }
 };
 
@@ -48,7 +56,8 @@ class RobotsGuiTest : public WindowTest {
     options.resources = robot.path();
     const ServedHall hall(options);
     RobotSet set{"Home game", {{"red1", "red", "goalie", hall.url()}}};
-    set.robots[0].layout = robotlink::resource("layouts/compact.yaml").string();
+    std::filesystem::copy(robotlink::resource("layouts/compact.yaml"), home_ / "own.yaml");
+    set.robots[0].layout = "own.yaml";
     set.robots[0].parameters = robotlink::resource("parameters/ers210").string();
     set.robots[0].motions = robotlink::resource("motions").string();
     set.robots[0].colorTable = "hall.c64";
@@ -56,8 +65,11 @@ class RobotsGuiTest : public WindowTest {
     QVERIFY(robotlink::writeFileAtomically(file, toText(set)).has_value());
     QVERIFY(colortool::ColorTableFile().save(home_ / "hall.c64").has_value());
     RobotsDesk desk(home_ / "desk");
+    auto& hint = desk.find<widgets::EmptyHint>("robotsHint");
+    QVERIFY(hint.isVisible() && hint.text().contains(QStringLiteral("Add")));
     desk.open(file);
     QCOMPARE(desk.robots(), 1);
+    QVERIFY(!hint.isVisible());
     QCOMPARE(desk.robot().text(2), QStringLiteral("goalie"));
     desk.press("robotsDeploy");
     QVERIFY(desk.state().contains(QStringLiteral("not connected")));
@@ -73,6 +85,18 @@ class RobotsGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.report().startsWith(QStringLiteral("deployed: all of")), kWaitMs);
     widgets::test::keepPicture(desk.find<QDialog>("robotsDialog"), "robots-deployed");
     QVERIFY(std::filesystem::exists(robot / "motions/sit.mof"));
+    // What its program reads at its start takes effect with the next one; choices and STOP stay.
+    QVERIFY2(desk.report().contains(QStringLiteral("take effect")), qPrintable(desk.report()));
+    QVERIFY(desk.workbench.commands().runLine("robot.stop true").has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status() != nullptr && desk.status()->stopped_robots_size() == 1, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QPushButton>("robotsRestart").isEnabled(), kWaitMs);
+    desk.press("robotsRestart");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.report().startsWith(QStringLiteral("restarted: all of")), kWaitMs);
+    QVERIFY2(!desk.report().contains(QStringLiteral("take effect")), qPrintable(desk.report()));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.layout(), QStringLiteral("own.yaml"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QPushButton>("robotsRestart").isEnabled(), kWaitMs);
+    QCOMPARE(desk.status()->stopped_robots_size(), 1);
+    widgets::test::keepPicture(desk.find<QDialog>("robotsDialog"), "robots-restarted");
     // The robot uses the color table at once.
     QTRY_VERIFY_WITH_TIMEOUT(
         [&] {

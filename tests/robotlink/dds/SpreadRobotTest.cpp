@@ -135,6 +135,20 @@ TEST_F(SpreadRobotTest, aProgramThatDoesNotRunIsNamedAndGetsTheRequestsWhenItRun
   EXPECT_TRUE(until([&] { return active("behavior") == "obey"; }));
 }
 
+TEST_F(SpreadRobotTest, theParametersOfAProgramComeWheneverItBegins) {
+  for (int i = 0; i < 2; ++i) {
+    heard_.clear();
+    startHead();
+    EXPECT_TRUE(until([&] { return newest<robotcontrol::ParameterValues>() != nullptr; }));
+    const auto* values = newest<robotcontrol::ParameterValues>();
+    ASSERT_NE(values, nullptr);
+    EXPECT_FALSE(values->task().empty());
+    EXPECT_FALSE(values->value().type().empty());
+    head_.reset();
+    ASSERT_TRUE(until([&] { return stateOf("cognition") == "stopped: program head does not run"; }));
+  }
+}
+
 TEST_F(SpreadRobotTest, aProcessThatThrowsInAnotherProgramIsNamed) {
   startHead();
   ASSERT_TRUE(until([&] { return stateOf("cognition") == "running in program head"; }));

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a server says to a client that decodes messages for a session: each message has a byte for its kind
-// and for what the client does, and two for its length.
+// and for what the client does, and two for its length. The same bytes are also what a server answers to the
+// handshake, and an address.
 #include <cstdio>
 #include <cstdlib>
 
 #include "robotlink/base/ByteReader.h"
+#include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/client/Client.h"
+#include "robotlink/foxglove/client/Refusals.h"
+#include "robotlink/foxglove/client/ServerUrl.h"
+#include "robotlink/foxglove/protocol/CallPart.h"
 #include "robotlink/foxglove/session/RemoteInbox.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/foxglove/Samples.h"
@@ -34,6 +39,11 @@ struct FuzzedClient {
     client->subscribe({"a", "b", "t", "red1/camera/image"});
     client->subscribeParameters(true);
     client->subscribeGraph(true);
+    client->advertise({0, "red1/remote/drive", "json", "", "", ""});
+  }
+  void fetch() {
+    ++calls;
+    client->fetchAsset("package://a.stl", [this](const auto&) { ++answers; });
   }
   void call(const std::string& service, std::size_t size) {
     Client::Call call;
@@ -51,9 +61,30 @@ struct FuzzedClient {
   int calls = 0, answers = 0;
 };
 
+/// What users read of a handshake that failed.
+void checkRefusals(const std::string& text, unsigned status) {
+  for (const std::string& why : {whyRefused(status, text), whyOtherProtocol(text), whyClosed(text)}) {
+    demandOfClient(why == validUtf8(why) && why.size() < 1200, "a refusal can be read");
+    demandOfClient(why.find_first_of("\r\n\t") == std::string::npos, "a refusal is one line");
+  }
+}
+
+void checkAddress(const std::string& text) {
+  const auto url = parseServerUrl(text);
+  if (!url) return demandOfClient(!url.error().text.empty(), "every error has a text");
+  const auto again = parseServerUrl(toString(*url));
+  demandOfClient(again.has_value(), "an address that is shown can be typed");
+  demandOfClient(
+      again->host == url->host && again->port == url->port && again->isEncrypted == url->isEncrypted,
+      "an address stays the same");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  checkRefusals(text, size > 0 ? data[0] * 3U : 0);
+  checkAddress(text);
   FuzzedClient fuzzed;
   Client& client = *fuzzed.client;
   client.opened();
@@ -74,6 +105,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       client.opened();
     }
     if ((head & 64U) != 0) static_cast<void>(fuzzed.inbox.take());
+    if ((head & 128U) != 0) {
+      fuzzed.fetch();
+      client.publish("red1/remote/drive", std::string(1 + (head & 127U), ' '));
+    }
     demandOfClient(client.channels().size() <= 20 && client.services().size() <= 20, "offers are bounded");
   }
   client.lost();
@@ -84,7 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 std::vector<std::string> fuzzSeeds() {
-  std::vector<std::string> seeds;
+  std::vector<std::string> seeds{"ws://[::1]:8765/a?b#c", "wss://red1", "Unauthorized: give a token."};
   const auto framed = [](const Frame& frame, std::uint8_t head) {
     const std::size_t length = frame.bytes.size();
     return std::string{static_cast<char>(head | (frame.kind == FrameKind::kText ? 2U : 0U)),
@@ -112,5 +147,10 @@ std::vector<std::string> fuzzSeeds() {
   conversation += framed(encode(ServerMessage(ServiceCallResponse{1, 1, "json", "{}"})), 8);
   seeds.push_back(conversation);
   seeds.push_back(conversation + all);
+  const ServerInfo info{"s", {"assets", "clientPublish"}, {}, {{kCallPartsKey, "1"}}, "1", {}, {}};
+  std::string parts = framed(encode(ServerMessage(info)), 128);
+  parts += framed(encode(ServerMessage(AdvertiseServices{{{1, "s", "S", {}, {}}}})), 5);
+  parts += framed(encode(ServerMessage(FetchAssetResponse{1, "", "data"})), 8);
+  seeds.push_back(parts + framed(encode(ServerMessage(ServiceCallResponse{1, 2, "json", "{}"})), 20));
   return seeds;
 }

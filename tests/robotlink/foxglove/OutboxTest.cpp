@@ -55,6 +55,20 @@ TEST_F(OutboxTest, whileLittleWaitsNothingIsThinned) {
   EXPECT_EQ(calm.counters(1).thinned, 3U);
 }
 
+TEST_F(OutboxTest, aHeavyMessageThatWaitsThinsNoLightStream) {
+  Outbox outbox({4, 1000, 500, 10});
+  const std::string image(100, 'i');
+  outbox.push(1, message(image), Delivery::kLatest, kMany);
+  for (const char* text : {"one", "two", "six"}) outbox.push(2, message(text), Delivery::kLatest, kMany);
+  EXPECT_EQ(outbox.counters(2).thinned, 0U);
+  outbox.push(1, message(image), Delivery::kLatest, kMany);
+  EXPECT_EQ(outbox.counters(1).thinned, 1U) << "images are thinned as before";
+  std::vector<std::string> texts;
+  while (const auto next = outbox.next({})) texts.push_back(*next->payload);
+  EXPECT_THAT(texts, ElementsAre(image, "one", "two", "six"));
+  EXPECT_EQ(outbox.waitingBytes(), 0U);
+}
+
 TEST_F(OutboxTest, aCompleteStreamDropsItsOldestOverItsBoundAndCountsIt) {
   for (const char* text : {"a", "b", "c", "d"}) push(1, text, Delivery::kComplete, 2);
   EXPECT_THAT(sent(), ElementsAre("c", "d"));

@@ -14,6 +14,7 @@
 
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Linking.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/WalkPad.h"
@@ -375,6 +376,41 @@ class MotionViewTest : public QObject {
     SDL_JoystickDetachVirtual(device);
     gamepad.poll();
     QVERIFY(!gamepad.poll().connected);
+  }
+
+  void aRobotThatIsKnownOnlyLaterGetsTheControlsOfItsKind() {
+    WalkSteering bench;
+    QVERIFY(child<QWidget>(*bench.view, "headPanel").isVisible());
+    QVERIFY(!child<QWidget>(*bench.view, "motionMotors").isVisible());
+    auto description = std::make_shared<robotlink::RobotDescription>();
+    description->drive.emplace().maximumSpeed = 0.7;
+    bench.context.robots["red1"] = description;
+    bench.step();
+    QVERIFY(!child<QWidget>(*bench.view, "headPanel").isVisible());
+    QVERIFY(child<QWidget>(*bench.view, "motionMotors").isVisible());
+  }
+
+  void nothingIsSentWhileTheConnectionIsLostAndTheViewSaysSo() {
+    WalkSteering bench;
+    robotcontrol::SteeringStatus status;
+    status.set_who("RobotControl");
+    status.set_client(1);
+    status.set_own(true);
+    bench.push("red1/steering", status, 3);
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
+    QTest::keyPress(&child<widgets::WalkPad>(*bench.view, "walkPad"), Qt::Key_W);
+    bench.step(20);
+    QVERIFY(bench.motions() > 0);
+    QVERIFY(child<QWidget>(*bench.view, "steeringBar").isVisible());
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", false}}});
+    bench.requests.clear();
+    bench.step(20);
+    QCOMPARE(bench.motions(), std::size_t{0});
+    QVERIFY(!child<QWidget>(*bench.view, "steeringBar").isVisible());
+    QVERIFY(child<QLabel>(*bench.view, "motionState").text().contains(QStringLiteral("is lost")));
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
+    bench.step(20);
+    QVERIFY(bench.motions() > 0);
   }
 
   void whoElseSteersIsShownAndNothingIsSentMeanwhile() {

@@ -205,6 +205,16 @@ class PlotsViewTest : public QObject {
     QVERIFY(child<QLabel>(*view, "plotsState").text().contains(QStringLiteral("package/motion/status")));
   }
 
+  void whatIsNoTableOfKeysIsNotTakenForOne() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    // As any server or log may have it.
+    bench.push("red1/tables/keys", robotcontrol::PlotValue(), 1);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.tick(*view);
+    QVERIFY(bench.requests.empty());
+  }
+
   void whatALogHoldsIsNotAskedFor() {
     LogBench bench;
     auto& package = *bench.status.add_packages();

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Linking.pb.h"
@@ -356,6 +357,17 @@ TEST_F(SessionClientTest, aResetOfARobotThatLeadsCutsTheHistoryAsOfAHostedOne) {
   EXPECT_TRUE(arrives("red1/log", Instant(9s), text("old")));
   EXPECT_TRUE(arrives("red1/log", Instant(0s), text("new")));
   EXPECT_EQ(session_.store().newest(), Instant(0s));
+}
+
+TEST_F(SessionClientTest, aResetInTheFirstSecondIsKnownByTheStreamsOfTheWorld) {
+  connect();
+  ASSERT_TRUE(hasRobot() && hasKeys());
+  foxglove::FrameTransforms transforms;
+  transforms.add_transforms()->set_child_frame_id("before");
+  EXPECT_TRUE(arrives("transforms", Instant(1900ms), transforms));
+  transforms.mutable_transforms(0)->set_child_frame_id("after");
+  EXPECT_TRUE(arrives("transforms", Instant(1008ms), transforms));
+  EXPECT_EQ(session_.store().newest(), Instant(1008ms));
 }
 
 TEST(SessionClientOfAForeignServer, isOneRobotWhoseJsonAndProtobufAreDecoded) {

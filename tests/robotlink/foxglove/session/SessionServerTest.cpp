@@ -41,6 +41,8 @@ class SessionServerTest : public testing::Test {
     server_ = std::make_unique<SessionServer>(session_, options);
     client_ = *server_->server()->connect({0, "127.0.0.1:1", "x"}, [] {});
   }
+  /// When it ends it makes requests, which are kept here.
+  ~SessionServerTest() override { server_.reset(); }
   template <typename Message>
   void publish(const std::string& path, Instant time, const Message& message = {}) {
     session_.push({path, time, std::make_shared<Message>(message)});
@@ -114,11 +116,10 @@ class SessionServerTest : public testing::Test {
     tick();
     std::string reason = "no answer";
     while (const auto next = server_->server()->next(*client, Instant())) {
-      const ServerMessage message =
-          decodeServerMessage(
-              next->kind,
-              std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload)
-              .value();
+      // Payloads refer to it.
+      const std::string bytes =
+          std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload;
+      const ServerMessage message = decodeServerMessage(next->kind, bytes).value();
       if (const auto* answer = std::get_if<ServiceCallResponse>(&message))
         reason = nlohmann::json::parse(answer->payload)["reason"];
       if (const auto* failure = std::get_if<ServiceCallFailure>(&message)) reason = failure->message;
@@ -243,6 +244,23 @@ TEST_F(SessionServerTest, aKeyIsOnWhileItsChannelHasASubscriber) {
   EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
 }
 
+TEST_F(SessionServerTest, aKeyOfARobotThatWasGoneIsOffUntilSomebodySubscribesAnew) {
+  publishTables();
+  const auto channels = advertised();
+  say(Subscribe{{{1, channels.at("red1/drawings/image/ball-percept/disc").id}}});
+  ASSERT_EQ(requests_.size(), 1U);
+  session_.setRobots({});
+  tick();
+  session_.setRobots({"red1"});
+  requests_.clear();
+  publishTables();
+  tick();
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+  say(Subscribe{{{2, advertised().at("red1/drawings/image/ball-percept/disc").id}}});
+  EXPECT_EQ(requests_.back().set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
+}
+
 TEST_F(SessionServerTest, aRequestIsAServiceThatAnswersWithItsResult) {
   std::map<std::string, std::uint32_t> ids;
   for (const AdvertiseServices& message : heard<AdvertiseServices>())
@@ -301,6 +319,41 @@ TEST_F(SessionServerTest, processesAndPackagesAreTheConnectionGraph) {
   const auto updates = heard<ConnectionGraphUpdate>();
   ASSERT_EQ(updates.size(), 1U);
   EXPECT_THAT(updates[0].subscribedTopics.at("red1/camera/image"), ElementsAre("red1/cognition"));
+}
+
+TEST_F(SessionServerTest, whatIsNoTableOnThePathOfATableChangesNothing) {
+  publishTables();
+  heard<Advertise>();
+  for (const char* table : {"keys", "solutions", "processes"}) {
+    publish("red1/tables/" + std::string(table), Instant(2ms), foxglove::Log());
+    // A robot that was not there before.
+    publish("blue1/tables/" + std::string(table), Instant(2ms), foxglove::Log());
+  }
+  tick();
+  say(GetParameters{{"red1/keys/ball-percept/disc", "red1/solutions/ball-percept"}, "x"});
+  const auto values = heard<ParameterValues>();
+  ASSERT_FALSE(values.empty());
+  EXPECT_EQ(values.back().parameters.size(), 2U);
+}
+
+TEST_F(SessionServerTest, aStreamThatChangesItsTypeGetsAnotherChannelButNotAllTheTime) {
+  publish("red1/models/ball", Instant(1ms), foxglove::Log());
+  tick();
+  const auto old = advertised().at("red1/models/ball");
+  say(Subscribe{{{1, old.id}}});
+  for (int i = 0; i < 100; ++i) {
+    publish("red1/models/ball", Instant(2ms), foxglove::RawImage());
+    publish("red1/models/ball", Instant(2ms), foxglove::Log());
+    tick();
+  }
+  const auto now = advertised();
+  ASSERT_EQ(now.size(), 1U);
+  EXPECT_EQ(now.at("red1/models/ball").schemaName, "foxglove.RawImage");
+  EXPECT_NE(now.at("red1/models/ball").id, old.id);
+  clock_->advance(1s);
+  publish("red1/models/ball", Instant(3ms), foxglove::Log());
+  tick();
+  EXPECT_EQ(advertised().at("red1/models/ball").schemaName, "foxglove.Log");
 }
 
 TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {

@@ -68,5 +68,19 @@ TEST(TimeShift, absurdTimesDoNotOverflow) {
   EXPECT_GE(shift.map(Instant::min(), secondsAt(0)), secondsAt(0));
 }
 
+TEST(TimeShift, aRobotThatIsStartedAgainAndAgainWithAClockOfItsOwnDoesNotOverflow) {
+  TimeShift shift;
+  Instant before;
+  for (int i = 0; i < 10; ++i) {
+    shift.continueAfter(i % 2 == 0 ? Duration::max() : Duration::min());
+    for (const Instant remote : {Instant(), Instant::max()}) {
+      const Instant now = shift.map(remote, {});
+      EXPECT_GE(now, before);
+      EXPECT_LE(now, Instant(24h * 365 * 101));
+      before = now;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace robotlink::websocket

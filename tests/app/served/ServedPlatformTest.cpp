@@ -12,7 +12,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
-#include "tests/app/ServedTest.h"
+#include "tests/app/served/ServedTest.h"
 
 namespace app {
 namespace {

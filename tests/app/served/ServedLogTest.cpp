@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "app/core/replay/ReplayFeed.h"
-#include "tests/app/ServedTest.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/served/ServedTest.h"
 
 namespace app {
 namespace {

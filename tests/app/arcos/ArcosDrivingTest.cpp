@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "tests/app/ArcosBench.h"
+#include "tests/app/arcos/ArcosBench.h"
 #include "tests/robotlink/arcos/Recordings.h"
 
 namespace app {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "robotlink/base/Random.h"
-#include "tests/app/ArcosBench.h"
+#include "tests/app/arcos/ArcosBench.h"
 
 namespace app {
 namespace {

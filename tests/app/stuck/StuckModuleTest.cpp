@@ -55,7 +55,7 @@ const robotlink::SolutionRegistration kStuckModule =
 /// Two robots in a simulation, as the window runs it.
 class StuckModuleTest : public testing::TestWithParam<ExecutorKind> {
  protected:
-  StuckModuleTest() {
+  explicit StuckModuleTest(std::chrono::milliseconds patience = 200ms) {
     shallHang = isLetGo = false;
     std::ofstream(layout_)
         << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
@@ -65,7 +65,7 @@ class StuckModuleTest : public testing::TestWithParam<ExecutorKind> {
     RunOptions options = defaultSimulation();
     options.layout = layout_;
     options.executor = GetParam();
-    options.patience = 200ms;
+    options.patience = patience;
     options.world.blackout = true;
     options.robots = simcore::RobotsToAdd{.model = "ers210", .count = 1};
     thread_ = std::make_unique<PlatformThread>(session_, recorder_);
@@ -213,22 +213,41 @@ INSTANTIATE_TEST_SUITE_P(Executors, StuckModuleTest,
 class ExecutorChoiceTest : public StuckModuleTest {};
 
 TEST_P(ExecutorChoiceTest, itIsChosenWhileTheSimulationRuns) {
-  HostProgram threads, lockstep, own;
+  HostProgram threads, lockstep;
   threads.set_executor(HostProgram::THREADS);
   lockstep.set_executor(HostProgram::LOCKSTEP);
-  own.set_where(HostProgram::OWN_PROCESS);
   const std::string robot = robots_.front();
   EXPECT_TRUE(soon([&] { return hosting(robot) != nullptr && !hosting(robot)->threads(); }));
   EXPECT_EQ(ask(hostRequest("", threads)), "accepted");
   EXPECT_TRUE(soon([&] { return hosting(robot)->threads(); }));
   EXPECT_TRUE(timeGoesOn());
-  EXPECT_THAT(ask(hostRequest(robot, own)), HasSubstr("run in lockstep only"));
   EXPECT_EQ(ask(hostRequest("", lockstep)), "accepted");
   EXPECT_TRUE(soon([&] { return !hosting(robot)->threads(); }));
   EXPECT_TRUE(timeGoesOn());
 }
 
 INSTANTIATE_TEST_SUITE_P(Executors, ExecutorChoiceTest, testing::Values(ExecutorKind::kLockstep),
+                         [](const auto& tested) { return nameOf(tested.param); });
+
+/// Modules that are waited for so long that nobody would wait for it.
+class StopWhileItHangsTest : public StuckModuleTest {
+ protected:
+  StopWhileItHangsTest() : StuckModuleTest(10min) {}
+};
+
+TEST_P(StopWhileItHangsTest, stopIsNotKeptWaiting) {
+  EXPECT_TRUE(soon([&] { return time() > 0.1; }));
+  shallHang = true;
+  EXPECT_TRUE(eventually([] { return hanging == 1; }));
+  Request stop;
+  stop.set_robot(robots_.front());
+  stop.mutable_stop()->set_engaged(true);
+  EXPECT_EQ(ask(stop), "accepted");
+  EXPECT_TRUE(soon([&] { return !stuckRobot().empty(); }));
+  EXPECT_TRUE(timeGoesOn());
+}
+
+INSTANTIATE_TEST_SUITE_P(Executors, StopWhileItHangsTest, testing::Values(ExecutorKind::kLockstep),
                          [](const auto& tested) { return nameOf(tested.param); });
 
 TEST(GuardedLockstep, givesTheSameBytesAsWithoutGuard) {

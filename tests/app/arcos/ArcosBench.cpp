@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/app/ArcosBench.h"
+#include "tests/app/arcos/ArcosBench.h"
 
 #include "robotlink/arcos/stream/OpenStream.h"
 

@@ -18,12 +18,12 @@ namespace app::test {
 /// A simulated robot elsewhere, as `robotctl sim --listen` serves it, with all its services.
 class ServedHall {
  public:
-  explicit ServedHall(ServeOptions options = {}) {
+  explicit ServedHall(ServeOptions options = {},
+                      PlatformOpening opening = SimulationFeed::opening(defaultSimulation())) {
     auto url = printed_.url();
-    served_ = std::async(std::launch::async, [this, options] {
+    served_ = std::async(std::launch::async, [this, options, opening = std::move(opening)] {
       return serve(
-          SimulationFeed::opening(defaultSimulation()), options, recorder_, [this] { return ended_.load(); },
-          out_);
+          opening, options, recorder_, [this] { return ended_.load(); }, out_);
     });
     url_ = url.get();
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <thread>
 
 #include "tests/Eventually.h"
 
@@ -12,11 +13,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+const ModulePatience kLong(30s);
+
 TEST(TurnThread, whoAsksForATurnGetsItsResultAtOnce) {
   int turns = 0;
   TurnThread thread([&] { ++turns; });
   for (int i = 1; i <= 100; ++i) {
-    EXPECT_TRUE(thread.run(30s));
+    EXPECT_TRUE(thread.run(kLong));
     EXPECT_EQ(turns, i);
     EXPECT_FALSE(thread.isBusy());
   }
@@ -25,13 +28,34 @@ TEST(TurnThread, whoAsksForATurnGetsItsResultAtOnce) {
 TEST(TurnThread, aTurnThatDoesNotReturnKeepsNobody) {
   std::atomic<bool> isReleased{false};
   TurnThread thread([&] { isReleased.wait(false); });
-  EXPECT_FALSE(thread.run(1ms));
+  EXPECT_FALSE(thread.run(ModulePatience(1ms)));
   EXPECT_TRUE(thread.isBusy());
   EXPECT_FALSE(thread.waitFor(1ms));
   isReleased = true;
   isReleased.notify_all();
   EXPECT_TRUE(thread.waitFor(30s));
-  EXPECT_TRUE(thread.run(30s));
+  EXPECT_TRUE(thread.run(kLong));
+}
+
+TEST(TurnThread, aStopCutsTheWaitShort) {
+  std::atomic<bool> isReleased{false}, hasBegun{false};
+  TurnThread thread([&] {
+    hasBegun = true;
+    hasBegun.notify_all();
+    isReleased.wait(false);
+  });
+  ModulePatience patience(10min);
+  std::thread person([&] {
+    hasBegun.wait(false);
+    patience.cut();
+  });
+  EXPECT_FALSE(thread.run(patience));
+  person.join();
+  isReleased = true;
+  isReleased.notify_all();
+  EXPECT_TRUE(thread.waitFor(30s));
+  patience.restore();
+  EXPECT_FALSE(patience.isOver(ModulePatience::Clock::now()));
 }
 
 }  // namespace

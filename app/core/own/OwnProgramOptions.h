@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/program/ModulePatience.h"
+
+namespace robotcontrol {
+class ProgramSetup;
+}
+
+namespace app {
+
+/// How a robot's program in a process of the operating system of its own is run. A plain value.
+struct OwnProgramOptions {
+  /// What is started; the executable's main() begins with ownProgramMain().
+  std::filesystem::path executable = "/proc/self/exe";
+  /// How long a step, or the answer to a question, may take before the program counts as not answering.
+  std::chrono::milliseconds patience{2000};
+  /// The same for whoever can cut it short; null: nobody.
+  std::shared_ptr<const ModulePatience> cut = nullptr;
+  /// How long it may take to be made.
+  std::chrono::milliseconds startLimit{20'000};
+  /// How much memory it may allocate, bytes; 0: as much as there is.
+  std::uint64_t memoryLimit = std::uint64_t{2} << 30U;
+  /// Whether each process of the layout has a thread there, and nothing waits for it: a step sends what the
+  /// platform has sent, and takes what has come from the program. Otherwise a step is one in lockstep.
+  bool threads = false;
+  /// With threads: whether the clock goes on as real time does; otherwise only the steps advance it.
+  bool inRealTime = false;
+  /// The texts of description and field, for robots of logs; null: those of the files.
+  std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;
+  /// The processes of a log, in whose order the program's are executed, and by package the one in whose
+  /// turn the platform sends it; empty for platforms that send all at once.
+  std::vector<std::string> order = {};
+  std::map<std::string, std::string> turns = {};
+};
+
+}  // namespace app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/platform/HostingMemory.h"
+
+#include <utility>
+#include <vector>
+
+namespace app {
+namespace {
+
+constexpr char kOwnKey[] = "/own-processes", kOtherwiseKey[] = "/otherwise", kThreadsKey[] = "/threads";
+
+template <typename T>
+T valueIn(const robotlink::Settings& settings, const std::string& name) {
+  const auto found = settings.all().find(name);
+  const T* value = found == settings.all().end() ? nullptr : std::get_if<T>(&found->second);
+  return value == nullptr ? T() : *value;
+}
+
+}  // namespace
+
+HostingMemory::HostingMemory(std::filesystem::path file) : settings_(std::move(file)) {
+  // A file that cannot be read is put aside, and everything is as at first.
+  static_cast<void>(settings_.load());
+}
+
+HostingChoices HostingMemory::choices(const std::string& adapter) const {
+  const std::lock_guard lock(mutex_);
+  HostingChoices choices;
+  choices.ownProcesses = valueIn<bool>(settings_, adapter + kOwnKey);
+  for (const auto& robot : valueIn<std::vector<std::string>>(settings_, adapter + kOtherwiseKey))
+    choices.otherwise.insert(robot);
+  choices.threads = valueIn<bool>(settings_, adapter + kThreadsKey);
+  return choices;
+}
+
+void HostingMemory::choose(const std::string& adapter, const HostingChoices& choices) {
+  if (this->choices(adapter) == choices) return;
+  const std::lock_guard lock(mutex_);
+  settings_.set(adapter + kOwnKey, choices.ownProcesses);
+  settings_.set(adapter + kOtherwiseKey,
+                std::vector<std::string>(choices.otherwise.begin(), choices.otherwise.end()));
+  settings_.set(adapter + kThreadsKey, choices.threads);
+  hasChanged_ = true;
+}
+
+robotlink::Result<void> HostingMemory::save() {
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(hasChanged_, false)) return {};
+  return settings_.save();
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/foxglove/client/Connector.h"
+
+namespace app {
+
+// How the programs of this user connect with robots elsewhere; all of them do it in this way.
+
+/// Decides whether a robot that was never seen is the one that is meant, see Connector::Options::isTrusted.
+using TrustRule = std::function<bool(const std::string& server, const std::string& fingerprint)>;
+/// Nobody is believed: a person is asked, as LinkQuestion says.
+TrustRule askWhomToTrust();
+/// A new robot is believed, and its fingerprint is printed: for commands, which have nobody to ask.
+TrustRule trustAndPrint(std::ostream& out);
+
+/// The options of a connection, in the name of this user. Without a token, neither here nor in the URL, the
+/// one that is remembered for this URL is shown. Fails if the URL makes no sense.
+robotlink::Result<robotlink::websocket::Connector::Options> linkOptions(const std::string& url,
+                                                                        const std::string& token,
+                                                                        TrustRule isTrusted);
+
+/// What a robot elsewhere objects to, as long as a person can do something about it. A plain value.
+struct LinkQuestion {
+  /// As toString(ServerUrl) has it.
+  std::string url;
+  robotlink::websocket::ServerObjection objection;
+  bool operator==(const LinkQuestion&) const = default;
+};
+
+/// Why there is no connection, as an error from which questionIn() reads what the person is to be asked.
+robotlink::Error refusalOf(const std::string& url, const robotlink::websocket::ConnectionState& state);
+/// Nothing if these errors are about something else.
+std::optional<LinkQuestion> questionIn(const robotlink::Errors& errors);
+
+}  // namespace app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/remote/RobotSearch.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "robotlink/dds/LocalAddresses.h"
+
+namespace app {
+namespace {
+
+using robotlink::dds::AnnouncedRobots;
+using robotlink::dds::RobotDiscovery;
+
+/// How often it is looked what is heard; and how often, whether there are other networks.
+constexpr std::chrono::milliseconds kSearchLook{100};
+constexpr int kLooksPerNetworks = 20;
+
+/// Listens on all networks, and anew if there are others.
+class NetworkSource final : public RobotSearch::Source {
+ public:
+  explicit NetworkSource(RobotSearch::Nodes nodes) : nodes_(std::move(nodes)) {}
+
+  std::vector<AnnouncedRobots> robots() override {
+    if (looks_++ % kLooksPerNetworks == 0) follow(robotlink::dds::localAddresses());
+    return discovery_ ? discovery_->robots() : std::vector<AnnouncedRobots>();
+  }
+  std::string problem() const override { return problem_; }
+
+ private:
+  void follow(std::vector<std::string> addresses) {
+    std::ranges::sort(addresses);
+    if (std::exchange(addresses_, addresses) == addresses && discovery_) return;
+    discovery_.reset();
+    auto nodes = nodes_({});
+    if (nodes.empty()) {
+      problem_ =
+          "This computer is in no network: robots announce themselves on networks, not on the computer where "
+          "they run. Enter the URL instead.";
+      return;
+    }
+    auto opened = RobotDiscovery::open(std::move(nodes));
+    problem_ = opened ? std::string() : opened.error().text;
+    if (opened) discovery_ = std::move(*opened);
+  }
+
+  const RobotSearch::Nodes nodes_;
+  int looks_ = 0;
+  std::vector<std::string> addresses_;
+  std::unique_ptr<RobotDiscovery> discovery_;
+  std::string problem_;
+};
+
+}  // namespace
+
+RobotSearch::Open RobotSearch::onNetworks(Nodes nodes) {
+  return [nodes = std::move(nodes)] { return std::make_unique<NetworkSource>(nodes); };
+}
+
+RobotSearch::RobotSearch(Open open, std::shared_ptr<const robotlink::Clock> clock)
+    : clock_(std::move(clock)), open_(std::move(open)) {}
+
+RobotSearch::~RobotSearch() {
+  {
+    const std::lock_guard lock(mutex_);
+    isOver_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void RobotSearch::listenBy(Open open) {
+  const std::lock_guard lock(mutex_);
+  open_ = std::move(open);
+}
+
+void RobotSearch::setWanted(bool wanted) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(isWanted_, wanted) == wanted) return;
+    if (!wanted) {
+      isListening_ = false;
+      heard_.clear();
+      problem_.clear();
+    }
+  }
+  changed_.notify_all();
+  if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+RobotSearch::State RobotSearch::state() const {
+  const std::lock_guard lock(mutex_);
+  const robotlink::Instant now = clock_->now();
+  State state;
+  state.isListening = isListening_;
+  if (isListening_) state.age = now - since_;
+  for (const auto& [url, heard] : heard_) state.found.push_back({heard.robots, now - heard.since});
+  std::ranges::stable_sort(state.found, {}, [](const Found& found) { return found.robots.names(); });
+  state.problem = problem_;
+  return state;
+}
+
+void RobotSearch::run() {
+  std::unique_ptr<Source> source;
+  std::unique_lock lock(mutex_);
+  while (!isOver_) {
+    if (!isWanted_) {
+      lock.unlock();
+      source.reset();
+      lock.lock();
+      changed_.wait(lock, [this] { return isWanted_ || isOver_; });
+      continue;
+    }
+    const Open open = open_;
+    lock.unlock();
+    if (!source) source = open();
+    auto robots = source->robots();
+    std::string problem = source->problem();
+    lock.lock();
+    note(std::move(robots), std::move(problem));
+    changed_.wait_for(lock, kSearchLook, [this] { return !isWanted_ || isOver_; });
+  }
+}
+
+void RobotSearch::note(std::vector<AnnouncedRobots> robots, std::string problem) {
+  if (!isWanted_) return;
+  const robotlink::Instant now = clock_->now();
+  if (!std::exchange(isListening_, true)) since_ = now;
+  problem_ = std::move(problem);
+  const auto before = std::exchange(heard_, {});
+  for (AnnouncedRobots& one : robots) {
+    std::string url = one.url();
+    const auto known = before.find(url);
+    heard_[std::move(url)] = {std::move(one), known == before.end() ? now : known->second.since};
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/platform/HostingMemory.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/TestFolder.h"
+
+namespace app {
+namespace {
+
+TEST(HostingMemory, choicesAreThereAgainInTheNextRun) {
+  const TestFolder folder;
+  const HostingChoices choices{true, {"red2"}, false};
+  {
+    HostingMemory memory(folder / "hosting.json");
+    EXPECT_EQ(memory.choices("simulation"), HostingChoices());
+    memory.choose("simulation", choices);
+    memory.choose("pioneer", {.threads = true});
+    EXPECT_TRUE(memory.save());
+  }
+  const HostingMemory memory(folder / "hosting.json");
+  EXPECT_EQ(memory.choices("simulation"), choices);
+  EXPECT_TRUE(memory.choices("simulation").isOwn("red1"));
+  EXPECT_FALSE(memory.choices("simulation").isOwn("red2"));
+  EXPECT_TRUE(memory.choices("pioneer").threads);
+}
+
+TEST(HostingMemory, aDamagedFileIsPutAside) {
+  const TestFolder folder;
+  folder.write("hosting.json", "nonsense");
+  HostingMemory memory(folder / "hosting.json");
+  EXPECT_EQ(memory.choices("simulation"), HostingChoices());
+  memory.choose("simulation", {.ownProcesses = true});
+  EXPECT_TRUE(memory.save());
+  EXPECT_TRUE(HostingMemory(folder / "hosting.json").choices("simulation").ownProcesses);
+}
+
+TEST(HostingMemory, whatCannotBeWrittenIsSaidOnce) {
+  const TestFolder folder;
+  folder.write("file", "");
+  HostingMemory memory(folder / "file/hosting.json");
+  memory.choose("simulation", {.threads = true});
+  EXPECT_FALSE(memory.save());
+  EXPECT_TRUE(memory.save());
+}
+
+}  // namespace
+}  // namespace app
