@@ -18,6 +18,7 @@
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/session/QueueMessages.h"
 #include "tests/TestFolder.h"
+#include "tests/app/Requests.h"
 
 namespace app::test {
 
@@ -26,23 +27,6 @@ using robotlink::StreamMessage;
 
 inline Instant at(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
-}
-
-inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task,
-                                           const std::string& solution) {
-  robotcontrol::Request request;
-  request.set_robot(robot);
-  request.mutable_select_solution()->set_task(task);
-  request.mutable_select_solution()->set_solution(solution);
-  return request;
-}
-
-inline robotcontrol::Request keyRequest(const std::string& robot, const std::string& key) {
-  robotcontrol::Request request;
-  request.set_robot(robot);
-  request.mutable_set_key()->set_name(key);
-  request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-  return request;
 }
 
 /// Records a simulation from its start, in steps of 8 ms; `before` is called before each step.

@@ -12,7 +12,6 @@
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "tests/app/TableRequest.h"
 #include "tests/app/replay/ReplayFixture.h"
 
 using namespace app;
