@@ -24,7 +24,7 @@ const HostingStatus* hosting(Desk& desk) {
 class StuckDesk : public EmptyDesk {
  public:
   explicit StuckDesk(const std::filesystem::path& home) : EmptyDesk(home) {
-    StuckSolution::isStuck = StuckSolution::isLetGo = false;
+    StuckSolution::prepare(true);
     RunOptions options = defaultSimulation();
     options.layout = StuckSolution::writeLayout(home);
     workbench.open(SimulationFeed::opening(options));
@@ -42,8 +42,7 @@ class StuckDesk : public EmptyDesk {
 class LetGo {
  public:
   ~LetGo() {
-    StuckSolution::isLetGo = true;
-    StuckSolution::isLetGo.notify_all();
+    StuckSolution::release();
     const auto nothingIsLeft = [] { return abandonedCount() == 0; };
     if (!QTest::qWaitFor(nothingIsLeft, kWaitMs)) QTest::qFail("modules still hang", __FILE__, __LINE__);
   }
@@ -94,13 +93,12 @@ class HostingGuiTest : public WindowTest {
       QSignalSpy closed(&desk.window, &MainWindow::closed);
       QVERIFY(desk.window.close());
       QCOMPARE(closed.count(), 1);
-      QVERIFY(StuckSolution::isStuck);
+      QVERIFY(StuckSolution::hanging > 0);
     }
     // The module still hangs, and the workbench is gone.
-    QVERIFY(StuckSolution::isStuck);
+    QVERIFY(StuckSolution::hanging > 0);
     QVERIFY(abandonedCount() > 0);
-    StuckSolution::isLetGo = true;
-    StuckSolution::isLetGo.notify_all();
+    StuckSolution::release();
     QTRY_COMPARE_WITH_TIMEOUT(abandonedCount(), 0, kWaitMs);
   }
 
@@ -110,7 +108,7 @@ class HostingGuiTest : public WindowTest {
     desk.hang();
     desk.workbench.open(SimulationFeed::opening(defaultSimulation()));
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading(), kWaitMs);
-    QVERIFY(StuckSolution::isStuck);
+    QVERIFY(StuckSolution::hanging > 0);
     QTRY_VERIFY_WITH_TIMEOUT(hosting(desk) != nullptr && hosting(desk)->state() == HostingStatus::RUNNING,
                              kWaitMs);
   }

@@ -14,11 +14,10 @@ TEST(StuckWindow, theWorkbenchEndsAlthoughAModuleNeverReturns) {
   const TestFolder folder;
   const auto here = folder / "here";
   std::filesystem::create_directories(here);
-  const auto layout =
-      folder.write("stuck.yaml",
-                   "version: 1\nname: stuck\nhelp: A process that hangs.\nprocesses:\n"
-                   "  - {name: stuck, blocking: [joints/states], tasks: [stuck-window-test: hang]}\n"
-                   "  - {name: debug, debug: true, period_ms: 16}\n");
+  const auto layout = folder.write("stuck.yaml",
+                                   "version: 1\nname: stuck\nhelp: A process that hangs.\nprocesses:\n"
+                                   "  - {name: stuck, blocking: [joints/states], tasks: [stuck-test: hang]}\n"
+                                   "  - {name: debug, debug: true, period_ms: 16}\n");
   ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
   ::setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
