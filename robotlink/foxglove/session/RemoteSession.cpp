@@ -161,10 +161,14 @@ void RemoteSession::lookAtGaps(const ConnectionState& state) {
   if (!state.reason.empty()) gaps.back().reason = state.reason;
 }
 
+/// What was published before the gap may come first, such as the newest image of a robot that pauses. No
+/// newer message follows if the clock was set back: then what was before the gap is gone, and the gap, too.
 void RemoteSession::endGap(Instant time) {
+  const Instant from = gaps.back().from;
+  if (time < from && *shift.newest() >= from) return;
   hasGap = false;
   gaps.back().to = time;
-  if (time <= gaps.back().from) gaps.pop_back();
+  if (time <= from) gaps.pop_back();
 }
 
 // ---- From the server
