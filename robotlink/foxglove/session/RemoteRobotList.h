@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/foxglove/session/KeyPublishers.h"
 #include "robotlink/foxglove/session/KeyWishes.h"
 
 namespace robotlink::websocket {
@@ -21,6 +22,7 @@ class RemoteRobotList {
     /// Its name in the session.
     std::string local;
     KeyWishes keys;
+    KeyPublishers publishers;
     /// Not mentioned by the server since it was connected anew.
     bool isStale = false;
   };

@@ -55,13 +55,22 @@ std::string withoutJpeg(const std::string& path) {
   return path.substr(0, path.size() - std::string_view(kJpegChannel).size());
 }
 
-/// The process that published a message, as far as its stream tells.
-std::string processOf(const std::string& stream, const PackagePtr& value) {
+/// The process that published a message, as far as its stream and the robot's tables tell.
+std::string processOf(const RemoteRobotList::Place& place, const PackagePtr& value) {
   if (const auto* text = dynamic_cast<const foxglove::Log*>(value.get()))
     return text->name().substr(0, text->name().find('/'));
   for (const std::string prefix : {streams::kFrames, streams::kStopwatches})
-    if (stream.starts_with(prefix)) return stream.substr(prefix.size());
-  return {};
+    if (place.stream.starts_with(prefix)) return place.stream.substr(prefix.size());
+  return place.robot == nullptr ? std::string() : place.robot->publishers.processOf(place.stream);
+}
+
+/// Notes which process publishes what, if a table says so.
+void notePublishers(RemoteRobotList::Robot& robot, const std::string& stream, const PackagePtr& value) {
+  const std::string tables = std::string(streams::kKeys) + "/";
+  if (const auto* keys = dynamic_cast<const KeyTable*>(value.get()); keys && stream.starts_with(tables))
+    robot.publishers.setKeys(stream.substr(tables.size()), *keys);
+  if (const auto* processes = dynamic_cast<const robotcontrol::ProcessTable*>(value.get()))
+    robot.publishers.setProcesses(*processes);
 }
 
 }  // namespace
@@ -289,7 +298,8 @@ RemoteRobotList::Place RemoteSession::placeOf(const RemoteChannel& channel) {
 void RemoteSession::onMessage(const RemoteInbox::Arrival& arrival) {
   RemoteRobotList::Place place = placeOf(*arrival.channel);
   if (place.stream.empty() || (place.robot == nullptr && !leads())) return;
-  StreamMessage message{place.path(), {}, arrival.value, processOf(place.stream, arrival.value)};
+  if (place.robot != nullptr) notePublishers(*place.robot, place.stream, arrival.value);
+  StreamMessage message{place.path(), {}, arrival.value, processOf(place, arrival.value)};
   if (const auto* info = dynamic_cast<const robotcontrol::FrameInfo*>(arrival.value.get()))
     message.frame = info->number();
   if (const auto* table = dynamic_cast<const KeyTable*>(arrival.value.get()); table && place.robot) {
