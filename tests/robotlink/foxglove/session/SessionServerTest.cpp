@@ -1,150 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What clients are offered of a session: streams, tables, parameters.
 #include "robotlink/foxglove/session/SessionServer.h"
-
-#include <gmock/gmock.h>
-
-#include <deque>
-#include <nlohmann/json.hpp>
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
-#include "foxglove/Scene.pb.h"
-#include "robotcontrol/Linking.pb.h"
-#include "robotcontrol/Requests.pb.h"
-#include "robotlink/foxglove/server/ServedClient.h"
+#include "tests/robotlink/foxglove/session/OfferedSessionTest.h"
 
-namespace robotlink::websocket {
+namespace robotlink::websocket::test {
 namespace {
 
-using namespace std::chrono_literals;
-using robotcontrol::Request;
-using robotcontrol::RequestResult;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// A session with one robot; requests to it are kept, and accepted unless `refusal_` says why not.
-class SessionServerTest : public testing::Test {
- protected:
-  SessionServerTest() {
-    session_.setRobots({"red1"});
-    session_.setRequestSink([this](const Request& request) {
-      requests_.push_back(request);
-      RequestResult result;
-      result.set_id(request.id());
-      result.set_accepted(refusal_.empty());
-      result.set_reason(refusal_);
-      session_.pushResult(result);
-    });
-    ServerOptions options;
-    options.clock = clock_;
-    server_ = std::make_unique<SessionServer>(session_, options);
-    client_ = *server_->server()->connect({0, "127.0.0.1:1", "x"}, [] {});
-  }
-  /// When it ends it makes requests, which are kept here.
-  ~SessionServerTest() override { server_.reset(); }
-  template <typename Message>
-  void publish(const std::string& path, Instant time, const Message& message = {}) {
-    session_.push({path, time, std::make_shared<Message>(message)});
-  }
-  void publishTables() {
-    robotcontrol::KeyTable keys;
-    const auto addKey = [&](const std::string& name, const std::string& stream) {
-      keys.add_keys()->set_name(name);
-      keys.mutable_keys()->rbegin()->set_stream(stream);
-    };
-    addKey("ball-percept/disc", "drawings/image/ball-percept/disc");
-    addKey("package/camera/image", "camera/image");
-    robotcontrol::ProcessTable processes;
-    auto& process = *processes.add_processes();
-    process.set_name("cognition");
-    process.add_receivers()->set_package("camera/image");
-    process.mutable_receivers(0)->set_type("foxglove.RawImage");
-    robotcontrol::SolutionTable solutions;
-    solutions.add_tasks()->set_name("ball-percept");
-    solutions.mutable_tasks(0)->set_active("scan-lines");
-    publish("red1/tables/processes", Instant(1ms), processes);
-    publish("red1/tables/keys", Instant(1ms), keys);
-    publish("red1/tables/solutions", Instant(1ms), solutions);
-    tick();
-  }
-  /// Requests are answered by one tick, and the answers handled by the next.
-  void tick() {
-    for (int i = 0; i < 2; ++i) {
-      session_.tick();
-      server_->tick();
-    }
-    session_.tick();
-  }
-  void say(const ClientMessage& message) {
-    const Frame frame = encode(message);
-    server_->server()->received(client_, frame.kind, frame.bytes);
-    tick();
-  }
-  /// The messages of a type since the last call; payloads refer to the frames, which are kept.
-  template <typename Message>
-  std::vector<Message> heard() {
-    std::vector<Message> found;
-    while (const auto next = server_->server()->next(*client_, Instant())) {
-      std::string& bytes =
-          kept_.emplace_back(reinterpret_cast<const char*>(next->head.data()), next->headSize);
-      bytes += *next->payload;
-      const ServerMessage message = decodeServerMessage(next->kind, bytes).value();
-      if (const auto* one = std::get_if<Message>(&message)) found.push_back(*one);
-    }
-    return found;
-  }
-  /// What was advertised since the last hearing, by topic.
-  std::map<std::string, Channel> advertised() {
-    std::map<std::string, Channel> channels;
-    for (const Advertise& message : heard<Advertise>())
-      for (const Channel& channel : message.channels) channels[channel.topic] = channel;
-    return channels;
-  }
-
-  /// Names of services to their ids.
-  std::map<std::string, std::uint32_t> services() {
-    std::map<std::string, std::uint32_t> ids;
-    for (const AdvertiseServices& message : heard<AdvertiseServices>())
-      for (const Service& service : message.services) ids[service.name] = service.id;
-    return ids;
-  }
-  /// What a service answers a client: the reason of a refusal, or nothing.
-  std::string call(const ClientPtr& client, std::uint32_t service, const std::string& argument) {
-    const Frame frame = encode(ClientMessage(ServiceCallRequest{service, 9, "json", argument}));
-    server_->server()->received(client, frame.kind, frame.bytes);
-    tick();
-    std::string reason = "no answer";
-    while (const auto next = server_->server()->next(*client, Instant())) {
-      // Payloads refer to it.
-      const std::string bytes =
-          std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload;
-      const ServerMessage message = decodeServerMessage(next->kind, bytes).value();
-      if (const auto* answer = std::get_if<ServiceCallResponse>(&message))
-        reason = nlohmann::json::parse(answer->payload)["reason"];
-      if (const auto* failure = std::get_if<ServiceCallFailure>(&message)) reason = failure->message;
-    }
-    return reason;
-  }
-  std::vector<std::string> asked() {
-    std::vector<std::string> words;
-    for (const Request& request : std::exchange(requests_, {}))
-      words.push_back(Request::descriptor()->FindFieldByNumber(request.what_case())->name() +
-                      (request.has_motion() ? " " + std::to_string(request.motion().motion().kind()) : ""));
-    return words;
-  }
-  const robotcontrol::SteeringStatus* steering() {
-    return session_.store().latestAs<robotcontrol::SteeringStatus>("red1/steering", Instant::max());
-  }
-
-  const std::shared_ptr<ManualClock> clock_ = std::make_shared<ManualClock>();
-  Session session_;
-  std::unique_ptr<SessionServer> server_;
-  ClientPtr client_;
-  std::vector<Request> requests_;
-  std::string refusal_;
-  std::deque<std::string> kept_;
-};
+using SessionServerTest = OfferedSessionTest;
 
 TEST_F(SessionServerTest, whoComesInAPauseSeesWhatWasPublishedBefore) {
   publish("red1/camera/image", Instant(1ms), foxglove::RawImage());
@@ -261,25 +129,6 @@ TEST_F(SessionServerTest, aKeyOfARobotThatWasGoneIsOffUntilSomebodySubscribesAne
   EXPECT_EQ(requests_.back().set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
 }
 
-TEST_F(SessionServerTest, aRequestIsAServiceThatAnswersWithItsResult) {
-  std::map<std::string, std::uint32_t> ids;
-  for (const AdvertiseServices& message : heard<AdvertiseServices>())
-    for (const Service& service : message.services) ids[service.name] = service.id;
-  ASSERT_TRUE(ids.contains("red1/stop"));
-  ASSERT_TRUE(ids.contains("control_simulation"));
-  say(ServiceCallRequest{ids["red1/stop"], 3, "json", R"({"engaged": true})"});
-  ASSERT_EQ(requests_.size(), 1U);
-  EXPECT_TRUE(requests_[0].stop().engaged());
-  auto answers = heard<ServiceCallResponse>();
-  ASSERT_EQ(answers.size(), 1U);
-  EXPECT_EQ(nlohmann::json::parse(answers[0].payload)["accepted"], true);
-  say(ServiceCallRequest{ids["red1/stop"], 4, "json", "{"});
-  const auto failures = heard<ServiceCallFailure>();
-  ASSERT_EQ(failures.size(), 1U);
-  EXPECT_THAT(failures[0].message, HasSubstr("robotcontrol.Stop"));
-  EXPECT_EQ(requests_.size(), 1U);
-}
-
 TEST_F(SessionServerTest, keysAndSolutionsAreParametersThatCanBeSet) {
   publishTables();
   heard<Advertise>();
@@ -371,101 +220,6 @@ TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {
   EXPECT_GT(services, 5U);
 }
 
-TEST_F(SessionServerTest, whatAClientPublishesMovesTheRobotUntilItIsNotHeard) {
-  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
-  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
-  EXPECT_THAT(asked(), ElementsAre("motion 1"));
-  ASSERT_NE(steering(), nullptr);
-  EXPECT_EQ(steering()->who(), "x at 127.0.0.1:1");
-  EXPECT_EQ(steering()->client(), client_->info.id);
-  clock_->advance(490ms);
-  tick();
-  EXPECT_THAT(asked(), IsEmpty());
-  clock_->advance(20ms);
-  tick();
-  EXPECT_THAT(asked(), ElementsAre("motion 0"));
-  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
-  asked();
-  server_->server()->disconnected(client_);
-  tick();
-  EXPECT_THAT(asked(), ElementsAre("motion 0"));
-  EXPECT_EQ(steering()->who(), "");
-}
-
-TEST_F(SessionServerTest, aFloodOfCommandsIsOneRequestATick) {
-  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
-  const Frame frame = encode(ClientMessage(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"}));
-  for (int i = 0; i < 1000; ++i) server_->server()->received(client_, frame.kind, frame.bytes);
-  tick();
-  EXPECT_EQ(asked().size(), 1U);
-}
-
-TEST_F(SessionServerTest, whatIsWrongWithCommandsIsSaidOnce) {
-  heard<ServerInfo>();
-  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}, {8, "/chatter", "json", "", "", ""}}});
-  auto complaints = heard<Status>();
-  ASSERT_EQ(complaints.size(), 1U);
-  EXPECT_THAT(complaints[0].message, HasSubstr("/chatter"));
-  refusal_ = "the robot is asleep";
-  for (int i = 0; i < 3; ++i) say(ClientMessageData{7, "{}"});
-  complaints = heard<Status>();
-  ASSERT_EQ(complaints.size(), 1U);
-  EXPECT_EQ(complaints[0].message, refusal_);
-  refusal_.clear();
-  say(ClientMessageData{7, "{}"});
-  say(ClientMessageData{7, "["});
-  EXPECT_EQ(heard<Status>().size(), 1U);
-}
-
-TEST_F(SessionServerTest, oneSteersAndTheOtherTakesOverButStopIsEverybodys) {
-  auto ids = services();
-  const ClientPtr other = *server_->server()->connect({0, "127.0.0.1:2", "y"}, [] {});
-  const char* const kWalk = R"({"motion": {"kind": "WALK"}})";
-  EXPECT_EQ(call(client_, ids["red1/motion"], kWalk), "");
-  EXPECT_THAT(call(other, ids["red1/motion"], kWalk), HasSubstr("steered by x at 127.0.0.1:1"));
-  EXPECT_THAT(call(other, ids["red1/set_goal"], "{}"), HasSubstr("steered by"));
-  EXPECT_EQ(call(other, ids["red1/stop"], R"({"engaged": true})"), "");
-  EXPECT_EQ(call(other, ids["red1/steer"], "{}"), "");
-  EXPECT_THAT(asked(), ElementsAre("motion 1", "stop", "motion 0"));
-  EXPECT_EQ(call(other, ids["red1/motion"], kWalk), "");
-  EXPECT_THAT(call(client_, ids["red1/motion"], kWalk), HasSubstr("steered by y"));
-  // A request of the session itself is one of a person at this machine.
-  Request request;
-  request.set_robot("red1");
-  request.mutable_motion();
-  session_.request(request);
-  tick();
-  EXPECT_EQ(steering()->who(), "this machine");
-  EXPECT_THAT(call(other, ids["red1/motion"], kWalk), HasSubstr("steered by this machine"));
-  EXPECT_EQ(call(other, ids["red1/steer"], R"({"give_up": true})"), "");
-  EXPECT_THAT(call(other, ids["red1/steer"], "x"), HasSubstr("give_up"));
-}
-
-TEST_F(SessionServerTest, stopGoesBeforeWhatWaits) {
-  auto ids = services();
-  const auto post = [&](const char* service, const char* argument) {
-    const Frame frame = encode(ClientMessage(ServiceCallRequest{ids[service], 1, "json", argument}));
-    server_->server()->received(client_, frame.kind, frame.bytes);
-  };
-  post("red1/set_color_table", "{}");
-  post("red1/motion", "{}");
-  post("red1/stop", R"({"engaged": true})");
-  tick();
-  EXPECT_THAT(asked(), ElementsAre("stop", "set_color_table", "motion 0"));
-}
-
-TEST_F(SessionServerTest, whoOnlyWatchesMayEngageStopButNotReleaseIt) {
-  auto ids = services();
-  const ClientPtr watcher = *server_->server()->connect({0, "127.0.0.1:2", "y", true}, [] {});
-  EXPECT_EQ(call(watcher, ids["red1/stop"], R"({"engaged": true})"), "");
-  EXPECT_THAT(call(watcher, ids["red1/stop"], R"({"engaged": false})"), HasSubstr("only watch"));
-  EXPECT_EQ(call(watcher, ids["red1/get_parameters"], "{}"), "");
-  for (const char* service :
-       {"red1/motion", "red1/set_key", "red1/steer", "red1/set_color_table", "control_simulation"})
-    EXPECT_THAT(call(watcher, ids[service], "{}"), HasSubstr("only watch")) << service;
-  EXPECT_THAT(asked(), ElementsAre("stop", "get_parameters"));
-}
-
 TEST_F(SessionServerTest, parametersOfSolutionsAreAskedForOfferedAndSet) {
   robotcontrol::SolutionTable solutions;
   solutions.add_tasks()->set_name("walking");
@@ -520,31 +274,5 @@ TEST_F(SessionServerTest, whoAsksForAKeyIsPublished) {
   EXPECT_EQ(subscribers()->keys_size(), 0);
 }
 
-TEST_F(SessionServerTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand) {
-  publishTables();
-  const auto channels = advertised();
-  say(Subscribe{{{1, channels.at("red1/drawings/image/ball-percept/disc").id}}});
-  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
-  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
-  EXPECT_THAT(asked(), ElementsAre("set_key", "motion 1"));
-  server_.reset();
-  ASSERT_EQ(requests_.size(), 2U);
-  EXPECT_EQ(requests_[0].motion().motion().kind(), robotcontrol::MotionRequest::STAND);
-  EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
-}
-
-TEST_F(SessionServerTest, resultsThatComeWhenTheOfferHasEndedAreIgnored) {
-  publishTables();
-  heard<Advertise>();
-  const Frame frame =
-      encode(ClientMessage(SetParameters{{{"red1/solutions/ball-percept", Value{"blobs"}}}, "set"}));
-  const auto server = server_->server();
-  server->received(client_, frame.kind, frame.bytes);
-  server_->tick();
-  EXPECT_EQ(requests_.size(), 1U);
-  server_.reset();
-  session_.tick();  // the result
-}
-
 }  // namespace
-}  // namespace robotlink::websocket
+}  // namespace robotlink::websocket::test
