@@ -67,6 +67,7 @@ std::vector<ChannelPtr> Server::addChannels(std::vector<ChannelSetup> setups) {
     channels_.emplace(added.back()->id(), added.back());
     message.channels.push_back(channelOf(*added.back()));
   }
+  offer_.reset();
   if (!added.empty()) sendAll(message);
   return added;
 }
@@ -74,6 +75,7 @@ std::vector<ChannelPtr> Server::addChannels(std::vector<ChannelSetup> setups) {
 void Server::removeChannels(std::span<const ChannelPtr> channels) {
   Unadvertise message;
   const std::lock_guard lock(mutex_);
+  offer_.reset();
   for (const ChannelPtr& channel : channels) {
     if (channels_.erase(channel->id()) == 0) continue;
     message.channelIds.push_back(channel->id());
@@ -120,6 +122,7 @@ void Server::publishTime(Instant time) {
 
 std::uint32_t Server::addService(Service service, ServiceHandler handler, ServiceAccess access) {
   const std::lock_guard lock(mutex_);
+  offer_.reset();
   service.id = nextServiceId_++;
   sendAll(AdvertiseServices{{service}});
   const std::uint32_t id = service.id;
@@ -129,6 +132,7 @@ std::uint32_t Server::addService(Service service, ServiceHandler handler, Servic
 
 void Server::removeService(std::uint32_t id) {
   const std::lock_guard lock(mutex_);
+  offer_.reset();
   if (services_.erase(id) > 0) sendAll(UnadvertiseServices{{id}});
 }
 
@@ -271,14 +275,21 @@ ServerInfo Server::info() const {
   return info;
 }
 
-void Server::greet(ServedClient& client) {
-  send(client, info());
+std::vector<Server::SharedFrame> Server::offer() const {
+  std::vector<SharedFrame> offer;
   Advertise channels;
   for (const auto& [id, channel] : channels_) channels.channels.push_back(channelOf(*channel));
-  if (!channels.channels.empty()) send(client, channels);
+  if (!channels.channels.empty()) offer.push_back(sharedFrame(channels));
   AdvertiseServices services;
   for (const auto& [id, offered] : services_) services.services.push_back(offered.service);
-  if (!services.services.empty()) send(client, services);
+  if (!services.services.empty()) offer.push_back(sharedFrame(services));
+  return offer;
+}
+
+void Server::greet(ServedClient& client) {
+  send(client, info());
+  if (!offer_) offer_ = offer();
+  for (const auto& [kind, bytes] : *offer_) sendShared(client, kind, bytes);
   for (const auto& [id, status] : statuses_) send(client, status);
   if (playback_) send(client, *playback_);
 }
@@ -331,16 +342,20 @@ void Server::reportClients(Calls& calls) const {
 
 // Sending.
 
-void Server::send(ServedClient& client, const ServerMessage& message) {
+Server::SharedFrame Server::sharedFrame(const ServerMessage& message) {
   Frame frame = encode(message);
-  sendShared(client, frame.kind, std::make_shared<const std::string>(std::move(frame.bytes)));
+  return {frame.kind, std::make_shared<const std::string>(std::move(frame.bytes))};
+}
+
+void Server::send(ServedClient& client, const ServerMessage& message) {
+  const auto [kind, bytes] = sharedFrame(message);
+  sendShared(client, kind, bytes);
 }
 
 void Server::sendAll(const ServerMessage& message) {
   if (clients_.empty()) return;
-  Frame frame = encode(message);
-  const auto bytes = std::make_shared<const std::string>(std::move(frame.bytes));
-  for (const ClientPtr& client : clients_) sendShared(*client, frame.kind, bytes);
+  const auto [kind, bytes] = sharedFrame(message);
+  for (const ClientPtr& client : clients_) sendShared(*client, kind, bytes);
 }
 
 void Server::sendShared(ServedClient& client, FrameKind kind, const SharedBytes& bytes) {

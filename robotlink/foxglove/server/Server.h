@@ -92,9 +92,18 @@ class Server : public std::enable_shared_from_this<Server> {
 
   void publish(ServerChannel& channel, Instant time, SharedBytes payload);
 
+  /// A message as it is sent, to one client or several.
+  struct SharedFrame {
+    FrameKind kind = FrameKind::kText;
+    SharedBytes bytes;
+  };
+  static SharedFrame sharedFrame(const ServerMessage& message);
+
   // With the mutex locked.
   std::vector<std::string> capabilities() const;
   ServerInfo info() const;
+  /// All channels and services, as a new client gets them.
+  std::vector<SharedFrame> offer() const;
   void greet(ServedClient& client);
   void push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
             const SharedBytes& payload);
@@ -145,6 +154,8 @@ class Server : public std::enable_shared_from_this<Server> {
   std::vector<ClientPtr> clients_;
   std::map<std::uint64_t, ChannelPtr> channels_;
   std::map<std::uint32_t, OfferedService> services_;
+  /// The offer, kept for the next client; unset: it has changed since. With its schemas it is large.
+  std::optional<std::vector<SharedFrame>> offer_;
   std::map<std::string, Value> parameters_;
   ConnectionGraph graph_;
   std::set<std::string> assets_;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 
@@ -81,6 +82,21 @@ ServiceSchema schemaFor(const Descriptor& type) {
   return {kJson, type.full_name(), "jsonschema", jsonSchemaOf(type)};
 }
 
+Service serviceFor(const std::string& name, const Descriptor& argument) {
+  static const ServiceSchema kResult = schemaFor(*robotcontrol::RequestResult::descriptor());
+  return {0, name, argument.full_name(), schemaFor(argument), kResult};
+}
+
+/// The services of all robots, or of the world, by their kinds alone.
+std::vector<Service> servicesOf(bool robots) {
+  std::vector<Service> services;
+  for (const RequestKind& kind : requestKinds()) {
+    if (isOfRobot(kind) == robots)
+      services.push_back(serviceFor(fieldOf(kind).name(), *fieldOf(kind).message_type()));
+  }
+  return services;
+}
+
 }  // namespace
 
 std::string jsonSchemaOf(const Descriptor& type) {
@@ -89,15 +105,18 @@ std::string jsonSchemaOf(const Descriptor& type) {
 }
 
 std::vector<Service> requestServices(const std::string& robot) {
-  std::vector<Service> services;
-  const ServiceSchema result = schemaFor(*robotcontrol::RequestResult::descriptor());
-  for (const RequestKind& kind : requestKinds()) {
-    if (isOfRobot(kind) == robot.empty()) continue;
-    const FieldDescriptor& field = fieldOf(kind);
-    services.push_back({0, prefixOf(robot) + field.name(), field.message_type()->full_name(),
-                        schemaFor(*field.message_type()), result});
-  }
+  // Their schemas are large, and the same for all robots.
+  static const std::vector<Service> kOfRobots = servicesOf(true), kOfWorld = servicesOf(false);
+  std::vector<Service> services = robot.empty() ? kOfWorld : kOfRobots;
+  for (Service& service : services) service.name.insert(0, prefixOf(robot));
   return services;
+}
+
+Service steerService(const std::string& robot) {
+  static const Service kService = serviceFor("steer", *robotcontrol::Steer::descriptor());
+  Service service = kService;
+  service.name.insert(0, prefixOf(robot));
+  return service;
 }
 
 Result<Request> requestOf(const std::string& robot, const std::string& service,

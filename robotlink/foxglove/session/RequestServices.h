@@ -25,6 +25,8 @@ namespace robotlink::websocket {
 
 /// All kinds of requests to a robot, or with an empty name to the world.
 std::vector<Service> requestServices(const std::string& robot);
+/// The service by which a client takes over a robot, "red1/steer", with a robotcontrol.Steer as argument.
+Service steerService(const std::string& robot);
 /// The request of a call of such a service. The error says what is wrong with the call.
 Result<robotcontrol::Request> requestOf(const std::string& robot, const std::string& service,
                                         const ServiceCallRequest& call);

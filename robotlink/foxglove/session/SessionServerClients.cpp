@@ -139,13 +139,8 @@ void SessionServer::offerServices(const std::string& robot, Robot& to) {
 }
 
 void SessionServer::offerSteering(const std::string& robot, Robot& to) {
-  const auto schema = [](const google::protobuf::Descriptor& type) {
-    return ServiceSchema{"json", type.full_name(), "jsonschema", jsonSchemaOf(type)};
-  };
-  Service service{0, robot + "/steer", robotcontrol::Steer::descriptor()->full_name(),
-                  schema(*robotcontrol::Steer::descriptor()), schema(*RequestResult::descriptor())};
   to.services.push_back(
-      addService(std::move(service), robot, ServiceAccess::kControl, false, &SessionServer::steer));
+      addService(steerService(robot), robot, ServiceAccess::kControl, false, &SessionServer::steer));
 }
 
 void SessionServer::call(const std::string& robot, const std::string& service, const ClientInfo& client,

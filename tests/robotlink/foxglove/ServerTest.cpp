@@ -89,6 +89,29 @@ TEST_F(ServerTest, newClientsLearnAllThatIsOffered) {
   EXPECT_EQ(std::get<Status>(messages[3]).id, "battery");
 }
 
+TEST_F(ServerTest, theOfferIsEncodedOnceForAllClientsUntilItChanges) {
+  start();
+  const auto channels = server_->addChannels({setup("a")});
+  const auto service = server_->addService({0, "stop", "Stop", {}, {}}, [](const auto&...) {});
+  const auto greeting = [&](const ClientPtr& client) {
+    std::vector<SharedBytes> all;
+    while (const auto next = server_->next(*client, Instant())) all.push_back(next->payload);
+    return all;
+  };
+  const auto first = greeting(join("x")), second = greeting(join("y"));
+  ASSERT_EQ(first.size(), 3U);
+  ASSERT_EQ(second.size(), 3U);
+  EXPECT_EQ(first[1], second[1]) << "the same bytes, not equal ones";
+  EXPECT_EQ(first[2], second[2]);
+  server_->addChannels({setup("b")});
+  EXPECT_EQ(std::get<Advertise>(heard(join("z"))[1]).channels.size(), 2U);
+  server_->removeChannels(channels);
+  server_->removeService(service);
+  const auto last = heard(join("w"));
+  ASSERT_EQ(last.size(), 2U);
+  EXPECT_EQ(std::get<Advertise>(last[1]).channels.at(0).topic, "b");
+}
+
 TEST_F(ServerTest, whatAClientSaysThatHasGoneIsIgnored) {
   start();
   const auto channel = server_->addChannels({setup("a")})[0];
