@@ -2,10 +2,6 @@
 // What a server says to a client that decodes messages for a session: each message has a byte for its kind
 // and for what the client does, and two for its length. The same bytes are also what a server answers to the
 // handshake, and an address.
-#include <cstdio>
-#include <cstdlib>
-
-#include "robotlink/base/ByteReader.h"
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/client/Client.h"
 #include "robotlink/foxglove/client/Refusals.h"
@@ -13,18 +9,14 @@
 #include "robotlink/foxglove/protocol/CallPart.h"
 #include "robotlink/foxglove/session/RemoteInbox.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
 using namespace robotlink;
 using namespace robotlink::websocket;
+using namespace robotlink::websocket::test;
 
 namespace {
-
-void demandOfClient(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// A client, and how many of its calls were made and answered.
 struct FuzzedClient {
@@ -64,19 +56,18 @@ struct FuzzedClient {
 /// What users read of a handshake that failed.
 void checkRefusals(const std::string& text, unsigned status) {
   for (const std::string& why : {whyRefused(status, text), whyOtherProtocol(text), whyClosed(text)}) {
-    demandOfClient(why == validUtf8(why) && why.size() < 1200, "a refusal can be read");
-    demandOfClient(why.find_first_of("\r\n\t") == std::string::npos, "a refusal is one line");
+    demand(why == validUtf8(why) && why.size() < 1200, "a refusal can be read");
+    demand(why.find_first_of("\r\n\t") == std::string::npos, "a refusal is one line");
   }
 }
 
 void checkAddress(const std::string& text) {
   const auto url = parseServerUrl(text);
-  if (!url) return demandOfClient(!url.error().text.empty(), "every error has a text");
+  if (!url) return demand(!url.error().text.empty(), "every error has a text");
   const auto again = parseServerUrl(toString(*url));
-  demandOfClient(again.has_value(), "an address that is shown can be typed");
-  demandOfClient(
-      again->host == url->host && again->port == url->port && again->isEncrypted == url->isEncrypted,
-      "an address stays the same");
+  demand(again.has_value(), "an address that is shown can be typed");
+  demand(again->host == url->host && again->port == url->port && again->isEncrypted == url->isEncrypted,
+         "an address stays the same");
 }
 
 }  // namespace
@@ -89,68 +80,57 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Client& client = *fuzzed.client;
   client.opened();
   ByteReader reader(std::span(data, size));
-  while (reader.good() && !reader.rest().empty()) {
-    const auto head = reader.take<std::uint8_t>();
-    const auto bytes = reader.take(reader.take<std::uint16_t>() % 4096U);
-    const auto heard = client.received((head & 2U) != 0 ? FrameKind::kText : FrameKind::kBinary,
-                                       {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if ((head & 4U) != 0) fuzzed.call("s", (head & 1U) != 0 ? 10'000 : 10);
-    if ((head & 8U) != 0)
+  while (const auto message = nextMessage(reader, 4096)) {
+    const auto heard = client.received(message->kind, message->bytes);
+    if (message->has(4)) fuzzed.call("s", message->has(1) ? 10'000 : 10);
+    if (message->has(8))
       while (client.next()) {
       }
-    if ((head & 16U) != 0) fuzzed.clock->advance(std::chrono::seconds(1));
+    if (message->has(16)) fuzzed.clock->advance(std::chrono::seconds(1));
     client.tick();
-    if (!heard || (head & 32U) != 0) {
+    if (!heard || message->has(32)) {
       client.lost();
       client.opened();
     }
-    if ((head & 64U) != 0) static_cast<void>(fuzzed.inbox.take());
-    if ((head & 128U) != 0) {
+    if (message->has(64)) static_cast<void>(fuzzed.inbox.take());
+    if (message->has(128)) {
       fuzzed.fetch();
-      client.publish("red1/remote/drive", std::string(1 + (head & 127U), ' '));
+      client.publish("red1/remote/drive", std::string(1 + (message->head & 127U), ' '));
     }
-    demandOfClient(client.channels().size() <= 20 && client.services().size() <= 20, "offers are bounded");
+    demand(client.channels().size() <= 20 && client.services().size() <= 20, "offers are bounded");
   }
   client.lost();
   fuzzed.clock->advance(std::chrono::hours(1));
   client.tick();
-  demandOfClient(fuzzed.calls == fuzzed.answers, "each call is answered once");
+  demand(fuzzed.calls == fuzzed.answers, "each call is answered once");
   return 0;
 }
 
 std::vector<std::string> fuzzSeeds() {
   std::vector<std::string> seeds{"ws://[::1]:8765/a?b#c", "wss://red1", "Unauthorized: give a token."};
-  const auto framed = [](const Frame& frame, std::uint8_t head) {
-    const std::size_t length = frame.bytes.size();
-    return std::string{static_cast<char>(head | (frame.kind == FrameKind::kText ? 2U : 0U)),
-                       static_cast<char>(length & 255U), static_cast<char>(length >> 8U)} +
-           frame.bytes;
-  };
   std::string all;
-  std::uint8_t head = 0;
-  for (const auto& sample : websocket::test::serverSamples()) {
-    const Frame frame{sample.wire.starts_with('{') ? FrameKind::kText : FrameKind::kBinary, sample.wire};
-    seeds.push_back(framed(frame, head++ & 0x5dU));
-    all += framed(frame, 0);
+  unsigned head = 0;
+  for (const auto& sample : serverSamples()) {
+    seeds.push_back(framed(sample.wire, head++ & 0x5dU));
+    all += framed(sample.wire, 0);
   }
   Advertise channels;
   channels.channels = {
       {1, "a", "json", "A", R"({"type":"object","properties":{"x":{"type":"number"}}})", "jsonschema"},
       {2, "b", "json", "", "", ""},
       {3, "red1/camera/image", "protobuf", "foxglove.RawImage", "", "protobuf"}};
-  std::string conversation =
-      framed(encode(ServerMessage(ServerInfo{"s", {"parameters"}, {}, {}, "1", {}, {}})), 0);
-  conversation += framed(encode(ServerMessage(channels)), 8);
-  conversation += framed(encode(ServerMessage(AdvertiseServices{{{1, "s", "S", {}, {}}}})), 4);
+  std::string conversation = framed(ServerInfo{"s", {"parameters"}, {}, {}, "1", {}, {}}, 0);
+  conversation += framed(channels, 8);
+  conversation += framed(AdvertiseServices{{{1, "s", "S", {}, {}}}}, 4);
   for (std::uint32_t id = 1; id < 4; ++id)
-    conversation += framed(encode(ServerMessage(MessageData{id, Instant(), R"({"x":1.5,"y":[1]})"})), 0);
-  conversation += framed(encode(ServerMessage(ServiceCallResponse{1, 1, "json", "{}"})), 8);
+    conversation += framed(MessageData{id, Instant(), R"({"x":1.5,"y":[1]})"}, 0);
+  conversation += framed(ServiceCallResponse{1, 1, "json", "{}"}, 8);
   seeds.push_back(conversation);
   seeds.push_back(conversation + all);
   const ServerInfo info{"s", {"assets", "clientPublish"}, {}, {{kCallPartsKey, "1"}}, "1", {}, {}};
-  std::string parts = framed(encode(ServerMessage(info)), 128);
-  parts += framed(encode(ServerMessage(AdvertiseServices{{{1, "s", "S", {}, {}}}})), 5);
-  parts += framed(encode(ServerMessage(FetchAssetResponse{1, "", "data"})), 8);
-  seeds.push_back(parts + framed(encode(ServerMessage(ServiceCallResponse{1, 2, "json", "{}"})), 20));
+  std::string parts = framed(info, 128);
+  parts += framed(AdvertiseServices{{{1, "s", "S", {}, {}}}}, 5);
+  parts += framed(FetchAssetResponse{1, "", "data"}, 8);
+  seeds.push_back(parts + framed(ServiceCallResponse{1, 2, "json", "{}"}, 20));
   return seeds;
 }

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Conversations of two clients, one of which may only watch, with a server of a session: each message has a
 // byte for client and kind, and two for its length.
-#include <cstdio>
-#include <cstdlib>
-
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/base/ByteReader.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
 using namespace robotlink;
 using namespace robotlink::websocket;
+using namespace robotlink::websocket::test;
 using robotcontrol::Request;
 
 namespace {
-
-void demand(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 template <typename Message>
 void publish(Session& session, const std::string& path, const Message& message) {
@@ -45,14 +37,6 @@ void publishTables(Session& session) {
   publish(session, "r/tables/keys", keys);
   publish(session, "r/tables/solutions", solutions);
   publish(session, "r/parameters/t/s", values);
-}
-
-std::string frameOf(std::uint8_t head, const ClientMessage& message) {
-  const Frame frame = encode(message);
-  const std::uint8_t kind = frame.kind == FrameKind::kText ? 2 : 0;
-  return std::string{static_cast<char>(head | kind), static_cast<char>(frame.bytes.size() & 255U),
-                     static_cast<char>(frame.bytes.size() >> 8U)} +
-         frame.bytes;
 }
 
 }  // namespace
@@ -84,17 +68,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   tick();
   ByteReader reader(std::span(data, size));
   isWatcherAlone = size > 0 && (data[0] & 64U) != 0;
-  while (reader.good() && !reader.rest().empty()) {
-    const auto head = reader.take<std::uint8_t>();
-    const auto bytes = reader.take(reader.take<std::uint16_t>() % 2048U);
-    const ClientPtr& client = clients[isWatcherAlone ? 1 : head & 1U];
-    server->server()->received(client, (head & 2U) != 0 ? FrameKind::kText : FrameKind::kBinary,
-                               {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    clock->advance(std::chrono::milliseconds(head));
-    if ((head & 4U) != 0) tick();
-    if ((head & 8U) != 0) session.setRobots({}), tick(), session.setRobots({"r"});
-    if ((head & 16U) != 0) publishTables(session);
-    if ((head & 32U) != 0) server->server()->disconnected(client);
+  while (const auto message = nextMessage(reader, 2048)) {
+    const ClientPtr& client = clients[isWatcherAlone ? 1 : message->head & 1U];
+    server->server()->received(client, message->kind, message->bytes);
+    clock->advance(std::chrono::milliseconds(message->head));
+    if (message->has(4)) tick();
+    if (message->has(8)) session.setRobots({}), tick(), session.setRobots({"r"});
+    if (message->has(16)) publishTables(session);
+    if (message->has(32)) server->server()->disconnected(client);
     while (server->server()->next(*client, Instant())) {
     }
   }
@@ -110,23 +91,20 @@ std::vector<std::string> fuzzSeeds() {
   const ClientMessage advertise = ClientAdvertise{{{1, "r/remote/drive", "json", "", "", ""},
                                                    {2, "r/remote/motion", "protobuf", "", "", ""},
                                                    {3, "r/remote/goal", "json", "", "", ""}}};
-  std::string talk = frameOf(4, advertise);
-  talk += frameOf(4, ClientMessageData{1, R"({"velocity": {"x": 0.2}})"});
-  talk += frameOf(4, ClientMessageData{2, std::string("\x12\x02\x08\x01", 4)});
-  talk += frameOf(4, ClientMessageData{3, R"({"pose_in_field": {"x": 1}})"});
+  std::string talk = framed(advertise, 4);
+  talk += framed(ClientMessageData{1, R"({"velocity": {"x": 0.2}})"}, 4);
+  talk += framed(ClientMessageData{2, std::string("\x12\x02\x08\x01", 4)}, 4);
+  talk += framed(ClientMessageData{3, R"({"pose_in_field": {"x": 1}})"}, 4);
   for (std::uint32_t service = 1; service < 24; ++service)
-    talk += frameOf(4, ServiceCallRequest{service, service, "json", "{}"});
-  talk += frameOf(
-      20, SetParameters{
-              {{"r/parameters/t/s/battery", Value{3.0}}, {"r/keys/k", Value{std::string("always")}}}, "x"});
-  talk += frameOf(12, Subscribe{{{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}}});
-  seeds.push_back(talk + frameOf(36, Unsubscribe{{1}}));
+    talk += framed(ServiceCallRequest{service, service, "json", "{}"}, 4);
+  talk += framed(
+      SetParameters{{{"r/parameters/t/s/battery", Value{3.0}}, {"r/keys/k", Value{std::string("always")}}},
+                    "x"},
+      20);
+  talk += framed(Subscribe{{{1, 1}, {2, 2}, {3, 3}, {4, 4}, {5, 5}}}, 12);
+  seeds.push_back(talk + framed(Unsubscribe{{1}}, 36));
   talk[0] = static_cast<char>(talk[0] | 64);
   seeds.push_back(talk);
-  for (const auto& sample : websocket::test::clientSamples())
-    seeds.push_back(std::string{sample.wire.starts_with('{') ? '\x06' : '\x04',
-                                static_cast<char>(sample.wire.size() & 255U),
-                                static_cast<char>(sample.wire.size() >> 8U)} +
-                    sample.wire);
+  for (const auto& sample : clientSamples()) seeds.push_back(framed(sample.wire, 4));
   return seeds;
 }
