@@ -13,13 +13,14 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
     "robotlink/base": [],
     "robotlink/config": ["robotlink/base"],
     "robotlink/packages": ["robotlink/base"],
+    "robotlink/expressions": ["robotlink/base", "robotlink/packages"],
     "robotlink/process": ["robotlink/base", "robotlink/config", "robotlink/packages"],
     "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
     "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
@@ -51,7 +52,7 @@ ROOMS = {
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
-    "logplayer": ["images", "json", "base", "bhuman", "record", "file", "bookmarks", "export", ".", "edit"],
+    "logplayer": ["images", "json", "base", "bhuman", "record", "file", "bookmarks", "export", "search", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
     "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
         "log", "color", "drive", "messages", "plots", "scene", "timeline", "color/image", "color/quality",
@@ -71,6 +72,7 @@ OUTSIDE = {
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
+    r"^(muParser|re2/)": ["robotlink/expressions"],
     r"^bzlib": ["colortool"],
     r"^(turbojpeg|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],

@@ -42,8 +42,8 @@ robotcontrol::Request parameterRequest(double memory) {
   return request;
 }
 
-/// What a run publishes of red1: its newest solution of a task, parameters of its ball model, and whether it has
-/// an own color table.
+/// What a run publishes of red1: its newest solution of a task, parameters of its ball model, and whether it
+/// has an own color table.
 struct Reported {
   std::map<std::string, std::string> solutions;
   double memory = -1;  // s

@@ -9,7 +9,7 @@
 
 #include "logplayer/LogInfo.h"
 #include "logplayer/export/LogExport.h"
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
 #include "tests/TestFolder.h"
 #include "tests/logplayer/SampleLog.h"
 

@@ -10,7 +10,8 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
+#include "robotlink/expressions/NumericFields.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
@@ -130,11 +131,16 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
   return found;
 }
 
+PlotSeries::PlotSeries(PlotSource source) : source_(std::move(source)) {
+  if (auto path = robotlink::FieldPath::parse(source_.field)) path_ = std::move(*path);
+}
+
 std::optional<double> PlotSeries::valueOf(const robotlink::StreamMessage& message) {
   if (!source_.field.empty()) {
     if (!unitKnown_) unit_ = unitOf(message.value->GetDescriptor()->full_name(), source_.field);
     unitKnown_ = true;
-    return robotlink::numberAt(*message.value, source_.field);
+    const auto value = path_ ? path_->valueIn(*message.value) : std::nullopt;
+    return value ? value->number : std::nullopt;
   }
   const auto* plot = dynamic_cast<const robotcontrol::PlotValue*>(message.value.get());
   if (plot == nullptr) return {};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/expressions/FieldPath.h"
 #include "robotlink/session/StreamStore.h"
 #include "widgets/TypedStreams.h"
 
@@ -50,7 +51,7 @@ class PlotSeries {
     /// The clock went back: earlier points are no longer valid.
     bool restarted = false;
   };
-  explicit PlotSeries(PlotSource source) : source_(std::move(source)) {}
+  explicit PlotSeries(PlotSource source);
   const PlotSource& source() const { return source_; }
   /// Returns what arrived since the last call. Messages without the field are skipped.
   News take(const robotlink::StreamStore& store);
@@ -63,6 +64,8 @@ class PlotSeries {
   std::optional<double> valueOf(const robotlink::StreamMessage& message);
 
   PlotSource source_;
+  /// Empty for streams of plot values, and if the field is no path.
+  std::optional<robotlink::FieldPath> path_;
   StreamCursor cursor_;
   std::optional<double> last_;
   QString unit_;

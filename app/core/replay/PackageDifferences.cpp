@@ -11,7 +11,8 @@
 #include <set>
 #include <string_view>
 
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
+#include "robotlink/expressions/NumericFields.h"
 
 namespace app {
 

@@ -131,6 +131,7 @@ void addLogCommand(CLI::App& app, int& status) {
   addLogImportCommands(*log, status);
   addLogCutCommands(*log, status);
   addLogExportCommand(*log, status);
+  addLogSearchCommand(*log, status);
   addLogNoteCommands(*log, status);
   addLogFetchCommand(*log, status);
 }

@@ -19,6 +19,7 @@ void addLogReadCommands(CLI::App& log, int& status);    // info, verify
 void addLogImportCommands(CLI::App& log, int& status);  // import, repair
 void addLogCutCommands(CLI::App& log, int& status);     // cut, merge, filter, convert
 void addLogExportCommand(CLI::App& log, int& status);
+void addLogSearchCommand(CLI::App& log, int& status);
 void addLogNoteCommands(CLI::App& log, int& status);  // bookmark, attachment
 void addLogFetchCommand(CLI::App& log, int& status);
 

@@ -54,6 +54,30 @@ class RobotctlWholeLog : public RobotctlLog, public testing::WithParamInterface<
 
 }  // namespace
 
+TEST_F(RobotctlLog, searchFindsWhereAConditionIsTrue) {
+  const Outcome outcome = log("search a.mcap 'models/ball.position_in_robot.x > 49.5' --json");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const json found = json::parse(outcome.out, nullptr, false);
+  ASSERT_EQ(found.at("hits").size(), 1U) << found;
+  EXPECT_EQ(found.at("hits")[0].at("robot"), "red1");
+  EXPECT_DOUBLE_EQ(found.at("hits")[0].at("time"), 2.0);
+  EXPECT_FALSE(found.at("hits")[0].contains("until"));
+  const Outcome texts = log("search a.mcap 'log.message =~ \"frame [23]0\"'");
+  EXPECT_EQ(texts.status, 0) << texts.errors;
+  EXPECT_THAT(texts.out, HasSubstr("red1/cognition/test: frame 20"));
+  EXPECT_THAT(texts.out, HasSubstr("2 hits"));
+}
+
+TEST_F(RobotctlLog, searchSaysWhereAnExpressionIsWrongAndThatHitsWereLeftOut) {
+  const Outcome misspelled = log("search a.mcap 'models/bal.known == 1'");
+  EXPECT_EQ(misspelled.status, 2);
+  EXPECT_THAT(misspelled.errors, HasSubstr("expression:1:1: "));
+  EXPECT_THAT(misspelled.errors, HasSubstr("did you mean 'models/ball'"));
+  const Outcome limited = log("search a.mcap 'log.message =~ \"frame\"' --limit 3");
+  EXPECT_EQ(limited.status, 3);
+  EXPECT_THAT(limited.errors, HasSubstr("--limit"));
+}
+
 TEST_F(RobotctlLog, wrongUsageIsTwo) {
   for (const char* arguments :
        {"", "fly", "info", "cut a.mcap", "export a.mcap", "export a.mcap --csv red1/log", "merge a.mcap",

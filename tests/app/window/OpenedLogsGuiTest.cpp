@@ -10,7 +10,7 @@
 
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/actions/FileKind.h"
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "logplayer/base/LogChannels.h"
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
 #include "tests/logplayer/LogFixture.h"
 
 using namespace logplayer;

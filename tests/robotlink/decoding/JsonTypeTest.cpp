@@ -11,7 +11,7 @@
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotlink/decoding/JsonText.h"
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
 #include "tests/logplayer/ForeignLog.h"
 
 namespace robotlink {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/NumericFields.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
-#include <algorithm>
-#include <string_view>
-#include <type_traits>
-
-#include "robotlink/base/ParsedNumber.h"
 #include "robotlink/packages/FieldValues.h"
 
 namespace robotlink {
@@ -80,60 +75,6 @@ void listMessage(const Message& message, const std::string& prefix, int depth,
   }
 }
 
-/// `element` is -1 for a field that is not repeated. Empty if the value is no number.
-std::optional<double> numberOf(const Message& message, const FieldDescriptor& field, int element) {
-  return visitValue(message, field, element, [](const auto& value) -> std::optional<double> {
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::is_arithmetic_v<Value>) {
-      return static_cast<double>(value);
-    } else if constexpr (std::is_same_v<Value, EnumNumber>) {
-      return value.number;
-    } else if constexpr (std::is_same_v<Value, Message>) {
-      if (!isTime(*value.GetDescriptor())) return std::nullopt;
-      return static_cast<double>(wholeSeconds(value)) + nanoseconds(value) * 1e-9;
-    } else {
-      return std::nullopt;
-    }
-  });
-}
-
-// A step of a path: "joints[3]", "joints[head/pan]" or "position".
-struct Step {
-  std::string name;
-  std::optional<std::string_view> element;
-};
-
-// Removes the first step from the path and returns it; empty if the path is malformed. A name in brackets may
-// contain dots.
-std::optional<Step> takeStep(std::string_view& path) {
-  const std::size_t end = std::min(path.find_first_of(".["), path.size());
-  Step step{std::string(path.substr(0, end)), std::nullopt};
-  path.remove_prefix(end);
-  if (path.starts_with('[')) {
-    const std::size_t close = path.find(']');
-    if (close == std::string_view::npos) return std::nullopt;
-    step.element = path.substr(1, close - 1);
-    path.remove_prefix(close + 1);
-  }
-  if (path.empty()) return step;
-  if (!path.starts_with('.') || path.size() == 1) return std::nullopt;
-  path.remove_prefix(1);
-  return step;
-}
-
-// The index of an element with this number or name; -1 if there is none.
-int elementIndex(const Message& message, const FieldDescriptor& field, std::string_view key) {
-  const Reflection& reflection = *message.GetReflection();
-  const int size = reflection.FieldSize(message, &field);
-  if (const auto index = parsedNumber<int>(key)) return *index >= 0 && *index < size ? *index : -1;
-  const FieldDescriptor* name = isPart(field) ? nameField(*field.message_type()) : nullptr;
-  for (int i = 0; name && i < size; ++i) {
-    const Message& element = reflection.GetRepeatedMessage(message, &field, i);
-    if (element.GetReflection()->GetString(element, name) == key) return i;
-  }
-  return -1;
-}
-
 }  // namespace
 
 std::vector<std::string> numericFields(const Descriptor& type) {
@@ -146,24 +87,6 @@ std::vector<std::string> numericFields(const Message& message) {
   std::vector<std::string> paths;
   listMessage(message, "", 1, paths);
   return paths;
-}
-
-std::optional<double> numberAt(const Message& message, const std::string& path) {
-  std::string_view rest = path;
-  for (const Message* at = &message;;) {
-    const auto step = takeStep(rest);
-    const FieldDescriptor* field = step ? at->GetDescriptor()->FindFieldByName(step->name) : nullptr;
-    if (!field || field->is_repeated() != step->element.has_value()) return std::nullopt;
-    const Reflection& reflection = *at->GetReflection();
-    const int index = field->is_repeated() ? elementIndex(*at, *field, *step->element) : -1;
-    if (field->is_repeated() && index < 0) return std::nullopt;
-    if (!field->is_repeated() && field->has_presence() && !reflection.HasField(*at, field))
-      return std::nullopt;
-    if (rest.empty()) return numberOf(*at, *field, index);
-    if (!isPart(*field)) return std::nullopt;
-    at = field->is_repeated() ? &reflection.GetRepeatedMessage(*at, field, index)
-                              : &reflection.GetMessage(*at, field);
-  }
 }
 
 }  // namespace robotlink

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/session/Numbers.h"
+#include "robotlink/expressions/FieldPath.h"
+#include "robotlink/expressions/NumericFields.h"
 
 #include <gmock/gmock.h>
 
@@ -30,11 +31,11 @@ foxglove::JointStates joints() {
 
 }  // namespace
 
-TEST(Numbers, ofAPlotValueTheyAreItsTimeAndItsValue) {
+TEST(NumericFields, ofAPlotValueTheyAreItsTimeAndItsValue) {
   EXPECT_THAT(numericFields(*robotcontrol::PlotValue::descriptor()), ElementsAre("timestamp", "value"));
 }
 
-TEST(Numbers, aTypesFieldsAreListedThroughPartsAndElements) {
+TEST(NumericFields, aTypesFieldsAreListedThroughPartsAndElements) {
   const auto fields = numericFields(*foxglove::JointStates::descriptor());
   EXPECT_THAT(fields, Contains("joints[0].position"));
   EXPECT_THAT(fields, Contains("joints[31].effort"));
@@ -42,12 +43,12 @@ TEST(Numbers, aTypesFieldsAreListedThroughPartsAndElements) {
   EXPECT_THAT(fields, Not(Contains("joints[0].name")));
 }
 
-TEST(Numbers, aMessagesFieldsAreThoseThatItHasByTheNamesOfItsElements) {
+TEST(NumericFields, aMessagesFieldsAreThoseThatItHasByTheNamesOfItsElements) {
   EXPECT_THAT(numericFields(joints()),
               ElementsAre("timestamp", "joints[head/pan.1].position", "joints[1].velocity"));
 }
 
-TEST(Numbers, whatIsListedIsFound) {
+TEST(NumericFields, whatIsListedIsFound) {
   const foxglove::JointStates states = joints();
   for (const std::string& path : numericFields(states))
     EXPECT_TRUE(numberAt(states, path).has_value()) << path;
@@ -57,7 +58,7 @@ TEST(Numbers, whatIsListedIsFound) {
   EXPECT_EQ(numberAt(states, "joints[1].velocity"), -1);
 }
 
-TEST(Numbers, integersBoolsAndEnumerationsCount) {
+TEST(NumericFields, integersBoolsAndEnumerationsCount) {
   robotcontrol::KeyTable table;
   auto& key = *table.add_keys();
   key.set_in_use(true);
@@ -71,41 +72,26 @@ TEST(Numbers, integersBoolsAndEnumerationsCount) {
   EXPECT_EQ(numberAt(line, "indices[0]"), 7);
 }
 
-TEST(Numbers, pathsThatLeadNowhereFindNothing) {
+TEST(NumericFields, pathsThatLeadNowhereFindNothing) {
   const foxglove::JointStates states = joints();
-  for (const char* path : {"",
-                           ".",
-                           "x",
-                           "joints",
-                           "joints[0]",
-                           "joints[2].position",
-                           "joints[-1].position",
-                           "joints[99999999999].position",
-                           "joints[].position",
-                           "joints[0",
-                           "joints[0]position",
-                           "joints[0].",
-                           "joints[0].name",
-                           "joints[nobody].position",
-                           "joints[1].position",
-                           "timestamp.seconds.x",
-                           "timestamp[0]",
-                           "joints[0]..position",
-                           "[0]",
-                           "joints[0].position.x"}) {
+  for (const char* path :
+       {"", ".", "x", "joints[0]", "joints[2].position", "joints[-1].position",
+        "joints[99999999999].position", "joints[].position", "joints[0", "joints[0]position", "joints[0].",
+        "joints[0].name", "joints[nobody].position", "joints[1].position", "timestamp.seconds.x",
+        "timestamp[0]", "joints[0]..position", "[0]", "joints[0].position.x"}) {
     EXPECT_FALSE(numberAt(states, path).has_value()) << path;
   }
   EXPECT_FALSE(numberAt(robotcontrol::DebugMessage(), "plot.value").has_value()) << "a part that is not set";
 }
 
-TEST(Numbers, aTypeOfManyFieldsIsListedUpToABound) {
+TEST(NumericFields, aTypeOfManyFieldsIsListedUpToABound) {
   EXPECT_LE(numericFields(*foxglove::SceneUpdate::descriptor()).size(), 1000U);
   foxglove::ImageAnnotations huge;
   for (int i = 0; i < 5000; ++i) huge.add_circles()->set_diameter(i);
   EXPECT_EQ(numericFields(huge).size(), 1000U);
 }
 
-TEST(Numbers, aForeignTypeThatIsOnlyCalledTimestampIsNoTime) {
+TEST(NumericFields, aForeignTypeThatIsOnlyCalledTimestampIsNoTime) {
   test::ForeignTime foreign;
   EXPECT_FALSE(numberAt(foreign.message(), "stamp"));
   EXPECT_THAT(numericFields(foreign.message()), testing::IsEmpty());

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "logplayer/export/ExportOptions.h"
+#include "logplayer/file/LogFile.h"
+
+namespace logplayer {
+
+/// A span of time in which an expression was true, or a text for which it was.
+struct SearchHit {
+  /// Empty if the expression names all its streams in full.
+  std::string robot;
+  /// When it became true, in log time.
+  robotlink::Instant from;
+  /// When it was no longer true; empty: it was still true at the end of the range. Equals `from` for texts.
+  std::optional<robotlink::Instant> until;
+  /// The text, if the hit is one.
+  std::optional<robotlink::StreamMessage> text;
+};
+
+/// What a search found.
+struct SearchReport {
+  std::uint64_t hits = 0;
+  /// What could not be searched, one sentence each; empty if all was.
+  std::vector<std::string> losses;
+};
+
+/// Searches a log, without playing it, for where an expression (robotlink/expressions/EXPRESSIONS.md) becomes
+/// true, for each robot. Messages of the same time count together, but texts (foxglove.Log) are hits one by
+/// one. Values that were published before the range count, too. `found` is called in order of the time at
+/// which a hit is complete, and ends the search by returning false. Fails if the expression does not fit the
+/// log, or with "log.given-up" if the progress callback returns false. `options.overwrite` has no meaning.
+robotlink::Result<SearchReport> searchLog(const std::shared_ptr<LogFile>& log, std::string_view expression,
+                                          const ExportOptions& options,
+                                          const std::function<bool(const SearchHit&)>& found);
+
+}  // namespace logplayer

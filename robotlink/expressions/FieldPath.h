@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
+namespace google::protobuf {
+class Descriptor;
+class FieldDescriptor;
+class Message;
+}  // namespace google::protobuf
+
+namespace robotlink {
+
+/// What a path leads to: a number (a bool is 0 or 1, a time is seconds, a list and bytes their
+/// length), or a text. An
+/// enumeration is both.
+struct FieldValue {
+  std::optional<double> number;
+  std::optional<std::string> text;
+};
+
+/// The way from a message to one of its values, as people write it: `position.x`, `joints[3].speed`,
+/// `joints[-1].speed` (the last one), `joints[name="head.pan"].position` (the first one with that name; in
+/// short `joints[head.pan].position`). A plain value, which fits any type that has these fields.
+class FieldPath {
+ public:
+  /// Parses a path; FilePosition::column of errors counts from 1 in `text`.
+  static Result<FieldPath> parse(std::string_view text);
+
+  /// Fails, with a suggestion, if messages of this type have no such value.
+  Result<void> fits(const google::protobuf::Descriptor& type) const;
+  /// The value in a message. Empty if it has no such element, or if a field with presence is not set; also if
+  /// the path does not fit the message's type.
+  std::optional<FieldValue> valueIn(const google::protobuf::Message& message) const;
+  /// As it was written.
+  const std::string& text() const { return text_; }
+  bool operator==(const FieldPath& other) const { return text_ == other.text_; }
+
+ private:
+  /// The first element of a list whose field of this name has this value.
+  struct Selector {
+    std::string field, value;
+  };
+  /// One field and, for lists, which element; without one, a list stands for its length.
+  struct Step {
+    std::string field;
+    std::variant<std::monostate, int, Selector> element;
+    /// Where the step begins in the text, from 1.
+    int column = 1;
+  };
+
+  /// The index of the first such element; -1: there is none.
+  static int elementOf(const google::protobuf::Message& message,
+                       const google::protobuf::FieldDescriptor& list, const Selector& selector);
+
+  std::string text_;
+  std::vector<Step> steps_;
+};
+
+/// The number at a path; empty if there is none, whatever the reason.
+std::optional<double> numberAt(const google::protobuf::Message& message, std::string_view path);
+
+}  // namespace robotlink
