@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/session/LatchedMessages.h"
 
-#include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
 
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Perception.pb.h"
-#include "robotlink/packages/Schema.h"
 
 using namespace robotlink;
 
@@ -48,13 +46,4 @@ TEST(LatchedMessages, forgetARobotWhoseProgramStartsAnew) {
   held.take(message("red10/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
   held.forget("red1");
   EXPECT_EQ(paths(held), (std::vector<std::string>{"red10/program", "scene"}));
-}
-
-TEST(Schema, holdsATypeWithAllThatItImportsFirst) {
-  google::protobuf::FileDescriptorSet files;
-  ASSERT_TRUE(files.ParseFromString(schemaOf(*robotcontrol::ProgramSetup::descriptor())));
-  google::protobuf::DescriptorPool pool;
-  for (const auto& file : files.file()) ASSERT_NE(pool.BuildFile(file), nullptr) << file.name();
-  EXPECT_NE(pool.FindMessageTypeByName("robotcontrol.ProgramSetup"), nullptr);
-  EXPECT_NE(pool.FindMessageTypeByName("foxglove.RawImage"), nullptr);
 }
