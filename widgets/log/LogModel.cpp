@@ -52,7 +52,8 @@ void LogModel::insert(std::vector<LogEntry> entries) {
 }
 
 void LogModel::setShown(robotlink::Instant time) {
-  const auto [from, to] = std::minmax(rowAt(std::exchange(shown_, time)), rowAt(time));
+  // As a list, since std::minmax() of two values returns references to them, which end here.
+  const auto [from, to] = std::minmax({rowAt(std::exchange(shown_, time)), rowAt(time)});
   if (from != to) Q_EMIT dataChanged(index(from + 1, 0), index(to, kColumns - 1), {Qt::ForegroundRole});
 }
 

@@ -172,7 +172,7 @@ void TimeLineCanvas::mouseReleaseEvent(QMouseEvent* event) {
   held_ = {};
   if (held.drag == Drag::kSelect) releaseSelection(event->localPos());
   if (held.drag == Drag::kRangeEdge) {
-    const auto [from, to] = std::minmax(look_.range->first, look_.range->second);
+    const auto [from, to] = std::minmax({look_.range->first, look_.range->second});
     Q_EMIT rangeWanted(from, to);
   }
   if (held.drag == Drag::kOffset && moved_) Q_EMIT offsetWanted(held.band, band(held.band).offset);

@@ -158,6 +158,9 @@ TEST_F(OwnProgramTest, exitEndsOnlyThatProgram) {
 }
 
 TEST_F(OwnProgramTest, aModuleThatTakesAllMemoryIsStopped) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the address sanitizer ends a program whose memory is used up, rather than to throw";
+#endif
   play("memory");
   ASSERT_TRUE(run_);
   for (int i = 0; i < 20 && ears_.troubles.empty() && state() == HostingStatus::RUNNING; ++i) run_->step();

@@ -3,6 +3,8 @@
 // or hang.
 #include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -50,8 +52,9 @@ using trouble::Troublemaker, trouble::Unmakeable;
 
 void nothing() {}
 void writeNowhere() {
-  static volatile int* volatile nowhere = nullptr;
-  *nowhere = 1;
+  // No null pointer, which the undefined behavior sanitizer would report before the system does.
+  static volatile std::uintptr_t nowhere = alignof(std::max_align_t);
+  *reinterpret_cast<volatile int*>(nowhere) = 1;
 }
 void abortAll() {
   std::abort();
