@@ -20,6 +20,7 @@
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 
@@ -87,13 +88,16 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   robotlink::Session session(kHistory);
   PlatformThread platform(session, recorder);
   session.setRequestSink([&](const Request& request) { platform.request(request); });
+  // A part of it is what clients, robots and files say.
+  const auto report = [&](const std::string& sentence) {
+    out << robotlink::printable(sentence) + "\n" << std::flush;
+  };
   session.setRefusalHandler(
       [&, told = std::set<std::string>()](const std::string& what, const std::string& reason) mutable {
         // What clients subscribe to is asked for again and again.
         if (told.size() < kMaxRefusals && told.insert(what + ": " + reason).second)
-          out << what << ": " << reason << std::endl;
+          report(what + ": " + reason);
       });
-  const auto report = [&](const std::string& sentence) { out << sentence + "\n" << std::flush; };
   SessionServer server(session, {}, report, options.steering);
   if (options.bodies) takeCommands(server, options.bodies);
   if (options.texts)
@@ -126,7 +130,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   auto loaded = result->get_future();
   platform.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
   const auto tick = [&] {
-    for (const auto& error : tables.tick()) out << error.describe() << std::endl;
+    for (const auto& error : tables.tick()) report(error.describe());
     restarts.tick();
     session.tick();
     server.tick();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/robotctl/Commands.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -39,14 +40,14 @@ int check(const LayoutArguments& arguments) {
   return withLayout(arguments, [&](const robotlink::Layout& layout, const auto&, const auto&) {
     std::size_t tasks = 0;
     for (const auto& process : layout.processes) tasks += process.tasks.size();
-    std::cout << arguments.file << ": layout " << layout.name << " can be run: " << layout.processes.size()
-              << " processes, " << tasks << " tasks\n";
+    std::cout << arguments.file << ": layout " << robotlink::printable(layout.name)
+              << " can be run: " << layout.processes.size() << " processes, " << tasks << " tasks\n";
   });
 }
 
 int graph(const LayoutArguments& arguments) {
   return withLayout(arguments, [](const auto& layout, const auto& catalog, const auto& platform) {
-    std::cout << robotlink::layoutGraph(layout, catalog, platform);
+    std::cout << robotlink::printableLines(robotlink::layoutGraph(layout, catalog, platform));
   });
 }
 

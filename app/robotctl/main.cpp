@@ -12,6 +12,7 @@
 #include "app/core/program/Abandoned.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/Resources.h"
 
 namespace app {
@@ -19,7 +20,7 @@ namespace app {
 int printErrors(const robotlink::Errors& errors) {
   // The reader of standard output has ended, which is not reported as an error.
   if (Interrupt::signal() == SIGPIPE) return kFailed;
-  std::cerr << robotlink::describe(errors) << "\n";
+  std::cerr << robotlink::printableLines(robotlink::describe(errors)) << "\n";
   return kFailed;
 }
 

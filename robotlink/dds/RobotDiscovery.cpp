@@ -7,7 +7,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "robotlink/base/Utf8.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/dds/Wire.h"
 
@@ -30,10 +30,7 @@ std::string textIn(const char* text) {
 /// A text of somebody else in the network, as a terminal and a dialog may show it.
 std::string shownText(const std::string& text) {
   constexpr std::size_t kMaxText = 100;
-  std::string shown = validUtf8(text.substr(0, kMaxText));
-  std::ranges::replace_if(
-      shown, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
-  return shown;
+  return printable(text.substr(0, kMaxText));
 }
 
 bool isAddress(const std::string& text) {

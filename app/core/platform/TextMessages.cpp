@@ -6,14 +6,15 @@
 
 #include "foxglove/Robot.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 
 namespace app {
 
 void printText(std::ostream& out, robotlink::Instant time, const std::string& source,
                const std::string& text) {
-  out << std::fixed << std::setprecision(3) << robotlink::seconds(time) << "  " << source << ": " << text
-      << "\n";
+  out << std::fixed << std::setprecision(3) << robotlink::seconds(time) << "  "
+      << robotlink::printableLines(source + ": " + text, "    ") << "\n";
 }
 
 void printTexts(std::ostream& out, const std::string& robot, const robotlink::SharedDebugQueue& queue) {
@@ -27,7 +28,7 @@ void printTexts(std::ostream& out, const std::string& robot, const robotlink::Sh
 void printMapNotes(std::ostream& out, const robotlink::GroundMap* map) {
   if (map == nullptr) return;
   for (const std::string& note : map->notes)
-    out << (map->incomplete ? "Warning: " : "Note: ") << note << "\n";
+    out << (map->incomplete ? "Warning: " : "Note: ") << robotlink::printable(note) << "\n";
 }
 
 }  // namespace app

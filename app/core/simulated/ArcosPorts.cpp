@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/core/simulated/SimulatedWorld.h"
+#include "robotlink/base/Printable.h"
 #include "simcore/Scene.h"
 
 namespace app {
@@ -11,14 +12,6 @@ namespace {
 
 namespace request = robotlink::arcos::simulator_request;
 using Clock = std::chrono::steady_clock;
-
-/// A text of a client without characters that would disturb a terminal.
-std::string printable(std::string text) {
-  for (char& character : text) {
-    if (static_cast<unsigned char>(character) < ' ' || character == '\x7F') character = ' ';
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -110,7 +103,7 @@ void ArcosPorts::deliver() {
 void ArcosPorts::fulfilRequests(std::size_t robot) {
   for (const auto& details : world_.pioneers()[robot]->takeRequests()) {
     if (const auto* message = std::get_if<request::Message>(&details)) {
-      log(robot, printable(message->text));
+      log(robot, robotlink::printable(message->text));
     } else if (const auto* exit = std::get_if<request::Exit>(&details)) {
       log(robot, "its client asks the simulation to end");
       exit_ = exit->status;
@@ -119,8 +112,8 @@ void ArcosPorts::fulfilRequests(std::size_t robot) {
       const std::filesystem::path present = world_.simulation().scene().file();
       const bool same = std::filesystem::path(map->file).filename() == present.filename();
       if (!same)
-        log(robot,
-            "its client asks for the map " + printable(map->file) + "; " + present.string() + " stays");
+        log(robot, "its client asks for the map " + robotlink::printable(map->file) + "; " +
+                       present.string() + " stays");
       world_.pioneers()[robot]->mapLoaded(present.string(), same, false);
     }
   }

@@ -16,6 +16,7 @@
 #include "colortool/samples/StrokeList.h"
 #include "colortool/training/TableTrainer.h"
 #include "logplayer/base/Plural.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -121,7 +122,8 @@ ColorTableFile::Packed tableOf(const Samples& samples, double several) {
 /// Reports losses to stderr and returns the resulting ExitStatus.
 int printTrainedLosses(const TrainArguments& arguments, const Learned& learned,
                        const ColorTableFile::Packed& made) {
-  for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
+  for (const robotlink::Error& problem : learned.problems)
+    std::cerr << robotlink::printable(problem.describe()) << "\n";
   if (learned.outside != 0) {
     std::cerr << arguments.strokes << ": "
               << (learned.outside == 1

@@ -14,6 +14,7 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/client/Client.h"
 #include "robotlink/foxglove/client/Connector.h"
 
@@ -115,7 +116,8 @@ int runDeploy(const DeployArguments& arguments) {
     if (!isSame) status = kFailed;
     all.push_back(jsonOf(robot, done));
     if (arguments.asJson) continue;
-    (done ? std::cout : std::cerr) << robot.name << ": " << (done ? describe(*done) : done.error().describe())
+    (done ? std::cout : std::cerr) << robot.name << ": "
+                                   << robotlink::printable(done ? describe(*done) : done.error().describe())
                                    << std::endl;
     waits = waits || (done && needsRestart(*done));
   }

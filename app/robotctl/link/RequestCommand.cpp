@@ -12,6 +12,7 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/Spelling.h"
 
 namespace app {
@@ -42,7 +43,7 @@ bool waitFor(Condition condition, std::chrono::steady_clock::time_point end) {
 }
 
 int printProblem(const std::string& text) {
-  std::cerr << text << "\n";
+  std::cerr << robotlink::printable(text) << "\n";
   return kFailed;
 }
 
@@ -52,7 +53,8 @@ bool hasServices(const Client& client) {
 }
 
 int listServices(const Client& client) {
-  for (const auto& service : client.services()) std::cout << service.name << "  " << service.type << "\n";
+  for (const auto& service : client.services())
+    std::cout << robotlink::printable(service.name + "  " + service.type) << "\n";
   return kDone;
 }
 
@@ -69,12 +71,15 @@ int printUnknown(const Client& client, const std::string& wanted) {
 int printAnswer(const Client::Answer& answer) {
   const json parsed = json::parse(answer.data, nullptr, false);
   if (parsed.is_discarded()) {
-    std::cout << answer.data << "\n";
+    std::cout << robotlink::printableLines(answer.data) << "\n";
     return kDone;
   }
   std::cout << jsonOutput(parsed);
   const bool isRefused = parsed.is_object() && parsed.contains("accepted") && parsed["accepted"] == false;
-  if (isRefused) std::cerr << "refused: " << parsed.value("reason", "no reason was given") << "\n";
+  if (isRefused)
+    std::cerr << robotlink::printable("refused: " +
+                                      parsed.value("reason", std::string("no reason was given")))
+              << "\n";
   return isRefused ? kFailed : kDone;
 }
 

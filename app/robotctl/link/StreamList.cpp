@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/platform/JsonOutput.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -64,7 +65,7 @@ std::string StreamList::text() const {
                     typeWidth, isOn ? fmt::format("{:.1f} Hz", row.rate) : "-",
                     isOn ? bytesRateText(row.bytesPerSecond) : "-", noteOn(row.stream));
     line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+    text += robotlink::printable(line) + "\n";
   }
   return text;
 }

@@ -16,6 +16,7 @@
 #include "app/robotctl/link/LinkOptions.h"
 #include "app/robotctl/link/StreamList.h"
 #include "logplayer/export/MessageTable.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/session/SessionClient.h"
 
 namespace app {
@@ -49,17 +50,22 @@ class CsvPrinter {
       table_.learn(*message.value);
       auto columns = table_.columns();
       columns.insert(columns.begin(), "time");
-      std::cout << logplayer::csvLine(columns);
+      std::cout << shown(logplayer::csvLine(columns));
     }
     if (type != type_) return;
     auto row = table_.row(*message.value);
     const auto time = message.time.time_since_epoch();
     constexpr std::int64_t kNanos = 1'000'000'000;
     row.insert(row.begin(), logplayer::secondsText(time.count() / kNanos, time.count() % kNanos));
-    std::cout << logplayer::csvLine(row) << std::flush;
+    std::cout << shown(logplayer::csvLine(row)) << std::flush;
   }
 
  private:
+  /// What other programs read stays as it is.
+  static std::string shown(const std::string& line) {
+    return ::isatty(STDOUT_FILENO) == 1 ? robotlink::printableLines(line) : line;
+  }
+
   std::string type_;
   logplayer::MessageTable table_;
 };
@@ -119,7 +125,7 @@ class Watch {
     std::string robots;
     for (const std::string& robot : client_.robots()) robots += (robots.empty() ? "" : ", ") + robot;
     return toString(client_.url()) + (robots.empty() ? "" : " (" + robots + ")") + ": " +
-           client_.stateText() + "\n";
+           robotlink::printable(client_.stateText()) + "\n";
   }
   /// Says on stderr what became of the connection, once each time; a terminal shows it anyway.
   void reportState() {
@@ -127,7 +133,7 @@ class Watch {
     wasConnected_ |= state.isConnected();
     const std::string text = state.isConnected() ? "connected" : state.reason;
     if (isInteractive() || text.empty() || text == told_) return;
-    std::cerr << toString(client_.url()) + ": " + text + "\n";
+    std::cerr << toString(client_.url()) + ": " + robotlink::printable(text) + "\n";
     told_ = text;
   }
   int finish(double seconds) {

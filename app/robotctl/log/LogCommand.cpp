@@ -11,6 +11,7 @@
 #include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -53,7 +54,7 @@ Result<Instant> timeOf(const std::string& text, Instant begin,
 }  // namespace
 
 int printLosses(const std::vector<std::string>& losses) {
-  for (const std::string& loss : losses) std::cerr << loss << "\n";
+  for (const std::string& loss : losses) std::cerr << robotlink::printable(loss) << "\n";
   return losses.empty() ? kDone : kDoneWithLosses;
 }
 

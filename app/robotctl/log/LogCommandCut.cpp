@@ -12,6 +12,7 @@
 #include "logplayer/base/Plural.h"
 #include "logplayer/edit/LogCut.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -40,9 +41,10 @@ robotlink::Result<logplayer::RewriteReport> rewrite(logplayer::RewriteOptions& o
 int writeLog(logplayer::RewriteOptions& options, const std::string& to) {
   const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
-  for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
+  for (const auto& [from, name] : report->renamed)
+    std::cout << robotlink::printable(from + " is called " + name) << "\n";
   if (report->concatenated) std::cout << "the logs were joined one after another, as parts of one\n";
-  for (const std::string& note : report->notes) std::cout << note << "\n";
+  for (const std::string& note : report->notes) std::cout << robotlink::printable(note) << "\n";
   std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(),
               logplayer::plural(report->messages, "message").c_str(),
               logplayer::plural(report->frames, "frame").c_str(),

@@ -11,6 +11,7 @@
 #include "app/robotctl/link/LinkOptions.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "logplayer/base/LogDates.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/client/Client.h"
 #include "robotlink/foxglove/client/Connector.h"
 
@@ -49,7 +50,7 @@ int printList(RecordingFetch& fetch, const RecordingFetch::Progress& progress, b
   if (entries->empty()) std::cerr << "The robot has no recordings.\n";
   for (const auto& entry : *entries) {
     std::printf("%s UTC  %9.2f MB  %s%s\n", dateOf(entry).c_str(), static_cast<double>(entry.bytes) * 1e-6,
-                entry.name.c_str(),
+                robotlink::printable(entry.name).c_str(),
                 entry.isRecording ? "  (is being recorded)"
                 : entry.isWhole   ? ""
                                   : "  (was cut off)");
@@ -111,7 +112,7 @@ int runFetch(const FetchArguments& arguments) {
   const RecordingFetch::Progress progress = [&](double share) { return shown(share) && !refused(); };
   if (!isConnected(*client, progress)) {
     terminal.erase();
-    std::cerr << toString(connection->url) << ": " << client->state().reason << "\n";
+    std::cerr << toString(connection->url) << ": " << robotlink::printable(client->state().reason) << "\n";
     return kFailed;
   }
   RecordingFetch fetch(callsOf(*client));

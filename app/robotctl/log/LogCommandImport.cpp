@@ -15,6 +15,7 @@
 #include "logplayer/base/OutputFile.h"
 #include "logplayer/file/LogImport.h"
 #include "logplayer/mcap/read/Reader.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -31,7 +32,8 @@ struct ImportArguments {
 void printKinds(const char* head, const std::map<std::string, std::uint64_t>& kinds) {
   if (kinds.empty()) return;
   std::cout << head << "\n";
-  for (const auto& [kind, count] : kinds) std::cout << std::setw(10) << count << "  " << kind << "\n";
+  for (const auto& [kind, count] : kinds)
+    std::cout << std::setw(10) << count << "  " << robotlink::printable(kind) << "\n";
 }
 
 void printReport(const ImportArguments& arguments, const logplayer::ImportReport& report) {

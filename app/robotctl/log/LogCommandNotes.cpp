@@ -13,6 +13,7 @@
 #include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/edit/LogAttachments.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -45,7 +46,7 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
     if (!asJson) {
       std::cout << timeText(bookmark.from)
                 << (bookmark.to == bookmark.from ? "" : " to " + timeText(bookmark.to)) << "  "
-                << bookmark.text << "\n";
+                << robotlink::printableLines(bookmark.text, "    ") << "\n";
     }
     all.push_back({{"id", bookmark.id},
                    {"from", robotlink::seconds(bookmark.from)},
@@ -117,7 +118,8 @@ int list(const std::filesystem::path& log, bool asJson) {
   json objects = json::array();
   for (const auto& attachment : *all) {
     if (!asJson)
-      std::cout << attachment.name << "  " << attachment.mediaType << "  " << attachment.bytes << " bytes\n";
+      std::cout << robotlink::printable(attachment.name + "  " + attachment.mediaType) << "  "
+                << attachment.bytes << " bytes\n";
     objects.push_back(
         {{"name", attachment.name}, {"media_type", attachment.mediaType}, {"bytes", attachment.bytes}});
   }

@@ -12,6 +12,7 @@
 #include "logplayer/base/DamageReport.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/Reader.h"
+#include "robotlink/base/Printable.h"
 
 namespace app {
 namespace {
@@ -97,7 +98,7 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::f
     if (arguments.asJson) {
       objects.push_back(std::move(findings->object));
     } else {
-      std::cout << (first ? "" : "\n") << findings->text << std::flush;
+      std::cout << (first ? "" : "\n") << robotlink::printableLines(findings->text) << std::flush;
     }
     first = false;
     const int here = printLosses(findings->losses);

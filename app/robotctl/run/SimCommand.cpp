@@ -31,6 +31,7 @@
 #include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/UnfinishedFile.h"
 
 namespace app {
@@ -69,7 +70,7 @@ struct SimArguments {
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImages* images) {
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
-    std::cerr << robot << ": " << text << "\n";
+    std::cerr << robotlink::printable(robot + ": " + text) << "\n";
   };
   listeners.hosting = [](const std::string& robot, robotlink::Instant,
                          const robotcontrol::HostingStatus& status) {

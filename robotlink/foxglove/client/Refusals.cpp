@@ -5,7 +5,7 @@
 #include <boost/asio/ssl/error.hpp>
 #include <boost/beast/websocket/error.hpp>
 
-#include "robotlink/base/Utf8.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 
 namespace robotlink::websocket {
@@ -17,11 +17,9 @@ namespace asioError = boost::asio::error;
 /// A foreign text as a part of a sentence: one line, not too long.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kMaxText = 300;
-  std::string result = text.substr(0, kMaxText);
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  std::string result = printable(text.substr(0, kMaxText));
   while (!result.empty() && (result.back() == ' ' || result.back() == '.')) result.pop_back();
-  return validUtf8(result);
+  return result;
 }
 
 }  // namespace

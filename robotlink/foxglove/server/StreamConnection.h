@@ -19,6 +19,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
+#include "robotlink/base/Printable.h"
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/server/ListenerPort.h"
 #include "robotlink/foxglove/server/ServedClient.h"
@@ -149,7 +150,7 @@ void StreamConnection<Stream>::decide(Instant now) {
     return refuse(*refusal);
   }
   ClientInfo info{0, from_,
-                  validUtf8(std::string(parser_.get()[http::field::user_agent]).substr(0, kMaxClientName)),
+                  printable(std::string(parser_.get()[http::field::user_agent]).substr(0, kMaxClientName)),
                   std::get<Admitted>(decision).isReadOnly};
   const auto wake = [weak = this->weak_from_this(), &context = port_.context] {
     asio::post(context, [weak] {

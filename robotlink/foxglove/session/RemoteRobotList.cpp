@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robotlink/base/Utf8.h"
+#include "robotlink/base/Printable.h"
 
 namespace robotlink::websocket {
 namespace {
@@ -12,9 +12,9 @@ constexpr std::size_t kMaxRobots = 64, kMaxRobotName = 64;
 
 /// A name from anywhere as a robot's name, which is a part of paths.
 std::string asRobotName(const std::string& text) {
-  std::string name = validUtf8(text.substr(0, kMaxRobotName));
+  std::string name = printable(text.substr(0, kMaxRobotName));
   std::ranges::replace_if(
-      name, [](char c) { return c == '/' || static_cast<unsigned char>(c) <= ' '; }, '_');
+      name, [](char c) { return c == '/' || c == ' '; }, '_');
   return name.empty() ? "robot" : name;
 }
 

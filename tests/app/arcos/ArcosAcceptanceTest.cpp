@@ -301,7 +301,7 @@ TEST(ArcosAcceptance, c16TheSimulatorsOwnCommands) {
   client.send(Packet{236, {0x2B, 6, 0}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(SimulatorInfo::kId).empty(); }, kNoTime));
   EXPECT_EQ(decode<SimulatorInfo>(client.of(SimulatorInfo::kId)[0])->application, "RobotControl");
-  EXPECT_THAT(bench.reported, testing::Contains("p3at1: hello [2J")) << "without what disturbs a terminal";
+  EXPECT_THAT(bench.reported, testing::Contains("p3at1: hello?[2J")) << "without what disturbs a terminal";
   client.send(Packet{236, {0x2B, 1, 0, 9, 0, 'w', 'o', 'r', 'l', 'd', '.', 's', 'd', 'f'}});
   ASSERT_TRUE(bench.runUntil([&] { return !client.of(MapChanged::kId).empty(); }, kNoTime));
   EXPECT_EQ(decode<MapChanged>(client.of(MapChanged::kId)[0])->loaded, 1);

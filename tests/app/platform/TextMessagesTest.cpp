@@ -41,6 +41,16 @@ TEST(TextMessages, onlyTheTextsOfAQueueArePrinted) {
   EXPECT_EQ(out.str(), "1.000  red1/cognition: sees the ball\n1.500  red1/motion: walks\n");
 }
 
+TEST(TextMessages, whatSomebodyElseWroteDoesNothingToATerminal) {
+  std::ostringstream out;
+  printText(out, robotlink::Instant(), "red1/motion\x1B", "a\x1B[2J\nb");
+  EXPECT_EQ(out.str(), "0.000  red1/motion?: a?[2J\n    b\n");
+  robotlink::GroundMap map;
+  map.notes = {"a\x1B[2J"};
+  printMapNotes(out, &map);
+  EXPECT_NE(out.str().find("Note: a?[2J\n"), std::string::npos);
+}
+
 TEST(TextMessages, theNotesOfAMapAreWarningsIfItWasReadIncompletely) {
   robotlink::GroundMap map;
   map.notes = {"two lines have no length"};

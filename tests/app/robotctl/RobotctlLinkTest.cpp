@@ -37,7 +37,7 @@ class OfferedRobot : public testing::Test {
       robotcontrol::RequestResult result;
       result.set_id(request.id());
       result.set_accepted(!request.has_select_solution());
-      if (request.has_select_solution()) result.set_reason("there is no such solution");
+      if (request.has_select_solution()) result.set_reason("there is no such solution\x1B[2J");
       session_.pushResult(result);
     });
     Listener::Options options;
@@ -132,6 +132,26 @@ TEST_F(OfferedRobot, requestSaysWhetherItWasAccepted) {
   EXPECT_THAT(robotctl("request", "red1/stp").errors, HasSubstr("did you mean 'red1/stop'?"));
   EXPECT_THAT(robotctl("request", "").out, HasSubstr("red1/set_key  robotcontrol.SetKey"));
   EXPECT_EQ(robotctl("request", "red1/stop '{'").status, 2);
+}
+
+TEST_F(OfferedRobot, whatARobotSaysDoesNothingToATerminal) {
+  const std::string clear = "\x1B[2J";
+  const auto channels = server_.server()->addChannels({{"red1/" + clear, "json", "Type" + clear, ""}});
+  server_.server()->addService(
+      {0, "red1/" + clear, "Type\xC2\x9B", {}, {}},
+      [](const auto&, const auto&, const auto& reply) { reply.succeed("no JSON \x1B[2J", "text"); });
+  std::string said;
+  for (const auto& outcome :
+       {robotctl("watch", "--seconds 0.7"), robotctl("watch", "--seconds 0.7 --json"),
+        robotctl("request", ""), robotctl("request", "'red1/" + clear + "'"),
+        robotctl("request", R"(red1/select_solution '{"task": "a", "solution": "b"}')")})
+    said += outcome.out + outcome.errors;
+  EXPECT_THAT(said, HasSubstr("red1/?[2J"));
+  EXPECT_THAT(said, HasSubstr("Type?"));
+  EXPECT_THAT(said, HasSubstr("no JSON ?[2J"));
+  EXPECT_THAT(said, HasSubstr("refused: there is no such solution?[2J"));
+  EXPECT_THAT(said, Not(HasSubstr("\x1B")));
+  EXPECT_THAT(said, Not(HasSubstr("\xC2\x9B")));
 }
 
 TEST_F(OfferedRobot, whatDoesNotConnectIsSaid) {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace robotlink {
+
+/// Returns a text of somebody else (a robot, a client, a file) as it may be shown in one line, also by a
+/// terminal, which control characters would make do things: valid UTF-8, in which white space is a space and
+/// any other control character, also those of the range C1, is '?'.
+std::string printable(const std::string& text);
+
+/// The same for texts of several lines, which also keep their tabs; `indent` follows each new line.
+std::string printableLines(const std::string& text, const std::string& indent = {});
+
+}  // namespace robotlink
