@@ -70,6 +70,7 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   session_.restart([this] {
     if (feed_) feed_->begin();
   });
+  if (feed_) feed_->setDemand(demand_);
 }
 
 std::map<std::string, ProgramOverrides> PlatformThread::overridesFor(const PlatformOpening& opening) const {
@@ -201,6 +202,13 @@ void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vec
   // First, so that whoever gets the result sees the effect.
   if (feed_) feed_->publishStatus();
   for (const std::uint64_t id : ids) pushResult(id, done ? std::string() : done.error().text);
+}
+
+void PlatformThread::setDemand(const PlatformFeed::Demand& demand) {
+  thread_.post([this, demand] {
+    demand_ = demand;
+    if (feed_) feed_->setDemand(demand);
+  });
 }
 
 void PlatformThread::refuseForwarded() {

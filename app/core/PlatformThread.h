@@ -58,6 +58,8 @@ class PlatformThread {
   /// steps add up. STOP goes before all that waits, unless the platform that runs has no such robot; that of
   /// a real robot also acts at once.
   void request(const robotcontrol::Request& request);
+  /// What is read of what goes to the session, also of platforms that are opened later.
+  void setDemand(const PlatformFeed::Demand& demand);
 
  private:
   /// A request in the queue, with the ids of those that were joined with it.
@@ -95,6 +97,8 @@ class PlatformThread {
   HostingMemory* const hosting_;
   /// Null if no platform runs. Only in the platform's thread.
   std::unique_ptr<PlatformFeed> feed_;
+  /// Only in the platform's thread.
+  PlatformFeed::Demand demand_;
   /// Only in the platform's thread.
   Ended ended_;
   /// Requests that were forwarded to a program of this platform, the newest last. Only in the platform's

@@ -21,6 +21,7 @@
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Printable.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 
@@ -154,14 +155,19 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
   out << offerOf(*outcome, access->scheme(), **listener) << std::endl;
 
   std::optional<robotlink::Instant> end;
+  PlatformFeed::Demand demand;
   while (!interrupted()) {
     tick();
+    const bool isAlone = server.server()->clients().empty();
+    const PlatformFeed::Demand wanted{!isAlone || options.seconds,
+                                      server.isWanted(robotlink::streams::kTransforms)};
+    if (std::exchange(demand, wanted) != wanted) platform.setDemand(wanted);
     const robotlink::Instant now = session.store().newest();
     if (options.seconds && !end && now != robotlink::Instant())
       end = now + robotlink::fromSeconds(*options.seconds);
     if (end && now >= *end) break;
     if (restarts.takeChanged()) announcer.update(robotsToAnnounce(session));
-    std::this_thread::sleep_for(server.server()->clients().empty() ? kIdleTick : kTick);
+    std::this_thread::sleep_for(isAlone ? kIdleTick : kTick);
   }
   return {};
 }

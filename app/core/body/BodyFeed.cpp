@@ -257,7 +257,7 @@ void BodyFeed::step() {
   const auto real = Clock::now();
   // Missed steps are not made up for.
   due_ = std::max(due_ + kBodyStep, real);
-  if (real - lastStatus_ >= kBodyStatusEvery) publishStatus();
+  if (isRead_ && real - lastStatus_ >= kBodyStatusEvery) publishStatus();
 }
 
 robotlink::Result<void> BodyFeed::requestRobot(const robotcontrol::Request& request) {
@@ -325,6 +325,11 @@ std::vector<std::string> BodyFeed::end() {
   if (stopSwitch_) stopSwitch_->forget();
   robot_->endPlatform();
   return gate_.keptReports();
+}
+
+void BodyFeed::setDemand(const Demand& demand) {
+  gate_.setRead(demand.anything);
+  if (!std::exchange(isRead_, demand.anything) && demand.anything) publishStatus();
 }
 
 void BodyFeed::publishStatus() {

@@ -83,6 +83,7 @@ class BodyFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  void setDemand(const Demand& demand) override;
   std::vector<std::string> end() override;
   bool hasEnded() const override { return leftOver_.haveEnded(); }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return stopSwitch_; }
@@ -121,6 +122,8 @@ class BodyFeed final : public PlatformFeed {
   BodyOptions options_;
   /// Publishes to the session from begin() on.
   PublishGate gate_;
+  /// Whether somebody reads that.
+  bool isRead_ = true;
   logplayer::Recorder& recorder_;
   robotlink::SteadyClock local_;
   BodyClock clock_{local_};

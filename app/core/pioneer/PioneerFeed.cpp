@@ -81,7 +81,7 @@ void PioneerFeed::step() {
   const auto real = Clock::now();
   // Missed steps are not made up for.
   due_ = std::max(due_ + kStep, real);
-  if (real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
+  if (isRead_ && real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
 }
 
 robotlink::Result<void> PioneerFeed::requestRobot(const robotcontrol::Request& request) {
@@ -122,6 +122,11 @@ LoadedPlatform PioneerFeed::describe() const {
   if (!run_->robot().fieldFile.empty()) loaded.field = run_->robot().field;
   loaded.layout = run_->layout();
   return loaded;
+}
+
+void PioneerFeed::setDemand(const Demand& demand) {
+  gate_.setRead(demand.anything);
+  if (!std::exchange(isRead_, demand.anything) && demand.anything) publishStatus();
 }
 
 void PioneerFeed::publishStatus() {

@@ -38,6 +38,7 @@ class PioneerFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  void setDemand(const Demand& demand) override;
   std::vector<std::string> end() override;
   bool hasEnded() const override { return !run_ || run_->hasEnded(); }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
@@ -63,6 +64,8 @@ class PioneerFeed final : public PlatformFeed {
 
   /// Publishes to the session from begin() on.
   PublishGate gate_;
+  /// Whether somebody reads that.
+  bool isRead_ = true;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
   Choice choice_;

@@ -76,6 +76,14 @@ class PlatformFeed {
     /// Times real time; 0 means as fast as possible.
     double speed = 1;
   };
+  /// What is read of what goes to the session: everything where there is a window.
+  struct Demand {
+    /// Whether anything is.
+    bool anything = true;
+    /// Whether the poses of the bodies are.
+    bool transforms = true;
+    bool operator==(const Demand&) const = default;
+  };
 
   virtual ~PlatformFeed() = default;
 
@@ -108,6 +116,10 @@ class PlatformFeed {
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Publishes whether the platform runs, how fast, and where it is.
   virtual void publishStatus() = 0;
+  /// From now on, what nobody reads need not be published again and again: status, transforms, the ends of
+  /// frames. What happens and what is latched always is. The present state is published when somebody begins
+  /// to read.
+  virtual void setDemand(const Demand& demand) = 0;
 
   // The following four are for the replacement of this platform by another one of the same adapter.
   /// Releases what the other platform needs to be made, such as ports, before it is known whether that one

@@ -13,9 +13,19 @@
 #include "robotlink/session/QueueMessages.h"
 #include "robotlink/session/Session.h"
 
+#include <algorithm>
 #include <set>
 
 namespace app {
+namespace {
+
+bool hasOnlyFrames(const robotlink::SharedDebugQueue& queue) {
+  return std::ranges::all_of(queue.messages, [](const robotlink::SharedDebugMessage& message) {
+    return message.as<robotcontrol::FrameInfo>() != nullptr;
+  });
+}
+
+}  // namespace
 
 void PublishGate::open() {
   const std::lock_guard lock(mutex_);
@@ -86,7 +96,7 @@ void PublishGate::publishQueue(const std::string& robot,
                                std::shared_ptr<const robotlink::SharedDebugQueue> queue) {
   pass([this, robot, queue = std::move(queue)] {
     recordQueue(robot, queue);
-    session_.pushQueue(robot, queue);
+    if (isRead_ || !hasOnlyFrames(*queue)) session_.pushQueue(robot, queue);
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -50,6 +51,8 @@ class PublishGate {
   void close();
   /// Drops what is kept back.
   void discard();
+  /// Whether somebody reads what is published. If nobody does, queues in which frames only end are dropped.
+  void setRead(bool isRead) { isRead_ = isRead; }
 
   /// Publishes one message.
   void publish(robotlink::StreamMessage message);
@@ -93,6 +96,7 @@ class PublishGate {
   /// Protects open_ and kept_.
   std::mutex mutex_;
   bool open_ = false;
+  std::atomic<bool> isRead_{true};
   /// What open() will call.
   std::vector<std::function<void()>> kept_;
   /// Null before keepReports().

@@ -164,7 +164,7 @@ std::optional<PacedThread::Clock::time_point> ReplayFeed::due() {
   if (stale_ && !playback_.playing()) return Clock::now();
   const auto next = playback_.next(place());
   if (!next) return std::nullopt;
-  return std::min(next->due, lastStatus_ + kReplayStatusEvery);
+  return isRead_ ? std::min(next->due, lastStatus_ + kReplayStatusEvery) : next->due;
 }
 
 void ReplayFeed::step() {
@@ -190,7 +190,7 @@ void ReplayFeed::step() {
         break;
     }
   }
-  if (real - lastStatus_ >= kReplayStatusEvery) publishStatus();
+  if (isRead_ && real - lastStatus_ >= kReplayStatusEvery) publishStatus();
 }
 
 void ReplayFeed::publishFailure(const Result<void>& done) {
@@ -221,6 +221,11 @@ LoadedPlatform ReplayFeed::describe() const {
   loaded.layout = run_->options().layout;
   loaded.lostChoices = run_->lostChoices();
   return loaded;
+}
+
+void ReplayFeed::setDemand(const Demand& demand) {
+  gate_.setRead(demand.anything);
+  if (!std::exchange(isRead_, demand.anything) && demand.anything) publishStatus();
 }
 
 void ReplayFeed::publishStatus() {

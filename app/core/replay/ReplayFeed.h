@@ -45,6 +45,7 @@ class ReplayFeed final : public PlatformFeed {
   LoadedPlatform describe() const override;
   /// Publishes the streams "replay" and "recording".
   void publishStatus() override;
+  void setDemand(const Demand& demand) override;
   std::vector<std::string> end() override;
   bool hasEnded() const override { return !run_ || run_->hasEnded(); }
   /// Opens the same logs and one more at the present instant; playback and choices are inherited.
@@ -117,6 +118,8 @@ class ReplayFeed final : public PlatformFeed {
   logplayer::Recorder& recorder_;
   /// Publishes to the session from begin() on; closed during jumps.
   PublishGate gate_;
+  /// Whether somebody reads that.
+  bool isRead_ = true;
   std::unique_ptr<ReplayRun> run_;
   Choice choice_;
   Playback playback_;

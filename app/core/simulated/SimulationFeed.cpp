@@ -167,7 +167,8 @@ void SimulationFeed::step() {
     lastTransforms_ = real;
     publishTransforms();
   }
-  if (single || real - lastStatus_ >= kSimulationStatusEvery) publishStatus();
+  const bool isRead = demand_.anything || recorder_.active();
+  if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
 }
 
@@ -296,7 +297,15 @@ void SimulationFeed::publishScene() {
   publishStatus();
 }
 
+void SimulationFeed::setDemand(const Demand& demand) {
+  gate_.setRead(demand.anything);
+  const Demand before = std::exchange(demand_, demand);
+  if (demand.anything && !before.anything) publishStatus();
+  if (demand.transforms && !before.transforms) publishTransforms();
+}
+
 void SimulationFeed::publishTransforms() {
+  if (!demand_.transforms) return;
   gate_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
 }
 

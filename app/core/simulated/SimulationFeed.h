@@ -49,6 +49,7 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  void setDemand(const Demand& demand) override;
   std::vector<std::string> end() override;
   bool hasEnded() const override { return !run_ || run_->hasEnded(); }
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
@@ -91,10 +92,12 @@ class SimulationFeed final : public PlatformFeed {
   void publishLostOverrides();
   /// Publishes map, scene, transforms and status.
   void publishScene();
+  /// Unless nobody reads them.
   void publishTransforms();
 
   /// Publishes to the session from begin() on.
   PublishGate gate_;
+  Demand demand_;
   logplayer::Recorder& recorder_;
   Choices choices_;
   std::unique_ptr<SimulatedRun> run_;

@@ -115,6 +115,11 @@ SessionServer::~SessionServer() {
   posted_->clear();
 }
 
+bool SessionServer::isWanted(const std::string& path) const {
+  const auto channel = channels_.find(path);
+  return channel != channels_.end() && channel->second->isWanted();
+}
+
 void SessionServer::tick() {
   for (const Posted::Work& work : posted_->take()) work(*this);
   updateRobots();

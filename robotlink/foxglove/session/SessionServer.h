@@ -75,6 +75,9 @@ class SessionServer {
     steerElsewhere_ = std::move(handler);
   }
 
+  /// Whether a client subscribes to a stream.
+  bool isWanted(const std::string& path) const;
+
   /// For a Listener.
   const std::shared_ptr<Server>& server() const { return server_; }
 
