@@ -3,6 +3,7 @@
 
 #include <thread>
 
+#include "app/core/platform/HostingMemory.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RealHosting.h"
 #include "app/core/program/RobotFiles.h"
@@ -12,6 +13,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
@@ -58,7 +60,8 @@ PlatformOpening BodyFeed::opening(BodyOptions options) {
     // The only robot that was open there, whatever its name.
     if (chosen.robot.empty() && context.overrides.size() == 1)
       chosen.overrides = context.overrides.begin()->second;
-    return create(std::move(chosen), context.session, context.recorder);
+    chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, kAdapter);
+    return create(std::move(chosen), context.session, context.recorder, context.hosting);
   };
   opening.withToken = [options](const std::string& token) {
     BodyOptions chosen = options;
@@ -70,8 +73,10 @@ PlatformOpening BodyFeed::opening(BodyOptions options) {
 
 tl::expected<std::unique_ptr<BodyFeed>, Errors> BodyFeed::create(BodyOptions options,
                                                                  robotlink::Session& session,
-                                                                 logplayer::Recorder& recorder) {
+                                                                 logplayer::Recorder& recorder,
+                                                                 HostingMemory* hosting) {
   auto feed = std::unique_ptr<BodyFeed>(new BodyFeed(std::move(options), session, recorder));
+  feed->hosting_ = hosting;
   for (const auto part : {&BodyFeed::findBody, &BodyFeed::describeRobot, &BodyFeed::startProgram})
     if (Errors errors = (feed.get()->*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
   return feed;
@@ -148,7 +153,7 @@ Errors BodyFeed::describeRobot() {
     map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
   }
   robot_ = std::make_unique<RobotHost>(HostedRobot{body.offer.robot(), body.offer.team(), description, field,
-                                                   map, fieldFile(field->name), options_.map},
+                                                   map, fieldFileOf(*field), options_.map},
                                        listeners(), tap_.get(), options_.overrides);
   return {};
 }
@@ -184,15 +189,23 @@ tl::expected<RobotHost::Candidate, Errors> BodyFeed::makeProgram(
     if (!spread) return tl::unexpected(Errors{spread.error()});
     spread_ = std::move(*spread);
     maker = spread_->maker();
-  } else if (options_.ownProcess) {
-    OwnProgram::Options own = options_.own;
-    own.threads = own.inRealTime = true;
-    maker = OwnProgram::maker(own);
+  } else if (options_.hosting.isOwn(name())) {
+    maker = OwnProgram::maker(ownOptions());
   }
   return robot_->make({.platform = std::move(platform),
                        .file = file,
                        .layout = std::move(*layout),
                        .maker = std::move(maker)});
+}
+
+OwnProgram::Options BodyFeed::ownOptions() const {
+  OwnProgram::Options own = options_.own;
+  own.threads = own.inRealTime = true;
+  // What the body says about itself counts there, too, if it could be read.
+  const BodyLink::Body& body = *link_->body();
+  const bool isRead = body.known.description && (body.known.field || body.setup->field().text().empty());
+  if (isRead) own.texts = body.setup;
+  return own;
 }
 
 void BodyFeed::reportSpread(const std::string& text) {
@@ -286,23 +299,30 @@ void BodyFeed::publishLostOverrides() {
 }
 
 robotlink::Result<void> BodyFeed::requestSimulation(const robotcontrol::Request& request) {
-  using robotcontrol::HostProgram;
   if (!request.has_host_program()) return PlatformFeed::requestSimulation(request);
-  const HostProgram& choice = request.host_program();
-  const Errors refused = refusalOfHosting(name(), request.robot(), choice, spread_ != nullptr);
-  if (!refused.empty()) return tl::unexpected(refused.front());
-  const bool before = options_.ownProcess;
+  const Errors errors = hostProgram(request.robot(), request.host_program());
+  if (!errors.empty()) return tl::unexpected(errors.front());
+  rememberHosting(hosting_, kAdapter, request.host_program(), options_.hosting);
+  publishLostOverrides();
+  return {};
+}
+
+Errors BodyFeed::hostProgram(const std::string& asked, const robotcontrol::HostProgram& choice) {
+  using robotcontrol::HostProgram;
+  if (Errors errors = refusalOfHosting(name(), asked, choice, spread_ != nullptr); !errors.empty())
+    return errors;
+  const HostingChoices before = options_.hosting;
   if (choice.where() != HostProgram::UNCHANGED)
-    options_.ownProcess = choice.where() == HostProgram::OWN_PROCESS;
-  if (options_.ownProcess == before && !choice.start_again()) return {};
+    options_.hosting.choose(asked, choice.where() == HostProgram::OWN_PROCESS);
+  const bool same = options_.hosting.isOwn(name()) == before.isOwn(name());
+  if (same && !choice.start_again()) return {};
   auto program = makeProgram(nullptr, layoutFileInUse());
   if (!program) {
-    options_.ownProcess = before;
-    return tl::unexpected(program.error().front());
+    options_.hosting = before;
+    return program.error();
   }
   stopProgram();
   adopt(std::move(*program));
-  publishLostOverrides();
   return {};
 }
 

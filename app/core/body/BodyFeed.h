@@ -9,6 +9,7 @@
 
 #include "app/core/body/RemoteBodyPlatform.h"
 #include "app/core/own/OwnProgram.h"
+#include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/program/LeftOverPrograms.h"
@@ -18,6 +19,8 @@
 #include "app/core/spread/SpreadProgram.h"
 
 namespace app {
+
+class HostingMemory;
 
 /// A body elsewhere and the program that runs for it here. A plain value.
 struct BodyOptions {
@@ -41,7 +44,7 @@ struct BodyOptions {
   /// How long the body is looked for.
   robotlink::Duration patience = std::chrono::seconds(5);
   /// Whether the program runs in a process of the operating system of its own.
-  bool ownProcess = false;
+  HostingChoices hosting = {};
   /// How it is run there; always with threads, in real time.
   OwnProgram::Options own = {};
   /// Which of the layout's programs it is, if other programs run the other processes.
@@ -70,9 +73,11 @@ class BodyFeed final : public PlatformFeed {
   /// Returns the opening for PlatformThread. The robot's overrides are those of the last time it was open. If
   /// the body objects to what a person can decide, the errors say so: questionIn().
   static PlatformOpening opening(BodyOptions options);
+  /// `hosting` remembers what the user chooses; it may be null, otherwise it must outlive the feed.
   static tl::expected<std::unique_ptr<BodyFeed>, robotlink::Errors> create(BodyOptions options,
                                                                            robotlink::Session& session,
-                                                                           logplayer::Recorder& recorder);
+                                                                           logplayer::Recorder& recorder,
+                                                                           HostingMemory* hosting = nullptr);
   ~BodyFeed() override;
   /// Looks for the body only.
   static tl::expected<FoundBody, robotlink::Errors> find(BodyOptions options);
@@ -111,9 +116,11 @@ class BodyFeed final : public PlatformFeed {
   std::filesystem::path layoutFileInUse() const;
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
       std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  OwnProgram::Options ownOptions() const;
   /// Publishes a sentence about the other programs; any thread.
   void reportSpread(const std::string& text);
   void publishLostOverrides();
+  robotlink::Errors hostProgram(const std::string& asked, const robotcontrol::HostProgram& choice);
   /// Adopts a program and starts its threads.
   void adopt(RobotHost::Candidate program);
   void stopProgram();
@@ -125,6 +132,7 @@ class BodyFeed final : public PlatformFeed {
   /// Whether somebody reads that.
   bool isRead_ = true;
   logplayer::Recorder& recorder_;
+  HostingMemory* hosting_ = nullptr;
   robotlink::SteadyClock local_;
   BodyClock clock_{local_};
   std::unique_ptr<BodyLink> link_;

@@ -40,7 +40,7 @@ BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole&
   options.solutions = choices.solutions;
   options.asJpeg = flagOf(values, kJpegOption);
   options.spread = choices.spread;
-  options.ownProcess = flagOf(values, ownProcessField().name);
+  options.hosting.ownProcesses = flagOf(values, ownProcessField().name);
   return options;
 }
 

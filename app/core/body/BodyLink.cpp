@@ -87,9 +87,9 @@ void BodyLink::lookForBody() {
   if (offer == offers_.end()) return;
   const auto setup = setups_.find(offer->first);
   if (setup == setups_.end()) return;
-  const auto* program = dynamic_cast<const robotcontrol::ProgramSetup*>(setup->second.get());
-  if (program == nullptr) return;
-  body_ = Body{offer->second, knownRobot(*program)};
+  const auto program = std::dynamic_pointer_cast<const robotcontrol::ProgramSetup>(setup->second);
+  if (!program) return;
+  body_ = Body{offer->second, knownRobot(*program), program};
   client_->client().advertise({0, offer->first + "/" + kBodyCommands, "protobuf",
                                BodyCommands::descriptor()->full_name(),
                                robotlink::schemaOf(*BodyCommands::descriptor()), "protobuf"});

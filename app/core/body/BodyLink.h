@@ -37,6 +37,8 @@ class BodyLink {
   struct Body {
     robotcontrol::BodyOffer offer;
     KnownRobot known;
+    /// What that was read from; not null.
+    std::shared_ptr<const robotcontrol::ProgramSetup> setup;
   };
   /// What came since the last call of take().
   struct Arrived {

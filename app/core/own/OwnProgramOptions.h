@@ -34,7 +34,7 @@ struct OwnProgramOptions {
   bool threads = false;
   /// With threads: whether the clock goes on as real time does; otherwise only the steps advance it.
   bool inRealTime = false;
-  /// The texts of description and field, for robots of logs; null: those of the files.
+  /// The texts of description and field, for robots of logs and bodies elsewhere; null: those of the files.
   std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;
   /// The processes of a log, in whose order the program's are executed, and by package the one in whose
   /// turn the platform sends it; empty for platforms that send all at once.

@@ -38,7 +38,7 @@ Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
   options.map = textOf(choices.values, "map");
-  options.ownProcess = flagOf(choices.values, "own", false);
+  options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
   return PioneerFeed::opening(std::move(options));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/pioneer/PioneerFeed.h"
 
+#include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
@@ -26,19 +27,16 @@ PlatformOpening PioneerFeed::opening(PioneerOptions options) {
             PioneerOptions chosen = options;
             const auto before = context.overrides.find(chosen.robot);
             if (before != context.overrides.end()) chosen.overrides = before->second;
-            // Whoever has chosen a process of its own for one robot means those that are connected later,
-            // too.
-            std::any& memory = context.memory;
-            if (const bool* own = std::any_cast<bool>(&memory)) chosen.ownProcess |= *own;
-            return create(std::move(chosen), context.session, context.recorder,
-                          [&memory](bool own) { memory = own; });
+            chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, kAdapter);
+            return create(std::move(chosen), context.session, context.recorder, context.hosting);
           }};
 }
 
 tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
-    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choice choice) {
+    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+    HostingMemory* hosting) {
   auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
-  feed->choice_ = std::move(choice);
+  feed->hosting_ = hosting;
   auto run = PioneerRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -106,7 +104,7 @@ robotlink::Result<void> PioneerFeed::requestSimulation(const robotcontrol::Reque
   if (!request.has_host_program()) return PlatformFeed::requestSimulation(request);
   const robotlink::Errors errors = run_->hostProgram(request.robot(), request.host_program());
   if (!errors.empty()) return tl::unexpected(errors.front());
-  if (choice_) choice_(run_->options().ownProcess);
+  rememberHosting(hosting_, kAdapter, request.host_program(), run_->options().hosting);
   publishLostOverrides();
   return {};
 }

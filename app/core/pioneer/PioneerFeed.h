@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +10,8 @@
 #include "app/core/platform/PublishGate.h"
 
 namespace app {
+
+class HostingMemory;
 
 /// A PioneerRun in the workbench: a platform in real time, stepped every 10 ms, that publishes to a session
 /// what the robot and its program send. The run itself passes to the recorder what a log may contain. Session
@@ -23,14 +24,11 @@ class PioneerFeed final : public PlatformFeed {
   /// Returns the opening of a robot for PlatformThread. The robot's overrides are those of the last time it
   /// was open.
   static PlatformOpening opening(PioneerOptions options);
-  /// Called in the platform's thread when the user has chosen whether the program runs in a process of its
-  /// own.
-  using Choice = std::function<void(bool ownProcess)>;
   /// Makes the run. Fails if the program cannot be run; whether the robot can be reached does not matter.
-  static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(PioneerOptions options,
-                                                                              robotlink::Session& session,
-                                                                              logplayer::Recorder& recorder,
-                                                                              Choice choice = {});
+  /// `hosting` remembers what the user chooses; it may be null, otherwise it must outlive the feed.
+  static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(
+      PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+      HostingMemory* hosting = nullptr);
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override { return due_; }
@@ -68,7 +66,7 @@ class PioneerFeed final : public PlatformFeed {
   bool isRead_ = true;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
-  Choice choice_;
+  HostingMemory* hosting_ = nullptr;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;
 };

@@ -131,7 +131,7 @@ PioneerOptions pioneerOptionsOf(const HeadlessChoices& choices) {
   options.solutions = choices.solutions;
   options.motorsOn = flagOf(values, kMotors);
   options.spread = choices.spread;
-  options.ownProcess = flagOf(values, kOwn);
+  options.hosting.ownProcesses = flagOf(values, kOwn);
   return options;
 }
 

@@ -105,7 +105,7 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
 }
 
 HostedProgram::Maker PioneerRun::maker() const {
-  if (options_.instead || !options_.ownProcess) return options_.instead;
+  if (options_.instead || !options_.hosting.isOwn(options_.robot)) return options_.instead;
   OwnProgram::Options own = options_.own;
   own.threads = own.inRealTime = true;
   return OwnProgram::maker(own);
@@ -176,13 +176,14 @@ Errors PioneerRun::hostProgram(const std::string& name, const robotcontrol::Host
     return {{"program.elsewhere", "the program of this robot runs elsewhere; only its body is here", {}, {}}};
   if (Errors errors = refusalOfHosting(options_.robot, name, choice, spread_ != nullptr); !errors.empty())
     return errors;
-  const bool before = options_.ownProcess;
+  const HostingChoices before = options_.hosting;
   if (choice.where() != HostProgram::UNCHANGED)
-    options_.ownProcess = choice.where() == HostProgram::OWN_PROCESS;
-  if (options_.ownProcess == before && !choice.start_again()) return {};
+    options_.hosting.choose(name, choice.where() == HostProgram::OWN_PROCESS);
+  const bool same = options_.hosting.isOwn(options_.robot) == before.isOwn(options_.robot);
+  if (same && !choice.start_again()) return {};
   auto program = makeProgram(nullptr, layout());
   if (!program) {
-    options_.ownProcess = before;
+    options_.hosting = before;
     return program.error();
   }
   stop();

@@ -9,6 +9,7 @@
 
 #include "app/core/own/OwnProgram.h"
 #include "app/core/pioneer/PioneerPlatform.h"
+#include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
@@ -49,7 +50,7 @@ struct PioneerOptions {
   /// Whether the motors are switched on when the robot is connected.
   bool motorsOn = false;
   /// Whether the program runs in a process of the operating system of its own.
-  bool ownProcess = false;
+  HostingChoices hosting = {};
   /// How it is run there; always with threads, in real time.
   OwnProgram::Options own = {};
   /// Makes what runs instead of a program, such as a link to one elsewhere; empty: a program.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/platform/HostingMemory.h"
 
+#include "robotcontrol/Hosting.pb.h"
+
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,17 @@ T valueIn(const robotlink::Settings& settings, const std::string& name) {
 }
 
 }  // namespace
+
+void HostingChoices::choose(const std::string& robot, bool own) {
+  if (robot.empty()) {
+    ownProcesses = own;
+    otherwise.clear();
+  } else if (own == ownProcesses) {
+    otherwise.erase(robot);
+  } else {
+    otherwise.insert(robot);
+  }
+}
 
 HostingMemory::HostingMemory(std::filesystem::path file) : settings_(std::move(file)) {
   // A file that cannot be read is put aside, and everything is as at first.
@@ -47,6 +60,17 @@ robotlink::Result<void> HostingMemory::save() {
   const std::lock_guard lock(mutex_);
   if (!std::exchange(hasChanged_, false)) return {};
   return settings_.save();
+}
+
+HostingChoices hostingAtOpening(const HostingChoices& asked, const HostingMemory* memory,
+                                const std::string& adapter) {
+  return asked.ownProcesses || memory == nullptr ? asked : memory->choices(adapter);
+}
+
+void rememberHosting(HostingMemory* memory, const std::string& adapter,
+                     const robotcontrol::HostProgram& fulfilled, const HostingChoices& now) {
+  const bool chooses = fulfilled.where() != robotcontrol::HostProgram::UNCHANGED;
+  if (memory != nullptr && chooses) memory->choose(adapter, now);
 }
 
 }  // namespace app

@@ -3,27 +3,20 @@
 
 #include <filesystem>
 #include <mutex>
-#include <set>
 #include <string>
 
+#include "app/core/platform/HostingChoices.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/session/Settings.h"
 
+namespace robotcontrol {
+class HostProgram;
+}
+
 namespace app {
 
-/// Where the user wants the programs of the robots of one kind of platform to run. A plain value.
-struct HostingChoices {
-  /// In processes of their own, unless they are among `otherwise`, by their names.
-  bool ownProcesses = false;
-  std::set<std::string> otherwise = {};
-  /// Each process of the layouts in a thread, rather than in lockstep.
-  bool threads = false;
-  bool operator==(const HostingChoices&) const = default;
-
-  bool isOwn(const std::string& robot) const { return ownProcesses != otherwise.contains(robot); }
-};
-
-/// These choices, kept in a file from one run of the workbench to the next. Any thread.
+/// The HostingChoices of each kind of platform, kept in a file from one run of the workbench to the next. Any
+/// thread.
 class HostingMemory {
  public:
   explicit HostingMemory(std::filesystem::path file);
@@ -40,5 +33,14 @@ class HostingMemory {
   robotlink::Settings settings_;
   bool hasChanged_ = false;
 };
+
+/// The choices for a platform that is opened: what is asked for now, if that is processes of their own,
+/// otherwise what is remembered. Without a memory, only the former.
+HostingChoices hostingAtOpening(const HostingChoices& asked, const HostingMemory* memory,
+                                const std::string& adapter);
+/// Remembers where programs run now that a request was fulfilled, if it chose that. Without a memory,
+/// nothing.
+void rememberHosting(HostingMemory* memory, const std::string& adapter,
+                     const robotcontrol::HostProgram& fulfilled, const HostingChoices& now);
 
 }  // namespace app

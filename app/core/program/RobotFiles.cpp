@@ -29,6 +29,15 @@ std::filesystem::path fieldFile(const std::string& name) {
   return robotlink::resource("fields/" + std::filesystem::path(name).filename().string() + ".yaml");
 }
 
+std::filesystem::path fieldFileOf(const FieldDescription& field) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(robotlink::resource("fields"), ignored)) {
+    const auto shipped = FieldDescription::load(entry.path());
+    if (shipped && shipped->name == field.name) return entry.path();
+  }
+  return {};
+}
+
 tl::expected<std::shared_ptr<const RobotDescription>, robotlink::Errors> readRobot(const std::string& kind) {
   auto read = robotlink::readRobotDescription(descriptionFile(kind));
   if (!read) return tl::unexpected(read.error());

@@ -27,6 +27,8 @@ std::filesystem::path layoutFile(const robotlink::RobotDescription& robot);
 std::filesystem::path parameterFolder(const robotlink::RobotDescription& robot);
 /// Returns resources/fields/<name>.yaml; an empty path for an empty name. Folders in the name are ignored.
 std::filesystem::path fieldFile(const std::string& name);
+/// Returns the shipped file of a field; empty if there is none. Reads all of them.
+std::filesystem::path fieldFileOf(const robotlink::FieldDescription& field);
 
 /// Reads the description of a kind of robot.
 tl::expected<std::shared_ptr<const robotlink::RobotDescription>, robotlink::Errors> readRobot(

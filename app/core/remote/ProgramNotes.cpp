@@ -5,7 +5,6 @@
 #include "app/core/program/RobotFiles.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/base/AtomicFile.h"
-#include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
@@ -25,16 +24,6 @@ void addFile(ProgramSetup::File& to, const std::filesystem::path& file) {
   to.set_text(*text);
 }
 
-/// The shipped file of a field; empty if there is none.
-std::filesystem::path fileOf(const robotlink::FieldDescription& field) {
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(robotlink::resource("fields"), ignored)) {
-    const auto shipped = robotlink::FieldDescription::load(entry.path());
-    if (shipped && shipped->name == field.name) return entry.path();
-  }
-  return {};
-}
-
 }  // namespace
 
 void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform) {
@@ -46,7 +35,7 @@ void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform
     setup->set_robot(name);
     addFile(*setup->mutable_layout(), platform.layoutOf(name));
     if (description) addFile(*setup->mutable_description(), descriptionFile(description->name));
-    if (platform.field) addFile(*setup->mutable_field(), fileOf(*platform.field));
+    if (platform.field) addFile(*setup->mutable_field(), fieldFileOf(*platform.field));
     session.push({path, session.store().newest(), std::move(setup)});
   }
 }

@@ -13,7 +13,7 @@ robotlink::Result<PlatformOpening> openLogFiles(const PlatformChoices& choices) 
   for (const std::string& file : choices.sources) options.logs.push_back({file});
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
-  options.ownProcesses = flagOf(choices.values, ownProcessField().name);
+  options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
   return ReplayFeed::opening(std::move(options));
 }
 

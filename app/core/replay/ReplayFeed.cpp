@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/core/platform/HostingMemory.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -35,11 +36,9 @@ PlatformOpening ReplayFeed::opening(ReplayOptions options) {
   const auto make = [options](const PlatformContext& context) -> PlatformOpening::Made {
     ReplayOptions opened = options;
     opened.progress = context.progress;
-    // Whoever has chosen processes of their own means logs that are opened later, too.
-    std::any& memory = context.memory;
-    if (const bool* own = std::any_cast<bool>(&memory)) opened.ownProcesses |= *own;
+    opened.hosting = hostingAtOpening(opened.hosting, context.hosting, kAdapter);
     auto feed = create(std::move(opened), context.session, context.recorder);
-    if (feed) (*feed)->onChoice([&memory](const ReplayOptions& chosen) { memory = chosen.ownProcesses; });
+    if (feed) (*feed)->hosting_ = context.hosting;
     return feed;
   };
   return {kAdapter, std::move(sources), make,
@@ -92,7 +91,7 @@ Playback::Place ReplayFeed::place() const {
 }
 
 void ReplayFeed::playLike(const ReplayFeed& before) {
-  choice_ = before.choice_;
+  hosting_ = before.hosting_;
   playback_ = before.playback_;
   playback_.jumped(Clock::now(), place());
   run_->setStepProcess(before.run_->stepProcess());

@@ -15,6 +15,8 @@
 
 namespace app {
 
+class HostingMemory;
+
 /// A ReplayRun in the workbench: it is played, stepped and moved by jumps as the user requests, and publishes
 /// to a session what the logs contain, what the programs that run on them send, and its own status on the
 /// stream "replay". A recorder gets the same. Session and recorder must outlive it.
@@ -33,8 +35,6 @@ class ReplayFeed final : public PlatformFeed {
   static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(
       ReplayOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
       std::optional<robotlink::Instant> time = {});
-  /// Called in the platform's thread when the user has chosen where programs run.
-  using Choice = std::function<void(const ReplayOptions& options)>;
 
   /// Publishes what the last jump has collected, and the status.
   void begin() override;
@@ -54,7 +54,6 @@ class ReplayFeed final : public PlatformFeed {
 
   /// Whether there is a handler for requests of this kind, other than those to robots.
   static bool fulfills(const robotcontrol::Request& request);
-  void onChoice(Choice choice) { choice_ = std::move(choice); }
   /// The present instant of the time line.
   robotlink::Instant now() const { return run_->now(); }
   /// The options with which it was created, updated by what the user chose since.
@@ -121,7 +120,8 @@ class ReplayFeed final : public PlatformFeed {
   /// Whether somebody reads that.
   bool isRead_ = true;
   std::unique_ptr<ReplayRun> run_;
-  Choice choice_;
+  /// Remembers where the user lets programs run; may be null.
+  HostingMemory* hosting_ = nullptr;
   Playback playback_;
   /// A program got a request whose effect at the present instant is not published yet.
   bool stale_ = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/core/platform/HostingMemory.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/session/Session.h"
@@ -44,7 +45,7 @@ Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request& request)
   if (!request.has_host_program())
     return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
   auto done = changed([&] { return run_->hostProgram(request.robot(), request.host_program()); });
-  if (done && choice_) choice_(run_->options());
+  if (done) rememberHosting(hosting_, kAdapter, request.host_program(), run_->options().hosting);
   return done;
 }
 

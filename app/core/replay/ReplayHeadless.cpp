@@ -309,7 +309,7 @@ Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
   if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
   options.solutions = choices.solutions;
   options.colorTable = textOf(choices.options.values, kColorTable);
-  options.ownProcesses = flagOf(choices.options.values, ownProcessField().name);
+  options.hosting.ownProcesses = flagOf(choices.options.values, ownProcessField().name);
   return options;
 }
 

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "app/core/own/OwnProgram.h"
+#include "app/core/platform/HostingChoices.h"
 #include "app/core/program/ProgramOverrides.h"
 #include "logplayer/file/LogFile.h"
 #include "robotcontrol/Logging.pb.h"
@@ -48,11 +48,9 @@ struct ReplayOptions {
   robotlink::Duration preroll = std::chrono::seconds(2);
   /// How long a module may take before it counts as not returning, in real time; 0: for ever.
   std::chrono::milliseconds patience{0};
-  /// Where programs run: each in a process of the operating system of its own, or all inside.
-  bool ownProcesses = false;
-  /// The robots for which it is the other way, by name.
-  std::set<std::string> otherwise = {};
-  /// How those in processes of their own are run.
+  /// Which programs run in processes of the operating system of their own; always in lockstep.
+  HostingChoices hosting = {};
+  /// How those are run.
   OwnProgram::Options own = {};
   /// Called while the logs are opened; can cancel that.
   logplayer::LogFile::Progress progress;

@@ -145,7 +145,7 @@ ReplayChoices ReplayRun::choicesOf(const std::string& robot) const {
   choices.layout = options_.layout;
   choices.recomputeAll = options_.recomputeAll;
   choices.publishAllPackages = options_.publishAllPackages;
-  choices.hosting = {options_.patience, runsInOwnProcess(robot), options_.own};
+  choices.hosting = {options_.patience, options_.hosting.isOwn(robot), options_.own};
   for (const std::string& prefix : {std::string("*/"), robot + "/"}) {
     for (const auto& [package, choice] : options_.packages) {
       if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;

@@ -142,9 +142,6 @@ class ReplayRun {
   robotlink::Errors addRobots(ReplayLogs::Source& source);
   /// What the options say about a robot.
   ReplayChoices choicesOf(const std::string& robot) const;
-  bool runsInOwnProcess(const std::string& robot) const;
-  /// Adapts the options.
-  void chooseHosting(const std::string& robot, bool ownProcess);
   ProgramOverrides overridesOf(const std::string& robot) const;
   /// Checks the solutions of the options. A comparison with another solution than the requested one would be
   /// wrong.

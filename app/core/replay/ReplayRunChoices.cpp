@@ -38,21 +38,6 @@ Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::Pack
   });
 }
 
-bool ReplayRun::runsInOwnProcess(const std::string& robot) const {
-  return options_.ownProcesses != options_.otherwise.contains(robot);
-}
-
-void ReplayRun::chooseHosting(const std::string& robot, bool ownProcess) {
-  if (robot.empty()) {
-    options_.ownProcesses = ownProcess;
-    options_.otherwise.clear();
-  } else if (ownProcess == options_.ownProcesses) {
-    options_.otherwise.erase(robot);
-  } else {
-    options_.otherwise.insert(robot);
-  }
-}
-
 Errors ReplayRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
   using robotcontrol::HostProgram;
   if (!name.empty() && logs_.find(name) == nullptr)
@@ -67,7 +52,7 @@ Errors ReplayRun::hostProgram(const std::string& name, const robotcontrol::HostP
   Errors errors = jump(now_, [&](const std::string& robot, ReplayChoices& choices) {
     if (name.empty() || robot == name) choices.hosting.ownProcess = own;
   });
-  if (errors.empty()) chooseHosting(name, own);
+  if (errors.empty()) options_.hosting.choose(name, own);
   return errors;
 }
 

@@ -42,7 +42,7 @@ class OwnLogProgramTest : public testing::Test {
   ReplayOptions options(bool own) {
     ReplayOptions options = test::replayOf({{logFile()}});
     options.recomputeAll = options.publishAllPackages = true;
-    options.ownProcesses = own;
+    options.hosting.ownProcesses = own;
     options.own.executable = OWN_PROGRAM_CHILD;
     options.own.patience = std::chrono::seconds(5);
     return options;
@@ -137,7 +137,7 @@ TEST_F(OwnLogProgramTest, itIsChosenWhileTheLogIsOpen) {
   HostProgram own;
   own.set_where(HostProgram::OWN_PROCESS);
   ASSERT_EQ(robotlink::describe(replay.run->hostProgram("", own)), "");
-  EXPECT_TRUE(replay.run->options().ownProcesses);
+  EXPECT_TRUE(replay.run->options().hosting.ownProcesses);
   replay.playToEnd();
   EXPECT_EQ(replay.troubles, std::vector<std::string>());
   own.set_where(HostProgram::IN_WORKBENCH);

@@ -78,6 +78,7 @@ class OwnProgramTest : public ::testing::Test {
                                    "  - name: worker\n    period_ms: 8\n    tasks:\n      - trouble: " +
                                        solution + "\n  - {name: debug, debug: true, period_ms: 16}\n");
     options.ownProcesses = true;
+    options.executor = executor_;
     options.own.executable = OWN_PROGRAM_CHILD;
     options.own.patience = patience;
     options.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one
@@ -98,16 +99,37 @@ class OwnProgramTest : public ::testing::Test {
   bool goesOnAfter(HostingStatus::State changed) {
     for (int i = 0; i < 20 && state() != changed; ++i) run_->step();
     EXPECT_EQ(state(), changed);
+    return worldGoesOn();
+  }
+  bool worldGoesOn() {
     const auto before = run_->world().clock().now();
     steps(20);
     return run_->world().clock().now() == before + 20 * SimulatedWorld::kStep;
   }
 
   TestFolder folder_;
+  ExecutorKind executor_ = ExecutorKind::kLockstep;
   ProgramEars ears_;
   std::unique_ptr<SimulatedRun> run_;
   robotlink::Errors errors_;
   std::string first_;
+};
+
+/// The same programs with a thread for each of their processes, for which the world does not wait.
+class OwnThreadsProgramTest : public OwnProgramTest {
+ protected:
+  OwnThreadsProgramTest() { executor_ = ExecutorKind::kThreads; }
+  template <typename Condition>
+  bool stepsUntil(Condition condition) {
+    return eventually([&] {
+      run_->step();
+      return condition();
+    });
+  }
+  bool publishes(const std::string& robot) {
+    const auto before = ears_.queues[robot].size();
+    return stepsUntil([&] { return ears_.queues[robot].size() > before; });
+  }
 };
 
 }  // namespace
@@ -256,6 +278,55 @@ TEST(OwnProgram, requestsInAPauseAreAnsweredAtOnce) {
   ears.queues.clear();
   (*run)->publishComingAnswers();
   EXPECT_THAT(ears.queues["red1"], HasSubstr("nonsense"));
+}
+
+TEST_F(OwnThreadsProgramTest, itRunsAndPublishesThere) {
+  play("none");
+  ASSERT_TRUE(run_) << robotlink::describe(errors_);
+  for (const std::string& robot : run_->robots()) {
+    EXPECT_TRUE(ears_.hosting[robot].own_process() && ears_.hosting[robot].threads());
+    EXPECT_TRUE(publishes(robot));
+  }
+}
+
+TEST_F(OwnThreadsProgramTest, aCrashEndsOnlyThatProgramUntilItIsStartedAgain) {
+  play("segfault");
+  ASSERT_TRUE(run_) << robotlink::describe(errors_);
+  ASSERT_TRUE(stepsUntil([this] { return state() == HostingStatus::ENDED; }));
+  EXPECT_THAT(status().text(), HasSubstr("(signal SIGSEGV) in trouble (segfault) of process worker"));
+  EXPECT_THAT(status().stack(), HasSubstr("robotlink::TaskRunner::execute()")) << "of its thread";
+  EXPECT_TRUE(worldGoesOn());
+  HostProgram again;
+  again.set_start_again(true);
+  ASSERT_EQ(robotlink::describe(run_->hostProgram(first_, again)), "");
+  EXPECT_EQ(state(), HostingStatus::RUNNING);
+  EXPECT_TRUE(status().threads());
+  EXPECT_TRUE(publishes(first_));
+}
+
+TEST_F(OwnThreadsProgramTest, anEndlessLoopIsNamedWhileTheOtherProcessesGoOn) {
+  play("loop", std::chrono::milliseconds(300));
+  ASSERT_TRUE(run_) << robotlink::describe(errors_);
+  ASSERT_TRUE(stepsUntil([this] { return state() == HostingStatus::NOT_ANSWERING; }));
+  EXPECT_THAT(status().text(), HasSubstr("does not return from trouble (loop) of process worker"));
+  EXPECT_TRUE(worldGoesOn());
+  EXPECT_TRUE(publishes(first_));
+}
+
+TEST_F(OwnThreadsProgramTest, threadsAndLockstepAreChosenWhileItRuns) {
+  executor_ = ExecutorKind::kLockstep;
+  play("none");
+  ASSERT_TRUE(run_) << robotlink::describe(errors_);
+  for (const bool threads : {true, false}) {
+    HostProgram choice;
+    choice.set_executor(threads ? HostProgram::THREADS : HostProgram::LOCKSTEP);
+    ASSERT_EQ(robotlink::describe(run_->hostProgram("", choice)), "");
+    for (const std::string& robot : run_->robots()) {
+      EXPECT_TRUE(ears_.hosting[robot].own_process());
+      EXPECT_EQ(ears_.hosting[robot].threads(), threads);
+      EXPECT_TRUE(publishes(robot));
+    }
+  }
 }
 
 TEST(CrashReport, isReadFromWhatTheProgramWrote) {

@@ -37,7 +37,7 @@ class OwnRealProgramTest : public testing::Test {
   }
   void playLayout(const std::filesystem::path& layout, bool own = true) {
     PioneerOptions options{.url = world_.url(), .layout = layout};
-    options.ownProcess = own;
+    options.hosting.ownProcesses = own;
     options.own.executable = OWN_PROGRAM_CHILD;
     options.own.patience = 300ms;
     options.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one
