@@ -96,7 +96,7 @@ robotlink::Result<void> OpenPlatform::trustRemote(const std::string& url, const 
   if (!bodyQuestion_.isAbout(url)) return remote_.trust(url, fingerprint);
   auto opening = bodyQuestion_.trust(fingerprint);
   if (!opening) return tl::unexpected(opening.error());
-  open(*std::move(opening));
+  if (*opening) open(**std::move(opening));
   return {};
 }
 robotlink::Result<void> OpenPlatform::showToken(const std::string& url, const std::string& token) {
@@ -121,7 +121,7 @@ std::vector<LinkQuestion> OpenPlatform::questions() const {
 }
 robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
   if (bodyQuestion_.isAbout(url)) {
-    bodyQuestion_.drop();
+    if (bodyQuestion_.drop()) close();
     report(
         {{"body.declined",
           "the program of the robot at " + url +
@@ -168,6 +168,7 @@ void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
   if (const auto saved = hosting_.save(); !saved) report({saved.error()});
+  if (!loading()) bodyQuestion_.follow();
   followRemote();
   session_.tick();
   offer_.tick();

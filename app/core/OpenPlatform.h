@@ -58,7 +58,7 @@ class OpenPlatform {
 
   /// Connects robots whose programs run elsewhere, see RemoteRobots::connect().
   robotlink::Result<void> connectRemote(const std::string& url, const std::string& token);
-  /// Also gives up a body whose program was to run here, and that asks for something.
+  /// Also gives up a body whose program was to run here, or runs here, and that asks for something.
   robotlink::Result<void> disconnectRemote(const std::string& url);
   /// See RemoteRobots::trust().
   robotlink::Result<void> trustRemote(const std::string& url, const std::string& fingerprint);

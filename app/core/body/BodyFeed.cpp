@@ -52,6 +52,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 PlatformOpening BodyFeed::opening(BodyOptions options) {
   const auto url = robotlink::websocket::parseServerUrl(options.url);
+  options.refusal = std::make_shared<BodyRefusal>();
   PlatformOpening opening{kAdapter, {url ? toString(*url) : options.url}, {}};
   opening.make = [options](const PlatformContext& context) -> PlatformOpening::Made {
     BodyOptions chosen = options;
@@ -63,6 +64,7 @@ PlatformOpening BodyFeed::opening(BodyOptions options) {
     chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, kAdapter);
     return create(std::move(chosen), context.session, context.recorder, context.hosting);
   };
+  opening.refusal = [refusal = options.refusal] { return refusal->get(); };
   opening.withToken = [options](const std::string& token) {
     BodyOptions chosen = options;
     if (!token.empty()) chosen.token = token;
@@ -264,6 +266,7 @@ void BodyFeed::step() {
   tap_->askForPackages();
   if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
   executor_->step();
+  noteRefusal();
   robot_->startStep();
   robot_->reportPlatform();
   tap_->endStep();
@@ -271,6 +274,13 @@ void BodyFeed::step() {
   // Missed steps are not made up for.
   due_ = std::max(due_ + kBodyStep, real);
   if (isRead_ && real - lastStatus_ >= kBodyStatusEvery) publishStatus();
+}
+
+void BodyFeed::noteRefusal() {
+  if (!options_.refusal) return;
+  const auto state = link_->state();
+  const bool isRefused = state.phase == ConnectionState::Phase::kRefused;
+  options_.refusal->set(isRefused ? Errors{refusalOf(options_.url, state)} : Errors{});
 }
 
 robotlink::Result<void> BodyFeed::requestRobot(const robotcontrol::Request& request) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "app/core/body/BodyRefusal.h"
 #include "app/core/body/RemoteBodyPlatform.h"
 #include "app/core/own/OwnProgram.h"
 #include "app/core/platform/HostingChoices.h"
@@ -39,6 +40,8 @@ struct BodyOptions {
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
   bool asJpeg = false;
+  /// Gets why the body refuses the connection once it is open; may be null.
+  std::shared_ptr<BodyRefusal> refusal = nullptr;
   /// What the user chose for this robot when it was open before.
   ProgramOverrides overrides = {};
   /// How long the body is looked for.
@@ -121,6 +124,8 @@ class BodyFeed final : public PlatformFeed {
   void reportSpread(const std::string& text);
   void publishLostOverrides();
   robotlink::Errors hostProgram(const std::string& asked, const robotcontrol::HostProgram& choice);
+  /// Passes on why the body refuses the connection, such as by another certificate than before.
+  void noteRefusal();
   /// Adopts a program and starts its threads.
   void adopt(RobotHost::Candidate program);
   void stopProgram();

@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// What a body elsewhere objects to that is to be opened with its program here, until the user has answered:
-/// then it is opened again. At most one. One thread.
+/// What a body elsewhere objects to whose program is to run here, or runs here already, until the user has
+/// answered. At most one question at a time. One thread.
 class BodyQuestion {
  public:
   /// A platform is going to be opened; what was asked before is not asked any more.
@@ -20,26 +20,39 @@ class BodyQuestion {
   bool ask(const robotlink::Errors& errors);
   /// A platform with these sources is open. If it is the one: remembers the token if the user wanted that.
   robotlink::Result<void> finish(const std::vector<std::string>& sources);
+  /// Asks what the body that is open objects to now. To be called often, while no platform is being opened.
+  void follow();
 
   const std::optional<LinkQuestion>& asked() const { return asked_; }
   bool isAbout(const std::string& url) const { return asked_ && asked_->url == url; }
-  /// The user has compared the fingerprint: it is remembered. Returns what is to be opened again. Fails if it
-  /// is not the one that was asked about.
-  robotlink::Result<PlatformOpening> trust(const std::string& fingerprint);
+  /// The user has compared the fingerprint: it is remembered. Returns what is to be opened again; nothing if
+  /// it is open, since its connection is tried again all the time. Fails if it is not the fingerprint that
+  /// was asked about.
+  robotlink::Result<std::optional<PlatformOpening>> trust(const std::string& fingerprint);
   /// The user has entered a token. Returns what is to be opened again.
   PlatformOpening show(const std::string& token);
   /// The token that was entered is to be remembered, if the body accepts it.
   void rememberToken() { remembers_ = true; }
   /// Whether it is being opened with a token that was entered.
-  bool isShowing(const std::string& url) const { return !token_.empty() && url_ == url; }
-  /// The user does not want it any more.
-  void drop() { asked_.reset(); }
+  bool isShowing(const std::string& url) const { return !token_.empty() && wanted_.url == url; }
+  /// The user does not want it any more. Returns whether it is open.
+  bool drop();
 
  private:
+  /// A body, as its PlatformOpening says.
+  struct Body {
+    std::string url;
+    std::function<PlatformOpening(const std::string& token)> withToken;
+    std::function<robotlink::Errors()> refusal;
+  };
+
+  /// The one that is, or was, to be opened, and the one that is open.
+  Body wanted_, open_;
   std::optional<LinkQuestion> asked_;
-  /// Opens it again.
-  std::function<PlatformOpening(const std::string& token)> withToken_;
-  std::string url_;
+  /// Whether that is about open_.
+  bool isOpen_ = false;
+  /// What the user has answered while the connection was not tried again yet.
+  std::optional<LinkQuestion> answered_;
   /// That the user has entered, and whether it is to be remembered.
   std::string token_;
   bool remembers_ = false;

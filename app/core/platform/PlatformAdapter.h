@@ -71,6 +71,9 @@ struct PlatformOpening {
   /// The same with a token that the user was asked for meanwhile, or, if that is empty, as before; unset:
   /// nothing is asked for. May be called from any thread.
   std::function<PlatformOpening(const std::string& token)> withToken = {};
+  /// Why the robot refuses the connection while the platform is open, see make(); empty if it does not. May
+  /// be called from any thread. Unset: it never does.
+  std::function<robotlink::Errors()> refusal = {};
 };
 
 /// What the user wants to be opened. A plain value.

@@ -60,6 +60,11 @@ class HostDesk : public EmptyDesk {
     const auto* loaded = workbench.loaded();
     return loaded != nullptr && loaded->adapter == BodyFeed::kAdapter && !workbench.loading();
   }
+  /// The time of the newest one; 0: none has come.
+  robotlink::Instant newestImage() {
+    const auto* image = workbench.session().store().latest("red1/camera/image", robotlink::Instant::max());
+    return image == nullptr ? robotlink::Instant() : image->time;
+  }
   template <typename W>
   W* visible(const char* name) {
     auto* found = window.findChild<W*>(QLatin1String(name));
@@ -169,7 +174,76 @@ class BodyGuiTest : public WindowTest {
     QTRY_VERIFY_WITH_TIMEOUT(desk.isHosting(), kWaitMs);
   }
 
+  void anotherCertificateIsAskedForWhileTheProgramRunsHere() {
+    const ServeOptions options = secure();
+    BodyHall hall(options);
+    HostDesk desk(home_ / "desk");
+    hostTrusted(desk, hall, options);
+    const QString before = fingerprint(options);
+    setUpAnew(hall, options);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.visible<QLineEdit>("trustKnown") != nullptr, kWaitMs);
+    QCOMPARE(desk.visible<QLineEdit>("trustKnown")->text(), before);
+    QCOMPARE(desk.visible<QLineEdit>("trustFingerprint")->text(), fingerprint(options));
+    QVERIFY2(desk.isHosting(), "the program waits, the robot stands");
+    const auto newest = desk.newestImage();
+    desk.visible<QCheckBox>("trustSure")->setChecked(true);
+    desk.press("trustAccept");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newestImage() > newest, kWaitMs);
+    QVERIFY(desk.isHosting());
+    QVERIFY(desk.visible<QDialog>("trustDialog") == nullptr);
+  }
+
+  void whoDoesNotTrustAnotherCertificateEndsTheProgramHere() {
+    const ServeOptions options = secure();
+    BodyHall hall(options);
+    HostDesk desk(home_ / "desk");
+    hostTrusted(desk, hall, options);
+    const auto known = websocket::KnownServers().read().value();
+    setUpAnew(hall, options);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.visible<QDialog>("trustDialog") != nullptr, kWaitMs);
+    desk.press("trustReject");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isHosting() && !desk.workbench.loading(), kWaitMs);
+    QVERIFY(desk.visible<QDialog>("trustDialog") == nullptr);
+    QVERIFY(websocket::KnownServers().read().value() == known);
+  }
+
+  void anotherTokenIsAskedForWhileTheProgramRunsHere() {
+    const ServeOptions options = secure();
+    BodyHall hall(options);
+    HostDesk desk(home_ / "desk");
+    hostTrusted(desk, hall, options);
+    hall.stop();
+    std::filesystem::remove(options.access.tokenFile);
+    hall.start();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.visible<QDialog>("tokenDialog") != nullptr, kWaitMs);
+    QVERIFY(desk.isHosting());
+    const auto tokens = websocket::loadOrMakeTokens(options.access.tokenFile).value().tokens;
+    QTest::keyClicks(desk.visible<QLineEdit>("tokenField"), QString::fromStdString(tokens.control));
+    desk.visible<QCheckBox>("tokenRemember")->setChecked(true);
+    desk.press("tokenAccept");
+    // As soon as the robot accepts it.
+    QTRY_VERIFY_WITH_TIMEOUT(websocket::RememberedTokens().find(hall.url().toStdString()) == tokens.control,
+                             kWaitMs);
+    QVERIFY(desk.isHosting());
+    QVERIFY(desk.visible<QDialog>("tokenDialog") == nullptr);
+  }
+
  private:
+  /// A robot that nobody asks about.
+  static void hostTrusted(HostDesk& desk, const BodyHall& hall, const ServeOptions& options) {
+    const std::string url = hall.url().toStdString();
+    const auto tokens = websocket::loadOrMakeTokens(options.access.tokenFile).value().tokens;
+    QVERIFY(websocket::KnownServers().add(url.substr(6), fingerprint(options).toStdString()).has_value());
+    QVERIFY(websocket::RememberedTokens().add(url, tokens.control).has_value());
+    desk.host(hall.url());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.isHosting() && desk.newestImage() > robotlink::Instant(), kWaitMs);
+  }
+  /// It comes back with another certificate.
+  static void setUpAnew(BodyHall& hall, const ServeOptions& options) {
+    hall.stop();
+    std::filesystem::remove(options.access.certificateFile);
+    hall.start();
+  }
   ServeOptions secure() const {
     ServeOptions options;
     options.access.isSecure = true;
