@@ -60,7 +60,7 @@ class ReplayFeed final : public PlatformFeed {
   ReplayOptions options() const;
 
  protected:
-  /// Passes a request to a robot's program. STOP is refused.
+  /// Passes a request to a robot's program. STOP pauses the log.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
   /// Only where programs run counts here: nothing is simulated.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
@@ -105,6 +105,7 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> act(const robotcontrol::ControlReplay& control);
   /// Plays from the present instant; at the end, from the first image.
   robotlink::Result<void> play();
+  robotlink::Result<void> stop(const robotcontrol::Request& request);
   /// In a pause, publishes the results of requests that the programs have not processed yet.
   void publishAnswers();
   /// Whether a step by `count` that ends at `to` moves in its direction; at the ends of the logs it does not.

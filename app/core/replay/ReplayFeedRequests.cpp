@@ -50,11 +50,24 @@ Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request& request)
 }
 
 Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
+  if (request.has_stop()) return stop(request);
   auto done = run_->request(request);
   if (!done) return done;
   stale_ = stale_ || robotlink::kindOf(request).effect != robotlink::RequestEffect::kNone;
   publishAnswers();
   return done;
+}
+
+/// What the logged robot did cannot be changed, and nothing that its program commands here gets anywhere. So
+/// nothing has to be released.
+Result<void> ReplayFeed::stop(const robotcontrol::Request& request) {
+  if (!run_->description(request.robot()))
+    return failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
+                   {request.robot()});
+  if (!request.stop().engaged()) return {};
+  playback_.pause();
+  publishStatus();
+  return {};
 }
 
 /// While it is paused, they do not wait until the programs have run again up to here. They are no part of the

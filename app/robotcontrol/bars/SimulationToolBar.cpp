@@ -85,8 +85,9 @@ void SimulationToolBar::createActions() {
   stop_->setCheckable(true);
   stop_->setShortcuts({QKeySequence(QStringLiteral("Shift+Esc")), QKeySequence(Qt::Key_Pause)});
   stop_->setShortcutContext(Qt::ApplicationShortcut);
-  stop_->setToolTip(tr(
-      "Stops all robots at their platforms, whatever their programs do, until released (Shift+Esc, Pause)"));
+  stop_->setToolTip(
+      tr("Stops all robots at their platforms, whatever their programs do, until released; pauses a log "
+         "(Shift+Esc, Pause)"));
 }
 
 void SimulationToolBar::createBoxes() {
@@ -196,14 +197,20 @@ void SimulationToolBar::refresh() {
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;
   for (QAction* action : simulationActions_) action->setEnabled(there);
-  stop_->setEnabled(there || !session.remoteRobots().empty());
+  stop_->setEnabled(!session.robots().empty());
   speed_->setEnabled(there);
+  // A log is paused by STOP, from which nothing has to be released.
+  if (!there && session.remoteRobots().empty()) showStop(false);
   if (!there) return;
   start_->setChecked(status->running());
   pause_->setChecked(!status->running());
-  stop_->setChecked(status->stopped_robots_size() > 0);
-  stop_->setText(widgets::stopText(stop_->isChecked()));
+  showStop(status->stopped_robots_size() > 0);
   refreshSpeed(status->requested_speed());
+}
+
+void SimulationToolBar::showStop(bool isEngaged) {
+  stop_->setChecked(isEngaged);
+  stop_->setText(widgets::stopText(isEngaged));
 }
 
 QString SimulationToolBar::speedText(double speed) {

@@ -51,6 +51,7 @@ class SimulationToolBar : public QToolBar {
   void showLayouts(const LoadedPlatform& loaded);
   /// Shows the requested speed, unless the user has opened the list.
   void refreshSpeed(double requested);
+  void showStop(bool isEngaged);
 
   Workbench& workbench_;
   CommandActions& actions_;

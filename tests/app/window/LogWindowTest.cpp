@@ -124,6 +124,23 @@ class LogWindowTest : public WindowTest {
     QVERIFY(desk.last().skip_gaps());
   }
 
+  void itIsPausedByTheStopOfAllRobotsWhichNeedsNoRelease() {
+    LogDesk desk(home_ / "stop");
+    desk.workbench.session().setRobots({"nao"});
+    desk.status.set_playing(true);
+    desk.openLog();
+    auto& stop = desk.find<QToolButton>("stopButton");
+    for (int i = 0; i < 2; ++i) {
+      desk.requests.clear();
+      QTest::mouseClick(&stop, Qt::LeftButton);
+      QCOMPARE(desk.requests.size(), std::size_t{1});
+      QCOMPARE(desk.requests.front().robot(), std::string("nao"));
+      QVERIFY(desk.requests.front().stop().engaged());
+      desk.window.tick();
+      QVERIFY(!stop.isChecked());
+    }
+  }
+
   void speedAndProcessAreChosenInTheirBoxes() {
     LogDesk desk(home_ / "boxes");
     desk.openLog();

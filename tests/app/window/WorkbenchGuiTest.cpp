@@ -231,7 +231,7 @@ class WorkbenchGuiTest : public WindowTest {
     QVERIFY(desk.window.windowTitle().startsWith(QStringLiteral("short.mcap")));
     QVERIFY(desk.status() == nullptr);
     QVERIFY(!desk.find<QAction>("simulation.start").isEnabled());
-    QVERIFY(!desk.find<QToolButton>("stopButton").isEnabled());
+    QVERIFY(desk.find<QToolButton>("stopButton").isEnabled());
     auto& scene = desk.find<QComboBox>("sceneBox");
     QCOMPARE(scene.currentText(), QString());
     scene.setFocus();
