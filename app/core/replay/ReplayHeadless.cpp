@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/program/Abandoned.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/replay/ReplayFeed.h"
@@ -35,7 +36,11 @@ using Kind = PlatformField::Kind;
 
 constexpr std::string_view kLogPlatform = "log:";
 constexpr std::string_view kAllPackages = "all";
-constexpr char kOffset[] = "offset", kPackage[] = "package", kColorTable[] = "color-table";
+constexpr char kOffset[] = "offset", kPackage[] = "package", kColorTable[] = "color-table",
+               kPatience[] = "patience";
+/// Seconds; longer than any module takes on a machine that is busy.
+constexpr double kUsualPatience = 30;
+constexpr std::chrono::hours kNoEnd{24 * 365};
 
 /// The log that is written during the replay, and its first error.
 class HeadlessRecording {
@@ -67,7 +72,8 @@ class HeadlessRecording {
     listeners.hosting = [this](const std::string&, robotlink::Instant,
                                const robotcontrol::HostingStatus& status) {
       if (!status.text().empty()) errors_ << status.text() << "\n" << status.stack();
-      failed_ = failed_ || status.state() == robotcontrol::HostingStatus::ENDED;
+      isStuck_ = isStuck_ || status.state() == robotcontrol::HostingStatus::NOT_ANSWERING;
+      failed_ = failed_ || isStuck_ || status.state() == robotcontrol::HostingStatus::ENDED;
     };
     listeners.trouble = [this](const std::string& robot, const robotlink::Process& process,
                                const std::string& text) {
@@ -84,6 +90,8 @@ class HeadlessRecording {
   }
   bool good() const { return result_.has_value(); }
   bool processFailed() const { return failed_; }
+  /// Whether a module does not return.
+  bool isStuck() const { return isStuck_; }
 
  private:
   void write(const std::vector<robotlink::StreamMessage>& messages) {
@@ -95,7 +103,32 @@ class HeadlessRecording {
   std::unique_ptr<logplayer::LogWriter> writer_;
   std::optional<robotlink::UnfinishedFile> unfinished_;
   Result<void> result_;
-  bool failed_ = false;
+  bool failed_ = false, isStuck_ = false;
+};
+
+/// The run and what it writes to. Modules that never return keep it.
+struct HeadlessReplay {
+  explicit HeadlessReplay(std::ostream& errors) : recording(errors) {}
+
+  HeadlessRecording recording;
+  std::unique_ptr<ReplayRun> run;
+};
+
+/// Ends a run, whatever its modules do.
+class HeadlessReplayEnd {
+ public:
+  explicit HeadlessReplayEnd(std::shared_ptr<HeadlessReplay> replay) : replay_(std::move(replay)) {}
+  ~HeadlessReplayEnd() {
+    if (!replay_->run) return;
+    replay_->run->stop();
+    if (replay_->run->hasEnded()) return;
+    abandon(replay_, [run = replay_->run.get()] { return run->hasEnded(); });
+  }
+  HeadlessReplayEnd(const HeadlessReplayEnd&) = delete;
+  HeadlessReplayEnd& operator=(const HeadlessReplayEnd&) = delete;
+
+ private:
+  const std::shared_ptr<HeadlessReplay> replay_;
 };
 
 /// Adds the logs that a text like "log:a.mcap,log:b.mcap" names. Returns what is wrong with it; empty if
@@ -247,7 +280,7 @@ void warnOfUnusedChoices(const ReplayRun& run, std::ostream& errors) {
 std::uint64_t playLog(ReplayRun& run, const HeadlessRecording& recording, const HeadlessConsole& console) {
   std::uint64_t instants = 1;
   const double length = robotlink::seconds(run.end() - run.begin());
-  while (recording.good() && run.step()) {
+  while (recording.good() && !recording.isStuck() && run.step()) {
     ++instants;
     if (!console.progress(length > 0 ? robotlink::seconds(run.now() - run.begin()) / length : 1)) break;
   }
@@ -275,20 +308,26 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
                                              const HeadlessConsole& console) {
   if (const auto read = readInputs(options, console); !read) return tl::unexpected(Errors{read.error()});
   options.progress = console.progress;
-  HeadlessRecording recording(console.errors);
-  auto run = ReplayRun::create(std::move(options), recording.listeners());
-  if (!run) return tl::unexpected(run.error());
-  warnOfUnusedChoices(**run, console.errors);
+  const auto both = std::make_shared<HeadlessReplay>(console.errors);
+  HeadlessRecording& recording = both->recording;
+  auto made = ReplayRun::create(std::move(options), recording.listeners());
+  if (!made) return tl::unexpected(made.error());
+  both->run = std::move(*made);
+  ReplayRun& run = *both->run;
+  const HeadlessReplayEnd end(both);
+  warnOfUnusedChoices(run, console.errors);
   if (const auto opened = recording.open(record); !opened) return tl::unexpected(Errors{opened.error()});
   const auto start = std::chrono::steady_clock::now();
   // A jump to the beginning publishes the latched messages from before the log's first instant.
-  if (Errors errors = (*run)->jump((*run)->begin()); !errors.empty())
-    return tl::unexpected(std::move(errors));
-  const std::uint64_t instants = playLog(**run, recording, console);
+  if (Errors errors = run.jump(run.begin()); !errors.empty()) return tl::unexpected(std::move(errors));
+  const std::uint64_t instants = playLog(run, recording, console);
+  if (recording.isStuck())
+    console.errors << "The replay ends here, since its results would depend on how long that takes; "
+                      "--patience allows more time.\n";
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto closed = recording.close(); !closed) return tl::unexpected(Errors{closed.error()});
   ReplayStatus status;
-  (*run)->describe(status);
+  run.describe(status);
   const json summary = summaryOf(status, instants, real);
   return HeadlessSummary{jsonOutput(summary), summaryText(status, summary),
                          statusOf(recording, status, console.interrupted())};
@@ -317,6 +356,10 @@ Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
   auto options = replayOptionsOf(choices);
   if (!options) return tl::unexpected(options.error());
   options->publishAllPackages = !choices.record.file.empty();
+  const double patience = numberOf(choices.options.values, kPatience, kUsualPatience);
+  options->patience = std::chrono::milliseconds(std::llround(1000 * patience));
+  // Somebody may look at a program in a process of its own with a debugger for any time.
+  options->own.patience = patience > 0 ? options->patience : kNoEnd;
   return [options = std::move(*options), record = choices.record](const HeadlessConsole& console) {
     return replay(options, record, console);
   };
@@ -353,8 +396,17 @@ HeadlessPlatform headlessReplay() {
                   {.name = kColorTable,
                    .help = "A color table (.c64) instead of the log's",
                    .option = "--color-table"},
+                  {.name = kPatience,
+                   .kind = Kind::kNumber,
+                   .help = "Seconds after which a module that does not return is named, and the command ends "
+                           "(30); 0: never. With --listen the log goes on without it, after 2 s",
+                   .initial = kUsualPatience,
+                   .noun = "patience",
+                   .max = 1e6,
+                   .decimals = 3,
+                   .option = "--patience"},
                   ownProcessField()},
-      .optionsAreMine = "--offset, --package and --color-table are for logs",
+      .optionsAreMine = "--offset, --package, --color-table and --patience are for logs",
       .prepare = prepareReplay,
       .prepareServing = prepareServedReplay};
 }

@@ -2,7 +2,10 @@
 // Modules that never return, in programs that run on a log in the workbench: everything else goes on.
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "app/core/replay/ReplayFeed.h"
+#include "app/core/replay/ReplayHeadless.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "simcore/Scene.h"
 #include "tests/TestFolder.h"
@@ -107,6 +110,24 @@ TEST_F(StuckReplayTest, jumpsAndStartAgainWorkWhileItHangs) {
   EXPECT_TRUE(timeGoesOn());
   again.mutable_host_program()->set_executor(HostProgram::THREADS);
   EXPECT_THAT(ask(again), HasSubstr("programs on logs run in lockstep"));
+}
+
+TEST_F(StuckReplayTest, withoutAWindowTheReplayEndsAndNamesIt) {
+  HeadlessChoices choices{.platform = "log:" + (*folder_ / "two.mcap").string(),
+                          .layout = StuckSolution::writeLayout(folder_->path())};
+  choices.options.values["patience"] = 0.2;
+  const auto run = headlessReplay().prepare(choices);
+  ASSERT_TRUE(run) << run.error().text;
+  std::ostringstream errors;
+  const HeadlessConsole console{errors, [] { return false; }, [](double) { return true; },
+                                [](const std::string& source) { return std::filesystem::path(source); }};
+  StuckSolution::shallHang = true;
+  const auto summary = (*run)(console);
+  ASSERT_TRUE(summary) << robotlink::describe(summary.error());
+  EXPECT_EQ(summary->status, kFailed);
+  EXPECT_THAT(errors.str(), HasSubstr("stuck-test (hang) of process stuck"));
+  EXPECT_THAT(errors.str(), HasSubstr("The replay ends here"));
+  EXPECT_EQ(StuckSolution::hanging, 1);
 }
 
 TEST_F(StuckReplayTest, theLogIsClosedWhileItHangs) {
