@@ -8,6 +8,7 @@
 #include "app/core/own/OwnPreview.h"
 #include "app/core/own/PlatformPorts.h"
 #include "app/core/own/ProgramChild.h"
+#include "app/core/own/SpareChild.h"
 #include "app/core/own/StandInProcess.h"
 #include "app/core/own/WireSetups.h"
 #include "app/core/program/HostedRobot.h"
@@ -122,7 +123,8 @@ struct OwnProgram::Implementation {
 HostedProgram::Maker OwnProgram::maker(Options options) {
   return [options = std::move(options)](Parts parts) -> Made {
     robotcontrol::WireSetup setup = wireSetup(parts, options);
-    auto child = ProgramChild::start(options.executable, parts.robot.name);
+    auto child = options.spare ? options.spare->take(options.executable, parts.robot.name)
+                               : ProgramChild::start(options.executable, parts.robot.name);
     if (!child) return tl::unexpected(Errors{child.error()});
     auto made = std::make_unique<Implementation>(options, std::move(parts), std::move(*child));
     if (Errors errors = made->make(std::move(setup)); !errors.empty())

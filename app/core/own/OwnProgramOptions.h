@@ -17,6 +17,8 @@ class ProgramSetup;
 
 namespace app {
 
+class SpareChild;
+
 /// How a robot's program in a process of the operating system of its own is run. A plain value.
 struct OwnProgramOptions {
   /// What is started; the executable's main() begins with ownProgramMain().
@@ -36,6 +38,8 @@ struct OwnProgramOptions {
   bool inRealTime = false;
   /// The texts of description and field, for robots of logs and bodies elsewhere; null: those of the files.
   std::shared_ptr<const robotcontrol::ProgramSetup> texts = nullptr;
+  /// Where the process comes from; null: it is started when the program is made. Not for several robots.
+  std::shared_ptr<SpareChild> spare = nullptr;
   /// The processes of a log, in whose order the program's are executed, and by package the one in whose
   /// turn the platform sends it; empty for platforms that send all at once.
   std::vector<std::string> order = {};

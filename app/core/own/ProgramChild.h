@@ -33,6 +33,8 @@ class ProgramChild {
   bool isDebugged() const;
   /// Asks a program that does not answer what it does; waits a moment for the report.
   CrashReport ask();
+  /// Whether it has ended.
+  bool hasEnded() { return endsWithin(std::chrono::milliseconds(0)).has_value(); }
   /// Ends it by force.
   void kill();
   /// Waits until it has ended by itself, and kills it if that takes long. Returns its status.

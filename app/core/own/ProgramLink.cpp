@@ -56,7 +56,8 @@ ProgramLink::Outcome ProgramLink::wait(short events, Time end) const {
     pollfd look{socket_, events, 0};
     const int ready = ::poll(&look, 1, static_cast<int>(std::clamp<std::int64_t>(left, 0, 3'600'000)));
     if (ready > 0) return Outcome::kDone;
-    if (ready == 0) return Outcome::kTimeout;
+    if (ready == 0 && std::chrono::steady_clock::now() >= end) return Outcome::kTimeout;
+    if (ready == 0) continue;  // poll() does not wait for ever
     if (errno != EINTR) return Outcome::kEnded;
   }
 }

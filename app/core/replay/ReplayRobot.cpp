@@ -192,13 +192,18 @@ void ReplayRobot::makeExecutor() {
       .stuck = [this](const auto&, const std::string& what) { host_.noteStuck(what); }});
 }
 
-HostedProgram::Maker ReplayRobot::makerOf(const Start& start) const {
+HostedProgram::Maker ReplayRobot::makerOf(const Start& start) {
   const ReplayHosting& hosting = start.choices.hosting;
   const auto& processes = start.plan.layout.processes;
   const bool computes =
       std::ranges::any_of(processes, [](const auto& process) { return !process.tasks.empty(); });
-  if (!hosting.ownProcess || !computes) return nullptr;
+  if (!hosting.ownProcess || !computes) {
+    spare_.reset();
+    return nullptr;
+  }
+  if (!spare_) spare_ = std::make_shared<SpareChild>();
   OwnProgram::Options own = hosting.own;
+  own.spare = spare_;
   own.texts = std::make_shared<const ProgramSetup>(start.setup.files);
   for (const auto& process : start.setup.layout.processes) own.order.push_back(process.name);
   for (const auto& package : platformPackages(start.plan)) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/core/own/OwnProgram.h"
+#include "app/core/own/SpareChild.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/replay/LoggedPaths.h"
@@ -138,7 +139,7 @@ class ReplayRobot {
   /// Makes an executor for the program that was started.
   void makeExecutor();
   /// What makes the program of a start; empty: it is one inside.
-  HostedProgram::Maker makerOf(const Start& start) const;
+  HostedProgram::Maker makerOf(const Start& start);
   /// Taps what the program sends to compare it with what was logged.
   void compare();
   /// begin() without the data before that time.
@@ -176,6 +177,8 @@ class ReplayRobot {
   /// The clock of the platform, in times of the log.
   robotlink::ManualClock clock_;
   TurnEvents events_;
+  /// For programs in processes of their own; null before the first one.
+  std::shared_ptr<SpareChild> spare_;
   RobotHost host_;
   LeftOverPrograms leftOver_;
   /// Declared after the host, whose processes it executes.

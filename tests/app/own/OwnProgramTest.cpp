@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/core/own/CrashReport.h"
+#include "app/core/own/SpareChild.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -327,6 +328,25 @@ TEST_F(OwnThreadsProgramTest, threadsAndLockstepAreChosenWhileItRuns) {
       EXPECT_TRUE(publishes(robot));
     }
   }
+}
+
+TEST(SpareChild, waitsForTheNextProgramUnlessItHasEnded) {
+  SpareChild spare;
+  const auto first = spare.take(OWN_PROGRAM_CHILD, "red1");
+  ASSERT_TRUE(first);
+  const pid_t waits = spare.pid();
+  EXPECT_NE(waits, 0);
+  EXPECT_NE(waits, first->pid());
+  const auto second = spare.take(OWN_PROGRAM_CHILD, "red1");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->pid(), waits);
+  const pid_t ends = spare.pid();
+  ASSERT_EQ(::kill(ends, SIGKILL), 0);
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(ends), &ended, WEXITED | WNOWAIT), 0);
+  const auto third = spare.take(OWN_PROGRAM_CHILD, "red1");
+  ASSERT_TRUE(third);
+  EXPECT_NE(third->pid(), ends);
 }
 
 TEST(CrashReport, isReadFromWhatTheProgramWrote) {
