@@ -70,6 +70,10 @@ class OpenPlatform {
   bool asksForBody() const { return bodyQuestion_.asked().has_value(); }
   /// What robots elsewhere object to, and the user can decide.
   std::vector<LinkQuestion> questions() const;
+  /// See RemoteRobots::limit().
+  robotlink::Result<void> limitRemote(const std::string& url, const RemoteRobots::Limits& limits) {
+    return remote_.limit(url, limits);
+  }
   /// See RemoteRobots::recordings().
   RecordingJobs* recordingsAt(const std::string& url) { return remote_.recordings(url); }
   DeployJobs* deploymentAt(const std::string& url) { return remote_.deployment(url); }

@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RemoteCommands.h"
 
+#include <map>
+#include <string>
+
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 
 namespace app {
 
 using Type = robotlink::CommandTable::Type;
+
+namespace {
+
+robotlink::Result<void> limitRemote(OpenPlatform& open, const Values& values) {
+  using Images = RemoteRobots::Limits::Images;
+  const double bytes = number(values, 1);
+  const std::string& name = text(values, 2);
+  const std::map<std::string, Images> images{
+      {"auto", Images::kAutomatic}, {"raw", Images::kRaw}, {"jpeg", Images::kJpeg}};
+  const auto found = images.find(name);
+  if (found == images.end())
+    return robotlink::failure("remote.images", "images are sent auto, raw or jpeg, not " + name, {}, {name});
+  if (!(bytes >= 0)) return robotlink::failure("remote.limit", "a limit is a number of bytes a second, or 0");
+  return open.limitRemote(text(values, 0), {bytes, found->second});
+}
+
+}  // namespace
 
 void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
   commands.add(
@@ -37,6 +57,12 @@ void addRemoteCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
                 "Ends the connection to robots elsewhere, which leave the window",
                 {{"url", Type::kText, "as it was connected"}},
                 [&open](const Values& values) { return open.disconnectRemote(text(values, 0)); }});
+  commands.add({"remote.limit",
+                "Limits what robots elsewhere send, for lines that are narrow or shared",
+                {{"url", Type::kText, "as it was connected"},
+                 {"bytes", Type::kNumber, "at most so many bytes a second; 0: no limit"},
+                 {"images", Type::kText, "'raw', 'jpeg', or 'auto': raw as long as the line carries it"}},
+                [&open](const Values& values) { return limitRemote(open, values); }});
   commands.add({"robot.steer",
                 "Steers a robot that others can steer, too, from now on; or gives it up",
                 {{"robot", Type::kText, "its name"},

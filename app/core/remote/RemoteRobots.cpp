@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/core/deploy/DeployJobs.h"
 #include "app/core/recordings/RecordingJobs.h"
@@ -43,12 +44,25 @@ std::string robotOfStream(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
+/// ", at most 2.0 MB/s, images as JPEG"; empty without limits.
+std::string inWords(const RemoteRobots::Limits& limits) {
+  using Images = RemoteRobots::Limits::Images;
+  std::string text;
+  if (limits.bytesPerSecond >= 1e6) text = fmt::format(", at most {:.1f} MB/s", 1e-6 * limits.bytesPerSecond);
+  if (limits.bytesPerSecond > 0 && text.empty())
+    text = fmt::format(", at most {:.0f} kB/s", 1e-3 * limits.bytesPerSecond);
+  if (limits.images == Images::kJpeg) text += ", images as JPEG";
+  if (limits.images == Images::kRaw) text += ", images raw";
+  return text;
+}
+
 }  // namespace
 
 struct RemoteRobots::Line {
   std::string url, token;
   /// Whether the token is to be remembered once it was accepted.
   bool remembersToken = false;
+  Limits limits = {};
   std::unique_ptr<SessionClient> client;
   /// These use the client; null until they were asked for.
   std::unique_ptr<RecordingJobs> recordings;
@@ -56,6 +70,11 @@ struct RemoteRobots::Line {
   std::uint64_t robotsVersion = 0;
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
+
+  void applyLimits() const {
+    client->setImages(limits.images);
+    client->setBudget(limits.bytesPerSecond);
+  }
 };
 
 RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder)
@@ -94,6 +113,8 @@ Result<std::string> RemoteRobots::connect(const std::string& url, const std::str
   options.convert = decodedImage;
   options.alsoWanted = [this](const std::string& path) { return recorded_.contains(path); };
   line->client = std::make_unique<SessionClient>(session_, std::move(options));
+  // Foreign servers know nothing of these.
+  if (line->limits != Limits()) line->applyLimits();
   ++version_;
   return name;
 }
@@ -106,6 +127,14 @@ Result<void> RemoteRobots::disconnect(const std::string& url) {
   std::erase_if(lines_, [&](const auto& one) { return one.get() == line; });
   ++version_;
   showRobots();
+  return {};
+}
+
+Result<void> RemoteRobots::limit(const std::string& url, const Limits& limits) {
+  const auto parsed = websocket::parseServerUrl(url);
+  Line* line = parsed ? find(toString(*parsed)) : nullptr;
+  if (line == nullptr) return robotlink::failure("remote.none", "nothing is connected at " + url, {}, {url});
+  if (std::exchange(line->limits, limits) != limits) line->applyLimits();
   return {};
 }
 
@@ -177,8 +206,9 @@ Result<void> RemoteRobots::trust(const std::string& url, const std::string& fing
 std::vector<RemoteRobots::Connection> RemoteRobots::connections() const {
   std::vector<Connection> all;
   for (const auto& line : lines_)
-    all.push_back({line->url, line->client->state(), line->client->stateText(), line->client->robots(),
-                   line->client->hasService("recordings/list"), line->client->hasService("deploy/put")});
+    all.push_back({line->url, line->client->state(), line->client->stateText() + inWords(line->limits),
+                   line->limits, line->client->robots(), line->client->hasService("recordings/list"),
+                   line->client->hasService("deploy/put")});
   return all;
 }
 

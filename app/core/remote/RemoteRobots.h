@@ -13,6 +13,7 @@
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/foxglove/client/ConnectionState.h"
+#include "robotlink/foxglove/session/SessionClientOptions.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {
@@ -41,13 +42,22 @@ class RecordingJobs;
 /// One thread, that of Session::tick(). Session and recorder must outlive it.
 class RemoteRobots {
  public:
+  /// How much a connection may carry. A plain value.
+  struct Limits {
+    using Images = robotlink::websocket::RemoteImages;
+    /// That the robot may send; 0: as much as the line takes.
+    double bytesPerSecond = 0;
+    Images images = Images::kAutomatic;
+    bool operator==(const Limits&) const = default;
+  };
   /// A connection, as users see it.
   struct Connection {
     /// Without a token.
     std::string url;
     robotlink::websocket::ConnectionState state;
-    /// "connected, 12 ms, 1.3 MB/s".
+    /// "connected, 12 ms, 1.3 MB/s, at most 2.0 MB/s".
     std::string text;
+    Limits limits;
     /// The names of its robots in the session.
     std::vector<std::string> robots;
     /// Whether it records into its own storage, as recordings() shows.
@@ -67,6 +77,8 @@ class RemoteRobots {
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
   robotlink::Result<void> disconnect(const std::string& url);
+  /// Limits a connection, also when it is connected anew. Fails if there is none.
+  robotlink::Result<void> limit(const std::string& url, const Limits& limits);
   std::vector<Connection> connections() const;
   /// Remembers the token of a connection as soon as the robot has accepted it.
   robotlink::Result<void> rememberToken(const std::string& url);

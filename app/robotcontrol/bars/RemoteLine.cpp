@@ -95,7 +95,8 @@ void RemoteLine::showConnections() {
     const QString text = QString::fromStdString(connections[i].text);
     show(*connections_[i], QStringLiteral("%1: %2").arg(who, text), meaningOf(connections[i].state.phase),
          kCharacters / static_cast<int>(shown));
-    connections_[i]->setToolTip(tr("%1: %2").arg(QString::fromStdString(connections[i].url), text));
+    connections_[i]->setToolTip(tr("%1: %2\nA click shows all connections, and limits what they carry")
+                                    .arg(QString::fromStdString(connections[i].url), text));
     connections_[i]->setAccessibleName(tr("Connection to %1").arg(who));
   }
 }

@@ -21,6 +21,7 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
+#include "widgets/EmptyHint.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -96,7 +97,17 @@ void RecordingsDialog::createList() {
   fit->expect(kRecordingSize, QStringLiteral("10000.00 MB"));
   fit->expect(kRecordingState, tr("is being recorded"));
   list_->setMinimumHeight((kRecordingLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  hint_ = new widgets::EmptyHint(list_);
+  hint_->setObjectName(QStringLiteral("recordingsHint"));
   static_cast<QVBoxLayout*>(layout())->addWidget(list_, 1);
+}
+
+void RecordingsDialog::showHint() {
+  const bool isEmpty = isListed_ && list_->topLevelItemCount() == 0;
+  hint_->setHint(robot_->count() == 0 ? tr("No robot elsewhere is connected. Robot > Connect… connects one.")
+                 : isEmpty ? tr("The robot has no recordings yet. Start recording makes one, in its own "
+                                "storage.")
+                           : QString());
 }
 
 void RecordingsDialog::createTarget() {
@@ -199,8 +210,8 @@ void RecordingsDialog::tick() {
   } else {
     progress_->hide();
     cancel_->hide();
-    widgets::showOutcome(*state_, tr("No robot elsewhere is connected: Robot > Connect…"), false);
   }
+  showHint();
   enableButtons();
 }
 

@@ -17,6 +17,10 @@ class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
+namespace widgets {
+class EmptyHint;
+}
+
 namespace app {
 
 class CommandActions;
@@ -51,6 +55,7 @@ class RecordingsDialog final : public QDialog {
   void showOutcomes(RecordingJobs& jobs);
   void showOutcome(const RecordingJobs::Outcome& outcome);
   void showProgress(RecordingJobs& jobs);
+  void showHint();
   void enableButtons();
 
   QFileInfo fileOf(const QString& name) const;
@@ -68,6 +73,7 @@ class RecordingsDialog final : public QDialog {
   QComboBox* robot_ = nullptr;
   QPushButton *start_ = nullptr, *stop_ = nullptr;
   QTreeWidget* list_ = nullptr;
+  widgets::EmptyHint* hint_ = nullptr;
   QLineEdit* folder_ = nullptr;
   QPushButton* browse_ = nullptr;
   QProgressBar* progress_ = nullptr;

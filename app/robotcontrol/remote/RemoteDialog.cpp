@@ -3,11 +3,13 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -100,6 +102,9 @@ void RemoteDialog::createFields() {
   program_->addItem(tr("there: it is watched and steered"));
   program_->addItem(tr("here: only the body is there"));
   form->addRow(tr("&Program:"), program_);
+  QLayout* limits = createLimits();
+  form->addRow(tr("&Images:"), limits);
+  static_cast<QLabel*>(form->labelForField(limits))->setBuddy(images_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showProgram);
 }
@@ -140,6 +145,57 @@ QLayout* RemoteDialog::createToken() {
   return row;
 }
 
+QLayout* RemoteDialog::createLimits() {
+  images_ = new QComboBox(this);
+  widgets::describe(*images_, {"remoteImages", tr("Images"),
+                               tr("How the robots at this URL send images; JPEG needs a tenth of the line")});
+  images_->addItem(tr("raw, as JPEG where the line is too narrow"), QStringLiteral("auto"));
+  images_->addItem(tr("always raw"), QStringLiteral("raw"));
+  images_->addItem(tr("as JPEG"), QStringLiteral("jpeg"));
+  limit_ = new QDoubleSpinBox(this);
+  widgets::describe(*limit_, {"remoteLimit", tr("Limit"),
+                              tr("What the robots at this URL may send at most. Newer images and states "
+                                 "then replace those that wait; texts and results come late")});
+  limit_->setRange(0, 1e6);
+  limit_->setDecimals(0);
+  limit_->setSingleStep(100);
+  limit_->setSuffix(tr(" kB/s"));
+  limit_->setSpecialValueText(tr("no limit"));
+  limit_->setKeyboardTracking(false);
+  auto* label = new QLabel(tr("at &most"), this);
+  label->setBuddy(limit_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(images_, 1);
+  row->addWidget(label);
+  row->addWidget(limit_);
+  const auto changed = [this] { applyLimits(enteredUrl()); };
+  connect(images_, QOverload<int>::of(&QComboBox::activated), this, changed);
+  connect(limit_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, changed);
+  connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showLimits);
+  // A body sends what its program here needs.
+  connect(program_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int index) { limit_->setEnabled(index == 0); });
+  return row;
+}
+
+void RemoteDialog::showLimits() {
+  const auto connections = robots_.connections();
+  const auto found = std::ranges::find(connections, enteredUrl(), &RemoteRobots::Connection::url);
+  if (found == connections.end()) return;
+  const QSignalBlocker quiet(limit_);
+  limit_->setValue(1e-3 * found->limits.bytesPerSecond);
+  images_->setCurrentIndex(static_cast<int>(found->limits.images));
+}
+
+void RemoteDialog::applyLimits(const std::string& url) {
+  limit_->interpretText();
+  const auto connections = robots_.connections();
+  if (std::ranges::count(connections, url, &RemoteRobots::Connection::url) == 0) return;
+  const auto done = commands_.run(
+      "remote.limit", {url, 1e3 * limit_->value(), images_->currentData().toString().toStdString()});
+  if (!done) fail(QString::fromStdString(done.error().text));
+}
+
 std::string RemoteDialog::enteredUrl() const {
   QString url = url_->currentText().trimmed();
   if (!url.contains(QStringLiteral("://"))) url.prepend(QStringLiteral("ws://"));
@@ -167,6 +223,7 @@ void RemoteDialog::forgetToken() {
 
 void RemoteDialog::showEvent(QShowEvent* event) {
   showToken();
+  showLimits();
   QDialog::showEvent(event);
 }
 
@@ -244,6 +301,7 @@ void RemoteDialog::connectUrl() {
   if (wantsProgram_) return hostUrl(url.toStdString());
   const auto done = commands_.run("remote.connect", {url.toStdString(), token_->text().toStdString()});
   if (!done) return fail(QString::fromStdString(done.error().text));
+  applyLimits(wanted_.toStdString());
   const auto known = std::ranges::find_if(recent_, [this](const Recent& one) { return one.url == wanted_; });
   remember({wanted_, known == recent_.end() ? QString() : known->robots});
   showConnections();
@@ -252,7 +310,8 @@ void RemoteDialog::connectUrl() {
 
 void RemoteDialog::hostUrl(const std::string& url) {
   const auto done = commands_.run(
-      "remote.host", {url, token_->text().toStdString(), std::string(), std::string(), std::string(), false});
+      "remote.host", {url, token_->text().toStdString(), std::string(), std::string(), std::string(),
+                      images_->currentData().toString() == QStringLiteral("jpeg")});
   if (!done) return fail(QString::fromStdString(done.error().text));
   remember({wanted_, QString(), true});
   progress_->show();

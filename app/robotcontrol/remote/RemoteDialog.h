@@ -5,6 +5,7 @@
 #include <QList>
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -62,6 +63,11 @@ class RemoteDialog final : public QDialog {
   void createFields();
   void createState();
   QLayout* createToken();
+  QLayout* createLimits();
+  /// Shows those of the connection at this URL, if there is one.
+  void showLimits();
+  /// Limits the connection at a URL as was entered, if there is one.
+  void applyLimits(const std::string& url);
   /// The URL that the user has entered, as connections have it; empty if it is none.
   std::string enteredUrl() const;
   /// Takes the address of robots that announce themselves.
@@ -93,6 +99,8 @@ class RemoteDialog final : public QDialog {
   QComboBox* url_ = nullptr;
   QComboBox* program_ = nullptr;
   QLineEdit* token_ = nullptr;
+  QComboBox* images_ = nullptr;
+  QDoubleSpinBox* limit_ = nullptr;
   QPushButton* forget_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

@@ -30,6 +30,10 @@ class RecordingsDesk : public EmptyDesk {
   QString cell(int column) {
     return list().topLevelItemCount() == 0 ? QString() : list().topLevelItem(0)->text(column);
   }
+  QString hint() {
+    const auto& label = find<QLabel>("recordingsHint");
+    return label.isVisible() ? label.text() : QString();
+  }
   QString state() { return find<QLabel>("recordingsState").text(); }
 };
 
@@ -45,10 +49,12 @@ class RecordingsGuiTest : public WindowTest {
     const ServedHall hall(options);
     RecordingsDesk desk(home_, hall.url());
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("recordingsStart"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.hint().contains(QStringLiteral("no recordings yet")), kWaitMs);
     QVERIFY(desk.find<QComboBox>("recordingsRobot").currentText().contains(QStringLiteral("red1")));
     desk.press("recordingsStart");
     QTRY_COMPARE_WITH_TIMEOUT(desk.cell(3), QStringLiteral("is being recorded"), kWaitMs);
     QVERIFY(!desk.isEnabled("recordingsStart"));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.hint(), QString(), kWaitMs);
     widgets::test::keepPicture(desk.find<QDialog>("recordingsDialog"), "recordings-running");
     QTRY_VERIFY_WITH_TIMEOUT(desk.isEnabled("recordingsStop"), kWaitMs);
     desk.press("recordingsStop");
@@ -93,7 +99,7 @@ class RecordingsGuiTest : public WindowTest {
 
   void whatIsMissingIsSaid() {
     RecordingsDesk alone(home_ / "alone", {});
-    QTRY_VERIFY_WITH_TIMEOUT(alone.state().contains(QStringLiteral("Connect")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(alone.hint().contains(QStringLiteral("Connect")), kWaitMs);
     const ServedHall hall;
     RecordingsDesk desk(home_ / "desk", hall.url());
     QTRY_VERIFY_WITH_TIMEOUT(desk.state().contains(QStringLiteral("--recordings")), kWaitMs);

@@ -3,6 +3,7 @@
 // person does, over a line of this machine that is cut and found again.
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -60,6 +61,38 @@ class RemoteGuiTest : public WindowTest {
     QTest::mouseClick(&desk.find<QPushButton>("remoteDisconnect"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 0, kWaitMs);
     QCOMPARE(desk.state(), QString());
+  }
+
+  void whatALineCarriesIsLimitedBeforeAndWhileItIsConnected() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    const auto limits = [&] { return desk.workbench.remote().connections().at(0).limits; };
+    desk.choose("remote.connect");
+    desk.find<QComboBox>("remoteUrl").setEditText(QString::fromStdString(hall.url()));
+    auto& images = desk.find<QComboBox>("remoteImages");
+    auto& limit = desk.find<QDoubleSpinBox>("remoteLimit");
+    images.setFocus();
+    QTest::keyClick(&images, Qt::Key_End);
+    limit.setFocus();
+    limit.selectAll();
+    QTest::keyClicks(&limit, QStringLiteral("200"));
+    QTest::mouseClick(&desk.find<QPushButton>("remoteConnect"), Qt::LeftButton);
+    QCOMPARE(limits().bytesPerSecond, 200e3);
+    QCOMPARE(limits().images, RemoteRobots::Limits::Images::kJpeg);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newest<foxglove::RawImage>("red1/camera/image") != nullptr, kWaitMs);
+    QVERIFY2(desk.state().contains(QStringLiteral("at most 200 kB/s, images as JPEG")),
+             qPrintable(desk.state()));
+    // They are shown again, and changed at once.
+    desk.choose("remote.connect");
+    desk.find<QComboBox>("remoteUrl").setEditText(QStringLiteral("ws://127.0.0.1:1"));
+    limit.setValue(0);
+    QCOMPARE(limits().bytesPerSecond, 200e3);
+    desk.find<QComboBox>("remoteUrl").setEditText(QString::fromStdString(hall.url()));
+    QCOMPARE(limit.value(), 200.0);
+    QCOMPARE(images.currentText(), QStringLiteral("as JPEG"));
+    limit.setFocus();
+    QTest::keyClick(&limit, Qt::Key_Up);
+    QCOMPARE(limits().bytesPerSecond, 300e3);
   }
 
   void theLineIsLostAndFoundWithoutAClick() {
