@@ -277,12 +277,13 @@ ServerInfo Server::info() const {
 
 std::vector<Server::SharedFrame> Server::offer() const {
   std::vector<SharedFrame> offer;
-  Advertise channels;
-  for (const auto& [id, channel] : channels_) channels.channels.push_back(channelOf(*channel));
-  if (!channels.channels.empty()) offer.push_back(sharedFrame(channels));
+  // Services first: STOP is one of them, and the channels with their schemas take a narrow line long.
   AdvertiseServices services;
   for (const auto& [id, offered] : services_) services.services.push_back(offered.service);
   if (!services.services.empty()) offer.push_back(sharedFrame(services));
+  Advertise channels;
+  for (const auto& [id, channel] : channels_) channels.channels.push_back(channelOf(*channel));
+  if (!channels.channels.empty()) offer.push_back(sharedFrame(channels));
   return offer;
 }
 

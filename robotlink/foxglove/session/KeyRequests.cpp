@@ -43,6 +43,7 @@ void KeyRequests::setTable(const std::string& robot, const robotcontrol::KeyTabl
     if (old == known.keys.end()) continue;
     key.before = old->second.before;
     key.isTheirs = old->second.isTheirs;
+    key.isRestored = old->second.isRestored && key.mode.kind() != KeyMode::OFF;
   }
   known.keys = std::move(keys);
   update(robot, known);
@@ -56,6 +57,7 @@ void KeyRequests::noteChosen(const std::string& robot, const std::string& key, c
   if (found == known->second.keys.end()) return;
   found->second.mode = mode;
   found->second.before.reset();
+  found->second.isRestored = false;
   found->second.isTheirs = true;
 }
 
@@ -72,8 +74,13 @@ std::map<std::string, std::set<std::string>> KeyRequests::clientsByKey(const std
 }
 
 std::map<std::string, std::set<std::string>> KeyRequests::onDemand(const std::string& robot) const {
-  auto result = clientsByKey(robot);
-  std::erase_if(result, [&](const auto& entry) { return !robots_.at(robot).keys.at(entry.first).before; });
+  auto clients = clientsByKey(robot);
+  std::map<std::string, std::set<std::string>> result;
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return result;
+  for (const auto& [name, key] : known->second.keys) {
+    if (key.before || key.isRestored) result[name] = std::move(clients[name]);
+  }
   return result;
 }
 
@@ -97,13 +104,16 @@ void KeyRequests::update(const std::string& name, Robot& robot) {
         [&one = std::as_const(key)](const auto& subscribed) { return publishesOn(one, subscribed.first); });
     if (wanted && !key.before && !key.isTheirs && key.mode.kind() == KeyMode::OFF) {
       key.before = key.mode;
+      key.isRestored = false;
       KeyMode always;
       always.set_kind(KeyMode::ALWAYS);
       set(name, keyName, key, always);
     } else if (!wanted) {
       key.isTheirs = false;
       // Also if the table says that it is so: that may be older than our request.
-      if (key.before) set(name, keyName, key, *std::exchange(key.before, std::nullopt));
+      if (!key.before) continue;
+      key.isRestored = true;
+      set(name, keyName, key, *std::exchange(key.before, std::nullopt));
     }
   }
 }

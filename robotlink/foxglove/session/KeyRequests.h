@@ -38,7 +38,8 @@ class KeyRequests {
 
   /// The clients that subscribe to what a robot's keys publish, by key.
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
-  /// The same for the keys that are on only because of them.
+  /// The same for the keys that are on only because of them, also while such a key, which nobody subscribes
+  /// to any more, may still be on.
   std::map<std::string, std::set<std::string>> onDemand(const std::string& robot) const;
   /// Whether they may have changed since this was asked last.
   bool takeChanged(const std::string& robot);
@@ -51,6 +52,8 @@ class KeyRequests {
     robotcontrol::KeyMode mode;
     /// The mode to restore; empty: it was not switched on here.
     std::optional<robotcontrol::KeyMode> before;
+    /// Its mode was asked back, and no table says yet that it is.
+    bool isRestored = false;
     /// While there are subscribers: somebody else set it.
     bool isTheirs = false;
   };

@@ -29,17 +29,9 @@ void KeyWishes::setChannelKeys(const KeyTable& table) {
   areChannels_ = true;
 }
 
-void KeyWishes::setOnDemand(const std::string& key, bool isOnDemand) {
-  if (isOnDemand)
-    onDemand_.insert(key);
-  else
-    onDemand_.erase(key);
-}
-
 KeyTable KeyWishes::shown(KeyTable table) const {
   for (Key& key : *table.mutable_keys()) {
-    if (areChannels_ && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
-    if (onDemand_.contains(key.name()) && !wanted_.contains(key.name())) key.clear_mode();
+    if (!isOn(key) && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
   }
   return table;
 }
@@ -64,8 +56,8 @@ const KeyWishes::Key* KeyWishes::keyOf(const std::string& stream) const {
   return found == table_.keys().end() ? nullptr : &*found;
 }
 
-bool KeyWishes::isOn(const Key& key) const {
-  return key.mode().kind() != KeyMode::OFF && !onDemand_.contains(key.name());
+bool KeyWishes::isOn(const Key& key) {
+  return key.mode().kind() != KeyMode::OFF;
 }
 
 }  // namespace robotlink::websocket

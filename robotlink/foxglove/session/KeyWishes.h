@@ -10,8 +10,8 @@
 namespace robotlink::websocket {
 
 /// The debug keys of one robot at the far end, as a session here sees them. While the session wants what a
-/// key publishes, it subscribes to it, and the robot switches the key on for it. What is on only because
-/// other clients subscribe is off here. One thread.
+/// key publishes, it subscribes to it, and the robot switches the key on for it. Its tables have the modes
+/// without that: what is on only because clients subscribe is off in them. One thread.
 class KeyWishes {
  public:
   /// What a request to set a key leads to.
@@ -28,9 +28,6 @@ class KeyWishes {
   /// A robot without debug keys: each of these stands for a channel that is subscribed to while it is on.
   void setChannelKeys(const robotcontrol::KeyTable& table);
   bool hasTable() const { return table_.keys_size() > 0; }
-  /// The keys that are on only because clients subscribe to them.
-  void setOnDemand(const std::string& key, bool isOnDemand);
-  void forgetOnDemand() { onDemand_.clear(); }
 
   /// The newest table, or another one of the robot, as it is shown here.
   robotcontrol::KeyTable shown() const { return shown(table_); }
@@ -44,10 +41,10 @@ class KeyWishes {
   const Key* find(const std::string& name) const;
   const Key* keyOf(const std::string& stream) const;
   /// On by itself, whoever subscribes.
-  bool isOn(const Key& key) const;
+  static bool isOn(const Key& key);
 
   robotcontrol::KeyTable table_;
-  std::set<std::string> wanted_, onDemand_;
+  std::set<std::string> wanted_;
   bool areChannels_ = false;
 };
 

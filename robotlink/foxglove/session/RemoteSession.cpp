@@ -193,7 +193,6 @@ void RemoteSession::onConnected(const ServerInfo& info) {
   serverSession = info.sessionId;
   number = 0;
   robots.setStale();
-  for (auto& [name, robot] : robots.all()) robot.keys.forgetOnDemand();
   if (!isOurs) robots.add("", info.name.empty() ? options.connection.url.host : info.name);
   client->subscribeParameters(isOurs);
   hasChanged = true;
@@ -222,21 +221,11 @@ void RemoteSession::onServices(const std::vector<std::string>& added,
   hasChanged = true;
 }
 
-/// "red1/on-demand/ball-percept/disc" exists while that key is on only for subscribers.
 void RemoteSession::onParameters(const std::vector<Parameter>& parameters) {
-  const std::string group = std::string("/") + kOnDemandGroup + "/";
   for (const Parameter& parameter : parameters) {
-    if (parameter.name == kClientParameter && parameter.value) {
-      const auto* value = std::get_if<std::int64_t>(&parameter.value->data);
-      if (value != nullptr) onNumber(static_cast<std::uint64_t>(*value));
-    }
-    const std::size_t at = parameter.name.find(group);
-    if (at == std::string::npos) continue;
-    RemoteRobotList::Robot* robot = robots.findRemote(parameter.name.substr(0, at));
-    if (robot == nullptr) continue;
-    robot->keys.setOnDemand(parameter.name.substr(at + group.size()), parameter.value.has_value());
-    changedKeys.insert(robot->remote);
-    hasChanged = true;
+    if (parameter.name != kClientParameter || !parameter.value) continue;
+    const auto* value = std::get_if<std::int64_t>(&parameter.value->data);
+    if (value != nullptr) onNumber(static_cast<std::uint64_t>(*value));
   }
 }
 

@@ -175,7 +175,20 @@ bool SessionServer::removeOutdated(const std::string& path) {
   return true;
 }
 
+/// A key that is on for a client alone would otherwise look as if the robot wanted it to be, also to that
+/// client, whose subscription would then keep it on.
+PackagePtr SessionServer::withOwnModes(const std::string& robot, const KeyTable& table) const {
+  const auto known = robots_.find(robot);
+  auto shown = std::make_shared<KeyTable>(table);
+  for (auto& key : *shown->mutable_keys()) {
+    if (known != robots_.end() && known->second.onDemand.contains(key.name())) key.clear_mode();
+  }
+  return shown;
+}
+
 PackagePtr SessionServer::shownTo(const StreamMessage& message) const {
+  const auto* keys = dynamic_cast<const KeyTable*>(message.value.get());
+  if (keys != nullptr) return withOwnModes(splitAtSlash(message.path).first, *keys);
   const auto* status = dynamic_cast<const robotcontrol::SteeringStatus*>(message.value.get());
   const std::string robot = splitAtSlash(message.path).first;
   if (status == nullptr || !isElsewhere(robot)) return message.value;
@@ -328,11 +341,22 @@ void SessionServer::offerOnDemand(const std::string& robot) {
   const auto known = robots_.find(robot);
   if (known == robots_.end()) return;
   std::map<std::string, std::string> values;
+  std::set<std::string> names;
   for (const auto& [key, clients] : keys_.onDemand(robot)) {
-    std::string& names = values[key];
-    for (const std::string& client : clients) names += (names.empty() ? "" : ", ") + client;
+    names.insert(key);
+    for (const std::string& client : clients) {
+      std::string& who = values[key];
+      who += (who.empty() ? "" : ", ") + client;
+    }
   }
   offerParameters(robot, known->second, kOnDemandGroup, values);
+  if (std::exchange(known->second.onDemand, names) == names) return;
+  for (const auto& [path, channel] : channels_) {
+    if (!path.starts_with(robot + "/" + streams::kKeys) || !channel->isWanted()) continue;
+    const StreamMessage* newest = session_.store().latest(path, Instant::max());
+    if (newest != nullptr && fits(*newest, *channel))
+      channel->publish(newest->time, shownTo(*newest)->SerializeAsString());
+  }
 }
 
 void SessionServer::updateRobots() {

@@ -101,6 +101,8 @@ class SessionServer {
     /// Types of packages, of the newest table of processes.
     std::map<std::string, std::string> packageTypes;
     robotcontrol::KeyTable keys;
+    /// The keys that are on only for subscribers, as tables said last.
+    std::set<std::string> onDemand;
     /// Its processes, with ids such as "red1/cognition", by package.
     ConnectionGraph graph;
   };
@@ -131,7 +133,7 @@ class SessionServer {
   void offerPlayback();
   /// `requestId`: that of the client's request that this answers; empty: of none.
   void publishPlayback(bool didSeek, const std::string& requestId);
-  /// Says which keys are on only for subscribers.
+  /// Says which keys are on only for subscribers; tables of keys show these as off.
   void offerOnDemand(const std::string& robot);
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
   // What follows from what clients do.
@@ -146,6 +148,8 @@ class SessionServer {
   /// What clients are told on a stream: who steers a robot elsewhere is known there, and which of the clients
   /// here it is, is known here.
   PackagePtr shownTo(const StreamMessage& message) const;
+  /// A table of keys as clients see it: with the modes that they have without subscribers.
+  PackagePtr withOwnModes(const std::string& robot, const robotcontrol::KeyTable& table) const;
   // From clients.
   using ServiceHandlerOf = void (SessionServer::*)(const std::string& robot, const std::string& service,
                                                    const ClientInfo& client, const ServiceCallRequest& call,

@@ -83,9 +83,9 @@ TEST_F(ServerTest, newClientsLearnAllThatIsOffered) {
   const auto info = std::get<ServerInfo>(messages[0]);
   EXPECT_THAT(info.capabilities, ElementsAre("parameters", "parametersSubscribe", "services",
                                              "connectionGraph", "time", "clientPublish"));
-  EXPECT_EQ(std::get<Advertise>(messages[1]).channels,
+  EXPECT_EQ(std::get<Advertise>(messages[2]).channels,
             (std::vector<Channel>{{channels[1]->id(), "b", "json", "S", "{}", "jsonschema"}}));
-  EXPECT_EQ(std::get<AdvertiseServices>(messages[2]).services[0].id, id);
+  EXPECT_EQ(std::get<AdvertiseServices>(messages[1]).services[0].id, id);
   EXPECT_EQ(std::get<Status>(messages[3]).id, "battery");
 }
 
@@ -104,7 +104,7 @@ TEST_F(ServerTest, theOfferIsEncodedOnceForAllClientsUntilItChanges) {
   EXPECT_EQ(first[1], second[1]) << "the same bytes, not equal ones";
   EXPECT_EQ(first[2], second[2]);
   server_->addChannels({setup("b")});
-  EXPECT_EQ(std::get<Advertise>(heard(join("z"))[1]).channels.size(), 2U);
+  EXPECT_EQ(std::get<Advertise>(heard(join("z"))[2]).channels.size(), 2U);
   server_->removeChannels(channels);
   server_->removeService(service);
   const auto last = heard(join("w"));

@@ -52,6 +52,21 @@ TEST_F(KeyRequestsTest, aKeyIsOnWhileSomebodySubscribesToWhatItPublishes) {
   EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
 }
 
+TEST_F(KeyRequestsTest, aKeyIsOnDemandUntilATableSaysThatItIsOffAgain) {
+  const auto onDemand = [&] { return requests_.onDemand("red1").contains("ball-percept/disc"); };
+  EXPECT_FALSE(onDemand());
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  setTable("always");
+  EXPECT_TRUE(onDemand());
+  requests_.setSubscribers("red1", kDisc, {});
+  setTable("always");
+  EXPECT_TRUE(onDemand());
+  setTable("off");
+  EXPECT_FALSE(onDemand());
+  setTable("always");
+  EXPECT_FALSE(onDemand());
+}
+
 TEST_F(KeyRequestsTest, aKeyThatIsOnAlreadyStaysAsItIs) {
   setTable("every 3");
   requests_.setSubscribers("red1", kDisc, {"a"});

@@ -43,21 +43,18 @@ TEST_F(KeyWishesTest, aKeyThatIsSwitchedOnHereIsASubscription) {
   EXPECT_TRUE(keys_.wants("drawings/disc"));
   EXPECT_TRUE(keys_.wants("drawings/disc/curve"));
   EXPECT_FALSE(keys_.wants("drawings/disc2"));
-  // The robot switched it on for us.
-  setMode(0, KeyMode::ALWAYS);
-  keys_.setOnDemand("disc", true);
+  EXPECT_EQ(keys_.shown().keys(0).mode().kind(), KeyMode::ALWAYS);
   const auto off = keys_.set(keyRequest("disc", KeyMode::OFF));
   EXPECT_FALSE(off.isForwarded);
   EXPECT_FALSE(keys_.wants("drawings/disc"));
 }
 
-TEST_F(KeyWishesTest, whatOthersSubscribeToIsOffHere) {
-  setMode(1, KeyMode::ALWAYS);
-  keys_.setOnDemand("circle", true);
-  EXPECT_FALSE(keys_.wants("drawings/circle"));
+TEST_F(KeyWishesTest, aKeyThatIsOnForThisClientAloneIsShownAsOn) {
   EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::OFF);
   keys_.set(keyRequest("circle", KeyMode::ALWAYS));
   EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::ALWAYS);
+  setMode(1, KeyMode::EVERY_N);
+  EXPECT_EQ(keys_.shown(table_).keys(1).mode().kind(), KeyMode::EVERY_N);
 }
 
 TEST_F(KeyWishesTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {

@@ -112,6 +112,71 @@ TEST_F(SessionServerTest, aKeyIsOnWhileItsChannelHasASubscriber) {
   EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
 }
 
+TEST_F(SessionServerTest, tablesShowKeysAsTheyAreWithoutSubscribers) {
+  publishTables();
+  const auto channels = advertised();
+  say(Subscribe{{{1, channels.at("red1/tables/keys").id}}});
+  const auto shown = [&]() -> std::optional<robotcontrol::KeyMode::Kind> {
+    const auto messages = heard<MessageData>();
+    robotcontrol::KeyTable table;
+    if (messages.empty() || !table.ParseFromString(std::string(messages.back().payload))) return std::nullopt;
+    return table.keys(0).mode().kind();
+  };
+  const auto publishMode = [&](int ms, robotcontrol::KeyMode::Kind kind) {
+    auto table = *session_.store().latestAs<robotcontrol::KeyTable>("red1/tables/keys", Instant::max());
+    table.mutable_keys(0)->mutable_mode()->set_kind(kind);
+    publish("red1/tables/keys", Instant(std::chrono::milliseconds(ms)), table);
+    tick();
+  };
+  EXPECT_EQ(shown(), robotcontrol::KeyMode::OFF);
+  say(Subscribe{{{2, channels.at("red1/drawings/image/ball-percept/disc").id}}});
+  publishMode(5, robotcontrol::KeyMode::ALWAYS);
+  EXPECT_EQ(shown(), robotcontrol::KeyMode::OFF) << "it is on for this client alone";
+  say(Unsubscribe{{2}});
+  publishMode(6, robotcontrol::KeyMode::ALWAYS);
+  EXPECT_EQ(shown(), robotcontrol::KeyMode::OFF) << "an older table must not bring the subscription back";
+  publishMode(7, robotcontrol::KeyMode::OFF);
+  publishMode(8, robotcontrol::KeyMode::ALWAYS);
+  EXPECT_EQ(shown(), robotcontrol::KeyMode::ALWAYS) << "the robot switched it on itself";
+}
+
+TEST_F(SessionServerTest, aKeyThatSomebodySetsWhileItIsOnForAClientIsShownAsOn) {
+  publishTables();
+  const auto channels = advertised();
+  say(Subscribe{{{1, channels.at("red1/tables/keys").id}}});
+  say(Subscribe{{{2, channels.at("red1/drawings/image/ball-percept/disc").id}}});
+  auto table = *session_.store().latestAs<robotcontrol::KeyTable>("red1/tables/keys", Instant::max());
+  table.mutable_keys(0)->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  publish("red1/tables/keys", Instant(5ms), table);
+  tick();
+  heard<MessageData>();
+  Request request;
+  request.set_robot("red1");
+  request.mutable_set_key()->set_name("ball-percept/disc");
+  request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  session_.request(request);
+  // The robot's table does not change by that, and the clients' does.
+  say(Subscribe{{{3, channels.at("red1/camera/image").id}}});
+  const auto messages = heard<MessageData>();
+  ASSERT_FALSE(messages.empty());
+  ASSERT_TRUE(table.ParseFromString(std::string(messages.back().payload)));
+  EXPECT_EQ(table.keys(0).mode().kind(), robotcontrol::KeyMode::ALWAYS);
+}
+
+TEST_F(SessionServerTest, servicesAreAnnouncedBeforeChannels) {
+  publishTables();
+  const ClientPtr late = *server_->server()->connect({0, "127.0.0.1:2", "y"}, [] {});
+  std::vector<std::string> order;
+  while (const auto next = server_->server()->next(*late, Instant())) {
+    const std::string bytes =
+        std::string(reinterpret_cast<const char*>(next->head.data()), next->headSize) + *next->payload;
+    const ServerMessage message = decodeServerMessage(next->kind, bytes).value();
+    if (std::holds_alternative<Advertise>(message)) order.emplace_back("channels");
+    if (std::holds_alternative<AdvertiseServices>(message)) order.emplace_back("services");
+  }
+  EXPECT_THAT(order, ElementsAre("services", "channels"));
+}
+
 TEST_F(SessionServerTest, aKeyOfARobotThatWasGoneIsOffUntilSomebodySubscribesAnew) {
   publishTables();
   const auto channels = advertised();
