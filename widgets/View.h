@@ -129,7 +129,7 @@ struct ViewType {
 /// itself with one line in its .cpp:
 ///
 ///     const ViewRegistration kRegistration{{"image", QT_TR_NOOP("Image"), QT_TR_NOOP("..."), "image", true,
-///     create<ImageView>}};
+///     create<ImageStreamView>}};
 class ViewRegistry {
  public:
   /// In the order of registration, which is unspecified between source files.

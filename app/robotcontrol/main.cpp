@@ -106,7 +106,7 @@ std::vector<std::string> sourcesOf(const Arguments& arguments) {
 bool simulates(const Arguments& arguments) {
   if (arguments.files.empty() && !arguments.servers.empty()) return false;
   const app::PlatformAdapter* adapter = app::adapterFor(sourcesOf(arguments).front());
-  return adapter != nullptr && adapter->time == app::PlatformTime::kSimulated;
+  return adapter != nullptr && adapter->time == app::TimeKind::kSimulated;
 }
 
 /// Empty: the one that was shown last. Who opens a map, a real robot or a log wants to see what belongs to

@@ -135,7 +135,7 @@ std::filesystem::path colorsBeside(const std::filesystem::path& map) {
 }
 
 tl::expected<std::optional<ColorClasses>, Errors> colorsOf(const std::filesystem::path& map,
-                                                           const ImportOptions& options) {
+                                                           const TableImportOptions& options) {
   const std::filesystem::path file = options.colors.empty() ? colorsBeside(map) : options.colors;
   if (file.empty()) return std::optional<ColorClasses>();
   const auto text = robotlink::readFile(file, kMaxImportedBytes);
@@ -178,7 +178,7 @@ tl::expected<ImportedTable, Errors> parseTable(std::string_view bytes, const std
 }
 
 tl::expected<ImportedTable, Errors> importTable(const std::filesystem::path& file,
-                                                const ImportOptions& options) {
+                                                const TableImportOptions& options) {
   const auto bytes = robotlink::readFile(file, kMaxImportedBytes);
   if (!bytes) return tl::unexpected(Errors{bytes.error()});
   // Only the maps of Tekkotsu have their classes in another file.

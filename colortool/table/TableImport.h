@@ -46,7 +46,7 @@ struct ImportedTable {
 };
 
 /// How importTable() reads a file.
-struct ImportOptions {
+struct TableImportOptions {
   /// Empty: recognized by contents and size.
   std::optional<TableFormat> format;
   /// The .col file of a Tekkotsu table; empty: the one of the same name beside it, or the only one in its
@@ -55,7 +55,7 @@ struct ImportOptions {
 };
 /// Reads a table, optionally compressed as .bz2. Errors say what was expected, with the offset or line.
 tl::expected<ImportedTable, robotlink::Errors> importTable(const std::filesystem::path& file,
-                                                           const ImportOptions& options = {});
+                                                           const TableImportOptions& options = {});
 /// Reads a table from bytes. `file` is the name that errors carry; `colors` are the classes of a Tekkotsu
 /// table.
 tl::expected<ImportedTable, robotlink::Errors> parseTable(std::string_view bytes, const std::string& file,

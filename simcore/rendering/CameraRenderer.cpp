@@ -110,7 +110,7 @@ class CameraRenderer::Implementation {
 
   void render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
-  void setLighting(const Lighting& lighting) { lighting_ = lighting; }
+  void setLighting(const LightAdjustment& lighting) { lighting_ = lighting; }
   void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:
@@ -137,7 +137,7 @@ class CameraRenderer::Implementation {
   // Centers of the bounding spheres, by instance.
   std::vector<Eigen::Vector3d> centerInWorld_;
   std::vector<ShadeLamp> lamps_;
-  Lighting lighting_;
+  LightAdjustment lighting_;
   bool moved_ = true;
   // State of the last image, for label().
   std::vector<Drawn> drawn_;
@@ -298,7 +298,7 @@ void CameraRenderer::render(const Pose3& cameraInWorld, const CameraModel& camer
   implementation_->render(cameraInWorld, camera, format, noise, image);
 }
 
-void CameraRenderer::setLighting(const Lighting& lighting) {
+void CameraRenderer::setLighting(const LightAdjustment& lighting) {
   implementation_->setLighting(lighting);
 }
 

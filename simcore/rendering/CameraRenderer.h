@@ -5,7 +5,7 @@
 #include <span>
 
 #include "simcore/world/CameraModel.h"
-#include "simcore/world/Lighting.h"
+#include "simcore/world/LightAdjustment.h"
 #include "simcore/world/RenderScene.h"
 
 namespace simcore {
@@ -48,7 +48,7 @@ class CameraRenderer {
   void setPoses(std::span<const Pose3> bodyInWorld);
 
   /// Modifies the scene's light from the next image on.
-  void setLighting(const Lighting& lighting);
+  void setLighting(const LightAdjustment& lighting);
 
   /// Renders an image from a pose in the world. `image` gets the size of `camera` and the format (kYuyv or
   /// kRgb8). Chroma is the mean of a pair of pixels; a kYuyv image of odd width lacks the last column,

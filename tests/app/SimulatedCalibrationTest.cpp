@@ -36,7 +36,7 @@ struct LabeledImage {
 /// A lighting, with a lens and with noise of the image.
 struct Light {
   const char* name;
-  simcore::Lighting lighting;
+  simcore::LightAdjustment lighting;
   simcore::LensVignetting vignetting;
   double noise = 2.5;
 };

@@ -159,11 +159,11 @@ TEST(SimulatedLight, changesImagesFromTheNextOneOnAndSurvivesAReset) {
 
 TEST(SimulatedLight, hasLimits) {
   Watched watched;
-  for (const simcore::Lighting& wrong :
-       {simcore::Lighting{-1, 0}, {11, 0}, {std::nan(""), 0}, {1, -1.5}, {1, std::nan("")}}) {
+  for (const simcore::LightAdjustment& wrong :
+       {simcore::LightAdjustment{-1, 0}, {11, 0}, {std::nan(""), 0}, {1, -1.5}, {1, std::nan("")}}) {
     const auto refused = watched.run->world().setLighting(wrong);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().id, "simulation.light");
   }
-  EXPECT_EQ(watched.run->world().options().lighting, simcore::Lighting());
+  EXPECT_EQ(watched.run->world().options().lighting, simcore::LightAdjustment());
 }

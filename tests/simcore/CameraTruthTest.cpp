@@ -48,7 +48,7 @@ std::shared_ptr<RenderScene> wall(Rgb color) {
   return scene;
 }
 
-Image pictureOf(const std::shared_ptr<const RenderScene>& scene, const Lighting& lighting,
+Image pictureOf(const std::shared_ptr<const RenderScene>& scene, const LightAdjustment& lighting,
                 const CameraModel& camera = {}, PixelFormat format = PixelFormat::kRgb8) {
   CameraRenderer renderer(scene, {});
   renderer.setLighting(lighting);

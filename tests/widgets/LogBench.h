@@ -27,14 +27,14 @@ class FakeReading final : public LogReading {
     if (stream != wanted.stream) thumbnails.clear();
     wanted = {stream, std::move(times)};
   }
-  std::vector<Thumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }
+  std::vector<LogThumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }
   std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() override {
     return std::exchange(bookmarks, std::nullopt);
   }
 
   std::shared_ptr<const LogOverview> published;
   Wanted wanted;
-  std::vector<Thumbnail> thumbnails;
+  std::vector<LogThumbnail> thumbnails;
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks;
 };
 

@@ -108,7 +108,7 @@ class LogReaderTest : public QObject {
     QCOMPARE(images->density.count(), count);
     QVERIFY(images->bytes > 10'000 * count);
     reader.wantThumbnails("nao/camera/image", {overview->end, overview->begin, images->first}, 60);
-    std::vector<widgets::Thumbnail> thumbnails;
+    std::vector<widgets::LogThumbnail> thumbnails;
     QTRY_VERIFY_WITH_TIMEOUT(
         (std::ranges::move(reader.takeThumbnails(), std::back_inserter(thumbnails)), thumbnails.size() == 3),
         kWaitMs);

@@ -77,7 +77,7 @@ struct LogOverview {
 };
 
 /// A small version of one image of a log.
-struct Thumbnail {
+struct LogThumbnail {
   /// The time that was requested; the image is the newest one not later.
   robotlink::Instant time;
   /// Null: there is no such image.
@@ -96,7 +96,7 @@ class LogReading {
   virtual void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times,
                               int height) = 0;
   /// Those that were read since the last call.
-  virtual std::vector<Thumbnail> takeThumbnails() = 0;
+  virtual std::vector<LogThumbnail> takeThumbnails() = 0;
   /// Returns the bookmarks, or why they cannot be read, once; unset before and after. The caller owns them
   /// from then on.
   virtual std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() = 0;

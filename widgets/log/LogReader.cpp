@@ -195,7 +195,7 @@ void LogReader::wantThumbnails(const std::string& stream, std::vector<Instant> t
   if (log_) thumbnailWorker_.post(wanted_);
 }
 
-std::vector<Thumbnail> LogReader::takeThumbnails() {
+std::vector<LogThumbnail> LogReader::takeThumbnails() {
   const std::lock_guard lock(mutex_);
   return std::exchange(thumbnails_, {});
 }

@@ -27,7 +27,7 @@ class LogReader final : public LogReading {
 
   std::shared_ptr<const LogOverview> overview() override;
   void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int height) override;
-  std::vector<Thumbnail> takeThumbnails() override;
+  std::vector<LogThumbnail> takeThumbnails() override;
   std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() override;
 
  private:
@@ -70,7 +70,7 @@ class LogReader final : public LogReading {
   std::shared_ptr<const LogOverview> overview_;
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks_;
   Wanted wanted_;
-  std::vector<Thumbnail> thumbnails_;
+  std::vector<LogThumbnail> thumbnails_;
 
   /// Gets what is wanted once log_ is open.
   robotlink::Worker<Wanted> thumbnailWorker_;

@@ -132,7 +132,7 @@ void OpenLogs::takeNews(Log& log) {
     ++version_;
     chooseDefaults(log);
   }
-  for (Thumbnail& thumbnail : log.reading->takeThumbnails())
+  for (LogThumbnail& thumbnail : log.reading->takeThumbnails())
     log.thumbnails[thumbnail.time] = std::move(thumbnail.image);
   auto bookmarks = log.reading->takeBookmarks();
   if (!bookmarks) return;

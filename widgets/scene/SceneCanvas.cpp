@@ -46,7 +46,7 @@ SceneCanvas::~SceneCanvas() {
   thread_.reset();
 }
 
-void SceneCanvas::setContents(SceneContents contents) {
+void SceneCanvas::setContents(VisibleScene contents) {
   if (contents == contents_) return smoothen();
   contents_ = std::move(contents);
   request();

@@ -28,7 +28,7 @@ class SceneCanvas final : public QWidget {
 
   /// To be called 30 times a second even if nothing changed: after a call without a change a picture with
   /// smooth edges is requested.
-  void setContents(SceneContents contents);
+  void setContents(VisibleScene contents);
   /// The models that can be dragged; without `always` only while Control is held.
   void setMovable(std::vector<std::string> models, bool always);
   /// A sentence at the upper edge; empty: none.
@@ -110,7 +110,7 @@ class SceneCanvas final : public QWidget {
   std::string movableAt(const QPointF& at, Qt::KeyboardModifiers modifiers,
                         robotlink::Vector3* point = nullptr) const;
 
-  SceneContents contents_;
+  VisibleScene contents_;
   std::vector<std::string> movable_;
   bool moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
   QString notice_, hint_;

@@ -44,7 +44,7 @@ struct SceneLabel {
 };
 
 /// Everything that is visible in the world.
-struct SceneContents {
+struct VisibleScene {
   /// The world and the models in it.
   std::vector<SceneBody> bodies;
   /// Drawings of the robots, lowest first.
@@ -58,7 +58,7 @@ struct SceneContents {
   /// Texts, painted over the picture.
   std::vector<SceneLabel> labels;
 
-  bool operator==(const SceneContents&) const = default;
+  bool operator==(const VisibleScene&) const = default;
 };
 
 /// A request for a picture: everything that the renderer needs; immutable once its thread has it.
@@ -81,7 +81,7 @@ struct SceneFrame {
   Colors colors;
   bool wireFrame = false;
   bool grid = true;
-  SceneContents contents;
+  VisibleScene contents;
   /// Name of a model; empty: none.
   std::string highlighted;
   /// Whether the picture is drawn with several samples per pixel, which takes more than three times as long

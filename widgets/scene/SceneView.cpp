@@ -174,8 +174,8 @@ void SceneView::tick() {
   canvas_->setContents(contents(beliefs_));
 }
 
-SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
-  SceneContents contents;
+VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
+  VisibleScene contents;
   contents.bodies = assembly_.bodies(scene_);
   const auto drawings = worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
                                       this->drawings()->shown(), session().timeline().shown());

@@ -53,7 +53,7 @@ class SceneView final : public PictureView {
   void connectDrag();
 
   /// Everything that the canvas shows.
-  SceneContents contents(const std::vector<RobotBelief>& beliefs);
+  VisibleScene contents(const std::vector<RobotBelief>& beliefs);
   /// The dragged model at the pose to which it is dragged.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   void showState(bool faded);

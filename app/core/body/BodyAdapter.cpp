@@ -49,7 +49,7 @@ PlatformForm bodyForm() {
 const PlatformRegistration kBodyRegistration{
     {.name = BodyFeed::kAdapter,
      .sources = "a body elsewhere whose program shall run here (ws://HOST[:PORT], with --program here)",
-     .time = PlatformTime::kReal,
+     .time = TimeKind::kReal,
      .opens = [](const std::string& source) { return robotlink::websocket::isServerUrl(source); },
      .order = 1,
      .open = openBody,

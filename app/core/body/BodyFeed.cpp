@@ -339,7 +339,7 @@ Errors BodyFeed::hostProgram(const std::string& asked, const robotcontrol::HostP
 LoadedPlatform BodyFeed::describe() const {
   LoadedPlatform loaded;
   loaded.adapter = kAdapter;
-  loaded.time = PlatformTime::kReal;
+  loaded.time = TimeKind::kReal;
   loaded.sources = {options_.url};
   loaded.title = name() + " at " + options_.url;
   loaded.lostChoices = lostChoices_;

@@ -230,7 +230,7 @@ PlatformForm pioneerForm() {
 const PlatformRegistration kPioneerRegistration{
     {.name = PioneerFeed::kAdapter,
      .sources = "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
-     .time = PlatformTime::kReal,
+     .time = TimeKind::kReal,
      .opens = isAddress,
      .order = 2,
      .open = openPioneer,

@@ -112,7 +112,7 @@ robotlink::Result<void> PioneerFeed::requestSimulation(const robotcontrol::Reque
 LoadedPlatform PioneerFeed::describe() const {
   LoadedPlatform loaded;
   loaded.adapter = kAdapter;
-  loaded.time = PlatformTime::kReal;
+  loaded.time = TimeKind::kReal;
   loaded.sources = {run_->options().url};
   loaded.title = run_->options().url;
   loaded.lostChoices = run_->lostChoices();

@@ -27,7 +27,7 @@ class PlatformFeed;
 struct HeadlessPlatform;
 
 /// The kind of time that a platform goes by. It decides how users can control the platform.
-enum class PlatformTime : std::uint8_t {
+enum class TimeKind : std::uint8_t {
   /// Simulated time: can be paused, stepped, reset and sped up.
   kSimulated,
   /// The time line of logs: can be played and jumped in.
@@ -94,7 +94,7 @@ struct PlatformAdapter {
   /// What it opens, for users: "a world (.sdf, .world) or a map (.map)".
   const char* sources;
   /// The kind of time of its platforms.
-  PlatformTime time;
+  TimeKind time;
   /// Whether one platform can have several sources, which share a time line.
   bool severalSources = false;
   /// Whether it opens this file or address. Several adapters may; then the one with the lowest `order` does.

@@ -31,7 +31,7 @@ struct LoadedPlatform {
   /// The name of its PlatformAdapter; empty if nothing is loaded.
   std::string adapter;
   /// Unset if nothing is loaded.
-  std::optional<PlatformTime> time;
+  std::optional<TimeKind> time;
   /// The scene's file, the logs' files, or the robot's address.
   std::vector<std::string> sources;
   /// The title of the window: "field2002", "game.mcap", "tcp://localhost:8101"; empty if nothing is loaded.
@@ -57,9 +57,9 @@ struct LoadedPlatform {
     const auto other = otherLayouts.find(robot);
     return other == otherLayouts.end() ? layout : other->second;
   }
-  bool isSimulated() const { return time == PlatformTime::kSimulated; }
-  bool isLogged() const { return time == PlatformTime::kLogged; }
-  bool isReal() const { return time == PlatformTime::kReal; }
+  bool isSimulated() const { return time == TimeKind::kSimulated; }
+  bool isLogged() const { return time == TimeKind::kLogged; }
+  bool isReal() const { return time == TimeKind::kReal; }
 };
 
 /// A platform with the programs of its robots, as the workbench runs it: publishes to a session, goes at the

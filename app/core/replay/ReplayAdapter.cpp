@@ -21,7 +21,7 @@ robotlink::Result<PlatformOpening> openLogFiles(const PlatformChoices& choices) 
 const PlatformRegistration kReplayRegistration{
     {.name = ReplayFeed::kAdapter,
      .sources = "log files to open on one timeline",
-     .time = PlatformTime::kLogged,
+     .time = TimeKind::kLogged,
      .severalSources = true,
      .opens = [](const std::string&) { return true; },
      .order = 3,

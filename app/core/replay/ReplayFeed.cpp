@@ -211,7 +211,7 @@ LoadedPlatform ReplayFeed::describe() const {
   LoadedPlatform loaded;
   for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
   loaded.adapter = kAdapter;
-  loaded.time = PlatformTime::kLogged;
+  loaded.time = TimeKind::kLogged;
   for (const ReplayLog& log : run_->options().logs) {
     loaded.sources.push_back(log.file.string());
     loaded.title += (loaded.title.empty() ? "" : " + ") + log.file.filename().string();

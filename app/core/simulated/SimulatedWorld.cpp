@@ -180,9 +180,9 @@ const robotlink::Image& SimulatedWorld::trueClasses() {
   return classes_;
 }
 
-robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lighting) {
+robotlink::Result<void> SimulatedWorld::setLighting(const simcore::LightAdjustment& lighting) {
   // Written so that a NaN is out of range, too.
-  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMaxBrightness)) {
+  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::LightAdjustment::kMaxBrightness)) {
     return robotlink::failure("simulation.light",
                               "the brightness must be between 0 and 10 times that of the scene");
   }

@@ -15,7 +15,7 @@
 #include "robotlink/base/Image.h"
 #include "simcore/Simulation.h"
 #include "simcore/rendering/CameraRenderer.h"
-#include "simcore/world/Lighting.h"
+#include "simcore/world/LightAdjustment.h"
 
 namespace app {
 
@@ -37,7 +37,7 @@ class SimulatedWorld {
     bool shadows = true;
     /// Whether all images are black.
     bool blackout = false;
-    simcore::Lighting lighting = {};
+    simcore::LightAdjustment lighting = {};
     /// The vignetting of all cameras, instead of their own.
     std::optional<simcore::LensVignetting> vignetting = {};
     /// Standard deviation of the noise of all images, in gray values, instead of the cameras' own. Ignored if
@@ -89,7 +89,7 @@ class SimulatedWorld {
 
   /// Changes the light from the next image on; a reset does not change it back. Fails if a value is out of
   /// range.
-  robotlink::Result<void> setLighting(const simcore::Lighting& lighting);
+  robotlink::Result<void> setLighting(const simcore::LightAdjustment& lighting);
 
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }

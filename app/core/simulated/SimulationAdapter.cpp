@@ -273,7 +273,7 @@ PlatformForm simulationForm() {
 const PlatformRegistration kSimulationRegistration{
     {.name = SimulationFeed::kAdapter,
      .sources = "a world (.sdf, .world) or the map of a building (.map) to simulate",
-     .time = PlatformTime::kSimulated,
+     .time = TimeKind::kSimulated,
      .opens = isScene,
      .order = 1,
      .open = openSimulation,

@@ -180,7 +180,7 @@ LoadedPlatform SimulationFeed::describe() const {
   LoadedPlatform loaded;
   for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
   loaded.adapter = kAdapter;
-  loaded.time = PlatformTime::kSimulated;
+  loaded.time = TimeKind::kSimulated;
   loaded.sources = {run_->options().scene.string()};
   loaded.title = run_->options().scene.stem().string();
   if (!run_->field()->name.empty()) loaded.field = run_->field();

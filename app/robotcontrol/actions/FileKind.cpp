@@ -27,7 +27,7 @@ FileKind kindOfFile(const std::filesystem::path& file) {
   if (isIn(kPictureSuffixes, suffix) || std::filesystem::is_directory(file, ignored))
     return FileKind::kPictures;
   const PlatformAdapter* adapter = adapterFor(file.string());
-  if (adapter != nullptr && adapter->time == PlatformTime::kSimulated) return FileKind::kScene;
+  if (adapter != nullptr && adapter->time == TimeKind::kSimulated) return FileKind::kScene;
   if (isIn(kColorTables, suffix)) return FileKind::kColorTable;
   return suffix == ".yaml" ? FileKind::kLayout : FileKind::kLog;
 }

@@ -39,7 +39,7 @@ int printImportLosses(const std::string& file, const colortool::ImportedTable& i
 }
 
 int convert(const ConvertArguments& arguments) {
-  colortool::ImportOptions options;
+  colortool::TableImportOptions options;
   if (const TableFormatName* format = findFormat(arguments.format)) options.format = format->format;
   options.colors = arguments.colors;
   auto imported = importTable(arguments.from, options);

@@ -58,7 +58,7 @@ int printLosses(const std::vector<std::string>& losses) {
   return losses.empty() ? kDone : kDoneWithLosses;
 }
 
-void TimeRange::addTo(CLI::App& command) {
+void TimeRangeOptions::addTo(CLI::App& command) {
   const char* kinds =
       "in seconds from the log's start, or @ and the log's own time, or a date in UTC (2026-05-04T12:30:01), "
       "or a bookmark's text";
@@ -66,7 +66,7 @@ void TimeRange::addTo(CLI::App& command) {
   command.add_option("--to", to, "Where to end; the same");
 }
 
-Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) const {
+Result<TimeRangeOptions::Instants> TimeRangeOptions::of(const std::filesystem::path& log) const {
   Instants result;
   if (from.empty() && to.empty()) return result;
   TerminalProgress progress;

@@ -20,7 +20,7 @@ namespace {
 struct CutArguments {
   std::vector<std::string> files;  ///< the last one is the output
   std::string from, to;
-  TimeRange range;
+  TimeRangeOptions range;
   logplayer::RewriteOptions options;
   std::vector<std::string> offsets;
 };

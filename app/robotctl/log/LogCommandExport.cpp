@@ -21,7 +21,7 @@ struct ExportArguments {
   std::vector<std::string> json;  ///< as csv
   bool texts = false;
   std::string output = "-";
-  TimeRange range;
+  TimeRangeOptions range;
   logplayer::StreamFilter streams;
   bool force = false;
 };

@@ -29,7 +29,7 @@ using robotlink::Result;
 struct BookmarkArguments {
   std::string file;
   std::string add, remove;
-  TimeRange range;
+  TimeRangeOptions range;
   bool asJson = false;
 };
 
@@ -58,7 +58,7 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
 
 /// Adds the one that is asked for; "usage" if the times make no sense.
 Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments,
-                         const TimeRange::Instants& range) {
+                         const TimeRangeOptions::Instants& range) {
   if (!range.from) return robotlink::failure("usage", "--add needs --from, and for a range --to");
   bookmarks.add(*range.from, range.to.value_or(*range.from), arguments.add);
   return {};
@@ -85,7 +85,7 @@ int bookmark(const BookmarkArguments& arguments) {
   }
   const auto input = LogInput::of(arguments.file);
   if (!input) return printErrors({input.error()});
-  Result<TimeRange::Instants> range;
+  Result<TimeRangeOptions::Instants> range;
   if (!arguments.add.empty()) range = arguments.range.of(arguments.file);
   if (!range) return printRangeError(range.error());
   auto bookmarks = Bookmarks::open(input->path());

@@ -30,7 +30,7 @@ int printRangeError(const robotlink::Error& error);
 
 /// A time range as users enter it. Each end is a number of seconds from the log's start ("12.5"), a time of
 /// the log ("@486.75"), a date ("2026-05-04T12:30:01"), or the text of a bookmark.
-struct TimeRange {
+struct TimeRangeOptions {
   /// Empty: the start, the end.
   std::string from, to;
 

@@ -9,7 +9,7 @@ namespace app {
 
 void CameraOptions::addTo(CLI::App& command) {
   command.add_option("--light", lighting.brightness, "Brightness of all light, times that of the scene")
-      ->check(numberFrom(0, simcore::Lighting::kMaxBrightness))
+      ->check(numberFrom(0, simcore::LightAdjustment::kMaxBrightness))
       ->capture_default_str();
   command.add_option("--warmth", lighting.warmth, "Color of all light: above 0 reddish, below 0 bluish")
       ->check(numberFrom(-1, 1))

@@ -18,7 +18,7 @@ namespace app {
 /// The options of `robotctl sim` that concern simulated cameras: light, lens, noise, and the true classes of
 /// pixels. Filled by the command line parser.
 struct CameraOptions {
-  simcore::Lighting lighting;
+  simcore::LightAdjustment lighting;
   /// Share of light lost in the corners, and optionally the tint; empty: that of the cameras.
   std::vector<double> vignetting;
   /// Standard deviation in gray values; empty: that of the cameras.

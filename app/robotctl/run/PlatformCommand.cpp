@@ -38,7 +38,7 @@ int refusePlatform(const std::string& why) {
 robotlink::Result<PlatformOpening> bodiesOf(const PlatformArguments& arguments,
                                             BodyProgram::Options options) {
   const PlatformAdapter* adapter = adapterFor(arguments.platform);
-  if (adapter != nullptr && adapter->time == PlatformTime::kSimulated) {
+  if (adapter != nullptr && adapter->time == TimeKind::kSimulated) {
     RunOptions run = defaultSimulation();
     run.scene = arguments.platform;
     run.world.seed = arguments.seed;

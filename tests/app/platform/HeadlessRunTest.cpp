@@ -36,7 +36,7 @@ HeadlessPlatform echoPlatform() {
 const PlatformRegistration kEchoRegistration{
     {.name = "echo",
      .sources = "a word",
-     .time = PlatformTime::kReal,
+     .time = TimeKind::kReal,
      .opens = [](const std::string& source) { return source.starts_with("echo:"); },
      .order = 9,
      .open = [](const PlatformChoices&) -> robotlink::Result<PlatformOpening> {

@@ -93,7 +93,7 @@ class PerspectivesTest : public WindowTest {
     QCOMPARE(Perspectives::beginningWith(loaded), QStringLiteral("Drive"));
     loaded.robots["red1"] = dog;
     QCOMPARE(Perspectives::beginningWith(loaded), QStringLiteral("Play"));
-    loaded.time = PlatformTime::kLogged;
+    loaded.time = TimeKind::kLogged;
     QCOMPARE(Perspectives::beginningWith(loaded), QStringLiteral("Log"));
   }
 

@@ -122,7 +122,7 @@ TEST(TableImport, colorsAreFoundBesideTheirMap) {
   const TestFolder folder;
   std::string bytes = "TMAP\nYUV8\n1 2 4\n" + std::string(8, '\1');
   std::ofstream(folder / "map.tm") << bytes;
-  const auto firstName = [&](const colortool::ImportOptions& options = {}) {
+  const auto firstName = [&](const colortool::TableImportOptions& options = {}) {
     const auto imported = colortool::importTable(folder / "map.tm", options);
     return imported ? imported->table.classes.name(1) : robotlink::describe(imported.error());
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/image/ImageView.h"
+#include "widgets/image/ImageStreamView.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -22,16 +22,17 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kImageViewRegistration{
-    {"image", QT_TRANSLATE_NOOP("widgets::ImageView", "Image"),
-     QT_TRANSLATE_NOOP("widgets::ImageView", "Images with the drawings of what the program sees in them"),
-     "image", true, create<ImageView>}};
+const ViewRegistration kImageStreamViewRegistration{
+    {"image", QT_TRANSLATE_NOOP("widgets::ImageStreamView", "Image"),
+     QT_TRANSLATE_NOOP("widgets::ImageStreamView",
+                       "Images with the drawings of what the program sees in them"),
+     "image", true, create<ImageStreamView>}};
 
 constexpr char kDefaultChoice[] = "*/camera/image";
 
 }  // namespace
 
-ImageView::ImageView(ViewContext& context, QWidget* parent)
+ImageStreamView::ImageStreamView(ViewContext& context, QWidget* parent)
     : PictureView(context, "image", "picture.png", parent) {
   createActions();
   createViews();
@@ -40,9 +41,9 @@ ImageView::ImageView(ViewContext& context, QWidget* parent)
   tick();
 }
 
-ImageView::~ImageView() = default;
+ImageStreamView::~ImageStreamView() = default;
 
-void ImageView::createActions() {
+void ImageStreamView::createActions() {
   fit_ = makeFit(tr("Shows the whole image, as large as it fits"));
   oneToOne_ = makeAction(this, "one-to-one",
                          {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_A});
@@ -55,7 +56,7 @@ void ImageView::createActions() {
                            tr("Saves the image in its own size, without drawings, as PNG")});
 }
 
-void ImageView::createViews() {
+void ImageStreamView::createViews() {
   canvas_ = new ImageCanvas(this);
   const Side side = makeDrawings({QStringLiteral("image")});
   QHBoxLayout* row = makeToolRow(this);
@@ -66,7 +67,7 @@ void ImageView::createViews() {
   assemble({row->parentWidget()}, canvas_, side, {createFooter()});
 }
 
-QWidget* ImageView::createFooter() {
+QWidget* ImageStreamView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "imageTime", tr("Time of the image"));
   state_ = addLabel(footer, "imageState", tr("Whether the image is live, frozen or old"));
@@ -75,7 +76,7 @@ QWidget* ImageView::createFooter() {
   return footer->parentWidget();
 }
 
-void ImageView::connectSignals() {
+void ImageStreamView::connectSignals() {
   connect(fit_, &QAction::triggered, this, [this] { canvas_->setViewport({}); });
   connect(oneToOne_, &QAction::triggered, this, [this] { canvas_->zoomBy(1 / canvas_->zoom()); });
   connect(freeze_, &QAction::toggled, this, [this](bool frozen) {
@@ -86,16 +87,16 @@ void ImageView::connectSignals() {
     freeze_->setChecked(false);
     tick();
   });
-  connect(drawings(), &DrawingsModel::shownChanged, this, &ImageView::showMessage);
-  connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageView::updateStatus);
-  connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageView::updatePixel);
+  connect(drawings(), &DrawingsModel::shownChanged, this, &ImageStreamView::showMessage);
+  connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageStreamView::updateStatus);
+  connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageStreamView::updatePixel);
   connect(copyImage_, &QAction::triggered, this, [this] { copyPicture(canvas_->picture().pixels); });
   connect(saveImage_, &QAction::triggered, this,
           [this] { savePictureAs(this, canvas_->picture().pixels, QStringLiteral("image.png")); });
   addToContextMenu(canvas_, {copyImage_, saveImage_});
 }
 
-void ImageView::tick() {
+void ImageStreamView::tick() {
   const bool listed = streams_->refresh(session());
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
   drawings()->refresh(session(), robot());
@@ -109,15 +110,15 @@ void ImageView::tick() {
   updateStatus();
 }
 
-std::string ImageView::robot() const {
+std::string ImageStreamView::robot() const {
   return QString::fromStdString(streams_->path(session())).section(QLatin1Char('/'), 0, 0).toStdString();
 }
 
-robotlink::Instant ImageView::instant() const {
+robotlink::Instant ImageStreamView::instant() const {
   return frozenAt_.value_or(session().timeline().shown());
 }
 
-void ImageView::showMessage() {
+void ImageStreamView::showMessage() {
   auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message_);
   auto drawings = image ? currentDrawings(session(), robot(), this->drawings()->shown(), instant())
                         : std::vector<CurrentDrawing>();
@@ -142,7 +143,7 @@ void ImageView::showMessage() {
   canvas_->setPicture(std::move(picture), std::move(keep));
 }
 
-void ImageView::updateStatus() {
+void ImageStreamView::updateStatus() {
   canvas_->setFrozen(frozenAt_.has_value());
   time_->setText(image_ ? timeText(imageTime_) : tr("no image yet"));
   const bool faded = image_ && std::ranges::any_of(shownDrawings_, &CurrentDrawing::old);
@@ -154,14 +155,14 @@ void ImageView::updateStatus() {
   zoom_->setText(image_ ? tr("%1 %").arg(qRound(canvas_->zoom() * 100)) : QString());
 }
 
-QString ImageView::staleText() const {
+QString ImageStreamView::staleText() const {
   if (frozenAt_) return tr("frozen");
   if (!session().timeline().live()) return tr("history");
   const double age = robotlink::seconds(session().timeline().shown() - imageTime_);
   return age > 0.5 ? tr("%1 s old").arg(age, 0, 'f', 1) : QString();
 }
 
-void ImageView::updatePixel() {
+void ImageStreamView::updatePixel() {
   const auto at = canvas_->pixelUnderCursor();
   if (!at || !image_) return pixel_->clear();
   const auto pixel = pixelAt(robotlink::imageView(*image_), at->x(), at->y());
@@ -169,12 +170,12 @@ void ImageView::updatePixel() {
                         : QString());
 }
 
-std::vector<std::string> ImageView::classes() const {
+std::vector<std::string> ImageStreamView::classes() const {
   return image_ ? classNames(session().store(), streams_->path(session()), *image_, imageTime_)
                 : std::vector<std::string>();
 }
 
-QJsonObject ImageView::saveState() const {
+QJsonObject ImageStreamView::saveState() const {
   const ImageViewport& viewport = canvas_->viewport();
   QJsonObject state = PictureView::saveState();
   state[QStringLiteral("fit")] = viewport.fit;
@@ -183,7 +184,7 @@ QJsonObject ImageView::saveState() const {
   return state;
 }
 
-void ImageView::restoreState(const QJsonObject& state) {
+void ImageStreamView::restoreState(const QJsonObject& state) {
   PictureView::restoreState(state);
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),

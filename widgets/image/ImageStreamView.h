@@ -28,11 +28,11 @@ class StreamSelector;
 ///
 /// The stream is chosen by its path; "*/camera/image" stands for that of the session's selected robot.
 /// Registered as "image". GUI thread.
-class ImageView final : public PictureView {
+class ImageStreamView final : public PictureView {
   Q_OBJECT
  public:
-  explicit ImageView(ViewContext& context, QWidget* parent = nullptr);
-  ~ImageView() override;
+  explicit ImageStreamView(ViewContext& context, QWidget* parent = nullptr);
+  ~ImageStreamView() override;
 
   /// Shows the newest image not later than the shown instant, and its drawings.
   void tick() override;

@@ -17,7 +17,7 @@
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
-#include "widgets/image/ImageView.h"
+#include "widgets/image/ImageStreamView.h"
 
 namespace widgets::test {
 namespace {
@@ -40,7 +40,7 @@ QColor qColor(YCbCr color) {
 /// An image view of the size of 2:1 pixels plus its tool and status rows.
 struct ShownImage {
   FieldBench world;
-  ImageView view{world.context};
+  ImageStreamView view{world.context};
   ImageCanvas* canvas = &child<ImageCanvas>(view, "imageCanvas");
 
   ShownImage() {
