@@ -33,8 +33,7 @@ struct ClassPreset {
 /// Returns all presets; "2002" is the first.
 ///
 /// 2002: the field and the robots of the four-legged league of 2002, in the colors of
-/// resources/fields/2002.yaml. bhuman2009: the classes of B-Human's tables and logs of 2009, in the order of
-/// ColorTableFile::kBHuman2009Classes.
+/// resources/fields/2002.yaml. bhuman2009: the classes of B-Human's tables (ColorTableFile) and logs of 2009.
 std::span<const ClassPreset> classPresets();
 /// Returns null if there is no preset of that name.
 const ClassPreset* findClassPreset(std::string_view name);

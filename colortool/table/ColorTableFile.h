@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -25,9 +24,6 @@ struct ColorTableFile {
   /// Classes that a cell of several can have, and a cell at all.
   static constexpr int kMaxOfSeveral = 7, kMaxClasses = 127;
   static constexpr std::size_t kCellCount = std::size_t{64} * 64 * 64;
-  /// B-Human's classes of 2009; class n is kBHuman2009Classes[n - 1], class 0 is none.
-  static constexpr std::array<std::string_view, 8> kBHuman2009Classes = {
-      "orange", "yellow", "blue", "white", "green", "black", "red", "robotBlue"};
 
   /// The bytes of the file, one per cell; kCellCount of them.
   std::vector<std::uint8_t> cells = std::vector<std::uint8_t>(kCellCount, 0);

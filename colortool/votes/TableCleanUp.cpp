@@ -138,12 +138,4 @@ void TableCleanUp::fillHoles() {
   }
 }
 
-std::vector<CellSet> sampledCells(std::span<const CellSamples> samples, int classes) {
-  std::vector<CellSet> sampled(static_cast<std::size_t>(std::max(classes, 1)));
-  for (const CellSamples& sample : samples) {
-    if (sample.colorClass < sampled.size()) sampled[sample.colorClass].set(sample.cell);
-  }
-  return sampled;
-}
-
 }  // namespace colortool

@@ -7,7 +7,6 @@
 
 #include "colortool/table/CellSet.h"
 #include "colortool/table/ColorTable.h"
-#include "colortool/votes/LearnedTables.h"
 
 namespace colortool {
 
@@ -65,8 +64,5 @@ class TableCleanUp {
   CleanUpOptions options_;
   ColorTable table_;
 };
-
-/// Computes the argument of TableCleanUp::clean() from samples; `classes` is the number of classes.
-std::vector<CellSet> sampledCells(std::span<const CellSamples> samples, int classes);
 
 }  // namespace colortool

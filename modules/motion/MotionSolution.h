@@ -27,7 +27,6 @@ class MotionSolution : public robotlink::Solution {
  private:
   /// Creates the engine, at the first execution.
   void create();
-  void readParameters();
   /// The time since the last execution, in whole frames.
   robotlink::Duration frameTime();
   MotionEngine::Frame frame(robotlink::Duration time);

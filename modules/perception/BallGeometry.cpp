@@ -21,15 +21,6 @@ Vector3 BallGeometry::middleBySize(const BallDisc& disc, const CameraView& view)
   return view.cameraInRobot.translation() + view.ray(disc.center).normalized() * distance;
 }
 
-double BallGeometry::radiusAt(const Vector2& positionInRobot, const CameraView& view) const {
-  const Vector3 middle(positionInRobot.x(), positionInRobot.y(), options_.ballRadius);
-  const double distance = (middle - view.cameraInRobot.translation()).norm();
-  const auto pixel = view.pixelOf(middle);
-  if (!pixel || distance <= options_.ballRadius) return 0;
-  const double fromLens = std::hypot(std::sqrt(view.focalX * view.focalY), (*pixel - view.center()).norm());
-  return fromLens * std::tan(std::asin(options_.ballRadius / distance));
-}
-
 std::optional<BallObservation> BallGeometry::locate(const BallDisc& disc, const CameraView& view) const {
   if (disc.radius <= 0) return std::nullopt;
   const Vector3 camera = view.cameraInRobot.translation();

@@ -54,8 +54,6 @@ class BallGeometry {
 
   /// Empty if the disc cannot be a ball. The confidence of the result is how well the two measurements agree.
   std::optional<BallObservation> locate(const BallDisc& disc, const CameraView& view) const;
-  /// The radius in the image, pixels, of a ball at this position.
-  double radiusAt(const robotlink::Vector2& positionInRobot, const CameraView& view) const;
 
  private:
   /// The center of a ball of this size in the image.

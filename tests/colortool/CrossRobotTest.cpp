@@ -40,7 +40,7 @@ ColorTable learned(const Session& session, unsigned seed) {
       votes.add(ColorTable::cellOf(colors[random() % colors.size()]), colorClass, ColorVotes::kUnit);
   }
   TableCleanUp cleanUp;
-  return cleanUp.clean(votes.update(), colortool::sampledCells(votes.samples(), votes.classes()), {});
+  return cleanUp.clean(votes.update(), votes.sampledCells(), {});
 }
 
 struct RobotScore {

@@ -12,7 +12,8 @@ using GuiTestMaker = std::unique_ptr<QObject> (*)();
 /// The classes of tests in this program; the main() in GuiTestMain.cpp runs one of them, or all.
 std::vector<GuiTestMaker>& guiTests();
 
-/// Registers a class of tests by a constant beside it: `const GuiTest<ImageViewTest> kImageViewTest;`
+/// Registers a class of tests by a constant beside it: `const GuiTest<ImageStreamViewTest>
+/// kImageStreamViewTest;`
 template <typename T>
 struct GuiTest {
   GuiTest() {

@@ -83,7 +83,7 @@ FieldBench::FramePart square(const char* key, robotlink::Color color) {
 
 }  // namespace
 
-class ImageViewTest : public QObject {
+class ImageStreamViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void saysThatThereIsNoImageYet() {
@@ -443,8 +443,8 @@ class ImageViewTest : public QObject {
   }
 };
 
-const GuiTest<ImageViewTest> kImageViewTest;
+const GuiTest<ImageStreamViewTest> kImageStreamViewTest;
 
 }  // namespace widgets::test
 
-#include "ImageViewTest.moc"
+#include "ImageStreamViewTest.moc"

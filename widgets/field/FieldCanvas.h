@@ -56,8 +56,6 @@ class FieldCanvas final : public QWidget {
   /// Whether pressing the left button begins to choose a goal; if `possible` without `always`, only while
   /// Control is held.
   void setAiming(bool possible, bool always);
-  /// Whether a goal is being chosen.
-  bool aiming() const { return mode_ == Mode::kAiming; }
   /// Ends the choice of a goal; no further aim signals follow until the next press.
   void abandonAim();
 

@@ -141,12 +141,4 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   painter.restore();
 }
 
-QImage renderPicture(const ImagePicture& picture, int scale) {
-  QImage result(picture.pixels.size() * scale, QImage::Format_RGB32);
-  result.fill(Qt::black);
-  QPainter painter(&result);
-  paintPicture(painter, result.size(), picture, {});
-  return result;
-}
-
 }  // namespace widgets

@@ -36,7 +36,5 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
 /// pixels at every zoom.
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
                       const QTransform& imageToWidget);
-/// The whole image with its drawings, enlarged by `scale`.
-QImage renderPicture(const ImagePicture& picture, int scale);
 
 }  // namespace widgets

@@ -152,12 +152,6 @@ void ReplayControl::sendJump() {
                    });
 }
 
-void ReplayControl::jumpToFrame(std::uint64_t frame) {
-  ControlReplay control = action(ControlReplay::JUMP_TO_FRAME);
-  control.set_frame(frame);
-  send(std::move(control));
-}
-
 void ReplayControl::setSpeed(double speed) {
   ControlReplay control;
   control.set_speed(speed);
@@ -167,18 +161,6 @@ void ReplayControl::setSpeed(double speed) {
 void ReplayControl::setLoop(bool on) {
   ControlReplay control;
   control.set_loop(on);
-  send(std::move(control));
-}
-
-void ReplayControl::setSkipGaps(bool on) {
-  ControlReplay control;
-  control.set_skip_gaps(on);
-  send(std::move(control));
-}
-
-void ReplayControl::setStepProcess(const std::string& process) {
-  ControlReplay control;
-  control.set_step_process(process);
   send(std::move(control));
 }
 

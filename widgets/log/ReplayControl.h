@@ -57,14 +57,9 @@ class ReplayControl final : public QObject {
   /// Moves the play head; clamped to [begin(), end()].
   void jumpTo(robotlink::Instant time);
   void jumpBy(robotlink::Duration by) { jumpTo(shown() + by); }
-  void jumpToFrame(std::uint64_t frame);
   /// 1 is real time.
   void setSpeed(double speed);
   void setLoop(bool on);
-  /// Whether pauses in the log are skipped.
-  void setSkipGaps(bool on);
-  /// The process whose frames are stepped.
-  void setStepProcess(const std::string& process);
   /// Selects a range, for loops, cuts and exports; the ends may be swapped.
   void setRange(robotlink::Instant from, robotlink::Instant to);
   void clearRange();
@@ -78,7 +73,6 @@ class ReplayControl final : public QObject {
 
   /// Whether views show the timestamps of the messages. Otherwise, while a log is open, times count from its
   /// beginning.
-  bool showsTimeStamps() const { return showsTimeStamps_; }
   void setShowsTimeStamps(bool on);
   /// The instant that views show as 0 s.
   robotlink::Instant origin() const;

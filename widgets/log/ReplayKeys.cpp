@@ -47,10 +47,6 @@ QKeySequence keySequence(ReplayKey key) {
   return {};
 }
 
-bool isEverywhere(ReplayKey key) {
-  return key != ReplayKey::kRangeStart && key != ReplayKey::kRangeEnd;
-}
-
 void press(ReplayKey key, ReplayControl& replay) {
   constexpr std::chrono::seconds kSecond{1};
   switch (key) {

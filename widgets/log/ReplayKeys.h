@@ -41,9 +41,6 @@ enum class ReplayKey : std::uint8_t {
 std::optional<ReplayKey> replayKey(const QKeyEvent& event);
 /// The key of an action, for tool tips and menus.
 QKeySequence keySequence(ReplayKey key);
-/// Whether the key has precedence over the focused widget's own use of it. False for I and O, which are
-/// letters that search in lists.
-bool isEverywhere(ReplayKey key);
 /// Executes the action. Does nothing for kBookmark, which OpenLogs does.
 void press(ReplayKey key, ReplayControl& replay);
 

@@ -61,7 +61,6 @@ void SceneState::updateItems(const robotlink::StreamStore& store, robotlink::Ins
   const auto value = newest != nullptr ? newest->value : nullptr;
   if (value == newestScene_) return;
   newestScene_ = value;
-  ++itemsVersion_;
   items_.clear();
   status_.reset();
   if (newest == nullptr) return;

@@ -22,6 +22,9 @@ class StreamStore;
 
 namespace widgets {
 
+/// The model that views show as the ball: scenes call it so.
+inline constexpr char kBallModel[] = "ball";
+
 /// The world at the shown instant, from the streams "scene" and "transforms": which entities exist and where
 /// they are. All poses are in the field's frame, in meters. References are valid until the next update(). GUI
 /// thread.
@@ -42,8 +45,6 @@ class SceneState {
 
   /// By the entities' ids.
   const std::map<std::string, Item>& items() const { return items_; }
-  /// Grows whenever items() changes.
-  std::uint64_t itemsVersion() const { return itemsVersion_; }
 
   /// Pose of a frame in the field's frame; the identity for "field" and the empty name, unset for unknown
   /// frames.
@@ -69,7 +70,6 @@ class SceneState {
   std::vector<std::string> models_;
   /// The messages of the last update, to detect new ones.
   robotlink::PackagePtr newestScene_, transforms_, status_;
-  std::uint64_t itemsVersion_ = 0;
 };
 
 }  // namespace widgets

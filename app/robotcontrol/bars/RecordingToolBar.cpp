@@ -77,7 +77,6 @@ void RecordingToolBar::createActions() {
       tr("Marks the shown instant in the recording; without one, saves the last seconds with the mark (%1)")
           .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
   connect(bookmark_, &QAction::triggered, this, &RecordingToolBar::bookmark);
-  recordingActions_ = {record_, saveLast_, bookmark_};
 }
 
 QActionGroup* RecordingToolBar::addChoices(const QString& title, const char* icon, const char* command,
@@ -103,7 +102,7 @@ void RecordingToolBar::createMenu() {
   menu_ = new QMenu(tr("&Recording"), this);
   menu_->setObjectName(QStringLiteral("recordingMenu"));
   menu_->setToolTipsVisible(true);
-  menu_->addActions(recordingActions_);
+  menu_->addActions({record_, saveLast_, bookmark_});
   menu_->addSeparator();
   keep_ = addChoices(tr("&Keep in memory"), "timing", "recording.keep",
                      {{tr("Nothing"), 0.0},

@@ -30,7 +30,6 @@ class RecordingToolBar : public QToolBar {
   void refresh();
   /// A menu with everything that the toolbar offers, for the menu bar.
   QMenu* menu() const { return menu_; }
-  const QList<QAction*>& recordingActions() const { return recordingActions_; }
 
   /// The text beside the button: "0:12  8.4 MB", "keeps 10 s", and the number of dropped messages.
   static QString statusText(const robotcontrol::RecordingStatus& status);
@@ -79,8 +78,6 @@ class RecordingToolBar : public QToolBar {
   QAction* fileAction_ = nullptr;
   /// See statusText().
   QLabel* status_ = nullptr;
-  /// record_, saveLast_ and bookmark_.
-  QList<QAction*> recordingActions_;
 };
 
 }  // namespace app

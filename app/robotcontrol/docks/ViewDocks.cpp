@@ -159,10 +159,6 @@ bool ViewDocks::isInFront(const QString& id) const {
   });
 }
 
-bool ViewDocks::anyOpen() const {
-  return std::any_of(docks_.begin(), docks_.end(), [](const Dock& dock) { return !dock.dock->isClosed(); });
-}
-
 void ViewDocks::tick() {
   // A view may open a dialog, during which the list of docks may change.
   const auto docks = docks_;

@@ -51,8 +51,6 @@ class ViewDocks : public QObject {
   bool isOpen(const QString& id) const;
   /// Whether a view of a kind is open and not behind another tab.
   bool isInFront(const QString& id) const;
-  /// Whether any view is open.
-  bool anyOpen() const;
 
   /// Updates all visible views.
   void tick();

@@ -90,7 +90,6 @@ class ServerSession {
   State state() const { return state_; }
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
-  bool sonarOn() const { return sonars_.anyOn(); }
   /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
   /// contain it.
   bool publishesTruth() const;

@@ -58,13 +58,6 @@ bool SonarFiring::isOn(int array) const {
   return array >= 0 && array < arrays_ && fires(array);
 }
 
-bool SonarFiring::anyOn() const {
-  for (int i = 0; i < arrays_; ++i) {
-    if (fires(i)) return true;
-  }
-  return false;
-}
-
 std::vector<int> SonarFiring::due(Instant now) {
   std::vector<int> discs;
   if (now < next_) return discs;

@@ -33,7 +33,6 @@ class SonarFiring {
   /// Returns to the state at power-up.
   void restore();
 
-  bool anyOn() const;
   /// False for an array that does not exist.
   bool isOn(int array) const;
   int arrays() const { return arrays_; }

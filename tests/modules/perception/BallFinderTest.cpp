@@ -3,6 +3,7 @@
 
 #include "modules/perception/CircleBallFinder.h"
 #include "modules/perception/RegionBallFinder.h"
+#include "tests/modules/perception/BallDiscs.h"
 #include "tests/modules/perception/FieldCamera.h"
 
 namespace modules {
@@ -93,9 +94,7 @@ TEST(BallGeometry, agreesWithItselfOnTheSizeOfABall) {
   const CameraView view = FieldCamera::view({radians(-15), 0, 0});
   for (const double x : {0.3, 0.7, 1.5}) {
     const Vector2 ball(x, 0.1);
-    const auto pixel = view.pixelOf({ball.x(), ball.y(), 0.042});
-    ASSERT_TRUE(pixel);
-    const auto seen = geometry.locate({*pixel, geometry.radiusAt(ball, view), 0.5}, view);
+    const auto seen = geometry.locate(discAt(ball, view), view);
     ASSERT_TRUE(seen);
     EXPECT_LT((seen->positionInRobot - ball).norm(), 1e-3);
   }
@@ -104,11 +103,10 @@ TEST(BallGeometry, agreesWithItselfOnTheSizeOfABall) {
 TEST(BallGeometry, rejectsDiscsThatAreTooLargeOrTooSmallForTheirPlace) {
   const BallGeometry geometry({});
   const CameraView view = FieldCamera::view({radians(-20), 0, 0});
-  const Vector2 pixel = view.pixelOf({0.6, 0, 0.042}).value();
-  const double radius = geometry.radiusAt({0.6, 0}, view);
-  EXPECT_TRUE(geometry.locate({pixel, radius, 0.6}, view));
-  EXPECT_FALSE(geometry.locate({pixel, 2 * radius, 0.6}, view));
-  EXPECT_FALSE(geometry.locate({pixel, 0.5 * radius, 0.6}, view));
+  const BallDisc disc = discAt({0.6, 0}, view);
+  EXPECT_TRUE(geometry.locate(disc, view));
+  EXPECT_FALSE(geometry.locate({disc.center, 2 * disc.radius, 0.6}, view));
+  EXPECT_FALSE(geometry.locate({disc.center, 0.5 * disc.radius, 0.6}, view));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "colortool/image/ClassPresets.h"
 #include "colortool/table/ColorTableFile.h"
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
@@ -65,8 +66,8 @@ class ImagesOf {
   robotcontrol::ColorTable madeTable() const {
     const auto file = colortool::ColorTableFile::load(data_ / "colour/bhuman2009/tables/default.c64").value();
     robotcontrol::ColorTable table;
-    for (const auto name : colortool::ColorTableFile::kBHuman2009Classes)
-      table.add_class_names(std::string(name));
+    for (const std::string& name : colortool::findClassPreset("bhuman2009")->classes().names())
+      table.add_class_names(name);
     const auto cells = file.singleClasses();
     table.set_cells(cells.data(), cells.size());
     return table;
