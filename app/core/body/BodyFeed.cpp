@@ -370,6 +370,7 @@ void BodyFeed::publishStatus() {
   status->set_speed(1);
   status->set_requested_speed(1);
   status->set_running(true);
+  status->set_is_real(true);
   status->set_scene(options_.url);
   status->add_robots(name());
   if (platform_->stopEngaged()) status->add_stopped_robots(name());

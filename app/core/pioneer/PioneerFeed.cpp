@@ -135,6 +135,7 @@ void PioneerFeed::publishStatus() {
   status->set_speed(1);
   status->set_requested_speed(1);
   status->set_running(true);
+  status->set_is_real(true);
   status->set_scene(run_->options().url);
   status->add_robots(run_->options().robot);
   if (run_->platform().stopEngaged()) status->add_stopped_robots(run_->options().robot);

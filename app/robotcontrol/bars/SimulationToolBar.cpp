@@ -196,9 +196,10 @@ void SimulationToolBar::refresh() {
   const auto* status =
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;
-  for (QAction* action : simulationActions_) action->setEnabled(there);
+  const bool canBeControlled = there && !status->is_real();
+  for (QAction* action : simulationActions_) action->setEnabled(canBeControlled);
   stop_->setEnabled(!session.robots().empty());
-  speed_->setEnabled(there);
+  speed_->setEnabled(canBeControlled);
   // A log is paused by STOP, from which nothing has to be released.
   if (!there && session.remoteRobots().empty()) showStop(false);
   if (!there) return;

@@ -54,10 +54,9 @@ void StatusLine::refresh() {
   }
 }
 
-QString StatusLine::robotState() {
+QString StatusLine::robotState(const robotcontrol::SimulationStatus& status) {
   auto& session = workbench_.session();
-  const auto& robots = workbench_.loaded()->robots;
-  const std::string robot = robots.empty() ? std::string() : robots.begin()->first;
+  const std::string robot = status.robots().empty() ? std::string() : status.robots(0);
   const auto newest = session.timeline().newest();
   subscription_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
   const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
@@ -75,14 +74,13 @@ QString StatusLine::robotState() {
 }
 
 void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
-  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->isReal();
   state_->setText(workbench_.loading()               ? tr("loading…")
                   : status.stopped_robots_size() > 0 ? tr("STOP engaged")
-                  : real                             ? robotState()
+                  : status.is_real()                 ? robotState(status)
                   : status.running()                 ? tr("running")
                                                      : tr("paused"));
   time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
-  speed_->setText(real ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
+  speed_->setText(status.is_real() ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
   const auto& models = status.models();
   if (std::find(models.begin(), models.end(), "ball") == models.end()) return contacts_->clear();

@@ -325,6 +325,8 @@ void FarRobotSteps::aPioneerIsDrivenStoppedLostAndFound() {
   const auto stands = [&] { return state() != nullptr && std::abs(speed()) < 0.01; };
   QVERIFY(desk.takeOver());
   QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
+  QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusSpeed").text(), QStringLiteral("real time"), kWaitMs);
+  QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusState").text(), QStringLiteral("running"), kWaitMs);
   QTest::mouseClick(&desk.find<QToolButton>("motionMotors"), Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
   const double begun = state()->odometry().x();

@@ -12,6 +12,8 @@
 #include <QTreeWidget>
 
 #include "app/robotcontrol/actions/CommandActions.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/CommandTable.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
@@ -120,6 +122,20 @@ class MenusGuiTest : public WindowTest {
     desk.choose("robot.stop");
     QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 1, kWaitMs);
     QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("STOP engaged"), kWaitMs);
+  }
+
+  void aRealRobotElsewhereIsShownAsOneHere() {
+    EmptyDesk desk(home_);
+    const auto status = std::make_shared<robotcontrol::SimulationStatus>();
+    status->set_speed(1);
+    status->set_running(true);
+    status->set_is_real(true);
+    status->add_robots("p3at1");
+    desk.workbench.session().push(
+        {robotlink::streams::kSimulation, robotlink::Instant(std::chrono::seconds(1)), status});
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("statusSpeed").text(), QStringLiteral("real time"), kWaitMs);
+    QCOMPARE(desk.find<QLabel>("statusState").text(), QStringLiteral("not connected"));
+    QVERIFY(!desk.find<QAction>("simulation.pause").isEnabled());
   }
 
   void theLightIsChosenInTheSimulationsMenu() {
