@@ -6,6 +6,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/base/LogDates.h"
+#include "robotlink/base/Printable.h"
 
 namespace logplayer {
 namespace {
@@ -27,19 +28,6 @@ const char* levelText(foxglove::Log::Level level) {
   }
 }
 
-/// Indents further lines, and replaces control characters that would affect a terminal.
-std::string printable(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '\n') {
-      result += "\n    ";
-    } else {
-      result += (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7F ? '?' : c;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::string textLine(const robotlink::StreamMessage& message, const foxglove::Log& text) {
@@ -49,7 +37,7 @@ std::string textLine(const robotlink::StreamMessage& message, const foxglove::Lo
   std::snprintf(head.data(), head.size(), "  %-7s  ", levelText(text.level()));
   const std::string source =
       text.name().empty() ? message.path : message.path.substr(0, message.path.find('/')) + "/" + text.name();
-  return time + head.data() + printable(source + ": " + text.message()) + "\n";
+  return time + head.data() + robotlink::printableLines(source + ": " + text.message(), "    ") + "\n";
 }
 
 }  // namespace logplayer
