@@ -139,6 +139,12 @@ std::string taskOfSet(const Request& request) {
   return request.set_parameters().task();
 }
 
+// ---- The file that it names
+
+std::string fileOfRecording(const Request& request) {
+  return request.control_recording().path();
+}
+
 // ---- Whether it removes what was chosen before
 
 /// Off is the default; and "n times" is over when the program ends.
@@ -231,7 +237,10 @@ constexpr std::array<RequestKind, 17> kKinds{{
      .doer = Doer::kSimulation,
      .words = "host program",
      .wrong = wrongHosting},
-    {.what = Request::kControlRecording, .doer = Doer::kRecording, .words = "control recording"},
+    {.what = Request::kControlRecording,
+     .doer = Doer::kRecording,
+     .words = "control recording",
+     .file = fileOfRecording},
     {.what = Request::kControlReplay, .doer = Doer::kReplay, .words = "control replay", .wrong = wrongReplay},
 }};
 
@@ -254,6 +263,13 @@ std::string inWords(const Request& request) {
 std::string wrongWith(const Request& request) {
   const RequestKind& kind = kindOf(request);
   return kind.wrong != nullptr ? kind.wrong(request) : std::string();
+}
+
+std::string wrongFromElsewhere(const Request& request) {
+  const RequestKind& kind = kindOf(request);
+  if (kind.file == nullptr || kind.file(request).empty()) return "";
+  return "files of this machine cannot be named from elsewhere; leave out '" + kind.file(request) +
+         "', then the folder that was chosen there is used";
 }
 
 std::string wrongWith(const robotcontrol::ColorTable& table) {

@@ -50,6 +50,9 @@ struct RequestKind {
   Text choice = nullptr;
   /// The task that it concerns, for RequestDoer::kTask; otherwise null.
   Text task = nullptr;
+  /// The file or folder of this machine that it names; empty: none. Only a person here may name one: what
+  /// others ask for is refused then. Null: it never names one.
+  Text file = nullptr;
   /// Whether it removes the override of its subject instead of being one. Null: it never does.
   bool (*removes)(const robotcontrol::Request& request) = nullptr;
   /// Whether the program publishes its tables of keys, solutions and processes afterwards.
@@ -67,6 +70,9 @@ const RequestKind& kindOf(const robotcontrol::Request& request);
 std::string inWords(const robotcontrol::Request& request);
 /// What is wrong with the request itself; empty: nothing.
 std::string wrongWith(const robotcontrol::Request& request);
+/// Why somebody elsewhere may not make the request, who must not reach files of this machine that nobody here
+/// has chosen; empty: it may be made from anywhere.
+std::string wrongFromElsewhere(const robotcontrol::Request& request);
 /// Whether a color table can be used; one without cells can. Empty: it can.
 std::string wrongWith(const robotcontrol::ColorTable& table);
 /// Whether both set the same thing, so that the later one takes the place of the one before.

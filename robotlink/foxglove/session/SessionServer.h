@@ -173,8 +173,8 @@ class SessionServer {
   std::string problemOf(const ClientChannel& channel) const;
   /// Tells a client what is wrong with what it publishes, if that is news; empty: nothing is.
   void complain(const ClientInfo& client, const std::string& topic, const std::string& why);
-  /// Makes a request as a client's, not as one of somebody here. The handler is called unless this object is
-  /// gone by then.
+  /// Makes a request as a client's, not as one of somebody here; one that names files is refused. The handler
+  /// is called unless this object is gone by then.
   void request(robotcontrol::Request request,
                std::function<void(const robotcontrol::RequestResult&)> onResult);
 

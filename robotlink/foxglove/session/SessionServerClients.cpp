@@ -6,6 +6,7 @@
 
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/foxglove/session/ClientCommands.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/LinkNames.h"
@@ -101,6 +102,11 @@ void SessionServer::noteClients(const std::vector<ClientInfo>& clients) {
 }
 
 void SessionServer::request(Request wanted, std::function<void(const RequestResult&)> onResult) {
+  if (std::string why = wrongFromElsewhere(wanted); !why.empty()) {
+    RequestResult refusal;
+    refusal.set_reason(std::move(why));
+    return onResult(refusal);
+  }
   isForwarding_ = true;
   session_.request(std::move(wanted), [alive = std::weak_ptr(alive_),
                                        onResult = std::move(onResult)](const RequestResult& result) {

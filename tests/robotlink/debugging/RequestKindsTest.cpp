@@ -95,6 +95,25 @@ TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
   EXPECT_EQ(wrongWith(table), "a color table has 262144 cells, this one has 3");
 }
 
+TEST(RequestKinds, whateverNamesAFileIsRefusedFromElsewhere) {
+  const std::set<std::string> fileNames = {"path", "file", "folder", "directory", "url"};
+  int named = 0;
+  for (const RequestKind& kind : requestKinds()) {
+    Request request;
+    const auto* field = Request::descriptor()->FindFieldByNumber(kind.what);
+    auto* details = Request::GetReflection()->MutableMessage(&request, field);
+    EXPECT_EQ(wrongFromElsewhere(request), "") << kind.words;
+    for (int i = 0; i < field->message_type()->field_count(); ++i) {
+      const auto* one = field->message_type()->field(i);
+      if (!fileNames.contains(one->name())) continue;
+      details->GetReflection()->SetString(details, one, "/tmp/evil");
+      EXPECT_THAT(wrongFromElsewhere(request), HasSubstr("/tmp/evil")) << kind.words;
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 0);
+}
+
 TEST(RequestKinds, whatAPersonChoseIsKeptForLaterProgramsAndCanBeNamed) {
   const RequestKind& solution = kindOf(solutionRequest("ball", "region"));
   EXPECT_TRUE(solution.isOverride);

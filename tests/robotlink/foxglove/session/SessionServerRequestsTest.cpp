@@ -29,6 +29,18 @@ TEST_F(SessionServerRequestsTest, aRequestIsAServiceThatAnswersWithItsResult) {
   EXPECT_EQ(requests_.size(), 1U);
 }
 
+TEST_F(SessionServerRequestsTest, aClientNamesNoFilesOfThisMachine) {
+  auto ids = services();
+  for (const char* argument :
+       {R"({"action": "START", "path": "/tmp/x.mcap"})",
+        R"({"action": "SAVE_LAST", "path": "a/../../x.mcap"})", R"({"path": "x.mcap"})"}) {
+    EXPECT_THAT(call(client_, ids["control_recording"], argument), HasSubstr("cannot be named")) << argument;
+  }
+  EXPECT_THAT(asked(), IsEmpty());
+  EXPECT_EQ(call(client_, ids["control_recording"], R"({"action": "START"})"), "");
+  EXPECT_THAT(asked(), ElementsAre("control_recording"));
+}
+
 TEST_F(SessionServerRequestsTest, whatAClientPublishesMovesTheRobotUntilItIsNotHeard) {
   say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
   say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
