@@ -108,6 +108,21 @@ Errors checkPrograms(const Layout& layout) {
   return ProgramChecker(layout).check();
 }
 
+std::set<std::string> commandingProcesses(const std::vector<LayoutLink>& links) {
+  std::set<std::string> commanding;
+  const auto addSenders = [&] {
+    const std::size_t before = commanding.size();
+    for (const LayoutLink& link : links) {
+      const bool isTaken = link.to.empty() || commanding.contains(link.to);
+      if (isTaken && !link.from.empty()) commanding.insert(link.from);
+    }
+    return commanding.size() > before;
+  };
+  while (addSenders()) {
+  }
+  return commanding;
+}
+
 const Layout::Program* Layout::programOf(const std::string& process) const {
   for (const Program& program : programs) {
     for (const Program::Part& part : program.processes) {

@@ -264,7 +264,7 @@ void BodyFeed::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   tap_->askForPackages();
-  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
+  if (spread_) platform_->setUnattended(robot_->isUnattended());
   executor_->step();
   noteRefusal();
   robot_->startStep();

@@ -153,7 +153,7 @@ void PioneerRun::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
-  if (spread_) platform_->setUnattended(SpreadProgram::isUnattended(*platform_) || robot_->isStuck());
+  if (spread_) platform_->setUnattended(robot_->isUnattended());
   executor_->step();
   robot_->startStep();
   robot_->reportPlatform();

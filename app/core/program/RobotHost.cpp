@@ -224,6 +224,11 @@ void RobotHost::reportPlatform(const std::string& text) const {
   if (listeners_.platform) listeners_.platform(robot_.name, platform_->clock().now(), text);
 }
 
+bool RobotHost::isUnattended() const {
+  const robotlink::RobotProgram* program = insideProgram();
+  return isStuck() || (program != nullptr && program->isUnattended());
+}
+
 void RobotHost::reportHosting() {
   if (!program_) return;
   robotcontrol::HostingStatus status = program_->hosting();

@@ -127,6 +127,9 @@ class RobotHost {
   /// Meanwhile the robot stands.
   void noteStuck(const std::string& what);
   bool isStuck() const { return !stuck_.empty(); }
+  /// Whether a part of the program that decides what the robot does is stuck or missing, so that it has to
+  /// stand.
+  bool isUnattended() const;
   /// Shuts the platform down before this object is destroyed.
   void endPlatform() { shutDown(); }
 

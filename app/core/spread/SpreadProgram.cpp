@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/spread/SpreadProgram.h"
 
-#include <algorithm>
-
 #include "app/core/program/InsideProgram.h"
 #include "robotlink/debugging/program/RobotProgram.h"
-#include "robotlink/process/Platform.h"
 
 namespace app {
 
@@ -47,14 +44,6 @@ robotlink::Error SpreadProgram::refusalOfLayout(const std::filesystem::path& fil
               file.string(),
           {file.string()},
           {}};
-}
-
-bool SpreadProgram::isUnattended(const robotlink::Platform& platform) {
-  const auto& receivers = platform.receivers();
-  // One that no task sends to has no peer.
-  return std::ranges::any_of(receivers, [](const robotlink::AnyReceiver* receiver) {
-    return !receiver->peer().empty() && !receiver->connected();
-  });
 }
 
 }  // namespace app

@@ -32,9 +32,6 @@ class SpreadProgram {
 
   /// Makes the program; this object must outlive the maker's calls.
   HostedProgram::Maker maker();
-  /// Whether a package that the platform takes comes from a program that does not run, so that the robot has
-  /// to stand. Any thread.
-  static bool isUnattended(const robotlink::Platform& platform);
   /// Why programs that are spread cannot change to the layout of a file.
   static robotlink::Error refusalOfLayout(const std::filesystem::path& file);
 

@@ -145,12 +145,17 @@ void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
 }
 
-void DebugProcess::addProgram(const std::string& program, const OtherPrograms::Questions& processes) {
+bool DebugProcess::isUnattended() const {
+  return implementation_->others.isUnattended();
+}
+
+void DebugProcess::addProgram(const std::string& program, const OtherPrograms::Questions& processes,
+                              const std::set<std::string>& commanding) {
   std::vector<ProcessChannel*> channels;
   for (const auto& channel : implementation_->channels) {
     if (processes.contains(channel->process())) channels.push_back(channel.get());
   }
-  implementation_->others.add(program, std::move(channels), processes);
+  implementation_->others.add(program, std::move(channels), processes, commanding);
 }
 
 void DebugProcess::askOtherPrograms(const Request& request) {

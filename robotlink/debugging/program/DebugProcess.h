@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,10 +50,14 @@ class DebugProcess final : public Process {
   /// Adds a process of this program (itself, a task process, the platform) to the table of processes. It must
   /// outlive this object. Call it before the process runs.
   void watch(const Process& process);
-  /// Says which of the processes run in another program, and what each is asked for whenever that begins. The
-  /// links to it are made by RobotProgram. Call it before the process runs.
+  /// Says which of the processes run in another program, what each is asked for whenever that begins, and
+  /// which ones decide what the platform does. The links to it are made by RobotProgram. Call it before the
+  /// process runs.
   void addProgram(const std::string& program,
-                  const std::map<std::string, std::vector<robotcontrol::Request>>& processes);
+                  const std::map<std::string, std::vector<robotcontrol::Request>>& processes,
+                  const std::set<std::string>& commanding);
+  /// Whether a process of another program that decides what the platform does cannot be reached. Any thread.
+  bool isUnattended() const;
   /// Processes of other programs get a request, now and whenever their program was started again; the others
   /// do not. Call it before the process runs.
   void askOtherPrograms(const robotcontrol::Request& request);

@@ -20,18 +20,31 @@ constexpr std::uint64_t kIdsHere = kRepeatedIds | (std::uint64_t{1} << 62U);
 }  // namespace
 
 void OtherPrograms::add(const std::string& program, std::vector<ProcessChannel*> channels,
-                        Questions questions) {
+                        Questions questions, const std::set<std::string>& commanding) {
   Program& added = programs_.emplace_back();
   added.name = program;
   added.table =
       std::make_unique<Receiver<ProcessTable>>(debugProcess_, "debug/processes/" + program, Blocking::kNo);
-  for (ProcessChannel* channel : channels)
-    added.seats.push_back({channel, 0, std::move(questions[channel->process()])});
+  for (ProcessChannel* channel : channels) {
+    const std::string& process = channel->process();
+    added.seats.push_back({channel, 0, std::move(questions[process]), commanding.contains(process)});
+  }
 }
 
 bool OtherPrograms::isConnected(const Program& program) {
   return program.table->connected() &&
          std::ranges::all_of(program.seats, [](const Seat& seat) { return seat.channel->connected(); });
+}
+
+bool OtherPrograms::isCommanding(const Program& program) {
+  return std::ranges::any_of(program.seats, &Seat::isCommanding);
+}
+
+bool OtherPrograms::isUnattended() const {
+  return std::ranges::any_of(programs_, [](const Program& program) {
+    return std::ranges::any_of(
+        program.seats, [](const Seat& seat) { return seat.isCommanding && !seat.channel->connected(); });
+  });
 }
 
 std::vector<std::string> OtherPrograms::update() {
@@ -48,9 +61,10 @@ std::vector<std::string> OtherPrograms::update() {
       program.ranBefore = true;
       program.generation = program.table->generation();
     } else if (!running && program.running) {
-      news.push_back(
-          "Program " + program.name +
-          " does not run any more, or its machine cannot be reached. The others go on; start it again.");
+      news.push_back("Program " + program.name +
+                     " does not run any more, or its machine cannot be reached. The others go on" +
+                     (isCommanding(program) ? ", but the robot stands until it is back" : "") +
+                     "; start it again.");
     }
     program.running = running;
   }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,16 @@ class OtherPrograms {
 
   /// What each process is asked for whenever its program begins, by its name.
   using Questions = std::map<std::string, std::vector<robotcontrol::Request>>;
-  /// Adds a program with the channels to its processes, which must outlive this object. Before the debug
-  /// process runs.
-  void add(const std::string& program, std::vector<ProcessChannel*> channels, Questions questions);
+  /// Adds a program with the channels to its processes, which must outlive this object. `commanding` are
+  /// those processes that decide what the platform does. Before the debug process runs.
+  void add(const std::string& program, std::vector<ProcessChannel*> channels, Questions questions,
+           const std::set<std::string>& commanding);
   /// Looks who came and went since the last call. Returns a sentence for each program that did.
   std::vector<std::string> update();
 
+  /// Whether a process that decides what the platform does cannot be reached, so that the robot has to stand.
+  /// Any thread.
+  bool isUnattended() const;
   /// Why a process can do nothing now, as "program vision, which runs process ball, does not run"; empty if
   /// it can, or if it runs in this program.
   std::string whyNot(const std::string& process) const;
@@ -48,6 +53,7 @@ class OtherPrograms {
     /// The generation of its link when it was asked for everything.
     std::uint64_t generation = 0;
     std::vector<robotcontrol::Request> questions = {};
+    bool isCommanding = false;
     std::vector<robotcontrol::Request> remembered = {};
   };
   struct Program {
@@ -59,6 +65,7 @@ class OtherPrograms {
     std::uint64_t generation = 0;
   };
   static bool isConnected(const Program& program);
+  static bool isCommanding(const Program& program);
   void askAgain(Seat& seat);
   static const robotcontrol::ProcessTable::Process* rowOf(const Program& program, const std::string& process);
   static const Seat* seatOf(const Program& program, const std::string& process);

@@ -8,6 +8,7 @@
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/debugging/program/OtherPrograms.h"
 #include "robotlink/debugging/program/ProcessReporter.h"
+#include "robotlink/process/LayoutPrograms.h"
 
 namespace robotlink {
 namespace {
@@ -49,7 +50,8 @@ struct RobotProgram::Implementation {
   Errors build(const PlatformPackages& packages, const Clock& clock, const ParameterSource& parameters);
   Errors connectPackages(Platform& platform, const PlatformPackages& packages);
   Errors connectDebugging();
-  Errors connectPrograms();
+  Errors connectPrograms(const std::set<std::string>& commanding);
+  void noteCommanding(const Platform& platform, const std::set<std::string>& commanding);
   std::vector<robotcontrol::Request> questionsTo(const std::string& process) const;
   /// Links two ends of which one or both are in this program; null: it is in another.
   Result<void> connect(const std::string& package, Process* from, const std::string& fromName, Process* to);
@@ -66,6 +68,8 @@ struct RobotProgram::Implementation {
   std::vector<std::unique_ptr<Process>> owned;
   std::vector<Process*> processes;
   DebugProcess* debugProcess = nullptr;
+  /// The platform, and what decides here what it does.
+  std::vector<const Process*> commandedBy;
 };
 
 RobotProgram::RobotProgram() = default;
@@ -87,11 +91,13 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSe
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   // The platform is untouched so far, so a program that already runs on it keeps running if this one is
   // refused.
+  const auto commanding = commandingProcesses(layoutLinks(made.layout, made.catalog, packages));
   errors = made.connectPackages(platform, packages);
   if (errors.empty()) errors = made.connectDebugging();
-  if (errors.empty()) errors = made.connectPrograms();
+  if (errors.empty()) errors = made.connectPrograms(commanding);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   made.watchAll(platform, packages);
+  made.noteCommanding(platform, commanding);
   return program;
 }
 
@@ -106,6 +112,14 @@ void RobotProgram::Implementation::watchAll(Platform& platform, const PlatformPa
       return link.from.empty() && link.package == sender->package();
     };
     if (std::none_of(links.begin(), links.end(), isOfTask)) debugProcess->showOnRequest(*sender);
+  }
+}
+
+void RobotProgram::Implementation::noteCommanding(const Platform& platform,
+                                                  const std::set<std::string>& commanding) {
+  commandedBy = {&platform};
+  for (const std::string& name : commanding) {
+    if (const Process* here = find(name)) commandedBy.push_back(here);
   }
 }
 
@@ -215,14 +229,14 @@ std::vector<robotcontrol::Request> RobotProgram::Implementation::questionsTo(
 }
 
 /// What the programs tell the one with the debug process about themselves.
-Errors RobotProgram::Implementation::connectPrograms() {
+Errors RobotProgram::Implementation::connectPrograms(const std::set<std::string>& commanding) {
   Errors errors;
   for (const Layout::Program& program : layout.programs) {
     if (part.program.empty() || &program == layout.mainProgram()) continue;
     if (debugProcess != nullptr) {
       OtherPrograms::Questions processes;
       for (const auto& process : program.processes) processes[process.process] = questionsTo(process.process);
-      debugProcess->addProgram(program.name, processes);
+      debugProcess->addProgram(program.name, processes, commanding);
     } else if (program.name != part.program) {
       continue;
     }
@@ -256,6 +270,17 @@ DebugProcess& RobotProgram::debugProcess() {
 }
 bool RobotProgram::hasDebugProcess() const {
   return implementation_->debugProcess != nullptr;
+}
+bool RobotProgram::isUnattended() const {
+  // A receiver that no task sends to has no peer.
+  const auto isCut = [](const AnyReceiver* receiver) {
+    return !receiver->peer().empty() && !receiver->connected();
+  };
+  const auto isMissingSomething = [&](const Process* process) {
+    return std::ranges::any_of(process->receivers(), isCut);
+  };
+  return std::ranges::any_of(implementation_->commandedBy, isMissingSomething) ||
+         implementation_->debugProcess->isUnattended();
 }
 
 std::vector<std::string> RobotProgram::yieldedPackages() const {

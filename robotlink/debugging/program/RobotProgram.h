@@ -58,6 +58,10 @@ class RobotProgram {
   /// Only if hasDebugProcess(), which only one of several programs has.
   DebugProcess& debugProcess();
   bool hasDebugProcess() const;
+  /// Whether a process that decides what the platform does, directly or through others, cannot be heard: it
+  /// was stopped, or its program has ended, is of another version, or was out of reach for so long that its
+  /// links are closed. The robot has to stand then. Only if hasDebugProcess(); any thread.
+  bool isUnattended() const;
 
   /// All packages that its tasks yield, but not those of the platform or the debug process. Sorted.
   std::vector<std::string> yieldedPackages() const;

@@ -135,6 +135,24 @@ TEST_F(SpreadRobotTest, aProgramThatDoesNotRunIsNamedAndGetsTheRequestsWhenItRun
   EXPECT_TRUE(until([&] { return active("behavior") == "obey"; }));
 }
 
+TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProgramThatDecidesThroughOthersIsMissing) {
+  const auto unattended = [&] { return body_.program().isUnattended(); };
+  EXPECT_TRUE(unattended()) << "what the platform takes comes from here, but the head decides about it";
+  for (int i = 0; i < 2; ++i) {
+    startHead();
+    EXPECT_TRUE(until([&] { return !unattended(); }));
+    head_.reset();
+    EXPECT_TRUE(until(unattended));
+  }
+}
+
+TEST_F(SpreadRobotTest, theRobotIsUnattendedIfAProcessElsewhereThatDecidesHasStopped) {
+  startHead();
+  ASSERT_TRUE(until([&] { return !body_.program().isUnattended() && stateOf("cognition") != ""; }));
+  select("ball-model", "throwing");
+  EXPECT_TRUE(until([&] { return body_.program().isUnattended(); }));
+}
+
 TEST_F(SpreadRobotTest, theParametersOfAProgramComeWheneverItBegins) {
   for (int i = 0; i < 2; ++i) {
     heard_.clear();

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "robotlink/process/LayoutPrograms.h"
+
 using namespace robotlink;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -318,6 +320,16 @@ TEST(LayoutTest, linksFollowFromInputsAndOutputs) {
                                  LayoutLink{"request", "think", "act", false, false},
                                  LayoutLink{"joints", "", "act", true, false},
                                  LayoutLink{"angles", "act", "", false, true}));
+}
+
+TEST(LayoutTest, whatDecidesThroughOthersCommandsThePlatformToo) {
+  const std::vector<LayoutLink> links = {
+      {"image", "", "see", true, false},         {"percept", "see", "think", true, false},
+      {"percept", "see", "draw", true, false},   {"status", "act", "think", false, true},
+      {"request", "think", "act", false, false}, {"goal", "debug", "think", false, true},
+      {"drawing", "draw", "show", false, false}, {"angles", "act", "", false, true}};
+  EXPECT_THAT(commandingProcesses(links), ElementsAre("act", "debug", "see", "think"));
+  EXPECT_THAT(commandingProcesses({links.front()}), IsEmpty());
 }
 
 TEST(LayoutTest, theGraphShowsProcessesTasksAndPackages) {
