@@ -116,22 +116,41 @@ Errors BodyFeed::findBody() {
   linking.asJpeg = options_.asJpeg;
   link_ = std::make_unique<BodyLink>(std::move(linking));
   const robotlink::Instant end = local_.now() + options_.patience;
-  std::optional<robotlink::Instant> told;
+  robotlink::Instant listedAt;
+  std::vector<std::string> robots;
   while (!link_->body()) {
     link_->tick();
     const auto state = link_->state();
     if (state.phase == ConnectionState::Phase::kRefused) return {refusalOf(options_.url, state)};
-    const auto others = link_->robotsWithPrograms();
-    if (!others.empty() && !told) told = local_.now();
-    if (told && local_.now() - *told > kOfferTime)
-      return bodyError("the program of " + listed(others) + " runs at " + options_.url +
-                       "; connect with \"program: there\", or start 'robotctl platform ... --listen' there");
+    if (link_->robots() != robots) {
+      robots = link_->robots();
+      listedAt = local_.now();
+    }
+    const bool isListed = !robots.empty() && local_.now() - listedAt > kOfferTime;
+    if (std::string why = isListed ? whyNoBody() : std::string(); !why.empty()) return bodyError(why);
     if (local_.now() > end)
       return bodyError("no body" + (options_.robot.empty() ? "" : " of " + options_.robot) +
                        " was found at " + options_.url + (state.reason.empty() ? "" : ": " + state.reason));
     std::this_thread::sleep_for(kBodyLook);
   }
+  if (!link_->state().takesMessages)
+    return bodyError("with this token you may only watch " + link_->body()->offer.robot() + " at " +
+                     options_.url + "; its program needs the token to control it");
   return {};
+}
+
+std::string BodyFeed::whyNoBody() const {
+  const std::string& wanted = options_.robot;
+  const std::vector<std::string>& robots = link_->robots();
+  if (!wanted.empty() && std::ranges::count(robots, wanted) == 0)
+    return "there is no robot " + wanted + " at " + options_.url + ", only " + listed(robots) +
+           "; choose one of them";
+  const std::vector<std::string> others = link_->robotsWithPrograms();
+  const bool runsThere =
+      wanted.empty() ? others.size() == robots.size() : std::ranges::count(others, wanted) > 0;
+  if (!runsThere) return {};
+  return "the program of " + (wanted.empty() ? listed(others) : wanted) + " runs at " + options_.url +
+         "; connect with \"program: there\", or start 'robotctl platform ... --listen' there";
 }
 
 Errors BodyFeed::describeRobot() {

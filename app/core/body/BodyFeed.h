@@ -110,6 +110,8 @@ class BodyFeed final : public PlatformFeed {
   using Clock = PacedThread::Clock;
 
   BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder);
+  /// Why a server that has listed its robots has no body for this program; empty if it may still offer it.
+  std::string whyNoBody() const;
   // In this order:
   robotlink::Errors findBody();
   robotlink::Errors describeRobot();

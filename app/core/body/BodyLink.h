@@ -60,7 +60,9 @@ class BodyLink {
   const std::optional<Body>& body() const { return body_; }
   /// Whether another body than this one is offered under its name now.
   bool isOther() const { return isOther_; }
-  /// The robots at the server that are no bodies, since their programs run there.
+  /// The robots at the server, as far as they are known.
+  const std::vector<std::string>& robots() const { return client_->robots(); }
+  /// Those that have offered no body so far: their programs run there.
   std::vector<std::string> robotsWithPrograms() const;
   /// From now on only these of the body's packages are sent.
   void want(const std::set<std::string>& packages);

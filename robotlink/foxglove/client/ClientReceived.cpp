@@ -58,6 +58,7 @@ Result<void> Client::handle(const ServerInfo& message, Calls& calls) {
   state_.serverName = message.name;
   if (conversation_.isGreeted) return {};
   conversation_.isGreeted = true;
+  state_.takesMessages = can("clientPublish");
   conversation_.countersAt = clock_->now();
   ++state_.connections;
   state_.phase = ConnectionState::Phase::kConnected;

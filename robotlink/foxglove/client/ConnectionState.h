@@ -51,6 +51,8 @@ struct ConnectionState {
   std::uint64_t connections = 0;
   /// What the server calls itself; empty before it was heard.
   std::string serverName = {};
+  /// Whether it takes what this client publishes; not from clients that may only watch.
+  bool takesMessages = false;
   /// While it is refused, and tries again.
   ServerObjection objection = {};
 

@@ -45,10 +45,10 @@ std::shared_ptr<Server> Server::make(ServerOptions options, ServerHandlers handl
 Server::Server(ServerOptions options, ServerHandlers handlers)
     : options_(completed(std::move(options))), handlers_(std::move(handlers)), playable_(options_.playable) {}
 
-std::vector<std::string> Server::capabilities() const {
+std::vector<std::string> Server::capabilities(const ServedClient& client) const {
   std::vector<std::string> names{"parameters", "parametersSubscribe", "services", "connectionGraph"};
   if (options_.publishesTime) names.emplace_back("time");
-  if (handlers_.clientMessage) names.emplace_back("clientPublish");
+  if (handlers_.clientMessage && !client.info.isReadOnly) names.emplace_back("clientPublish");
   if (handlers_.fetchAsset) names.emplace_back("assets");
   if (handlers_.playbackControl && playable_) names.emplace_back("playbackControl");
   return names;
@@ -180,7 +180,7 @@ void Server::setPlayable(const std::optional<TimeRange>& range) {
   if (playable_ == range) return;
   playable_ = range;
   if (!range) playback_.reset();
-  sendAll(info());
+  for (const ClientPtr& client : clients_) send(*client, info(*client));
 }
 
 void Server::setAssets(std::set<std::string> names) {
@@ -265,9 +265,9 @@ Result<ClientPtr> Server::connect(ClientInfo info, std::function<void()> wake) {
   return client;
 }
 
-ServerInfo Server::info() const {
+ServerInfo Server::info(const ServedClient& client) const {
   ServerInfo info{
-      options_.name, capabilities(), options_.encodings, options_.metadata, options_.sessionId, {}, {}};
+      options_.name, capabilities(client), options_.encodings, options_.metadata, options_.sessionId, {}, {}};
   if (playable_) {
     info.dataStart = playable_->start;
     info.dataEnd = playable_->end;
@@ -288,7 +288,7 @@ std::vector<Server::SharedFrame> Server::offer() const {
 }
 
 void Server::greet(ServedClient& client) {
-  send(client, info());
+  send(client, info(client));
   if (!offer_) offer_ = offer();
   for (const auto& [kind, bytes] : *offer_) sendShared(client, kind, bytes);
   for (const auto& [id, status] : statuses_) send(client, status);

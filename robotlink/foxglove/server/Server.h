@@ -100,8 +100,9 @@ class Server : public std::enable_shared_from_this<Server> {
   static SharedFrame sharedFrame(const ServerMessage& message);
 
   // With the mutex locked.
-  std::vector<std::string> capabilities() const;
-  ServerInfo info() const;
+  // Clients that may only watch are told that nothing is taken from them.
+  std::vector<std::string> capabilities(const ServedClient& client) const;
+  ServerInfo info(const ServedClient& client) const;
   /// All channels and services, as a new client gets them.
   std::vector<SharedFrame> offer() const;
   void greet(ServedClient& client);

@@ -52,12 +52,12 @@ inline RunOptions bodies(const std::string& scene, const std::shared_ptr<BodyInb
 /// The bodies of a scene, offered at a port of this machine.
 class OfferedBodies {
  public:
-  explicit OfferedBodies(const std::string& scene)
+  explicit OfferedBodies(const std::string& scene, const AccessOptions& access = {})
       : served_(std::async(std::launch::async,
-                           [this, scene] {
+                           [this, scene, access] {
                              return serve(
                                  SimulationFeed::opening(bodies(scene, inbox_)),
-                                 {.address = {"127.0.0.1", 0}, .bodies = inbox_}, recorder_,
+                                 {.address = {"127.0.0.1", 0}, .access = access, .bodies = inbox_}, recorder_,
                                  [this] { return isOver_.load(); }, out_);
                            })),
         port_(printed_.wait()) {}

@@ -7,6 +7,8 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/foxglove/security/Tokens.h"
+#include "tests/TestFolder.h"
 #include "tests/app/body/BodyBench.h"
 #include "tests/robotlink/foxglove/Relay.h"
 
@@ -127,6 +129,31 @@ TEST(BodyFeed, aSecondProgramIsToldWhoseBodyItIs) {
     first.soon([] { return true; });
     return second.said("obeys the program of");
   }));
+}
+
+/// Why a program for a body is not started; empty if it is.
+std::string whyNot(BodyOptions options) {
+  robotlink::Session session;
+  logplayer::Recorder recorder({});
+  options.patience = 30s;
+  const auto feed = BodyFeed::create(std::move(options), session, recorder);
+  return feed ? std::string() : feed.error().front().text;
+}
+
+TEST(BodyFeed, whereARobotIsMissingTheOthersAreNamed) {
+  OfferedBodies hall("scenes/pioneer.sdf");
+  EXPECT_THAT(whyNot({.url = urlOf(hall.port()), .robot = "blue7"}),
+              testing::MatchesRegex("there is no robot blue7 at ws://.*, only p3at1; choose one of them"));
+}
+
+TEST(BodyFeed, whoMayOnlyWatchIsRefusedAtTheStart) {
+  const TestFolder folder;
+  const auto file = folder / "tokens";
+  const auto tokens = robotlink::websocket::loadOrMakeTokens(file).value().tokens;
+  OfferedBodies hall("scenes/pioneer.sdf", {.tokenFile = file});
+  EXPECT_THAT(whyNot({.url = urlOf(hall.port()), .token = tokens.watch}),
+              HasSubstr("with this token you may only watch p3at1"));
+  EXPECT_EQ(whyNot({.url = urlOf(hall.port()), .token = tokens.control}), "");
 }
 
 TEST(BodyFeed, whereNothingIsTheAddressIsNamed) {

@@ -9,9 +9,11 @@
 namespace robotlink::websocket::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr ServiceCallRequest kCall{1, 9, "json", "{}"};
 
@@ -87,6 +89,19 @@ TEST_F(ServerTest, newClientsLearnAllThatIsOffered) {
             (std::vector<Channel>{{channels[1]->id(), "b", "json", "S", "{}", "jsonschema"}}));
   EXPECT_EQ(std::get<AdvertiseServices>(messages[1]).services[0].id, id);
   EXPECT_EQ(std::get<Status>(messages[3]).id, "battery");
+}
+
+TEST_F(ServerTest, whoMayOnlyWatchIsToldThatNothingIsTaken) {
+  handlers_.clientMessage = [](const auto&...) {};
+  handlers_.playbackControl = [](const auto&...) {};
+  start();
+  const ClientPtr watcher = *server_->connect({0, "127.0.0.1:2", "y", true}, [] {});
+  const auto infoOf = [&] { return std::get<ServerInfo>(heard(watcher).at(0)); };
+  EXPECT_THAT(infoOf().capabilities, Not(Contains("clientPublish")));
+  server_->setPlayable(TimeRange{Instant(), Instant(std::chrono::seconds(1))});
+  const auto later = infoOf();
+  EXPECT_THAT(later.capabilities, Not(Contains("clientPublish")));
+  EXPECT_THAT(later.capabilities, Contains("playbackControl"));
 }
 
 TEST_F(ServerTest, theOfferIsEncodedOnceForAllClientsUntilItChanges) {
