@@ -25,7 +25,7 @@ using robotlink::Instant;
 
 struct SearchArguments {
   std::string file, expression;
-  TimeRange range;
+  TimeRangeOptions range;
   std::uint64_t limit = 10'000;
   bool asJson = false;
 };
