@@ -83,7 +83,7 @@ TEST(HeadlessRun, whatNothingRunsIsRefusedWithAllThatCouldBe) {
 
 TEST(HeadlessRun, anOptionOfAnotherPlatformIsRefused) {
   EXPECT_EQ(refusalOf(choicesWith("tcp://localhost:8101", "package", std::string("percepts/ball=logged"))),
-            "--offset, --package and --color-table are for logs");
+            "--offset, --package, --color-table and --patience are for logs");
   HeadlessChoices choices{.platform = "log:a.mcap"};
   choices.options.values["echo-loud"] = true;
   EXPECT_EQ(refusalOf(choices), "--echo-loud is for echoes");

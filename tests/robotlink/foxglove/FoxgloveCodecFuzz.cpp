@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Messages of both directions, JSON and binary, and what is asked at the port.
-#include <cstdio>
-#include <cstdlib>
-
 #include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/robotlink/foxglove/Demand.h"
 #include "tests/robotlink/foxglove/Samples.h"
 
 using namespace robotlink;
 using namespace robotlink::websocket;
+using robotlink::websocket::test::demand;
 
 namespace {
-
-void demand(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 template <typename Message>
 void check(Result<Message> (*decode)(FrameKind, std::string_view), FrameKind kind, std::string_view bytes) {

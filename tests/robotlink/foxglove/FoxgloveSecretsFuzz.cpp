@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of tokens, known robots and certificates, and what an HTTP request shows as a token.
-#include <cstdio>
-#include <cstdlib>
-
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/RememberedTokens.h"
@@ -10,19 +7,11 @@
 #include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/robotlink/foxglove/Demand.h"
 
 using namespace robotlink;
 using namespace robotlink::websocket;
-
-namespace {
-
-void demand(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
+using robotlink::websocket::test::demand;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
 #include "robotlink/base/ByteReader.h"
 #include "robotlink/foxglove/protocol/Codec.h"
+#include "tests/robotlink/foxglove/Demand.h"
 
 // The inputs of the fuzz targets of this protocol: conversations, in which each message has a byte for its
 // kind and for what else happens, and two for its length.
 namespace robotlink::websocket::test {
-
-/// Ends the program, with a sentence, if what must hold does not.
-inline void demand(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "not so: %s\n", what);
-  std::abort();
-}
 
 /// A message of a conversation.
 struct FuzzedMessage {
