@@ -226,6 +226,21 @@ KnownRobot RemoteRobots::known(const std::string& robot) const {
   return found == described_.end() ? KnownRobot() : found->second.known;
 }
 
+/// Robots elsewhere that were connected before and have such a name are connected anew, under another one:
+/// else STOP, and everything else, would reach one of the two.
+void RemoteRobots::setPlatform(std::optional<std::set<std::string>> robots) {
+  platform_ = std::move(robots);
+  if (!platform_) return;
+  const auto isOurs = [this](const std::string& robot) { return platform_->contains(robot); };
+  for (const auto& line : lines_) {
+    if (!std::ranges::any_of(line->client->robots(), isOurs)) continue;
+    const bool remembers = line->remembersToken;
+    const auto connected = connect(std::string(line->url), std::string(line->token));
+    if (!connected) notes_->push(connected.error());
+    line->remembersToken = remembers;
+  }
+}
+
 bool RemoteRobots::isTaken(const std::string& robot, const Line* by) const {
   if (platform_ && platform_->contains(robot)) return true;
   return std::ranges::any_of(lines_, [&](const auto& line) {

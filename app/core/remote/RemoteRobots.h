@@ -92,7 +92,7 @@ class RemoteRobots {
   bool empty() const { return lines_.empty(); }
 
   /// The robots of the platform that is open; nothing if none is open, so that the first connection leads.
-  void setPlatform(std::optional<std::set<std::string>> robots) { platform_ = std::move(robots); }
+  void setPlatform(std::optional<std::set<std::string>> robots);
   /// The names of all remote robots, in the order of the connections.
   std::vector<std::string> robots() const;
   /// What is known of a robot; without anything if it has said nothing about itself.

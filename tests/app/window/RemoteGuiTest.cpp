@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "colortool/table/ColorTableFile.h"
 #include "foxglove/Geometry.pb.h"
@@ -61,6 +62,22 @@ class RemoteGuiTest : public WindowTest {
     QTest::mouseClick(&desk.find<QPushButton>("remoteDisconnect"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 0, kWaitMs);
     QCOMPARE(desk.state(), QString());
+  }
+
+  void aSceneThatIsOpenedLaterSharesNoNameWithARobotElsewhere() {
+    OfferedHall hall;
+    RemoteDesk desk(home_);
+    desk.join(hall.url());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.robot(), QStringLiteral("red1"), kWaitMs);
+    desk.run("simulation.open field2002");
+    const std::vector<std::string> both{"red1", "red1-2"};
+    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.session().robots() == both, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.newest<foxglove::RawImage>("red1-2/camera/image") != nullptr, kWaitMs);
+    // STOP is for both.
+    QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hall.isStopped(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.status() != nullptr && std::ranges::count(desk.status()->stopped_robots(), "red1") > 0, kWaitMs);
   }
 
   void whatALineCarriesIsLimitedBeforeAndWhileItIsConnected() {
