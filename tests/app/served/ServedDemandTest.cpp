@@ -70,7 +70,7 @@ TEST_F(SimulationDemandTest, whoBeginsToReadGetsThePresentStateAlsoInAPause) {
   }
 }
 
-/// A platform that does nothing but remember what is read of it.
+/// A platform that has transforms, and remembers what is read of it.
 class DemandedFeed : public PlatformFeed {
  public:
   struct Noted {
@@ -80,12 +80,14 @@ class DemandedFeed : public PlatformFeed {
 
   DemandedFeed(robotlink::Session& session, std::shared_ptr<Noted> noted)
       : session_(session), noted_(std::move(noted)) {}
-  void begin() override {
+  void begin() override {}
+  std::optional<PacedThread::Clock::time_point> due() override { return next_; }
+  /// As other platforms do, it publishes again and again: a session forgets what came before its platform.
+  void step() override {
+    next_ = PacedThread::Clock::now() + std::chrono::milliseconds(10);
     session_.push({streams::kTransforms, robotlink::Instant(std::chrono::seconds(1)),
                    std::make_shared<foxglove::FrameTransforms>()});
   }
-  std::optional<PacedThread::Clock::time_point> due() override { return std::nullopt; }
-  void step() override {}
   robotlink::Errors setLayout(const std::filesystem::path&) override { return {}; }
   LoadedPlatform describe() const override { return {}; }
   void publishStatus() override {}
@@ -99,6 +101,7 @@ class DemandedFeed : public PlatformFeed {
 
  private:
   robotlink::Session& session_;
+  PacedThread::Clock::time_point next_ = PacedThread::Clock::now();
   const std::shared_ptr<Noted> noted_;
 };
 

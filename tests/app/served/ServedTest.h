@@ -16,16 +16,19 @@
 
 namespace app::test {
 
-/// A stream that tells when its first line is complete.
-class FirstLine : public std::stringbuf {
+/// A stream that tells the address at which clients connect as soon as it is printed; texts may come before.
+class AddressLine : public std::stringbuf {
  public:
   std::string wait() { return line_.get_future().get(); }
 
  protected:
   int sync() override {
-    if (!isTold_ && str().find('\n') != std::string::npos) {
+    const std::string all = str();
+    const std::size_t place = all.find("ws://");
+    const std::size_t end = place == std::string::npos ? place : all.find('\n', place);
+    if (!isTold_ && end != std::string::npos) {
       isTold_ = true;
-      line_.set_value(str());
+      line_.set_value(all.substr(place, end - place));
     }
     return 0;
   }
@@ -82,7 +85,7 @@ class ServedTest : public testing::Test {
     }
   }
 
-  FirstLine printed_;
+  AddressLine printed_;
   std::ostream out_{&printed_};
   logplayer::Recorder recorder_{{}};
   std::atomic<bool> interrupted_{false};
