@@ -88,6 +88,8 @@ MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
   docks_->destroyAll();  // views use the context, which is destroyed before child widgets
+  // The focus changes once more when the window is hidden by the destructor of QWidget.
+  disconnect(qApp, nullptr, this, nullptr);
 }
 
 void MainWindow::createActions() {

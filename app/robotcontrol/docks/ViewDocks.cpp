@@ -50,8 +50,8 @@ ViewDocks::Dock* ViewDocks::find(const QString& objectName) {
 }
 
 void ViewDocks::forget(const QObject* view) {
-  // While a widget emits destroyed(), pointers to it are not null yet.
-  std::erase_if(docks_, [&](const Dock& dock) { return dock.view == view || !dock.dock || !dock.view; });
+  // While a widget emits destroyed(), pointers to it are not null yet, but it is no view any more.
+  std::erase_if(docks_, [&](const Dock& dock) { return dock.identity == view || !dock.dock || !dock.view; });
 }
 
 int ViewDocks::freeNumber(const QString& id) const {
@@ -79,7 +79,7 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   connect(view, &widgets::View::titleChanged, dock,
           [dock](const QString& text) { dock->setWindowTitle(text); });
   connect(view, &QObject::destroyed, this, &ViewDocks::forget);
-  docks_.push_back({id, dock, view});
+  docks_.push_back({id, dock, view, view});
   return &docks_.back();
 }
 

@@ -83,6 +83,8 @@ class ViewDocks : public QObject {
     QString id;
     QPointer<ads::CDockWidget> dock;
     QPointer<widgets::View> view;
+    /// The same view, for comparisons only: it is valid while the view is being destroyed, too.
+    const QObject* identity = nullptr;
   };
   /// Creates a dock that has no place yet; null if there is no such kind.
   Dock* make(const QString& id, int number);
