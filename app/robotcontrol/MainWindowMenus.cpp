@@ -47,7 +47,7 @@ void MainWindow::createFileMenu() {
   menu->setObjectName(QStringLiteral("fileMenu"));
   platforms_->addFiles(*menu);
   platforms_->addForms(*menu, "file");
-  menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
+  menu->addAction(widgets::icon("layout"), tr("Open process la&yout…"), this, &MainWindow::openLayout)
       ->setObjectName(QStringLiteral("file.openLayout"));
   menu->addSeparator();
   opening_->fillMenu(*menu);
@@ -95,7 +95,7 @@ void MainWindow::createRobotMenus() {
   QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
-  QAction* none = robot->addAction(tr("Use the &built-in color table"), this,
+  QAction* none = robot->addAction(tr("&Use the built-in color table"), this,
                                    [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));
   none->setToolTip(

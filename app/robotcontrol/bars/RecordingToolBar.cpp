@@ -99,7 +99,7 @@ QActionGroup* RecordingToolBar::addChoices(const QString& title, const char* ico
 }
 
 void RecordingToolBar::createMenu() {
-  menu_ = new QMenu(tr("&Recording"), this);
+  menu_ = new QMenu(tr("Re&cording"), this);
   menu_->setObjectName(QStringLiteral("recordingMenu"));
   menu_->setToolTipsVisible(true);
   menu_->addActions({record_, saveLast_, bookmark_});

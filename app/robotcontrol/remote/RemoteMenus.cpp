@@ -44,7 +44,7 @@ void RemoteMenus::addOffer(QMenu& menu) {
 }
 
 void RemoteMenus::addRobots(QMenu& menu) {
-  QAction* robots = menu.addAction(widgets::icon("robot"), tr("Rob&ots…"), this, [this] { show(*robots_); });
+  QAction* robots = menu.addAction(widgets::icon("robot"), tr("Ro&bots…"), this, [this] { show(*robots_); });
   robots->setObjectName(QStringLiteral("remote.robots"));
   robots->setToolTip(
       tr("Connects sets of robots, and sends them layouts, parameters, motions and color tables"));

@@ -7,6 +7,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
@@ -36,6 +38,19 @@ namespace app::test {
 using robotcontrol::ControlReplay;
 
 namespace {
+
+/// The entries of a menu that Alt and the same letter would choose: "Robot: \"C&onnect\" and \"Rob&ots\"".
+QStringList mnemonicClashes(const QString& menu, const QList<QAction*>& entries) {
+  QStringList clashes;
+  std::map<QString, QString> taken;
+  for (const QAction* entry : entries) {
+    const QString key = QKeySequence::mnemonic(entry->text()).toString();
+    if (key.isEmpty() || !entry->isVisible()) continue;
+    const auto [first, isNew] = taken.emplace(key, entry->text());
+    if (!isNew) clashes << QStringLiteral("%1: \"%2\" and \"%3\"").arg(menu, first->second, entry->text());
+  }
+  return clashes;
+}
 
 struct KeysDesk : ReplayDesk {
   using ReplayDesk::ReplayDesk;
@@ -242,6 +257,16 @@ class KeysGuiTest : public WindowTest {
                        .arg(a.key.toString(), a.view, a.text, b.view, b.text);
       }
     }
+    QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
+  }
+
+  void noTwoEntriesOfAMenuHaveTheSameLetter() {
+    KeysDesk desk(home_);
+    desk.openLog();
+    QStringList clashes = mnemonicClashes(QStringLiteral("menu bar"), desk.window.menuBar()->actions());
+    const QList<QMenu*> menus = desk.window.findChildren<QMenu*>();
+    QVERIFY(menus.size() > 10);
+    for (const QMenu* menu : menus) clashes += mnemonicClashes(menu->title(), menu->actions());
     QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
   }
 
