@@ -9,6 +9,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/field/FieldViewport.h"
+#include "widgets/world/SceneState.h"
 
 namespace widgets {
 namespace {
@@ -174,7 +175,7 @@ void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const Rob
 void paintBall(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
   if (!figures.ball) return;
   const double radius = std::max(3.0, figures.ballRadius * scaleOf(toWidget));
-  const bool highlighted = figures.highlighted == "ball";
+  const bool highlighted = figures.highlighted == kBallModel;
   painter.setPen(highlighted ? QPen(Qt::white, 3) : QPen(figures.ballColor.darker(160), 1.2));
   painter.setBrush(figures.ballColor);
   painter.drawEllipse(map(toWidget, *figures.ball), radius, radius);
@@ -292,7 +293,7 @@ std::string figureAt(const FieldFigures& figures, const Vector2& place, double t
   for (const RobotBelief& belief : figures.robots) {
     if (belief.truth && covers(*belief.truth, belief.body, place, tolerance)) return belief.robot;
   }
-  if (figures.ball && (*figures.ball - place).norm() < figures.ballRadius + tolerance) return "ball";
+  if (figures.ball && (*figures.ball - place).norm() < figures.ballRadius + tolerance) return kBallModel;
   return {};
 }
 

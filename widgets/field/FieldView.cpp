@@ -34,8 +34,6 @@ const ViewRegistration kFieldViewRegistration{
                        "The field or the building from above: true and estimated poses, goals, and drawings"),
      "field", true, create<FieldView>}};
 
-constexpr char kBall[] = "ball";
-
 }  // namespace
 
 FieldView::FieldView(ViewContext& context, QWidget* parent)
@@ -214,7 +212,7 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   }
   figures.onMap = canvas_->map() != nullptr;
   figures.trails = trails_.places();
-  if (const auto ball = scene_.modelPose(kBall)) figures.ball = ball->translation().head<2>();
+  if (const auto ball = scene_.modelPose(kBallModel)) figures.ball = ball->translation().head<2>();
   if (const auto& field = context().field) {
     figures.ballRadius = field->ballRadius;
     const auto* color = field->color(field->ballColor);
@@ -228,7 +226,7 @@ void FieldView::updateTrails() {
   Trails::Frames frames;
   Trails::Estimates estimates;
   std::vector<std::string> models = session().robots();
-  models.emplace_back(kBall);
+  models.emplace_back(kBallModel);
   for (const std::string& model : models) {
     const std::string frame = scene_.modelFrame(model);
     if (!frame.empty()) {
@@ -247,7 +245,8 @@ void FieldView::updateWanted() {
                      : !notGoing.isEmpty() ? tr("The robot does not go there: %1").arg(notGoing)
                                            : placeNotice_);
   if (!drag_.active()) return canvas_->setWanted({});
-  canvas_->setWanted(WantedPlace{drag_.model(), drag_.wanted(), drag_.model() == kBall, !refusal.isEmpty()});
+  canvas_->setWanted(
+      WantedPlace{drag_.model(), drag_.wanted(), drag_.model() == kBallModel, !refusal.isEmpty()});
 }
 
 QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {

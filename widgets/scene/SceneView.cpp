@@ -243,7 +243,7 @@ void SceneView::follow() {
   const auto pose = robotPose();
   if (!pose) return ride_.forget();
   CameraRide::Subject subject{*pose, {}};
-  if (const auto ball = scene_.modelPose("ball")) subject.ball = ball->translation().head<2>();
+  if (const auto ball = scene_.modelPose(kBallModel)) subject.ball = ball->translation().head<2>();
   const auto robot = context().robots.find(robots_->robot(session()));
   if (robot != context().robots.end() && robot->second && robot->second->drive)
     subject.distance = kWheelsDistance;

@@ -69,7 +69,8 @@ robotlink::Pose3 onGround(const robotlink::Pose2& pose) {
 std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
   std::vector<std::string> models;
   for (const auto& robot : simulation.scene().robots()) models.push_back(robot.name);
-  if (simulation.modelPose("ball")) models.emplace_back("ball");
+  const auto& balls = simulation.scene().balls();
+  models.insert(models.end(), balls.begin(), balls.end());
   return models;
 }
 

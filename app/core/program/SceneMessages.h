@@ -35,7 +35,7 @@ std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore
 std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map,
                                                           robotlink::Instant now);
 
-/// The names of the models that the user may move: all robots, and the model "ball" if there is one.
+/// The names of the models that the user may move: all robots and balls.
 std::vector<std::string> movableModels(const simcore::Simulation& simulation);
 
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
 
 namespace app {
 namespace {
@@ -21,6 +22,11 @@ Pose2 poseOf(const SimulatedRun& run, const std::string& model) {
   return pose ? robotlink::groundPose(*pose) : Pose2{};
 }
 
+/// The name of the ball.
+const std::string& ballOf(const SimulatedRun& run) {
+  return run.world().simulation().scene().balls().front();
+}
+
 /// Places the ball at random. Places that the simulation refuses (in a wall, off the field) are replaced by
 /// others; fails after many of them.
 bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, Vector2& ball) {
@@ -31,7 +37,7 @@ bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, 
     const double angle = random.uniform(-robotlink::kPi, robotlink::kPi);
     if (distance < kClearOfRobot) continue;
     ball = robot * Vector2(distance * std::cos(angle), distance * std::sin(angle));
-    if (run.world().simulation().placeModel("ball", {ball.x(), ball.y(), 0})) return true;
+    if (run.world().simulation().placeModel(ballOf(run), {ball.x(), ball.y(), 0})) return true;
   }
   return false;
 }
@@ -49,7 +55,7 @@ std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& tr
     trial.touchedAfter = robotlink::seconds(clock.now());
     end = clock.now() + robotlink::fromSeconds(trials.afterTouch);
   }
-  trial.moved = (poseOf(run, "ball").translation() - trial.ball).norm();
+  trial.moved = (poseOf(run, ballOf(run)).translation() - trial.ball).norm();
   const auto robot = run.world().simulation().modelPose(run.robots().front());
   trial.fell = robot && robot->linear()(2, 2) < 0.5;
   return trial;
@@ -67,6 +73,10 @@ tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play
   if (simulated.robots().empty()) {
     return tl::unexpected(robotlink::Errors{
         {"trials.no-robot", "there is no robot in this scene to play", {}, {run.scene.string(), 0, 0}}});
+  }
+  if (simulated.world().simulation().scene().balls().empty()) {
+    return tl::unexpected(robotlink::Errors{
+        {"trials.no-ball", "there is no ball in this scene to play with", {}, {run.scene.string(), 0, 0}}});
   }
   std::vector<Trial> trials;
   for (int i = 0; i < count; ++i) {

@@ -43,7 +43,7 @@ struct BallTrials {
   std::function<bool()> stop;
 
   /// Plays the trials and returns those that were finished. Fails if the simulation cannot be run, has no
-  /// robot, or has no place for the ball.
+  /// robot, no ball, or no place for the ball.
   tl::expected<std::vector<Trial>, robotlink::Errors> play() const;
 };
 

@@ -26,7 +26,8 @@ void SimulatedPlatform::sendOracle() {
   if (const auto pose = simulation.modelPose(robot_)) {
     robotlink::assign(*oracle->mutable_robot_in_field(), robotlink::groundPose(*pose));
   }
-  if (const auto ball = simulation.modelPose("ball")) {
+  if (const auto& balls = simulation.scene().balls(); !balls.empty()) {
+    const auto ball = simulation.modelPose(balls.front());
     robotlink::assign(*oracle->mutable_ball_in_field(), robotlink::Vector3(ball->translation()));
   }
   for (const auto& robot : simulation.scene().robots()) {

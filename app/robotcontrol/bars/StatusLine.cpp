@@ -13,6 +13,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/BaseSilence.h"
+#include "widgets/world/SceneState.h"
 
 namespace app {
 namespace {
@@ -83,7 +84,7 @@ void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
   speed_->setText(status.is_real() ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
   const auto& models = status.models();
-  if (std::find(models.begin(), models.end(), "ball") == models.end()) return contacts_->clear();
+  if (std::find(models.begin(), models.end(), widgets::kBallModel) == models.end()) return contacts_->clear();
   contacts_->setText(contacts == 1 ? tr("1 ball contact") : tr("%1 ball contacts").arg(contacts));
 }
 
