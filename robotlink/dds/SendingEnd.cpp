@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::uint32_t kMaxMatches = 64;
 
+/// Whether a package holds until the next one, because it is sent only when the user chooses something else.
+bool isLatched(const std::string& package) {
+  return package == kColorTable.name || package == kDriveGoal.name;
+}
+
 /// The readers that a writer is matched with.
 std::vector<Guid> readersOf(dds_entity_t writer) {
   std::vector<Guid> result;
@@ -75,7 +80,7 @@ void SendingEnd::offer(PackagePtr package) {
   std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    if (setup_.package == kColorTable.name) latched_ = package;
+    if (isLatched(setup_.package)) latched_ = package;
     if (owner_ == nullptr || !anyOpen()) return;
     number = ++number_;
     for (auto& [handle, peer] : peers_) {

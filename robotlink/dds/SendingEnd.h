@@ -22,8 +22,8 @@ namespace robotlink::dds {
 /// It counts as delivered under the same conditions as on an InProcessLink: receivers answer what they take,
 /// if the sender is blocking. A receiver whose program ends holds nothing back, at the latest after the
 /// second in which DDS misses it. Packages of types that a receiver has in another version are not delivered
-/// to it; both programs report that once. The color table, which is sent only when it changes, is also sent
-/// to receivers that come later.
+/// to it; both programs report that once. The color table and the goal, which are sent only when the user
+/// chooses others, are also sent to receivers that come later.
 class SendingEnd final : public Link {
  public:
   /// `blocking` is that of the sender; `owner` must live until close() has returned.

@@ -36,6 +36,8 @@ class ServedWorld {
   void unplug(bool unplugged) { unplugged_ = unplugged; }
   /// Whether the robot's motors are on.
   bool motorsOn() const { return motorsOn_; }
+  /// How far the robot is from the origin along the x axis of the world, m.
+  double x() const { return x_; }
 
  private:
   void openPorts(std::uint16_t port) {
@@ -57,7 +59,9 @@ class ServedWorld {
         std::this_thread::sleep_until(due);
       }
       world_->advance();
-      motorsOn_ = world_->pioneers().front()->session().motion().motorsOn();
+      const auto& robot = *world_->pioneers().front();
+      motorsOn_ = robot.session().motion().motorsOn();
+      x_ = world_->simulation().modelPose(robot.robot())->translation().x();
       if (ports_) ports_->deliver();
     }
   }
@@ -67,5 +71,6 @@ class ServedWorld {
   std::uint16_t port_ = 0;
   std::string url_;
   std::atomic<bool> end_{false}, unplugged_{false}, motorsOn_{false};
+  std::atomic<double> x_{0};
   std::thread thread_;
 };

@@ -5,6 +5,7 @@
 
 #include <mutex>
 
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/dds/Fingerprint.h"
 #include "robotlink/dds/ReceivingEnd.h"
 #include "robotlink/dds/SendingEnd.h"
@@ -132,28 +133,38 @@ TEST(ProgramNetTest, whatIsSentWhileNobodyReceivesIsNotKept) {
   EXPECT_EQ(0U, receiving.receivingEnd(receiver)->arrived());
 }
 
-TEST(ProgramNetTest, theColorTableIsAlsoForWhoComesLater) {
+/// Sends a package once; receivers that come afterwards, one after the other, get it, too.
+template <typename T>
+void expectToReachWhoComesLater(const Package<T>& package, const std::shared_ptr<const T>& sent) {
+  SCOPED_TRACE(package.name);
   const auto here = openTestNode();
   const auto there = openTestNode();
   ASSERT_TRUE(here && there);
   SteadyClock clock;
   dds::ProgramNet sending(here, {"robot", "body"}, clock, {});
-  dds::ProgramNet receiving(there, {"robot", "vision"}, clock, {});
+  dds::ProgramNet receiving(there, {"robot", "head"}, clock, {});
   TestProcess debug("debug", clock);
-  Sender<robotcontrol::ColorTable> sender(debug, kColorTable.name, Blocking::kNo);
+  Sender<T> sender(debug, package.name, Blocking::kNo);
   ASSERT_TRUE(sending.link(sender, "debug"));
-  auto table = std::make_shared<robotcontrol::ColorTable>();
-  table->set_source("hall.c64");
-  sender.send(table);
+  sender.send(sent);
   for (int i = 0; i < 2; ++i) {
-    TestProcess vision("vision", clock);
-    Receiver<robotcontrol::ColorTable> receiver(vision, kColorTable.name, Blocking::kNo);
+    TestProcess process("process", clock);
+    Receiver<T> receiver(process, package.name, Blocking::kNo);
     ASSERT_TRUE(receiving.link(receiver, "debug"));
     EXPECT_TRUE(eventually([&] {
-      vision.step();
-      return receiver.get() != nullptr && receiver.get()->source() == "hall.c64";
+      process.step();
+      return receiver.get() != nullptr && receiver.get()->SerializeAsString() == sent->SerializeAsString();
     }));
   }
+}
+
+TEST(ProgramNetTest, whatTheUserChoseIsAlsoForWhoComesLater) {
+  auto table = std::make_shared<robotcontrol::ColorTable>();
+  table->set_source("hall.c64");
+  expectToReachWhoComesLater<robotcontrol::ColorTable>(kColorTable, table);
+  auto goal = std::make_shared<robotcontrol::DriveGoal>();
+  goal->mutable_pose_in_field()->set_x(3);
+  expectToReachWhoComesLater<robotcontrol::DriveGoal>(kDriveGoal, goal);
 }
 
 TEST(ProgramNetTest, robotsOnOneNetworkDoNotMeet) {

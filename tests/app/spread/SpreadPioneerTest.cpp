@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A Pioneer whose layout is spread over two programs; here both are parts of the test.
+#include <gtest/gtest.h>
+
+#include <mutex>
+
+#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RobotFiles.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/spread/OtherProgram.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/session/QueueMessages.h"
+#include "tests/Eventually.h"
+#include "tests/app/served/ServedWorld.h"
+#include "tests/robotlink/dds/TestNodes.h"
+
+namespace app {
+namespace {
+
+/// Planning needs no map: straight to the goal, by the odometry.
+const std::map<std::string, std::string> kSolutions{{"path-planning", "direct"},
+                                                    {"self-localisation", "wheel-odometry"}};
+
+class SpreadPioneerTest : public testing::Test {
+ protected:
+  static SpreadOptions partOf(const std::string& program) {
+    return {.program = program, .local = true, .domain = robotlink::test::testDomain()};
+  }
+  /// The program with the platform and the debug process.
+  void startDrive() {
+    PioneerOptions options{.url = world_.url(), .layout = layoutNamed("pioneer-programs")};
+    options.solutions = kSolutions;
+    options.motorsOn = true;
+    options.spread = partOf("drive");
+    PioneerRun::Listeners listeners;
+    listeners.queue = [this](const std::string& robot, const auto& queue) {
+      const std::lock_guard lock(mutex_);
+      for (const auto& result : robotlink::messagesOf(robot, *queue, {}).results)
+        accepted_ = accepted_ || result->accepted();
+    };
+    auto run = PioneerRun::create(options, listeners);
+    ASSERT_TRUE(run) << robotlink::describe(run.error());
+    run_ = std::move(*run);
+  }
+  /// The program that knows where the robot is and plans its paths.
+  void startPlan() {
+    OtherProgram::Parts parts{
+        .robot = {.name = "p3at1", .description = *readRobot("p3at"), .field = *readField({})},
+        .layout = *readLayoutWith(layoutNamed("pioneer-programs"), kSolutions),
+        .options = partOf("plan"),
+        .platform = [this](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
+          return std::make_unique<PioneerPlatform>(clock, "p3at1", **readRobot("p3at"),
+                                                   PioneerDriver::Options{.address = world_.url()});
+        },
+        .report = [](const std::string&) {}};
+    auto plan = OtherProgram::create(std::move(parts));
+    ASSERT_TRUE(plan) << robotlink::describe(plan.error());
+    plan_ = std::move(*plan);
+  }
+  bool playUntil(const std::function<bool()>& happens) {
+    return eventually([&] {
+      run_->step();
+      if (plan_) plan_->begin();
+      return happens();
+    });
+  }
+  /// Asks again until the program that plans is there to receive it.
+  bool setGoal(double x) {
+    robotcontrol::Request request;
+    request.set_id(1);
+    request.set_robot("p3at1");
+    request.mutable_set_goal()->mutable_pose_in_field()->set_x(x);
+    request.mutable_set_goal()->set_any_heading(true);
+    return eventually([&] {
+      EXPECT_TRUE(run_->request(request));
+      for (int i = 0; i < 10; ++i) {
+        run_->step();
+        plan_->begin();
+      }
+      const std::lock_guard lock(mutex_);
+      return accepted_;
+    });
+  }
+  bool drivesOn() {
+    const double from = world_.x();
+    return playUntil([&] { return world_.x() > from + 0.1; });
+  }
+  bool stands() const { return run_->platform().unattended() && !world_.motorsOn(); }
+
+  ServedWorld world_;
+  std::mutex mutex_;  // protects what follows
+  bool accepted_ = false;
+  std::unique_ptr<PioneerRun> run_;
+  std::unique_ptr<OtherProgram> plan_;
+};
+
+TEST_F(SpreadPioneerTest, itStandsWhileTheProgramThatPlansIsMissingAndThenGoesOnToItsGoal) {
+  startDrive();
+  EXPECT_TRUE(playUntil([&] { return run_->platform().unattended(); }));
+  startPlan();
+  ASSERT_TRUE(setGoal(4.5));
+  ASSERT_TRUE(drivesOn());
+  for (int i = 0; i < 2; ++i) {
+    plan_.reset();
+    ASSERT_TRUE(playUntil([&] { return stands(); }));
+    startPlan();
+    ASSERT_TRUE(playUntil([&] { return !stands(); }));
+    EXPECT_TRUE(drivesOn());
+  }
+}
+
+}  // namespace
+}  // namespace app
