@@ -70,6 +70,7 @@ struct DebugProcess::Implementation {
   void sendGoal(const Request& request);
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
+  std::string whyNobodyReceives(const AnySender& sender, const char* use) const;
   void sendToAll(const Request& request);
   /// `taken` is the checksum of the value that was passed on.
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
@@ -106,23 +107,23 @@ struct DebugProcess::Implementation {
   /// How a request is handled.
   struct Handler {
     void (Implementation::*handle)(const Request& request);
-    /// Whether a task receives the package that it sends, and what that task does: "drives to goals". Null:
-    /// it sends none.
-    bool (Implementation::*connected)() const;
+    /// The sender of its package, and what the task does that receives it: "drives to goals". Null: it sends
+    /// none.
+    const AnySender& (Implementation::*sender)() const;
     const char* use;
   };
-  bool motionConnected() const { return remoteMotion.connected(); }
-  bool colorsConnected() const { return colorTable.connected(); }
-  bool goalConnected() const { return driveGoal.connected(); }
+  const AnySender& motionSender() const { return remoteMotion; }
+  const AnySender& colorSender() const { return colorTable; }
+  const AnySender& goalSender() const { return driveGoal; }
   static constexpr RequestRow<Handler> kRows[]{
       {Request::kSetKey, {&Implementation::setKey, nullptr, ""}},
       {Request::kSendTables, {&Implementation::sendTablesAgain, nullptr, ""}},
       {Request::kRecordPackages, {&Implementation::recordPackages, nullptr, ""}},
       {Request::kMotion,
-       {&Implementation::sendMotion, &Implementation::motionConnected, "obeys remote motions"}},
+       {&Implementation::sendMotion, &Implementation::motionSender, "obeys remote motions"}},
       {Request::kSetColorTable,
-       {&Implementation::sendColorTable, &Implementation::colorsConnected, "uses a color table"}},
-      {Request::kSetGoal, {&Implementation::sendGoal, &Implementation::goalConnected, "drives to goals"}}};
+       {&Implementation::sendColorTable, &Implementation::colorSender, "uses a color table"}},
+      {Request::kSetGoal, {&Implementation::sendGoal, &Implementation::goalSender, "drives to goals"}}};
 };
 
 bool DebugProcess::fulfills(const Request& request) {
@@ -293,8 +294,16 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
   if (const auto target = targetOf(request)) return whyNotBy(*target);
   const auto* row = rowOf(kRows, request.what_case());
   if (row == nullptr) return "a robot's program cannot do this; ask its platform or the simulation";
-  const auto& [handle, connected, use] = row->handler;
-  return connected == nullptr || (this->*connected)() ? "" : std::string("no task of this layout ") + use;
+  const auto& [handle, sender, use] = row->handler;
+  return sender == nullptr ? "" : whyNobodyReceives((this->*sender)(), use);
+}
+
+/// Empty if a task receives what is sent.
+std::string DebugProcess::Implementation::whyNobodyReceives(const AnySender& sender, const char* use) const {
+  if (sender.connected()) return "";
+  const auto receiver = routes.packages.find(sender.package());
+  const std::string why = receiver == routes.packages.end() ? "" : others.whyNot(receiver->second);
+  return why.empty() ? std::string("no task of this layout ") + use : why;
 }
 
 void DebugProcess::Implementation::setKey(const Request& request) {

@@ -86,9 +86,12 @@ class SpreadRobotTest : public ::testing::Test {
   /// The reason why it was refused; "" if it was accepted.
   std::string select(const std::string& task, const std::string& solution) {
     robotcontrol::Request request;
-    request.set_id(++requests_);
     request.mutable_select_solution()->set_task(task);
     request.mutable_select_solution()->set_solution(solution);
+    return refusalOf(std::move(request));
+  }
+  std::string refusalOf(robotcontrol::Request request) {
+    request.set_id(++requests_);
     body_.program().debugProcess().request(request);
     const robotcontrol::RequestResult* result = nullptr;
     const bool answered = until([&] {
@@ -133,6 +136,16 @@ TEST_F(SpreadRobotTest, aProgramThatDoesNotRunIsNamedAndGetsTheRequestsWhenItRun
   heard_.clear();
   startHead();
   EXPECT_TRUE(until([&] { return active("behavior") == "obey"; }));
+}
+
+TEST_F(SpreadRobotTest, aProgramThatWouldTakeWhatTheUserSendsIsNamedIfItDoesNotRun) {
+  robotcontrol::Request motion, goal;
+  motion.mutable_motion();
+  goal.mutable_set_goal()->set_cancelled(true);
+  EXPECT_EQ("program head, which runs process cognition, does not run", refusalOf(motion));
+  EXPECT_EQ("no task of this layout drives to goals", refusalOf(goal));
+  startHead();
+  EXPECT_TRUE(eventually([&] { return refusalOf(motion).empty(); }));
 }
 
 TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProgramThatDecidesThroughOthersIsMissing) {
