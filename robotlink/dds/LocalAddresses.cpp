@@ -19,16 +19,34 @@ std::string textOfAddress(const sockaddr* address) {
 
 }  // namespace
 
-std::vector<std::string> localAddresses() {
-  std::vector<std::string> result;
+std::vector<LocalInterface> localInterfaces() {
+  std::vector<LocalInterface> result;
   ifaddrs* all = nullptr;
   if (::getifaddrs(&all) != 0) return result;
   for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
-    if (one->ifa_addr != nullptr && (one->ifa_flags & IFF_UP) != 0 && one->ifa_addr->sa_family == AF_INET)
-      result.push_back(textOfAddress(one->ifa_addr));
+    if (one->ifa_addr != nullptr && one->ifa_addr->sa_family == AF_INET)
+      result.push_back({one->ifa_name, textOfAddress(one->ifa_addr), (one->ifa_flags & IFF_UP) != 0});
   }
   ::freeifaddrs(all);
   return result;
+}
+
+std::vector<std::string> localAddresses() {
+  std::vector<std::string> result;
+  for (const LocalInterface& one : localInterfaces()) {
+    if (one.isUp) result.push_back(one.address);
+  }
+  return result;
+}
+
+std::string whyNotUsable(const std::string& address, const std::vector<LocalInterface>& interfaces) {
+  std::string why = "no network interface of this machine has it";
+  for (const LocalInterface& one : interfaces) {
+    if (one.address != address) continue;
+    if (one.isUp) return {};
+    why = "its network interface " + one.name + " is down";
+  }
+  return why;
 }
 
 std::string addressOf(const std::string& host) {

@@ -2,6 +2,12 @@
 #include "robotlink/dds/Node.h"
 
 #include <dds/dds.h>
+#include <dds/ddsrt/log.h>
+
+#include <iostream>
+
+#include "robotlink/base/Printable.h"
+#include "robotlink/dds/LocalAddresses.h"
 
 namespace robotlink::dds {
 namespace {
@@ -42,6 +48,46 @@ std::string settingsOf(const NodeOptions& options) {
          "<Tracing><Verbosity>none</Verbosity></Tracing></Domain></CycloneDDS>";
 }
 
+/// What Cyclone DDS writes while this object lives in this thread. Otherwise it would write it to stderr.
+class DdsTexts {
+ public:
+  DdsTexts() { current_ = this; }
+  ~DdsTexts() { current_ = nullptr; }
+  DdsTexts(const DdsTexts&) = delete;
+  DdsTexts& operator=(const DdsTexts&) = delete;
+
+  /// The last one, without its line's end; empty: there was none.
+  const std::string& last() const { return last_; }
+
+  /// From now on nothing that it writes gets to stderr, but why it aborts the program. What a line that is
+  /// cut means for users is said by those who miss others. Any thread.
+  static void takeAll() {
+    [[maybe_unused]] static const bool isTaken = [] {
+      dds_set_log_sink(take, nullptr);
+      dds_set_trace_sink([](void*, const dds_log_data_t*) {}, nullptr);
+      return true;
+    }();
+  }
+
+ private:
+  static void take(void*, const dds_log_data_t* data) {
+    const std::string text(data->message, data->size);
+    if (data->priority == DDS_LC_FATAL) std::cerr << text << std::flush;  // it aborts the program
+    if (current_ != nullptr) current_->last_ = printable(text.substr(0, text.find('\n')));
+  }
+
+  static inline thread_local DdsTexts* current_ = nullptr;
+  std::string last_;
+};
+
+Error refusal(const NodeOptions& options, const std::string& text) {
+  const std::string address = options.address.empty() ? "127.0.0.1" : options.address;
+  std::string why = whyNotUsable(address, localInterfaces());
+  if (why.empty())
+    why = text + "; check how many programs use domain " + std::to_string(options.domain) + " here";
+  return {"dds.open", "DDS cannot be used on the address " + address + ": " + why, {address}, {}};
+}
+
 }  // namespace
 
 Result<std::shared_ptr<Node>> Node::open(const NodeOptions& options) {
@@ -49,6 +95,8 @@ Result<std::shared_ptr<Node>> Node::open(const NodeOptions& options) {
     return failure("dds.domain", "a DDS domain is a number from 0 to " + std::to_string(kMaxDomain) +
                                      ", not " + std::to_string(options.domain));
   }
+  DdsTexts::takeAll();
+  const DdsTexts texts;
   const std::string settings = settingsOf(options);
   dds_domainid_t local = 0;
   dds_entity_t domain = DDS_RETCODE_PRECONDITION_NOT_MET;
@@ -57,11 +105,8 @@ Result<std::shared_ptr<Node>> Node::open(const NodeOptions& options) {
   const dds_entity_t participant = domain < 0 ? domain : dds_create_participant(local - 1, nullptr, nullptr);
   if (participant < 0) {
     if (domain >= 0) dds_delete(domain);
-    return failure("dds.open", "DDS cannot be used on the interface " +
-                                   (options.address.empty() ? "127.0.0.1" : options.address) + ": " +
-                                   dds_strretcode(participant) +
-                                   "; check the address, and how many programs use domain " +
-                                   std::to_string(options.domain));
+    return tl::unexpected(
+        refusal(options, texts.last().empty() ? dds_strretcode(participant) : texts.last()));
   }
   return std::shared_ptr<Node>(new Node(domain, participant, options.address));
 }

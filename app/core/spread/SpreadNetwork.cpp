@@ -43,13 +43,12 @@ robotlink::Result<SpreadNetwork> spreadNetworkOf(const robotlink::Layout& layout
   network.node.domain = options.domain;
   if (!program->host.empty() && !options.local) {
     const std::string address = robotlink::dds::addressOf(program->host);
-    const auto mine = robotlink::dds::localAddresses();
-    if (std::ranges::find(mine, address) == mine.end()) {
-      return robotlink::failure(
-          "spread.host",
-          "program " + program->name + " belongs to " + program->host +
-              ", which is not an address of this machine; start it there, or all programs here with --local",
-          program->where, {program->name, program->host});
+    const std::string why = robotlink::dds::whyNotUsable(address, robotlink::dds::localInterfaces());
+    if (!why.empty()) {
+      return robotlink::failure("spread.host",
+                                "program " + program->name + " belongs to " + program->host + ": " + why +
+                                    "; start it there, or all programs here with --local",
+                                program->where, {program->name, program->host});
     }
     if (!isOnLoopback(address)) network.node.address = address;
     for (const auto& other : layout.programs) network.node.peers.push_back(other.host);

@@ -150,7 +150,7 @@ TEST_F(RobotctlLaunchTest, theProgramsEndWithTheirLauncher) {
 }
 
 /// A robot with a camera, of which only the body is in the scene.
-TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsWhoseNamesAreTheirs) {
+TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsAndStandsWhileOneIsMissing) {
   Launched body({"platform", ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf", "--listen", "0"});
   const std::string line = body.lineWith(" at ws://");
   ASSERT_FALSE(line.empty()) << body.all();
@@ -166,11 +166,18 @@ TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsWhoseNa
   EXPECT_EQ(1, second.finish());
   EXPECT_THAT(second.all(), HasSubstr("program think of red1 runs already, as process " +
                                       std::to_string(processIn(think)) + " on "));
+  Launched states({"watch", url, "--csv", "red1/body/state"});
+  const auto goesOn = [&] { return !states.lineWith(",false,false,").empty(); };
+  const auto stands = [&] { return !states.lineWith(",false,true,").empty(); };
+  EXPECT_THAT(states.lineWith("time,"), HasSubstr(",stop_engaged,stands,"));
+  ASSERT_TRUE(goesOn()) << states.all();
   ::kill(processIn(think), SIGKILL);
+  EXPECT_TRUE(stands()) << "it does not go on by what was decided last: " << states.all();
   ASSERT_FALSE(launched.lineWith("Program think does not run any more").empty()) << launched.all();
   Launched again(words);
   EXPECT_FALSE(launched.lineWith("Program think runs again.").empty()) << launched.all() << again.all();
   EXPECT_FALSE(again.lineWith("The program with the platform runs.").empty()) << again.all();
+  EXPECT_TRUE(goesOn()) << states.all();
   again.send(SIGINT);
   EXPECT_EQ(0, again.finish()) << again.all();
   launched.send(SIGINT);
@@ -199,8 +206,9 @@ TEST(RobotctlLaunchErrorsTest, wrongProgramsAndLayoutsAreRefusedWithTheirPlace) 
   std::ofstream(folder / "far.yaml") << text;
   const auto far = runRobotctl(folder, "run --layout far.yaml --platform tcp://localhost:1 --program plan");
   EXPECT_EQ(1, far.status);
-  EXPECT_THAT(far.errors, HasSubstr("program plan belongs to 203.0.113.254, which is not an address of this "
-                                    "machine; start it there, or all programs here with --local"));
+  EXPECT_THAT(far.errors,
+              HasSubstr("program plan belongs to 203.0.113.254: no network interface of this machine has it; "
+                        "start it there, or all programs here with --local"));
   EXPECT_THAT(far.errors, HasSubstr("far.yaml:"));
   std::filesystem::remove_all(folder);
 }

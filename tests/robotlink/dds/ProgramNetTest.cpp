@@ -7,6 +7,7 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/dds/Fingerprint.h"
+#include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/dds/ReceivingEnd.h"
 #include "robotlink/dds/SendingEnd.h"
 #include "robotlink/packages/Packages.h"
@@ -188,10 +189,21 @@ TEST(ProgramNetTest, aDomainOrAnInterfaceThatDoesNotExistIsRefused) {
   const auto domain = dds::Node::open({.domain = 231, .address = {}, .peers = {}, .multicast = false});
   ASSERT_FALSE(domain);
   EXPECT_EQ("a DDS domain is a number from 0 to 230, not 231", domain.error().text);
+  ::testing::internal::CaptureStderr();
   const auto interface =
       dds::Node::open({.domain = 1, .address = "203.0.113.254", .peers = {}, .multicast = false});
+  EXPECT_EQ("", ::testing::internal::GetCapturedStderr()) << "DDS writes nothing itself";
   ASSERT_FALSE(interface);
-  EXPECT_NE(std::string::npos, interface.error().text.find("203.0.113.254"));
+  EXPECT_EQ("DDS cannot be used on the address 203.0.113.254: no network interface of this machine has it",
+            interface.error().text);
+}
+
+TEST(ProgramNetTest, anInterfaceThatIsDownIsNamed) {
+  const std::vector<dds::LocalInterface> interfaces{{"eth0", "192.0.2.2", true},
+                                                    {"wlan0", "192.0.2.3", false}};
+  EXPECT_EQ("", dds::whyNotUsable("192.0.2.2", interfaces));
+  EXPECT_EQ("its network interface wlan0 is down", dds::whyNotUsable("192.0.2.3", interfaces));
+  EXPECT_EQ("no network interface of this machine has it", dds::whyNotUsable("192.0.2.4", interfaces));
 }
 
 }  // namespace
