@@ -3,14 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <future>
 #include <memory>
-#include <ostream>
-#include <sstream>
 #include <string>
 
-#include "app/core/ServedPlatform.h"
 #include "app/core/body/BodyFeed.h"
 #include "app/core/body/BodyProgram.h"
 #include "app/core/simulated/SimulationFeed.h"
@@ -19,28 +14,9 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "tests/Eventually.h"
+#include "tests/app/served/ServedHall.h"
 
 namespace app::test {
-
-/// Prints until the port is known.
-class PortLine : public std::stringbuf {
- public:
-  std::uint16_t wait() { return port_.get_future().get(); }
-
- protected:
-  int sync() override {
-    const std::string text = str();
-    const std::size_t address = text.find("ws://");
-    if (isTold_ || address == std::string::npos || text.find('\n', address) == std::string::npos) return 0;
-    isTold_ = true;
-    port_.set_value(static_cast<std::uint16_t>(std::stoi(text.substr(text.find(':', address + 5) + 1))));
-    return 0;
-  }
-
- private:
-  std::promise<std::uint16_t> port_;
-  bool isTold_ = false;
-};
 
 inline RunOptions bodies(const std::string& scene, const std::shared_ptr<BodyInbox>& inbox) {
   RunOptions options = defaultSimulation();
@@ -53,28 +29,12 @@ inline RunOptions bodies(const std::string& scene, const std::shared_ptr<BodyInb
 class OfferedBodies {
  public:
   explicit OfferedBodies(const std::string& scene, const AccessOptions& access = {})
-      : served_(std::async(std::launch::async,
-                           [this, scene, access] {
-                             return serve(
-                                 SimulationFeed::opening(bodies(scene, inbox_)),
-                                 {.address = {"127.0.0.1", 0}, .access = access, .bodies = inbox_}, recorder_,
-                                 [this] { return isOver_.load(); }, out_);
-                           })),
-        port_(printed_.wait()) {}
-  ~OfferedBodies() {
-    isOver_ = true;
-    EXPECT_TRUE(served_.get().empty());
-  }
-  std::uint16_t port() const { return port_; }
+      : hall_({.access = access, .bodies = inbox_}, SimulationFeed::opening(bodies(scene, inbox_))) {}
+  std::uint16_t port() const { return hall_.port(); }
 
  private:
   const std::shared_ptr<BodyInbox> inbox_ = std::make_shared<BodyInbox>();
-  PortLine printed_;
-  std::ostream out_{&printed_};
-  logplayer::Recorder recorder_{{}};
-  std::atomic<bool> isOver_{false};
-  std::future<robotlink::Errors> served_;
-  std::uint16_t port_;
+  ServedHall hall_;
 };
 
 inline std::string urlOf(std::uint16_t port) {
@@ -125,6 +85,11 @@ class BodyDesk {
   bool bodyMoves() const { return state_ && !state_->stands(); }
   bool bodyIsStopped() const { return state_ && state_->stop_engaged(); }
   bool said(const std::string& text) const { return texts_.find(text) != std::string::npos; }
+  void forgetTexts() { texts_.clear(); }
+  /// Somebody at the body presses STOP, or releases it.
+  void stopAtBody(bool engaged) {
+    watcher_.engageStop(engaged, [](const std::string&) {});
+  }
   BodyFeed& feed() { return *feed_; }
 
  private:

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <streambuf>
 #include <string>
+#include <utility>
 
 #include "app/core/ServedPlatform.h"
 #include "app/core/simulated/SimulationFeed.h"
@@ -15,18 +16,18 @@
 
 namespace app::test {
 
-/// A simulated robot elsewhere, as `robotctl sim --listen` serves it, with all its services.
+/// A simulated robot elsewhere, as `robotctl sim --listen` serves it, with all its services; or another
+/// platform. The constructor throws the reason if it cannot be served.
 class ServedHall {
  public:
   explicit ServedHall(ServeOptions options = {},
-                      PlatformOpening opening = SimulationFeed::opening(defaultSimulation())) {
-    auto url = printed_.url();
-    served_ = std::async(std::launch::async, [this, options, opening = std::move(opening)] {
-      return serve(
-          opening, options, recorder_, [this] { return ended_.load(); }, out_);
-    });
-    url_ = url.get();
-  }
+                      PlatformOpening opening = SimulationFeed::opening(defaultSimulation()))
+      : served_(std::async(std::launch::async,
+                           [this, options = std::move(options), opening = std::move(opening)] {
+                             printed_.end(serve(
+                                 opening, options, recorder_, [this] { return ended_.load(); }, out_));
+                           })),
+        url_(printed_.url()) {}
   ~ServedHall() {
     ended_ = true;
     served_.wait();
@@ -37,15 +38,21 @@ class ServedHall {
   /// "ws://127.0.0.1:40123"
   const std::string& url() const { return url_; }
   /// Where it listens; for another one at the same place.
-  robotlink::websocket::ListenAddress address() const {
-    return {"127.0.0.1", static_cast<std::uint16_t>(std::stoi(url_.substr(url_.rfind(':') + 1)))};
+  robotlink::websocket::ListenAddress address() const { return {"127.0.0.1", port()}; }
+  std::uint16_t port() const {
+    return static_cast<std::uint16_t>(std::stoi(url_.substr(url_.rfind(':') + 1)));
   }
 
  private:
   /// What the robot prints, up to the line that says where it is.
   class Printed : public std::streambuf {
    public:
-    std::future<std::string> url() { return url_.get_future(); }
+    /// Waits for that line; throws if nothing is served any more.
+    std::string url() { return url_.get_future().get(); }
+    void end(const robotlink::Errors& errors) {
+      if (std::exchange(isTold_, true)) return;
+      url_.set_exception(std::make_exception_ptr(std::runtime_error(describe(errors))));
+    }
 
    protected:
     int_type overflow(int_type c) override {
@@ -72,8 +79,8 @@ class ServedHall {
   std::ostream out_{&printed_};
   logplayer::Recorder recorder_{{}};
   std::atomic<bool> ended_{false};
-  std::future<robotlink::Errors> served_;
-  std::string url_;
+  std::future<void> served_;
+  const std::string url_;
 };
 
 }  // namespace app::test

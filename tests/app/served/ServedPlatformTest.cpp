@@ -64,6 +64,13 @@ TEST(ServedPlatform, whatCannotBeOpenedEndsWithTheReason) {
   EXPECT_THAT(errors.front().describe(), HasSubstr("no-such-scene.sdf"));
 }
 
+TEST(ServedPlatform, whoeverWaitsForOneThatCannotBeServedIsToldWhy) {
+  RunOptions run = defaultSimulation();
+  run.scene = "no-such-scene.sdf";
+  EXPECT_THAT([&] { test::ServedHall({}, SimulationFeed::opening(run)); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("no-such-scene.sdf")));
+}
+
 TEST(ServedPlatform, aPortThatIsTakenIsNamed) {
   logplayer::Recorder recorder({});
   std::ostringstream out;
