@@ -8,14 +8,29 @@ namespace app {
 using robotlink::RequestDoer;
 using robotlink::Result;
 
+namespace {
+
+/// Why a request that concerns a robot cannot be passed to it; empty if it can.
+std::string whyForNoRobot(const robotcontrol::Request& request, RequestDoer doer) {
+  if (doer == RequestDoer::kRecording)
+    return "only the workbench records on this request; a robot's program that was started with --recordings "
+           "has the services recordings/start and recordings/stop";
+  return request.robot().empty() ? robotlink::inWords(request) + ": no robot is named" : "";
+}
+
+}  // namespace
+
 Result<PlatformFeed::Answer> PlatformFeed::fulfil(const robotcontrol::Request& request) {
   const RequestDoer doer = robotlink::kindOf(request).doer;
   const bool ofProgram = doer == RequestDoer::kTask || doer == RequestDoer::kDebugProcess;
   if (const std::string wrong = robotlink::wrongWith(request); !ofProgram && !wrong.empty())
     return robotlink::failure("request.wrong", wrong);
-  const Result<void> done = doer == RequestDoer::kSimulation ? requestSimulation(request)
-                            : doer == RequestDoer::kReplay   ? requestReplay(request)
-                                                             : requestRobot(request);
+  const bool ofRobot = doer != RequestDoer::kSimulation && doer != RequestDoer::kReplay;
+  if (const std::string why = whyForNoRobot(request, doer); ofRobot && !why.empty())
+    return robotlink::failure("request.no-robot", why);
+  const Result<void> done = ofRobot                            ? requestRobot(request)
+                            : doer == RequestDoer::kSimulation ? requestSimulation(request)
+                                                               : requestReplay(request);
   if (!done) return tl::unexpected(done.error());
   return ofProgram ? Answer::kByProgram : Answer::kHere;
 }

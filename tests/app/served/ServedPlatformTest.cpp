@@ -53,6 +53,13 @@ TEST_F(ServedPlatformTest, stopActsAtThePlatform) {
   EXPECT_TRUE(status.running());
 }
 
+TEST_F(ServedPlatformTest, whatCannotBeDoneHereIsRefusedWithTheReason) {
+  client_->send(ServiceCallRequest{services_["control_recording"], 6, "json", R"({"action": "START"})"});
+  const auto answer = nlohmann::json::parse(expect<ServiceCallResponse>().payload);
+  EXPECT_EQ(answer["accepted"], false);
+  EXPECT_THAT(answer["reason"], HasSubstr("services recordings/start"));
+}
+
 TEST(ServedPlatform, whatCannotBeOpenedEndsWithTheReason) {
   logplayer::Recorder recorder({});
   std::ostringstream out;
