@@ -132,7 +132,9 @@ struct BodyProgram::Implementation {
   /// The time of the readings that the newest command answers.
   std::optional<Instant> basedOn;
   bool isStoppedThere = false;
-  std::uint64_t frame = 0, obeyed = 0, late = 0;
+  std::uint64_t frame = 0;
+  /// The sender of the newest command, and what became of the commands of this sender.
+  std::uint64_t commander = 0, obeyed = 0, late = 0;
   HostingStatus status;
 };
 
@@ -203,6 +205,7 @@ void BodyProgram::Implementation::takeCommands(Instant now) {
   if (!newest) return;
   const Instant answered = robotlink::instant(newest->based_on());
   isStoppedThere = newest->stop();
+  if (std::exchange(commander, newest->sender()) != newest->sender()) obeyed = late = 0;
   if (answered > now || now - answered > options.watchdog) {
     ++late;
     return;
@@ -227,8 +230,10 @@ std::string BodyProgram::Implementation::whyStand(Instant now) const {
   if (isStoppedThere) return robot + " stands: STOP is engaged where its program runs";
   if (basedOn && now - *basedOn <= options.watchdog) return {};
   if (!basedOn && late == 0) return robot + " stands: no program commands it yet";
-  return fmt::format("{} stands: for {:.3g} s no command came in time from the program of {}", robot, limit,
-                     options.inbox->commander(robot));
+  return fmt::format(
+      "{} stands: for {:.3g} s no command of the program of {} arrived in time; the line may be slow or cut, "
+      "or the program hangs or has ended",
+      robot, limit, options.inbox->commander(robot));
 }
 
 void BodyProgram::Implementation::publish(Instant now) {
@@ -248,6 +253,7 @@ void BodyProgram::Implementation::publish(Instant now) {
   if (state.stands()) state.set_text(status.text());
   state.set_commands(obeyed);
   state.set_late(late);
+  state.set_commander(commander);
   listeners.queue(std::move(queue));
 }
 

@@ -5,6 +5,8 @@
 #include <google/protobuf/message.h>
 #include <google/protobuf/timestamp.pb.h>
 
+#include <random>
+
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/packages/Conversions.h"
@@ -26,6 +28,18 @@ constexpr Duration kBodyStatusPeriod = std::chrono::milliseconds(250);
 /// How often STOP is said again to a body that has not accepted it, and to one that is held by it.
 constexpr Duration kStopRepeat = std::chrono::milliseconds(300);
 constexpr Duration kStopHold = std::chrono::milliseconds(100);
+
+std::uint64_t randomSender() {
+  std::random_device random;
+  return (std::uint64_t{random()} << 32U | random()) | 1U;  // never 0, which is nobody
+}
+
+/// Why a body does not move as `sender` commands; empty if it does.
+std::string whyNotMoved(const robotcontrol::BodyState& state, std::uint64_t sender) {
+  if (!state.text().empty()) return state.text();
+  if (state.stop_engaged()) return "it stands: STOP is engaged there";
+  return state.commander() != 0 && state.commander() != sender ? "another program commands it" : "";
+}
 
 /// Adds a time to all time stamps in a message.
 void shiftTimes(Message& message, Duration by) {
@@ -56,7 +70,8 @@ RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const r
       bodyClock_(clock),
       local_(local),
       watchdog_(link.body()->offer.watchdog()),
-      status_(*this, robotlink::kLinkStatus.name, robotlink::Blocking::kNo) {
+      status_(*this, robotlink::kLinkStatus.name, robotlink::Blocking::kNo),
+      sender_(randomSender()) {
   const auto types = robotlink::packageTypes();
   const auto& offer = link.body()->offer;
   for (const std::string& package : offer.sensors()) {
@@ -124,13 +139,14 @@ void RemoteBodyPlatform::takeState(const robotcontrol::BodyState& state) {
   heardAt_ = now;
   bodyClock_.hear(robotlink::instant(state.timestamp()));
   ++counts_.frames;
-  counts_.obeyed = state.commands();
-  counts_.late = state.late();
+  if (state.commander() == sender_) {
+    counts_.obeyed = state.commands();
+    counts_.late = state.late();
+  }
   stoppedThere_.store(state.stop_engaged());
-  if (state.text() == bodyText_) return;
-  report(state.text().empty() ? "The body moves as this program commands."
-                              : "The body: " + state.text() + ".");
-  bodyText_ = state.text();
+  const std::string text = whyNotMoved(state, sender_);
+  if (std::exchange(bodyText_, text) == text) return;
+  report(text.empty() ? "The body moves as this program commands." : "The body: " + text + ".");
 }
 
 void RemoteBodyPlatform::takeSensor(const std::string& package, const PackagePtr& value) {
@@ -223,6 +239,7 @@ void RemoteBodyPlatform::sendCommands() {
   BodyCommands commands;
   robotlink::assign(*commands.mutable_based_on(), bodyClock_.heard());
   commands.set_number(++number_);
+  commands.set_sender(sender_);
   commands.set_stop(isHeld);
   for (const auto& [package, command] : commands_) {
     const PackagePtr& value = command.receiver->value();

@@ -48,7 +48,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   /// What was sent and received.
   struct Counts {
     std::uint64_t frames = 0, commands = 0, cuts = 0;
-    /// As the body counts: commands that it obeyed, and those that came too late.
+    /// As the body counts: commands of this program that it obeyed, and those that came too late.
     std::uint64_t obeyed = 0, late = 0;
     robotlink::Duration longestSilence{0};
   };
@@ -93,6 +93,8 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   robotlink::Sender<robotcontrol::LinkStatus> status_;
   std::set<std::string> wanted_;
   Counts counts_;
+  /// By which the body tells the commands of this program from those of others.
+  const std::uint64_t sender_;
   std::uint64_t number_ = 0;
   /// The local times at which a command or the status was sent, and the body was heard last.
   robotlink::Instant sentAt_, statusAt_;

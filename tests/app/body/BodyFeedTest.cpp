@@ -127,8 +127,22 @@ TEST(BodyFeed, aSecondProgramIsToldWhoseBodyItIs) {
   BodyDesk second({.url = urlOf(hall.port())}, hall.port());
   EXPECT_TRUE(second.soon([&] {
     first.soon([] { return true; });
-    return second.said("obeys the program of");
+    return second.said("obeys the program of") && second.said("another program commands it");
   }));
+  EXPECT_GT(first.feed().platform().counts().obeyed, 0U);
+  EXPECT_EQ(second.feed().platform().counts().obeyed, 0U);
+}
+
+TEST(BodyFeed, aBodyWithStopIsNotSaidToMove) {
+  OfferedBodies hall("scenes/field2002.sdf");
+  BodyDesk desk({.url = urlOf(hall.port())}, hall.port());
+  ASSERT_TRUE(desk.soon([&] { return desk.said("The body moves as this program commands."); }));
+  desk.forgetTexts();
+  desk.stopAtBody(true);
+  EXPECT_TRUE(desk.soon([&] { return desk.said("The body: it stands: STOP is engaged there."); }));
+  EXPECT_FALSE(desk.said("The body moves"));
+  desk.stopAtBody(false);
+  EXPECT_TRUE(desk.soon([&] { return desk.said("The body moves as this program commands."); }));
 }
 
 /// Why a program for a body is not started; empty if it is.

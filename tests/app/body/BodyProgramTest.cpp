@@ -106,7 +106,8 @@ TEST_F(BodyProgramTest, withoutCommandsItStandsAfterHalfASecondOfItsOwnTime) {
   EXPECT_FALSE(state().stands());
   stepFor(30ms);
   EXPECT_TRUE(state().stands());
-  EXPECT_THAT(state().text(), HasSubstr("for 0.5 s no command came in time from the program of desk 1"));
+  EXPECT_THAT(state().text(),
+              HasSubstr("for 0.5 s no command of the program of desk 1 arrived in time; the line may"));
   const double held = angle(1);
   stepFor(300ms);
   EXPECT_NEAR(angle(1), held, 0.05);
@@ -151,6 +152,20 @@ TEST_F(BodyProgramTest, itObeysOneProgramAtATime) {
   EXPECT_THAT(put(commands(now()), 2), HasSubstr("obeys the program of desk 1"));
   real_ += 3s;
   EXPECT_EQ(put(commands(now()), 2), "");
+}
+
+TEST_F(BodyProgramTest, theCommandsOfEachProgramAreCountedOnTheirOwn) {
+  for (const std::uint64_t sender : {7U, 9U}) {
+    real_ += 3s;
+    for (std::uint64_t number = 1; number <= 3; ++number) {
+      BodyCommands next = commands(now());
+      next.set_sender(sender);
+      ASSERT_EQ(put(next, sender), "");
+      stepFor(40ms);
+      EXPECT_EQ(state().commander(), sender);
+      EXPECT_EQ(state().commands(), number);
+    }
+  }
 }
 
 TEST_F(BodyProgramTest, packagesOfAnotherTypeAreIgnored) {
