@@ -33,7 +33,7 @@ class RecordingTest : public ::testing::Test {
   /// The file is "a.mcap", unless it is started later.
   void make(bool recordFromTheStart, ExecutorKind executor = ExecutorKind::kLockstep) {
     RunOptions options = defaultSimulation();
-    options.executor = executor;
+    options.hosting.threads = executor == ExecutorKind::kThreads;
     recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
     if (recordFromTheStart) start("a.mcap");
     SimulatedRun::Listeners listeners;

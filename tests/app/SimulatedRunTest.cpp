@@ -221,7 +221,7 @@ TEST(SimulatedRun, aRobotThatDoesNotExistIsRefusedByName) {
 
 TEST(SimulatedRun, threadsPlayToo) {
   RunOptions chosen = simulationOptions();
-  chosen.executor = ExecutorKind::kThreads;
+  chosen.hosting.threads = true;
   std::atomic<int> frames{0};
   SimulatedRun::Listeners listeners;
   listeners.queue = [&](const std::string&, const auto& queue) {

@@ -81,7 +81,8 @@ Errors SimulatedRun::load() {
                                                own->cut();
                                              });
   // They may have been chosen in another scene.
-  std::erase_if(options_.otherwise, [this](const std::string& name) { return find(name) == nullptr; });
+  std::erase_if(options_.hosting.otherwise,
+                [this](const std::string& name) { return find(name) == nullptr; });
   if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (!options_.layout.empty()) {
     for (const auto& robot : robots_) options_.layouts[robot->description().name] = options_.layout;
@@ -205,15 +206,11 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
 
 HostedProgram::Maker SimulatedRun::makerFor(const std::string& robot) const {
   if (options_.instead) return options_.instead;
-  if (!runsInOwnProcess(robot)) return nullptr;
+  if (!options_.hosting.isOwn(robot)) return nullptr;
   OwnProgram::Options own = options_.own;
-  own.threads = options_.executor == ExecutorKind::kThreads;
+  own.threads = options_.hosting.threads;
   own.cut = ownPatience_;
   return OwnProgram::maker(own);
-}
-
-bool SimulatedRun::runsInOwnProcess(const std::string& robot) const {
-  return options_.ownProcesses != options_.otherwise.contains(robot);
 }
 
 void SimulatedRun::startPrograms(Candidates candidates) {
@@ -227,7 +224,7 @@ void SimulatedRun::startPrograms(Candidates candidates) {
 
 void SimulatedRun::beginPrograms(const std::vector<RobotHost*>& robots) {
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
-      .kind = options_.executor,
+      .kind = options_.executor(),
       .advance = [this] { world_->advance(); },
       .trouble = [this](const auto& process, const auto& text) { reportTrouble(process, text); },
       .patience = options_.patience,
@@ -262,29 +259,19 @@ Errors SimulatedRun::checkHosting(const std::string& name) const {
 std::vector<RobotHost*> SimulatedRun::applyHosting(const std::string& name,
                                                    const robotcontrol::HostProgram& choice) {
   using robotcontrol::HostProgram;
-  const ExecutorKind before = options_.executor;
-  if (choice.executor() != HostProgram::SAME)
-    options_.executor =
-        choice.executor() == HostProgram::THREADS ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  const HostingChoices before = options_.hosting;
+  HostingChoices& now = options_.hosting;
+  if (choice.executor() != HostProgram::SAME) now.threads = choice.executor() == HostProgram::THREADS;
+  const bool isPlaced = choice.where() != HostProgram::UNCHANGED;
+  if (isPlaced) now.choose(name, choice.where() == HostProgram::OWN_PROCESS);
   // Threads are ended together.
-  const bool all =
-      before != options_.executor || (before == ExecutorKind::kThreads &&
-                                      (choice.start_again() || choice.where() != HostProgram::UNCHANGED));
+  const bool all = before.threads != now.threads || (before.threads && (choice.start_again() || isPlaced));
   std::vector<RobotHost*> changed;
   for (const auto& robot : robots_) {
     const bool isMeant = name.empty() || robot->name() == name;
-    const bool was = runsInOwnProcess(robot->name());
-    const bool own = !isMeant || choice.where() == HostProgram::UNCHANGED
-                         ? was
-                         : choice.where() == HostProgram::OWN_PROCESS;
-    if (all || own != was || (isMeant && choice.start_again()) || robot->isStuck())
+    const bool isMoved = before.isOwn(robot->name()) != now.isOwn(robot->name());
+    if (all || isMoved || (isMeant && choice.start_again()) || robot->isStuck())
       changed.push_back(robot.get());
-    options_.otherwise.erase(robot->name());
-    if (own != options_.ownProcesses) options_.otherwise.insert(robot->name());
-  }
-  if (name.empty() && choice.where() != HostProgram::UNCHANGED) {
-    options_.ownProcesses = choice.where() == HostProgram::OWN_PROCESS;
-    options_.otherwise.clear();
   }
   return changed;
 }
@@ -367,13 +354,13 @@ void SimulatedRun::step() {
   leftOver_.forgetEnded();
   for (const auto& robot : robots_) robot->enqueueRequests();
   if (tap_) tap_->askForPackages();
-  if (options_.executor == ExecutorKind::kLockstep) {
+  if (options_.executor() == ExecutorKind::kLockstep) {
     for (const auto& robot : robots_)
       if (!robot->isStuck()) robot->startStep();
   }
   if (ports_) ports_->serve({});
   executor_->step();
-  if (options_.executor == ExecutorKind::kThreads) {
+  if (options_.executor() == ExecutorKind::kThreads) {
     for (const auto& robot : robots_) robot->startStep();
   }
   if (ports_) ports_->deliver();
@@ -476,7 +463,7 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
 }
 
 void SimulatedRun::publishComingAnswers() {
-  if (options_.executor != ExecutorKind::kLockstep || !listeners_.queue) return;
+  if (options_.executor() != ExecutorKind::kLockstep || !listeners_.queue) return;
   for (const auto& robot : robots_) {
     if (auto queue = robot->answersToCome()) listeners_.queue(robot->name(), std::move(queue));
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/core/own/OwnProgram.h"
+#include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
@@ -52,13 +53,10 @@ struct RunOptions {
   std::optional<simcore::RobotsToAdd> robots = {};
   /// TCP ports at which other programs find the Pioneers; unset: none.
   std::optional<ArcosPorts::Options> ports = {};
-  ExecutorKind executor = ExecutorKind::kLockstep;
   /// How long a module may take before it counts as not returning, in real time; 0: for ever.
   std::chrono::milliseconds patience{0};
-  /// Where programs run: each in a process of the operating system of its own, or all inside.
-  bool ownProcesses = false;
-  /// The robots for which it is the other way, by name.
-  std::set<std::string> otherwise = {};
+  /// Where programs run, and whether in threads.
+  HostingChoices hosting = {};
   /// How those in processes of their own are run.
   OwnProgram::Options own = {};
   /// Makes what runs instead of programs, such as links to programs elsewhere; empty: programs.
@@ -71,6 +69,8 @@ struct RunOptions {
   simcore::LoadProgress progress = {};
   /// Whether the true classes are sent with all images, even without a receiver.
   bool classImages = false;
+
+  ExecutorKind executor() const { return hosting.threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep; }
 };
 
 /// The simulation that is opened by default: the shipped soccer field.
@@ -198,7 +198,6 @@ class SimulatedRun {
   /// What makes the program of a robot; empty: it is one inside.
   HostedProgram::Maker makerFor(const std::string& robot) const;
   /// Where the program of a robot is to run.
-  bool runsInOwnProcess(const std::string& robot) const;
   /// Begins programs in a new executor; those of other robots continue in it.
   void beginPrograms(const std::vector<RobotHost*>& robots);
   /// Returns null if there is no such robot.

@@ -54,19 +54,13 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.robots = robotsToAdd(values, options.world.seed);
   options.ports = portsToOpen(values);
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
-  options.ownProcesses = flagOf(values, "own", options.ownProcesses);
-  if (values.contains("own")) options.otherwise.clear();
+  if (values.contains("own")) options.hosting.choose({}, flagOf(values, "own"));
   const std::string executor = textOf(values, "executor");
-  if (!executor.empty())
-    options.executor =
-        executor == nameOf(ExecutorKind::kThreads) ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  if (!executor.empty()) options.hosting.threads = executor == nameOf(ExecutorKind::kThreads);
   // What is chosen now goes before what was chosen some time, if they do not fit together.
   const bool isOwnChosen = flagOf(values, "own");
-  if (isOwnChosen && executor.empty()) options.executor = ExecutorKind::kLockstep;
-  if (!isOwnChosen && !executor.empty() && options.executor == ExecutorKind::kThreads) {
-    options.ownProcesses = false;
-    options.otherwise.clear();
-  }
+  if (isOwnChosen && executor.empty()) options.hosting.threads = false;
+  if (!isOwnChosen && !executor.empty() && options.hosting.threads) options.hosting.choose({}, false);
   if (const std::string layout = textOf(values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
 }

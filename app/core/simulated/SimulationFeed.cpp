@@ -20,22 +20,13 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
-HostingChoices hostingOf(const RunOptions& options) {
-  return {options.ownProcesses, options.otherwise, options.executor == ExecutorKind::kThreads};
-}
-
 /// The options of the last simulation, as the adapter's memory keeps them; at first, programs run where they
 /// did in the last run of the workbench.
 std::shared_ptr<RunOptions> lastSimulation(const PlatformContext& context) {
   std::any& memory = context.memory;
   if (!memory.has_value()) {
     const auto first = std::make_shared<RunOptions>(defaultSimulation());
-    if (context.hosting != nullptr) {
-      const HostingChoices before = context.hosting->choices(SimulationFeed::kAdapter);
-      first->ownProcesses = before.ownProcesses;
-      first->otherwise = before.otherwise;
-      first->executor = before.threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
-    }
+    if (context.hosting != nullptr) first->hosting = context.hosting->choices(SimulationFeed::kAdapter);
     memory = first;
   }
   return std::any_cast<std::shared_ptr<RunOptions>>(memory);
@@ -47,7 +38,7 @@ SimulationFeed::Choices keeperOf(std::shared_ptr<RunOptions> last, HostingMemory
   return [last = std::move(last), hosting,
           known = std::optional<HostingChoices>()](const RunOptions& running) mutable {
     *last = running;
-    const HostingChoices now = hostingOf(running);
+    const HostingChoices& now = running.hosting;
     if (hosting != nullptr && known && *known != now) hosting->choose(SimulationFeed::kAdapter, now);
     known = now;
   };
@@ -148,7 +139,7 @@ void SimulationFeed::begin() {
 
 std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
   // Threads take the time that they take.
-  if (run_->options().executor == ExecutorKind::kThreads && pace_.speed() == 0) {
+  if (run_->options().hosting.threads && pace_.speed() == 0) {
     pace_.setSpeed(1);
     restartPace();
   }

@@ -267,15 +267,12 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   for (const std::string& robot : arguments.ownProcesses) {
-    if (robot == kAllRobots) {
-      arguments.run.ownProcesses = true;
-    } else {
-      arguments.run.otherwise.insert(robot);
-    }
+    if (robot != kAllRobots) arguments.run.hosting.choose(robot, true);
   }
-  if (arguments.run.ownProcesses) arguments.run.otherwise.clear();
+  if (std::ranges::find(arguments.ownProcesses, kAllRobots) != arguments.ownProcesses.end())
+    arguments.run.hosting.choose({}, true);
   arguments.run.own.memoryLimit = arguments.programMemory << 20U;
-  arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  arguments.run.hosting.threads = threads;
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
   if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);

@@ -62,7 +62,7 @@ void switchOn(SimulatedRun& run, const std::string& robot, const std::string& ke
 
 RunOptions soccer(bool own) {
   RunOptions options = defaultSimulation();
-  options.ownProcesses = own;
+  options.hosting.ownProcesses = own;
   options.own.executable = OWN_PROGRAM_CHILD;
   return options;
 }
@@ -78,8 +78,8 @@ class OwnProgramTest : public ::testing::Test {
                                    "version: 1\nname: trouble\nprocesses:\n"
                                    "  - name: worker\n    period_ms: 8\n    tasks:\n      - trouble: " +
                                        solution + "\n  - {name: debug, debug: true, period_ms: 16}\n");
-    options.ownProcesses = true;
-    options.executor = executor_;
+    options.hosting.ownProcesses = true;
+    options.hosting.threads = executor_ == ExecutorKind::kThreads;
     options.own.executable = OWN_PROGRAM_CHILD;
     options.own.patience = patience;
     options.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one

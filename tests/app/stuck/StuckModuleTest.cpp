@@ -24,7 +24,7 @@ class StuckModuleTest : public test::StuckBench, public testing::TestWithParam<E
   explicit StuckModuleTest(std::chrono::milliseconds patience = 200ms) {
     RunOptions options = defaultSimulation();
     options.layout = StuckSolution::writeLayout(folder_.path());
-    options.executor = GetParam();
+    options.hosting.threads = GetParam() == ExecutorKind::kThreads;
     options.patience = patience;
     options.world.blackout = true;
     options.robots = simcore::RobotsToAdd{.model = "ers210", .count = 1};
