@@ -19,8 +19,9 @@
 namespace app {
 namespace {
 
-constexpr std::string_view kHead = "report\n", kActivity = "activity ", kProcess = "process ",
-                           kStack = "stack\n";
+/// What a report begins with: one of the program's end, and one that it was asked for.
+constexpr std::string_view kEndHead = "end\n", kAskedHead = "report\n";
+constexpr std::string_view kActivity = "activity ", kProcess = "process ", kStack = "stack\n";
 constexpr int kMaxCalls = 64;
 /// Calls that belong to the report itself: two of this file, and that of the system at a signal.
 constexpr int kInSignal = 3, kInExit = 2;
@@ -53,8 +54,8 @@ void put(std::string_view text) {
 }
 
 /// `skipped`: the innermost calls, which belong to the report.
-[[gnu::noinline]] void putReport(int skipped) {
-  put(kHead);
+[[gnu::noinline]] void putReport(std::string_view head, int skipped) {
+  put(head);
   for (std::size_t i = 0; watched != nullptr && i < watched->size(); ++i) {
     const robotlink::Process& process = *(*watched)[i];
     const std::string* activity = process.activity();
@@ -79,19 +80,19 @@ void onQuestion(int) {
   if (const ::pid_t thread = suspected.load(); thread != 0 && thread != ::gettid()) {
     ::tgkill(::getpid(), thread, SIGUSR1);
   } else {
-    putReport(kInSignal);
+    putReport(kAskedHead, kInSignal);
   }
   errno = before;
 }
 
 void onFatal(int signal) {
-  putReport(kInSignal);
+  putReport(kEndHead, kInSignal);
   // It comes again when this returns, now without a handler.
   ::raise(signal);
 }
 
 void onExit(int status, void*) {
-  putReport(kInExit);
+  putReport(kEndHead, kInExit);
   // Destructors of static objects would run beside the robot's program.
   ::_exit(status);
 }
@@ -100,6 +101,8 @@ void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = SA_ONSTACK | flags;
+  // The report of an end is not interrupted by one that is asked for.
+  sigaddset(&action.sa_mask, SIGUSR1);
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -118,6 +121,13 @@ std::string readable(std::string_view line) {
   const std::unique_ptr<char, void (*)(void*)> plain(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
   return (status == 0 && plain ? std::string(plain.get()) : symbol) + offset + " (" + file + ")";
+}
+
+/// Where the head of a report begins: at the beginning of a line. npos: nowhere.
+std::size_t firstHead(std::string_view text, std::string_view head) {
+  auto at = text.find(head);
+  while (at != text.npos && at > 0 && text[at - 1] != '\n') at = text.find(head, at + 1);
+  return at;
 }
 
 std::string takeLine(std::string_view& text) {
@@ -174,11 +184,15 @@ void CrashReport::suspect(const robotlink::Process* process) {
   }
 }
 
+bool CrashReport::hasEnd(std::string_view text) {
+  return firstHead(text, kEndHead) != text.npos;
+}
+
 CrashReport CrashReport::parse(std::string_view text) {
   CrashReport report;
-  const auto begin = text.rfind(kHead);
-  if (begin == text.npos) return report;
-  text.remove_prefix(begin + kHead.size());
+  const auto end = firstHead(text, kEndHead), asked = text.rfind(kAskedHead);
+  if (end == text.npos && asked == text.npos) return report;
+  text.remove_prefix(end != text.npos ? end + kEndHead.size() : asked + kAskedHead.size());
   while (!text.empty()) {
     if (text.starts_with(kStack)) break;
     const std::string line = takeLine(text);

@@ -21,8 +21,11 @@ struct CrashReport {
   /// The calls that led there, innermost first, a line each, as far as they are known.
   std::string stack;
 
-  /// Reads the last report in a text; empty if there is none.
+  /// Reads the report of the program's end in a text, or, without one, the last that it was asked for; empty
+  /// if there is none.
   static CrashReport parse(std::string_view text);
+  /// Whether a text has a report of the program's end.
+  static bool hasEnd(std::string_view text);
   /// " in ball-percept (region) of process cognition", or an empty text.
   std::string place() const;
 

@@ -160,17 +160,19 @@ CrashReport ProgramChild::report() {
 
 CrashReport ProgramChild::ask() {
   readReports();
-  written_.clear();
+  // One that does not answer may be about to end, and then has written why.
+  if (!CrashReport::hasEnd(written_)) written_.clear();
+  const std::size_t begin = written_.size();
   ::kill(pid_, askSignal());
   // Complete when nothing more comes for a moment.
   const auto end = std::chrono::steady_clock::now() + kReport;
-  for (std::size_t before = 0; std::chrono::steady_clock::now() < end; before = written_.size()) {
+  for (std::size_t before = begin; std::chrono::steady_clock::now() < end; before = written_.size()) {
     pollfd look{reports_, POLLIN, 0};
-    ::poll(&look, 1, written_.empty() ? static_cast<int>(kReport.count()) : 20);
+    ::poll(&look, 1, written_.size() == begin ? static_cast<int>(kReport.count()) : 20);
     readReports();
-    if (!written_.empty() && written_.size() == before) break;
+    if (written_.size() > begin && written_.size() == before) break;
   }
-  return CrashReport::parse(written_);
+  return CrashReport::parse(std::string_view(written_).substr(begin));
 }
 
 }  // namespace app

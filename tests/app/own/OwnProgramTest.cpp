@@ -358,6 +358,34 @@ TEST(CrashReport, isReadFromWhatTheProgramWrote) {
   EXPECT_EQ(CrashReport::parse("rubbish").place(), "");
 }
 
+TEST(CrashReport, thatOfTheEndCountsWhateverIsWrittenBesideIt) {
+  const std::string end = "end\nactivity trouble (abort)\nprocess worker\nstack\n";
+  const std::string asked = "report\nactivity trouble (late)\nprocess worker\nstack\n";
+  for (const std::string& text : {end, asked + end, end + asked}) {
+    EXPECT_TRUE(CrashReport::hasEnd(text));
+    EXPECT_EQ(CrashReport::parse(text).place(), " in trouble (abort) of process worker") << text;
+  }
+  EXPECT_FALSE(CrashReport::hasEnd(asked));
+  EXPECT_FALSE(CrashReport::hasEnd("report\nactivity the end\n"));
+}
+
+TEST(ProgramChild, whyItEndedIsNotForgottenWhenItIsAskedWhatItDoes) {
+  const TestFolder folder;
+  const auto program =
+      folder.write("program",
+                   "#!/bin/sh\ntrap '' USR1\n"
+                   "printf 'end\\nactivity trouble (abort)\\nprocess worker\\nstack\\n' >&4\n"
+                   "read line <&3\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  auto child = ProgramChild::start(program, "red1");
+  ASSERT_TRUE(child) << child.error().describe();
+  ASSERT_TRUE(eventually([&] { return !child->report().activity.empty(); }));
+  child->ask();
+  child->kill();
+  child->wait();
+  EXPECT_EQ(child->report().place(), " in trouble (abort) of process worker");
+}
+
 TEST(CrashReport, anEndHasWords) {
   EXPECT_EQ(endInWords(W_EXITCODE(3, 0)), "called exit(3)");
   EXPECT_THAT(endInWords(SIGSEGV), HasSubstr("segmentation fault"));
