@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "app/core/platform/HostingMemory.h"
+#include "app/core/platform/RobotPublishing.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RealHosting.h"
 #include "app/core/program/RobotFiles.h"
@@ -175,7 +176,7 @@ Errors BodyFeed::describeRobot() {
   }
   robot_ = std::make_unique<RobotHost>(HostedRobot{body.offer.robot(), body.offer.team(), description, field,
                                                    map, fieldFileOf(*field), options_.map},
-                                       listeners(), tap_.get(), options_.overrides);
+                                       listenersOf(gate_), tap_.get(), options_.overrides);
   return {};
 }
 
@@ -251,19 +252,6 @@ void BodyFeed::stopProgram() {
   if (!robot_) return;
   leftOver_.end(std::move(executor_), {robot_.get()});
   robot_->stop();
-}
-
-RobotHost::Listeners BodyFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            gate_.publishTrouble(robot, process, text);
-          },
-          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            gate_.publishPlatform(robot, time, text);
-          },
-          {},
-          [this](const std::string& robot, robotlink::Instant time,
-                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
 // ---- Running it

@@ -117,7 +117,6 @@ class BodyFeed final : public PlatformFeed {
   robotlink::Errors describeRobot();
   robotlink::Errors startProgram();
 
-  RobotHost::Listeners listeners();
   std::filesystem::path layoutFileInUse() const;
   tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
       std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);

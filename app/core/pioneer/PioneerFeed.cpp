@@ -2,6 +2,7 @@
 #include "app/core/pioneer/PioneerFeed.h"
 
 #include "app/core/platform/HostingMemory.h"
+#include "app/core/platform/RobotPublishing.h"
 #include "app/core/program/SceneMessages.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
@@ -37,23 +38,10 @@ tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::creat
     HostingMemory* hosting) {
   auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
   feed->hosting_ = hosting;
-  auto run = PioneerRun::create(std::move(options), feed->listeners(), &recorder);
+  auto run = PioneerRun::create(std::move(options), listenersOf(feed->gate_), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
   return feed;
-}
-
-PioneerRun::Listeners PioneerFeed::listeners() {
-  return {[this](const std::string& robot, auto queue) { gate_.publishQueue(robot, std::move(queue)); },
-          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
-            gate_.publishTrouble(robot, process, text);
-          },
-          [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
-            gate_.publishPlatform(robot, time, text);
-          },
-          {},
-          [this](const std::string& robot, robotlink::Instant time,
-                 const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
 std::vector<std::string> PioneerFeed::end() {

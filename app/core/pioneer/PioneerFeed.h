@@ -54,8 +54,6 @@ class PioneerFeed final : public PlatformFeed {
 
   PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : gate_(session), recorder_(recorder) {}
-  /// Listeners that publish.
-  PioneerRun::Listeners listeners();
   /// Publishes the overrides that the present program cannot fulfill as warnings, where describe() is not
   /// asked.
   void publishLostOverrides();

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/program/RobotHost.h"
+
+namespace app {
+
+class PublishGate;
+
+/// Listeners of a robot that publish all that they hear through a gate, which must outlive them.
+RobotHost::Listeners listenersOf(PublishGate& gate);
+
+}  // namespace app
