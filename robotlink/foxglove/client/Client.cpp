@@ -171,11 +171,6 @@ void Client::getParameters(std::vector<std::string> names) {
   if (can("parameters")) send(GetParameters{std::move(names), "get"});
 }
 
-void Client::controlPlayback(const PlaybackControl& control) {
-  const std::lock_guard lock(mutex_);
-  if (can("playbackControl")) send(control);
-}
-
 void Client::fetchAsset(std::string name, AnswerHandler handler) {
   std::string problem;
   {

@@ -68,7 +68,6 @@ class Client {
   /// The new values come as parameters; if the server objects, as a status.
   void setParameters(std::vector<Parameter> parameters);
   void getParameters(std::vector<std::string> names);
-  void controlPlayback(const PlaybackControl& control);
   void fetchAsset(std::string name, AnswerHandler handler);
 
   ConnectionState state() const;

@@ -11,7 +11,7 @@ namespace robotlink::websocket {
 
 /// Bounds of what a server can cost. Over one of them its connection ends, with a reason.
 struct ClientLimits {
-  std::size_t channels = 10'000, services = 10'000, statuses = 100;
+  std::size_t channels = 10'000, services = 10'000;
   /// The limit of all schemas together that it advertises.
   std::size_t schemaBytes = 64U << 20U;
   /// Calls of this client that are not answered yet, and bytes that wait to be sent.
@@ -34,7 +34,6 @@ struct ClientHandlers {
   std::function<void(const std::vector<Parameter>&)> parameters = {};
   std::function<void(const ConnectionGraphUpdate&)> graph = {};
   std::function<void(const Status&)> status = {};
-  std::function<void(const std::vector<std::string>& ids)> statusesRemoved = {};
   std::function<void(const PlaybackState&)> playback = {};
 };
 

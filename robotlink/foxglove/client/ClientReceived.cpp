@@ -87,8 +87,8 @@ Result<void> Client::handle(const Status& message, Calls& calls) {
   return {};
 }
 
-Result<void> Client::handle(const RemoveStatus& message, Calls& calls) {
-  if (handlers_.statusesRemoved) calls.push_back([this, message] { handlers_.statusesRemoved(message.ids); });
+/// Statuses are passed on as they come and never stored, so none has to be removed.
+Result<void> Client::handle(const RemoveStatus&, Calls&) {
   return {};
 }
 

@@ -190,14 +190,7 @@ void Server::setAssets(std::set<std::string> names) {
 
 void Server::publishStatus(const Status& status) {
   const std::lock_guard lock(mutex_);
-  if (!status.id.empty()) statuses_[status.id] = status;
   sendAll(status);
-}
-
-void Server::removeStatus(const std::vector<std::string>& ids) {
-  const std::lock_guard lock(mutex_);
-  for (const std::string& id : ids) statuses_.erase(id);
-  sendAll(RemoveStatus{ids});
 }
 
 // Clients.
@@ -291,7 +284,6 @@ void Server::greet(ServedClient& client) {
   send(client, info(client));
   if (!offer_) offer_ = offer();
   for (const auto& [kind, bytes] : *offer_) sendShared(client, kind, bytes);
-  for (const auto& [id, status] : statuses_) send(client, status);
   if (playback_) send(client, *playback_);
 }
 

@@ -50,9 +50,8 @@ class Server : public std::enable_shared_from_this<Server> {
   void setPlayable(const std::optional<TimeRange>& range);
   /// The names of assets that clients may fetch.
   void setAssets(std::set<std::string> names);
-  /// A status with an id is shown, to later clients too, until it is removed.
+  /// Sends a status to all clients that are connected.
   void publishStatus(const Status& status);
-  void removeStatus(const std::vector<std::string>& ids);
 
   std::vector<ClientState> clients() const;
   const Clock& clock() const { return *options_.clock; }
@@ -160,7 +159,6 @@ class Server : public std::enable_shared_from_this<Server> {
   std::map<std::string, Value> parameters_;
   ConnectionGraph graph_;
   std::set<std::string> assets_;
-  std::map<std::string, Status> statuses_;
   std::optional<PlaybackState> playback_;
   std::optional<TimeRange> playable_;
   std::uint64_t nextClientId_ = 1, nextChannelId_ = 1;

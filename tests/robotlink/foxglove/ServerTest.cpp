@@ -78,17 +78,15 @@ TEST_F(ServerTest, newClientsLearnAllThatIsOffered) {
   const auto channels = server_->addChannels({setup("a"), setup("b")});
   server_->removeChannels(std::span(channels).first(1));
   const auto id = server_->addService({0, "stop", "Stop", {}, {}}, [](const auto&...) {});
-  server_->publishStatus({StatusLevel::kWarning, "low", "battery"});
   server_->publishStatus({StatusLevel::kInfo, "gone", ""});
   const auto messages = heard(join("x"));
-  ASSERT_EQ(messages.size(), 4U);
+  ASSERT_EQ(messages.size(), 3U);
   const auto info = std::get<ServerInfo>(messages[0]);
   EXPECT_THAT(info.capabilities, ElementsAre("parameters", "parametersSubscribe", "services",
                                              "connectionGraph", "time", "clientPublish"));
   EXPECT_EQ(std::get<Advertise>(messages[2]).channels,
             (std::vector<Channel>{{channels[1]->id(), "b", "json", "S", "{}", "jsonschema"}}));
   EXPECT_EQ(std::get<AdvertiseServices>(messages[1]).services[0].id, id);
-  EXPECT_EQ(std::get<Status>(messages[3]).id, "battery");
 }
 
 TEST_F(ServerTest, whoMayOnlyWatchIsToldThatNothingIsTaken) {
