@@ -27,7 +27,7 @@ struct FuzzedClient {
     handlers.message = [this](const Channel& channel, Instant time, std::string_view payload) {
       inbox.push(channel, time, payload);
     };
-    client = std::make_unique<Client>(handlers, ClientLimits{20, 20, 20, 1U << 16U, 10, 1U << 16U}, clock);
+    client = std::make_unique<Client>(handlers, ClientLimits{20, 20, 1U << 16U, 10, 1U << 16U}, clock);
     client->subscribe({"a", "b", "t", "red1/camera/image"});
     client->subscribeParameters(true);
     client->subscribeGraph(true);
