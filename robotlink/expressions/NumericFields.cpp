@@ -34,15 +34,6 @@ const FieldDescriptor* nameField(const Descriptor& type) {
   return isText ? field : nullptr;
 }
 
-// The name of an element if it has one that a path can contain, otherwise its index.
-std::string elementKey(const Message& element, int index) {
-  const FieldDescriptor* field = nameField(*element.GetDescriptor());
-  const std::string name = field ? element.GetReflection()->GetString(element, field) : std::string();
-  const bool fits = !name.empty() && name.find_first_of("[]") == std::string::npos &&
-                    name.find_first_not_of("0123456789") != std::string::npos;
-  return fits ? name : std::to_string(index);
-}
-
 void listType(const Descriptor& type, const std::string& prefix, int depth, std::vector<std::string>& paths) {
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
@@ -87,6 +78,14 @@ std::vector<std::string> numericFields(const Message& message) {
   std::vector<std::string> paths;
   listMessage(message, "", 1, paths);
   return paths;
+}
+
+std::string elementKey(const Message& element, int index) {
+  const FieldDescriptor* field = nameField(*element.GetDescriptor());
+  const std::string name = field ? element.GetReflection()->GetString(element, field) : std::string();
+  const bool fits = !name.empty() && name.find_first_of("[]") == std::string::npos &&
+                    name.find_first_not_of("0123456789") != std::string::npos;
+  return fits ? name : std::to_string(index);
 }
 
 }  // namespace robotlink

@@ -22,4 +22,8 @@ std::vector<std::string> numericFields(const google::protobuf::Descriptor& type)
 /// The paths of the numbers in this message, with elements by name if they have one; at most a thousand.
 std::vector<std::string> numericFields(const google::protobuf::Message& message);
 
+/// What stands in the brackets behind a repeated field for one of its elements: its name if it has one that a
+/// path can contain, otherwise its index.
+std::string elementKey(const google::protobuf::Message& element, int index);
+
 }  // namespace robotlink

@@ -12,6 +12,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/expressions/NumericFields.h"
+#include "widgets/NaturalOrder.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
@@ -44,31 +45,6 @@ void addPackages(const robotlink::StreamStore& store, std::map<std::string, std:
       }
     }
   }
-}
-
-/// Natural order of texts: numbers in them are compared as numbers.
-bool comesBefore(const std::string& a, const std::string& b) {
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (isDigit(a[i]) && isDigit(b[j])) {
-      const auto number = [&isDigit](const std::string& text, std::size_t& at) {
-        const std::size_t begin = std::min(text.find_first_not_of('0', at), text.size());
-        at = begin;
-        while (at < text.size() && isDigit(text[at])) ++at;
-        return std::string_view(text).substr(begin, at - begin);
-      };
-      const std::string_view left = number(a, i), right = number(b, j);
-      if (left.size() != right.size()) return left.size() < right.size();
-      if (left != right) return left < right;
-    } else if (a[i] != b[j]) {
-      return a[i] < b[j];
-    } else {
-      ++i;
-      ++j;
-    }
-  }
-  return a.size() - i < b.size() - j;
 }
 
 bool isOff(const robotcontrol::KeyTable::Key& key) {
@@ -108,7 +84,7 @@ std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
     for (const std::string& field : robotlink::numericFields(*described))
       sources.push_back({path, field, type});
   }
-  std::ranges::stable_sort(sources, comesBefore, &PlotSource::stream);
+  std::ranges::stable_sort(sources, comesNaturallyBefore, &PlotSource::stream);
   return sources;
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace widgets {
+
+/// Whether a text stands before another one where numbers in them are compared as numbers: "sonar 2" before
+/// "sonar 10".
+bool comesNaturallyBefore(std::string_view a, std::string_view b);
+
+}  // namespace widgets
