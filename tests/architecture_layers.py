@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -27,6 +27,8 @@ TARGETS = {
     "robotlink/dds": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
                           "robotlink/debugging"],
+    "robotlink/commands": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging",
+                           "robotlink/expressions", "robotlink/session"],
     "robotlink/motions": ["robotlink/base"],
     "robotlink/arcos": ["robotlink/base"],
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],

@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "widgets/Controls.h"
 
 namespace widgets {

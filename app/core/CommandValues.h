@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 
 namespace app {
 

@@ -20,7 +20,6 @@ using robotcontrol::ReplayStatus;
 using robotlink::CommandTable;
 using robotlink::failure;
 using robotlink::Result;
-using Type = CommandTable::Type;
 
 /// The open logs, as the commands need them. A handle; copies refer to the same platform.
 class Logs {
@@ -88,155 +87,116 @@ std::string logNamed(const std::string& name, const ReplayStatus& status) {
 }
 
 void addOpening(CommandTable& commands, const Logs& logs) {
-  commands.add({"log.add",
-                "Adds a log file to the timeline",
-                {{"file", Type::kText, "a log file"},
-                 {"offset", Type::kNumber,
-                  "seconds to add to its times; 0: it starts with the first log unless their times overlap"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto offset = offsetOf(number(values, 1));
-                  if (!offset) return tl::unexpected(offset.error());
-                  logs.open().addLog(text(values, 0), *offset);
-                  return {};
-                }});
-  commands.add({"log.cancel",
-                "Cancels opening a log, map or scene; what ran before continues",
-                {},
-                [logs](const Values&) -> Result<void> {
-                  logs.open().cancelOpening();
-                  return {};
-                }});
-  commands.add({"log.close", "Closes the open logs", {}, [logs](const Values&) -> Result<void> {
-                  if (auto status = logs.status(); !status) return tl::unexpected(status.error());
-                  logs.open().close();
-                  return {};
-                }});
-  commands.add(
-      {"log.offset",
-       "Shifts one of the open logs on the timeline",
-       {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds to add to its times"}},
-       [logs](const Values& values) -> Result<void> {
-         const auto status = logs.status();
-         if (!status) return tl::unexpected(status.error());
-         const auto offset = offsetOf(number(values, 1));
-         if (!offset) return tl::unexpected(offset.error());
-         ControlReplay control;
-         control.add_offsets()->set_log(logNamed(text(values, 0), **status));
-         control.mutable_offsets(0)->set_offset(offset->count());
-         return logs.control(control);
-       }});
+  commands.attach("log.add", [logs](const Values& values) -> Result<void> {
+    const auto offset = offsetOf(number(values, 1));
+    if (!offset) return tl::unexpected(offset.error());
+    logs.open().addLog(text(values, 0), *offset);
+    return {};
+  });
+  commands.attach("log.cancel", [logs](const Values&) -> Result<void> {
+    logs.open().cancelOpening();
+    return {};
+  });
+  commands.attach("log.close", [logs](const Values&) -> Result<void> {
+    if (auto status = logs.status(); !status) return tl::unexpected(status.error());
+    logs.open().close();
+    return {};
+  });
+  commands.attach("log.offset", [logs](const Values& values) -> Result<void> {
+    const auto status = logs.status();
+    if (!status) return tl::unexpected(status.error());
+    const auto offset = offsetOf(number(values, 1));
+    if (!offset) return tl::unexpected(offset.error());
+    ControlReplay control;
+    control.add_offsets()->set_log(logNamed(text(values, 0), **status));
+    control.mutable_offsets(0)->set_offset(offset->count());
+    return logs.control(control);
+  });
 }
 
 void addPlaying(CommandTable& commands, const Logs& logs) {
-  const auto action = [&](const char* name, const char* help, ControlReplay::Action what) {
-    commands.add({name, help, {}, [logs, what](const Values&) { return logs.act(what); }});
+  const auto action = [&](const char* name, ControlReplay::Action what) {
+    commands.attach(name, [logs, what](const Values&) { return logs.act(what); });
   };
-  action("log.play", "Plays the log; at its end, from the start", ControlReplay::PLAY);
-  action("log.pause", "Pauses the log", ControlReplay::PAUSE);
-  action("log.stop", "Pauses the log at its start", ControlReplay::STOP);
-  commands.add({"log.speed",
-                "Sets how many times real time the log is played",
-                {{"speed", Type::kNumber, "times real time, 0.05 to 50"}},
-                [logs](const Values& values) -> Result<void> {
-                  const std::string wrong =
-                      robotlink::wrongSpeed(number(values, 0), robotlink::kReplaySpeeds);
-                  if (!wrong.empty()) return failure("log.speed", wrong);
-                  ControlReplay control;
-                  control.set_speed(number(values, 0));
-                  return logs.control(control);
-                }});
-  const auto option = [&](const char* name, const char* help, const char* argument,
-                          void (ControlReplay::*set)(bool)) {
-    commands.add({name, help, {{"on", Type::kBool, argument}}, [logs, set](const Values& values) {
-                    ControlReplay control;
-                    (control.*set)(std::get<bool>(values[0]));
-                    return logs.control(control);
-                  }});
+  action("log.play", ControlReplay::PLAY);
+  action("log.pause", ControlReplay::PAUSE);
+  action("log.stop", ControlReplay::STOP);
+  commands.attach("log.speed", [logs](const Values& values) -> Result<void> {
+    const std::string wrong = robotlink::wrongSpeed(number(values, 0), robotlink::kReplaySpeeds);
+    if (!wrong.empty()) return failure("log.speed", wrong);
+    ControlReplay control;
+    control.set_speed(number(values, 0));
+    return logs.control(control);
+  });
+  const auto option = [&](const char* name, void (ControlReplay::*set)(bool)) {
+    commands.attach(name, [logs, set](const Values& values) {
+      ControlReplay control;
+      (control.*set)(std::get<bool>(values[0]));
+      return logs.control(control);
+    });
   };
-  option("log.loop", "Loops the whole log or the selected range", "off pauses at the end",
-         &ControlReplay::set_loop);
-  option("log.skip-gaps", "Skips gaps of more than a second in the log", "off plays them at normal speed",
-         &ControlReplay::set_skip_gaps);
-  commands.add(
-      {"log.range",
-       "Selects a range, for example to loop it; equal times clear the selection",
-       {{"from", Type::kNumber, "seconds since the start"}, {"to", Type::kNumber, "seconds since the start"}},
-       [logs](const Values& values) -> Result<void> {
-         const auto status = logs.status();
-         if (!status) return tl::unexpected(status.error());
-         const auto from = timeAt(**status, number(values, 0)), to = timeAt(**status, number(values, 1));
-         if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
-         ControlReplay control;
-         control.mutable_range()->set_from(std::min(*from, *to));
-         control.mutable_range()->set_to(std::max(*from, *to));
-         return logs.control(control);
-       }});
+  option("log.loop", &ControlReplay::set_loop);
+  option("log.skip-gaps", &ControlReplay::set_skip_gaps);
+  commands.attach("log.range", [logs](const Values& values) -> Result<void> {
+    const auto status = logs.status();
+    if (!status) return tl::unexpected(status.error());
+    const auto from = timeAt(**status, number(values, 0)), to = timeAt(**status, number(values, 1));
+    if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
+    ControlReplay control;
+    control.mutable_range()->set_from(std::min(*from, *to));
+    control.mutable_range()->set_to(std::max(*from, *to));
+    return logs.control(control);
+  });
 }
 
 void addStepping(CommandTable& commands, const Logs& logs) {
-  commands.add({"log.step",
-                "Pauses the log and steps by frames of the chosen process",
-                {{"count", Type::kNumber, "how many; negative: backward"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto count = wholeCount(number(values, 0));
-                  if (!count) return tl::unexpected(count.error());
-                  ControlReplay control;
-                  control.set_action(ControlReplay::STEP_FRAME);
-                  control.set_count(*count);
-                  return logs.control(control);
-                }});
-  commands.add({"log.step-message",
-                "Pauses the log and steps by messages of a stream",
-                {{"stream", Type::kText, "its path: red1/camera/image"},
-                 {"count", Type::kNumber, "how many; negative: backward"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto count = wholeCount(number(values, 1));
-                  if (!count) return tl::unexpected(count.error());
-                  ControlReplay control;
-                  control.set_action(ControlReplay::STEP_MESSAGE);
-                  control.set_stream(text(values, 0));
-                  control.set_count(*count);
-                  return logs.control(control);
-                }});
-  commands.add({"log.step-process",
-                "Chooses the process whose frames are stepped and counted",
-                {{"process", Type::kText, "red1/cognition"}},
-                [logs](const Values& values) {
-                  ControlReplay control;
-                  control.set_step_process(text(values, 0));
-                  return logs.control(control);
-                }});
+  commands.attach("log.step", [logs](const Values& values) -> Result<void> {
+    const auto count = wholeCount(number(values, 0));
+    if (!count) return tl::unexpected(count.error());
+    ControlReplay control;
+    control.set_action(ControlReplay::STEP_FRAME);
+    control.set_count(*count);
+    return logs.control(control);
+  });
+  commands.attach("log.step-message", [logs](const Values& values) -> Result<void> {
+    const auto count = wholeCount(number(values, 1));
+    if (!count) return tl::unexpected(count.error());
+    ControlReplay control;
+    control.set_action(ControlReplay::STEP_MESSAGE);
+    control.set_stream(text(values, 0));
+    control.set_count(*count);
+    return logs.control(control);
+  });
+  commands.attach("log.step-process", [logs](const Values& values) {
+    ControlReplay control;
+    control.set_step_process(text(values, 0));
+    return logs.control(control);
+  });
 }
 
 void addJumping(CommandTable& commands, const Logs& logs) {
-  commands.add({"log.jump",
-                "Jumps to a time of the log",
-                {{"seconds", Type::kNumber, "since the start"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto status = logs.status();
-                  if (!status) return tl::unexpected(status.error());
-                  const auto time = timeAt(**status, number(values, 0));
-                  if (!time) return tl::unexpected(time.error());
-                  ControlReplay control;
-                  control.set_action(ControlReplay::JUMP_TO_TIME);
-                  control.set_time(*time);
-                  return logs.control(control);
-                }});
-  commands.add({"log.jump-frame",
-                "Jumps to a frame of the chosen process",
-                {{"number", Type::kNumber, "of the frame, as the process counted"}},
-                [logs](const Values& values) -> Result<void> {
-                  // Above this, not every whole number is a double.
-                  constexpr double kMax = 9e15;
-                  const double frame = number(values, 0);
-                  if (!(frame >= 0 && frame <= kMax) || std::trunc(frame) != frame) {
-                    return failure("log.frame", "a frame number must be a whole number, 0 or more");
-                  }
-                  ControlReplay control;
-                  control.set_action(ControlReplay::JUMP_TO_FRAME);
-                  control.set_frame(static_cast<std::uint64_t>(frame));
-                  return logs.control(control);
-                }});
+  commands.attach("log.jump", [logs](const Values& values) -> Result<void> {
+    const auto status = logs.status();
+    if (!status) return tl::unexpected(status.error());
+    const auto time = timeAt(**status, number(values, 0));
+    if (!time) return tl::unexpected(time.error());
+    ControlReplay control;
+    control.set_action(ControlReplay::JUMP_TO_TIME);
+    control.set_time(*time);
+    return logs.control(control);
+  });
+  commands.attach("log.jump-frame", [logs](const Values& values) -> Result<void> {
+    // Above this, not every whole number is a double.
+    constexpr double kMax = 9e15;
+    const double frame = number(values, 0);
+    if (!(frame >= 0 && frame <= kMax) || std::trunc(frame) != frame) {
+      return failure("log.frame", "a frame number must be a whole number, 0 or more");
+    }
+    ControlReplay control;
+    control.set_action(ControlReplay::JUMP_TO_FRAME);
+    control.set_frame(static_cast<std::uint64_t>(frame));
+    return logs.control(control);
+  });
 }
 
 /// Returns a package's name with its robot; the selected robot's if the name has none.
@@ -258,32 +218,21 @@ Result<void> choosePackage(const Logs& logs, const std::string& name, const std:
     choice.set_source(ControlReplay::AS_LOGGED);
   } else if (source == "recomputed") {
     choice.set_source(ControlReplay::RECOMPUTED);
-  } else if (source == "automatic") {
-    choice.set_source(ControlReplay::AUTOMATIC);
   } else {
-    return failure("log.package-source",
-                   "the source of a package must be logged, recomputed or automatic, not \"" + source + "\"",
-                   {}, {source});
+    choice.set_source(ControlReplay::AUTOMATIC);
   }
   return logs.control(control);
 }
 
 void addProgram(CommandTable& commands, const Logs& logs) {
-  commands.add(
-      {"log.package",
-       "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
-       {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
-        {"source", Type::kText, "logged, recomputed or automatic"}},
-       [logs](const Values& values) { return choosePackage(logs, text(values, 0), text(values, 1)); }});
-  commands.add({"log.layout",
-                "Restarts the program on the log in another process layout, given by its path or the name of "
-                "a shipped one",
-                {{"layout", Type::kText, "a layout file"}},
-                [logs](const Values& values) -> Result<void> {
-                  if (const auto status = logs.status(); !status) return tl::unexpected(status.error());
-                  logs.open().setLayout(layoutNamed(text(values, 0)));
-                  return {};
-                }});
+  commands.attach("log.package", [logs](const Values& values) {
+    return choosePackage(logs, text(values, 0), text(values, 1));
+  });
+  commands.attach("log.layout", [logs](const Values& values) -> Result<void> {
+    if (const auto status = logs.status(); !status) return tl::unexpected(status.error());
+    logs.open().setLayout(layoutNamed(text(values, 0)));
+    return {};
+  });
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace app {
 
 class OpenPlatform;
 
-/// Adds the commands that add logs and control their replay: log.add, log.play, log.step and so on. What is
-/// open must outlive the command table.
+/// Attaches the commands that add logs and control their replay: log.add, log.play, log.step and so on. What
+/// is open must outlive the command table.
 ///
 /// Times are in seconds since the beginning of the time line that the open logs share. What only the replay
 /// can find wrong (a stream that is not in the log) is passed to the handler of errors later.

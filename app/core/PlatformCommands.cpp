@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformCommands.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
+#include "robotlink/commands/CommandCatalog.h"
 
 namespace app {
 namespace {
@@ -25,41 +29,65 @@ CommandTable::Argument argumentOf(const PlatformField& field) {
   const Type type = field.kind == PlatformField::Kind::kFlag     ? Type::kBool
                     : field.kind == PlatformField::Kind::kNumber ? Type::kNumber
                                                                  : Type::kText;
-  return {field.name, type, field.help};
+  CommandTable::Argument argument{field.name, type, field.help};
+  // What is left out is as in a form that nobody has filled in.
+  argument.mayBeMissing = !field.isSource;
+  return argument;
 }
 
-void addFormCommand(CommandTable& commands, OpenPlatform& open, const PlatformAdapter& adapter) {
-  const PlatformForm form = formOf(adapter);
-  if (form.command.empty()) return;
-  std::vector<CommandTable::Argument> arguments;
-  for (const PlatformField* field : form.arguments()) arguments.push_back(argumentOf(*field));
-  commands.add(
-      {form.command, form.commandHelp, std::move(arguments), [&open, &adapter](const Values& values) {
-         return openChosen(open, adapter, choicesOf(formOf(adapter), values));
-       }});
+/// The values of the choices of a form's argument.
+CommandTable::Offer offerOf(const PlatformAdapter& adapter) {
+  return [&adapter](std::size_t argument) {
+    const PlatformForm form = formOf(adapter);
+    const auto& items = form.arguments()[argument]->items;
+    std::vector<std::string> values;
+    for (const PlatformField::Item& item : items ? items() : PlatformField::Items())
+      values.push_back(item.value);
+    return values;
+  };
 }
 
 }  // namespace
 
+std::vector<CommandTable::Command> platformCommands() {
+  std::vector<CommandTable::Command> commands;
+  for (const PlatformAdapter& adapter : platformAdapters()) {
+    const PlatformForm form = formOf(adapter);
+    if (!form.command.empty()) {
+      std::vector<CommandTable::Argument> arguments;
+      for (const PlatformField* field : form.arguments()) arguments.push_back(argumentOf(*field));
+      commands.push_back({form.command, form.commandHelp, std::move(arguments)});
+    }
+    if (adapter.command == nullptr) continue;
+    commands.push_back({adapter.command, adapter.commandHelp, {{"source", Type::kText, adapter.sources}}});
+  }
+  return commands;
+}
+
+std::vector<CommandTable::Command> allCommands() {
+  auto commands = robotlink::commandCatalog();
+  for (auto& command : platformCommands()) commands.push_back(std::move(command));
+  std::ranges::sort(commands, {}, &CommandTable::Command::name);
+  return commands;
+}
+
 void addPlatformCommands(CommandTable& commands, OpenPlatform& open) {
   for (const PlatformAdapter& adapter : platformAdapters()) {
-    addFormCommand(commands, open, adapter);
+    if (const std::string command = formOf(adapter).command; !command.empty()) {
+      const auto openForm = [&open, &adapter](const Values& values) {
+        return openChosen(open, adapter, choicesOf(formOf(adapter), values));
+      };
+      commands.attach(command, openForm, offerOf(adapter));
+    }
     if (adapter.command == nullptr) continue;
-    commands.add({adapter.command,
-                  adapter.commandHelp,
-                  {{"source", Type::kText, adapter.sources}},
-                  [&open, &adapter](const Values& values) {
-                    return openChosen(open, adapter, {.sources = {text(values, 0)}});
-                  }});
+    commands.attach(adapter.command, [&open, &adapter](const Values& values) {
+      return openChosen(open, adapter, {.sources = {text(values, 0)}});
+    });
   }
-  commands.add({"layout.open",
-                "Restarts the robots' programs in another process layout, given by its path or the name of "
-                "a shipped one",
-                {{"layout", Type::kText, "a layout file"}},
-                [&open](const Values& values) -> Result<void> {
-                  open.setLayout(layoutNamed(text(values, 0)));
-                  return {};
-                }});
+  commands.attach("layout.open", [&open](const Values& values) -> Result<void> {
+    open.setLayout(layoutNamed(text(values, 0)));
+    return {};
+  });
 }
 
 }  // namespace app

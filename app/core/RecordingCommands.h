@@ -9,8 +9,9 @@ namespace app {
 
 class OpenPlatform;
 
-/// Adds the commands for recording: recording.start, recording.save-last, recording.streams and so on. What
-/// is open must outlive the command table. They fail at once, with the reason, if something is impossible.
+/// Attaches the commands for recording: recording.start, recording.save-last, recording.streams and so on.
+/// What is open must outlive the command table. They fail at once, with the reason, if something is
+/// impossible.
 void addRecordingCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 
 }  // namespace app

@@ -18,7 +18,6 @@ using robotcontrol::KeyMode;
 using robotcontrol::Request;
 using robotlink::CommandTable;
 using robotlink::Result;
-using Type = CommandTable::Type;
 
 /// Sends a request to the selected robot. Fails if there is no robot.
 Result<void> ask(OpenPlatform& open, Request request) {
@@ -83,87 +82,58 @@ Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
 }
 
 void addForAll(CommandTable& commands, OpenPlatform& open) {
-  commands.add({"robot.connect-now",
-                "Reconnects to the robot now instead of after a pause; its program keeps running",
-                {},
-                [&open](const Values&) { return open.connectNow(); }});
-  commands.add({"robot.select",
-                "Selects the robot that toolbars and views show",
-                {{"robot", Type::kText, "its name"}},
-                [&open](const Values& values) { return select(open, text(values, 0)); }});
-  commands.add(
-      {"robot.stop",
-       "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
-       {{"engaged", Type::kBool, "true engages, false releases"}},
-       [&open](const Values& values) -> Result<void> {
-         for (const std::string& robot : open.session().robots()) {
-           Request request;
-           request.set_robot(robot);
-           request.mutable_stop()->set_engaged(flag(values, 0));
-           open.session().request(request);
-         }
-         return {};
-       }});
+  commands.attach("robot.connect-now", [&open](const Values&) { return open.connectNow(); });
+  commands.attach("robot.select", [&open](const Values& values) { return select(open, text(values, 0)); });
+  commands.attach("robot.stop", [&open](const Values& values) -> Result<void> {
+    for (const std::string& robot : open.session().robots()) {
+      Request request;
+      request.set_robot(robot);
+      request.mutable_stop()->set_engaged(flag(values, 0));
+      open.session().request(request);
+    }
+    return {};
+  });
 }
 
 void addForProgram(CommandTable& commands, OpenPlatform& open) {
-  commands.add({"robot.key",
-                "Sets a debug key of the selected robot's program",
-                {{"key", Type::kText, "its name, as in the view of debug keys"},
-                 {"mode", Type::kText, "off, always, 'n 3' (times), 'every 3' (frames) or 'every-ms 40'"}},
-                [&open](const Values& values) { return setKey(open, values); }});
-  commands.add({"robot.solution",
-                "Switches the solution of a task of the selected robot's program",
-                {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}},
-                [&open](const Values& values) {
-                  Request request;
-                  request.mutable_select_solution()->set_task(text(values, 0));
-                  request.mutable_select_solution()->set_solution(text(values, 1));
-                  return ask(open, std::move(request));
-                }});
-  commands.add({"robot.color-table",
-                "Sends a color table to the selected robot's program, which uses it from its next image on",
-                {{"file", Type::kText, "a color table: .c64, or another team's"}},
-                [&open](const Values& values) { return setColorTable(open, text(values, 0)); }});
-  commands.add({"robot.no-color-table",
-                "Switches the selected robot's program back to its built-in color table",
-                {},
-                [&open](const Values&) {
-                  Request request;
-                  request.mutable_set_color_table();
-                  return ask(open, std::move(request));
-                }});
+  commands.attach("robot.key", [&open](const Values& values) { return setKey(open, values); });
+  commands.attach("robot.solution", [&open](const Values& values) {
+    Request request;
+    request.mutable_select_solution()->set_task(text(values, 0));
+    request.mutable_select_solution()->set_solution(text(values, 1));
+    return ask(open, std::move(request));
+  });
+  commands.attach("robot.color-table",
+                  [&open](const Values& values) { return setColorTable(open, text(values, 0)); });
+  commands.attach("robot.no-color-table", [&open](const Values&) {
+    Request request;
+    request.mutable_set_color_table();
+    return ask(open, std::move(request));
+  });
 }
 
 void addForDrive(CommandTable& commands, OpenPlatform& open) {
-  commands.add({"robot.goal",
-                "Sends the selected robot to a place, if it has wheels",
-                {{"x", Type::kNumber, "m, in the map's frame"}, {"y", Type::kNumber, "m"}},
-                [&open](const Values& values) {
-                  Request request;
-                  request.mutable_set_goal()->mutable_pose_in_field()->set_x(number(values, 0));
-                  request.mutable_set_goal()->mutable_pose_in_field()->set_y(number(values, 1));
-                  request.mutable_set_goal()->set_any_heading(true);
-                  return ask(open, std::move(request));
-                }});
-  commands.add({"robot.no-goal", "Cancels the selected robot's goal", {}, [&open](const Values&) {
-                  Request request;
-                  request.mutable_set_goal()->set_cancelled(true);
-                  return ask(open, std::move(request));
-                }});
-  const auto addSwitch = [&](const char* name, const char* help,
-                             void (*set)(robotcontrol::ControlDrive&, bool)) {
-    commands.add(
-        {name, help, {{"on", Type::kBool, "true: on, false: off"}}, [&open, set](const Values& values) {
-           Request request;
-           set(*request.mutable_control_drive(), flag(values, 0));
-           return ask(open, std::move(request));
-         }});
+  commands.attach("robot.goal", [&open](const Values& values) {
+    Request request;
+    request.mutable_set_goal()->mutable_pose_in_field()->set_x(number(values, 0));
+    request.mutable_set_goal()->mutable_pose_in_field()->set_y(number(values, 1));
+    request.mutable_set_goal()->set_any_heading(true);
+    return ask(open, std::move(request));
+  });
+  commands.attach("robot.no-goal", [&open](const Values&) {
+    Request request;
+    request.mutable_set_goal()->set_cancelled(true);
+    return ask(open, std::move(request));
+  });
+  const auto addSwitch = [&](const char* name, void (*set)(robotcontrol::ControlDrive&, bool)) {
+    commands.attach(name, [&open, set](const Values& values) {
+      Request request;
+      set(*request.mutable_control_drive(), flag(values, 0));
+      return ask(open, std::move(request));
+    });
   };
-  addSwitch("robot.motors", "Switches the motors of the selected robot on wheels",
-            [](auto& details, bool on) { details.set_motors(on); });
-  addSwitch("robot.sonars", "Switches the sonars of the selected robot on wheels",
-            [](auto& details, bool on) { details.set_sonar(on); });
+  addSwitch("robot.motors", [](auto& details, bool on) { details.set_motors(on); });
+  addSwitch("robot.sonars", [](auto& details, bool on) { details.set_sonar(on); });
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace app {
 
 class OpenPlatform;
 
-/// Adds the commands for robots and their programs: robot.stop, robot.key, robot.goal and so on. What is open
-/// must outlive the command table. Most requests are answered later; refusals are then passed to the handler
-/// of errors.
+/// Attaches the commands for robots and their programs: robot.stop, robot.key, robot.goal and so on. What is
+/// open must outlive the command table. Most requests are answered later; refusals are then passed to the
+/// handler of errors.
 void addRobotCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 
 }  // namespace app

@@ -31,28 +31,22 @@ Result<void> setSimulationSpeed(OpenPlatform& open, double speed) {
 }  // namespace
 
 void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
-  const auto action = [&](const char* name, const char* help, Control::Action what) {
-    commands.add({name, help, {}, [&open, what](const Values&) { return control(open, what); }});
+  const auto action = [&](const char* name, Control::Action what) {
+    commands.attach(name, [&open, what](const Values&) { return control(open, what); });
   };
-  action("simulation.start", "Runs the simulation", Control::START);
-  action("simulation.pause", "Pauses the simulation", Control::PAUSE);
-  action("simulation.step", "Steps the simulation by 8 ms", Control::STEP);
-  action("simulation.reset", "Resets everything to the start", Control::RESET);
-  commands.add({"simulation.speed",
-                "Sets how many times real time the simulation runs; 0 is as fast as possible",
-                {{"speed", CommandTable::Type::kNumber, "times real time, 0 to 100"}},
-                [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); }});
-  commands.add({"simulation.light",
-                "Changes the light that cameras see; 1 0 is the scene's own",
-                {{"brightness", CommandTable::Type::kNumber, "times the scene's, 0 to 10"},
-                 {"warmth", CommandTable::Type::kNumber, "-1 (bluish) to 1 (reddish)"}},
-                [&open](const Values& values) -> Result<void> {
-                  robotcontrol::Request request;
-                  request.mutable_set_lighting()->set_brightness(number(values, 0));
-                  request.mutable_set_lighting()->set_warmth(number(values, 1));
-                  open.ask(std::move(request));
-                  return {};
-                }});
+  action("simulation.start", Control::START);
+  action("simulation.pause", Control::PAUSE);
+  action("simulation.step", Control::STEP);
+  action("simulation.reset", Control::RESET);
+  commands.attach("simulation.speed",
+                  [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); });
+  commands.attach("simulation.light", [&open](const Values& values) -> Result<void> {
+    robotcontrol::Request request;
+    request.mutable_set_lighting()->set_brightness(number(values, 0));
+    request.mutable_set_lighting()->set_warmth(number(values, 1));
+    open.ask(std::move(request));
+    return {};
+  });
 }
 
 }  // namespace app

@@ -9,8 +9,8 @@ namespace app {
 
 class OpenPlatform;
 
-/// Adds the commands that control a simulation: simulation.start, simulation.speed, simulation.light and so
-/// on. What is open must outlive the command table.
+/// Attaches the commands that control a simulation: simulation.start, simulation.speed, simulation.light and
+/// so on. What is open must outlive the command table.
 void addSimulationCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 
 }  // namespace app

@@ -12,7 +12,8 @@
 
 namespace app {
 
-Workbench::Workbench(std::filesystem::path userFolder) : OpenPlatform(std::move(userFolder)) {
+Workbench::Workbench(std::filesystem::path userFolder)
+    : OpenPlatform(std::move(userFolder)), commands_(allCommands()) {
   addPlatformCommands(commands_, *this);
   addSimulationCommands(commands_, *this);
   addRobotCommands(commands_, *this);

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/core/OpenPlatform.h"
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 
 namespace app {
 
@@ -12,7 +12,7 @@ namespace app {
 /// thread, that of the GUI, which calls tick() at 30 Hz.
 class Workbench : public OpenPlatform {
  public:
-  /// See OpenPlatform; adds all commands that need no window.
+  /// See OpenPlatform; attaches all commands that need no window.
   explicit Workbench(std::filesystem::path userFolder);
 
   robotlink::CommandTable& commands() { return commands_; }

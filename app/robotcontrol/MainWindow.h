@@ -15,6 +15,9 @@
 
 class QLabel;
 class QMenu;
+namespace ads {
+class CDockWidget;
+}
 namespace widgets {
 class EmptyHint;
 }
@@ -105,9 +108,14 @@ class MainWindow : public QMainWindow {
   void createActions();
   /// Toolbar and bars for logs, and their connections (MainWindowLogs.cpp).
   void createLogs();
-  /// addBookmarkCommand() and addViewCommand() add the commands "log.bookmark" and "view.show" for scripts.
+  /// addBookmarkCommand() and addViewCommands() attach the commands "log.bookmark", "view.show" and
+  /// "view.screenshot".
   void addBookmarkCommand();
-  void addViewCommand();
+  void addViewCommands();
+  /// Brings a view to the front and opens it if needed. Fails if there is none of this name.
+  robotlink::Result<ads::CDockWidget*> openView(const std::string& id);
+  /// Writes a PNG file of a view, or of the "window".
+  robotlink::Result<void> saveScreenshot(const std::string& view, const std::string& file);
   /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
   void createColors(const std::filesystem::path& userFolder);
   /// Maximizing a view by F11.

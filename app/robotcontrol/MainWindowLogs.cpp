@@ -45,8 +45,7 @@ void MainWindow::createLogs() {
 }
 
 void MainWindow::addBookmarkCommand() {
-  using Type = robotlink::CommandTable::Type;
-  if (workbench_.commands().find("log.bookmark") != nullptr) return;
+  if (workbench_.commands().isAttached("log.bookmark")) return;
   const auto run = [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
     const auto open = shared.lock();
     if (open != nullptr) open->tick();  // processes a log that was opened just now
@@ -61,11 +60,7 @@ void MainWindow::addBookmarkCommand() {
                         QString::fromStdString(std::get<std::string>(values[1])));
     return {};
   };
-  workbench_.commands().add(
-      {"log.bookmark",
-       "Adds a bookmark to the log",
-       {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}},
-       run});
+  workbench_.commands().attach("log.bookmark", run);
 }
 
 void MainWindow::createLogMenu() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MainWindow: the menus and the functions of their entries.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QActionGroup>
 #include <QApplication>
 #include <QFileDialog>
@@ -59,25 +60,50 @@ void MainWindow::createFileMenu() {
       ->setObjectName(QStringLiteral("file.quit"));
 }
 
-void MainWindow::addViewCommand() {
-  using Type = robotlink::CommandTable::Type;
-  if (workbench_.commands().find("view.show") != nullptr) return;
-  const auto show = [docks = QPointer(docks_)](const auto& values) -> robotlink::Result<void> {
-    const std::string& id = std::get<std::string>(values[0]);
-    if (docks == nullptr || widgets::ViewRegistry::find(id) == nullptr) {
-      return robotlink::failure("view.unknown", "there is no view '" + id + "'", {}, {id});
+void MainWindow::addViewCommands() {
+  auto& commands = workbench_.commands();
+  if (commands.isAttached("view.show")) return;
+  const auto offer = [](std::size_t argument) {
+    std::vector<std::string> ids;
+    for (const auto& view : widgets::ViewRegistry::all()) {
+      if (argument == 0) ids.emplace_back(view.id);
     }
-    docks->open(QString::fromStdString(id));
-    return {};
+    return ids;
   };
-  workbench_.commands().add({"view.show",
-                             "Brings a view to the front and opens it if needed",
-                             {{"view", Type::kText, "its name: image, field, packets, ..."}},
-                             show});
+  const auto show = [window = QPointer(this)](const auto& values) -> robotlink::Result<void> {
+    if (window == nullptr) return robotlink::failure("view.closed", "the window is closed");
+    return window->openView(std::get<std::string>(values[0])).map([](auto*) {});
+  };
+  commands.attach("view.show", show, offer);
+  const auto save = [window = QPointer(this)](const auto& values) -> robotlink::Result<void> {
+    if (window == nullptr) return robotlink::failure("view.closed", "the window is closed");
+    return window->saveScreenshot(std::get<std::string>(values[0]), std::get<std::string>(values[1]));
+  };
+  commands.attach("view.screenshot", save, offer);
+}
+
+robotlink::Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
+  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(QString::fromStdString(id));
+  return robotlink::failure("view.unknown", "there is no view '" + id + "'", {}, {id});
+}
+
+robotlink::Result<void> MainWindow::saveScreenshot(const std::string& view, const std::string& file) {
+  QPixmap picture;
+  if (view == "window") {
+    docks_->tick();
+    picture = grab();
+  } else {
+    const auto dock = openView(view);
+    if (!dock) return tl::unexpected(dock.error());
+    docks_->tick();
+    picture = (*dock)->widget()->grab();
+  }
+  if (picture.save(QString::fromStdString(file), "PNG")) return {};
+  return robotlink::failure("picture.save", "the picture could not be written; choose another place", {file});
 }
 
 void MainWindow::createViewMenu() {
-  addViewCommand();
+  addViewCommands();
   menuBar()->addMenu(new ViewMenu(*docks_, this));
 }
 

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   addWatchCommand(app, status);
   addRequestCommand(app, status);
   addColorCommand(app, status);
+  addCommandsCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

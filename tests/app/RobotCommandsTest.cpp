@@ -10,6 +10,7 @@
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/session/KeyPresets.h"
 #include "tests/TestFolder.h"
 #include "tests/app/TickUntil.h"
@@ -24,6 +25,8 @@ class RobotCommandsTest : public testing::Test {
     const auto done = workbench_.commands().run(command, values);
     return done ? std::string() : done.error().id;
   }
+  const std::vector<robotlink::CommandTable::Command> ofWindow_ = robotlink::windowCatalog();
+  const std::vector<robotlink::CommandTable::Command> ofColors_ = robotlink::colorCatalog();
   const TestFolder home_;
   Workbench workbench_{home_.path()};
 };
@@ -34,6 +37,14 @@ TEST_F(RobotCommandsTest, withoutARobotNothingCanBeAskedOfIt) {
   EXPECT_EQ(refusal("robot.goal", {1.0, 2.0}), "robot.none");
   EXPECT_EQ(refusal("robot.motors", {true}), "robot.none");
   EXPECT_EQ(refusal("robot.select", {std::string("nobody")}), "robot.unknown");
+}
+
+TEST_F(RobotCommandsTest, onlyWhatNeedsTheWindowWaitsForIt) {
+  const auto& commands = workbench_.commands();
+  for (const auto* rows : {&ofWindow_, &ofColors_}) {
+    for (const auto& row : *rows) EXPECT_FALSE(commands.isAttached(row.name)) << row.name;
+  }
+  EXPECT_EQ(commands.unattached().size(), ofWindow_.size() + ofColors_.size());
 }
 
 TEST_F(RobotCommandsTest, aKeysModeIsOneOfFive) {

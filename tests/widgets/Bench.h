@@ -15,7 +15,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/GuiTest.h"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "colortool/samples/SampleFile.h"
+#include "robotlink/commands/CommandCatalog.h"
 #include "tests/widgets/CameraBench.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/ColorFrameFinder.h"
@@ -19,6 +20,7 @@ class ColorCommandsTest : public QObject {
  private Q_SLOTS:
   void init() {
     world_ = std::make_unique<CameraBench>();
+    for (const auto& row : robotlink::colorCatalog()) world_->commands.add(row);
     addColorCommands(world_->context);
     addColorCommands(world_->context);  // a second window adds none
     bench_ = world_->context.colors.get();

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/fuzz/OffscreenApplication.h"

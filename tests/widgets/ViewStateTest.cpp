@@ -6,7 +6,7 @@
 #include <QtTest>
 #include <memory>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "tests/widgets/GuiTest.h"
 #include "widgets/SplitterState.h"

@@ -10,7 +10,7 @@
 #include "colortool/image/PixelArea.h"
 #include "colortool/samples/ClassEdits.h"
 #include "colortool/training/TrainingOptions.h"
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
@@ -24,7 +24,6 @@ namespace {
 using robotlink::CommandTable;
 using robotlink::failure;
 using robotlink::Result;
-using Type = CommandTable::Type;
 using Values = std::vector<CommandTable::Value>;
 using Run = std::function<Result<void>(ColorBench&, ColorFiles&, const Values&)>;
 
@@ -129,21 +128,20 @@ Result<void> compare(ColorBench& bench, ColorFiles& files, const std::string& ta
   return {};
 }
 
-/// Adds commands to a table. They hold weak references, so they fail once the window is gone.
+/// Attaches commands of a table. They hold weak references, so they fail once the window is gone.
 class Commands {
  public:
   explicit Commands(ViewContext& context) : table_(context.commands) {
     files_ = &colorFiles(context);
     bench_ = context.colors;
   }
-  void add(const char* name, const char* help, std::vector<CommandTable::Argument> arguments,
-           const Run& run) {
+  void attach(const char* name, const Run& run) {
     const auto act = [run, files = files_, shared = bench_](const Values& values) -> Result<void> {
       const auto bench = shared.lock();
       if (bench == nullptr) return failure("color.closed", "the window of this color table is closed");
       return run(*bench, *files, values);
     };
-    table_.add({name, help, std::move(arguments), act});
+    table_.attach(name, act);
   }
 
  private:
@@ -152,106 +150,88 @@ class Commands {
   ColorFiles* files_;  // a child of the bench
 };
 
-void addFileCommands(Commands& commands) {
-  const CommandTable::Argument file{"file", Type::kText, "a .samples file"};
-  commands.add("color.new", "Starts new samples of a color table", {}, [](auto&, ColorFiles& files, auto&) {
+void attachFileCommands(Commands& commands) {
+  commands.attach("color.new", [](auto&, ColorFiles& files, auto&) {
     return nothingUnsaved(files).map([&files] { files.startAnew(); });
   });
-  commands.add("color.open", "Opens the samples of a color table", {file},
-               [](auto&, ColorFiles& files, const Values& values) {
-                 return nothingUnsaved(files).and_then([&] { return files.open(text(values, 0)); });
-               });
-  commands.add("color.save", "Saves the samples of the color table to the file they are from", {},
-               [](auto&, ColorFiles& files, auto&) { return files.save(); });
-  commands.add("color.save-as", "Saves the samples of the color table", {file},
-               [](auto&, ColorFiles& files, const Values& values) { return files.saveAs(text(values, 0)); });
-  commands.add("color.discard", "Discards unsaved changes of the samples", {},
-               [](auto&, ColorFiles& files, auto&) { return discard(files); });
-  commands.add("color.merge", "Adds the samples of another file", {file},
-               [](auto&, ColorFiles& files, const Values& values) { return files.merge(text(values, 0)); });
-  commands.add("color.open-pictures", "Adds pictures to the strip and shows the first",
-               {{"path", Type::kText, "a picture (.png, .jpg, .jpeg, .yuyv) or a folder of them"}},
-               [](auto&, ColorFiles& files, const Values& values) -> Result<void> {
-                 files.openPictures({text(values, 0)});
-                 return {};
-               });
-  commands.add("color.export", "Writes the color table to a file", {{"file", Type::kText, "a .c64 file"}},
-               [](auto&, ColorFiles& files, const Values& values) {
-                 return files.exportTable(text(values, 0), false);
-               });
-  commands.add("color.compare", "Compares the table with another one",
-               {{"table", Type::kText, "a file, now (what it is now), or none"}},
-               [](ColorBench& bench, ColorFiles& files, const Values& values) {
-                 return compare(bench, files, text(values, 0));
-               });
+  commands.attach("color.open", [](auto&, ColorFiles& files, const Values& values) {
+    return nothingUnsaved(files).and_then([&] { return files.open(text(values, 0)); });
+  });
+  commands.attach("color.save", [](auto&, ColorFiles& files, auto&) { return files.save(); });
+  commands.attach("color.save-as", [](auto&, ColorFiles& files, const Values& values) {
+    return files.saveAs(text(values, 0));
+  });
+  commands.attach("color.discard", [](auto&, ColorFiles& files, auto&) { return discard(files); });
+  commands.attach("color.merge", [](auto&, ColorFiles& files, const Values& values) {
+    return files.merge(text(values, 0));
+  });
+  commands.attach("color.open-pictures", [](auto&, ColorFiles& files, const Values& values) -> Result<void> {
+    files.openPictures({text(values, 0)});
+    return {};
+  });
+  commands.attach("color.export", [](auto&, ColorFiles& files, const Values& values) {
+    return files.exportTable(text(values, 0), false);
+  });
+  commands.attach("color.compare", [](ColorBench& bench, ColorFiles& files, const Values& values) {
+    return compare(bench, files, text(values, 0));
+  });
 }
 
-void addStrokeCommands(Commands& commands) {
-  commands.add(
-      "color.class", "Chooses the class of the next stroke",
-      {{"name", Type::kText, "of a class, or background"}},
-      [](ColorBench& bench, auto&, const Values& values) { return chooseClass(bench, text(values, 0)); });
-  commands.add("color.must-not", "Chooses whether the next strokes must not be of the class",
-               {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
-                 bench.setMustNotBe(std::get<bool>(values[0]));
-                 return {};
-               });
-  commands.add(
-      "color.weight", "Sets how much the next strokes count", {{"weight", Type::kNumber, "0.1 to 10"}},
-      [](ColorBench& bench, auto&, const Values& values) { return setWeight(bench, number(values, 0)); });
-  commands.add(
-      "color.stroke", "Adds a disc of the color view's image to the samples",
-      {{"x", Type::kNumber, "pixels"}, {"y", Type::kNumber, "pixels"}, {"radius", Type::kNumber, "pixels"}},
-      [](ColorBench& bench, auto&, const Values& values) { return addStroke(bench, values); });
-  commands.add("color.undo", "Undoes the last change of the samples", {},
-               [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), false); });
-  commands.add("color.redo", "Redoes what was undone", {},
-               [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), true); });
+void attachStrokeCommands(Commands& commands) {
+  commands.attach("color.class", [](ColorBench& bench, auto&, const Values& values) {
+    return chooseClass(bench, text(values, 0));
+  });
+  commands.attach("color.must-not", [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
+    bench.setMustNotBe(std::get<bool>(values[0]));
+    return {};
+  });
+  commands.attach("color.weight", [](ColorBench& bench, auto&, const Values& values) {
+    return setWeight(bench, number(values, 0));
+  });
+  commands.attach("color.stroke",
+                  [](ColorBench& bench, auto&, const Values& values) { return addStroke(bench, values); });
+  commands.attach("color.undo",
+                  [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), false); });
+  commands.attach("color.redo",
+                  [](ColorBench& bench, auto&, auto&) { return step(bench.undoStack(), true); });
 }
 
-void addTableCommands(Commands& commands) {
-  commands.add(
-      "color.preset", "Sets the classes; strokes keep the class of their name",
-      {{"name", Type::kText, "2002 or bhuman2009"}},
-      [](ColorBench& bench, auto&, const Values& values) { return usePreset(bench, text(values, 0)); });
-  commands.add(
-      "color.method", "Chooses how the table is made",
-      {{"name", Type::kText, "votes, gaussians or support-vectors"}},
-      [](ColorBench& bench, auto&, const Values& values) { return setMethod(bench, text(values, 0)); });
-  commands.add("color.option", "Sets an option of how the table is made",
-               {{"name", Type::kText, "such as radius"}, {"value", Type::kNumber, "switches: 0 or 1"}},
-               [](ColorBench& bench, auto&, const Values& values) {
-                 return setOption(bench, text(values, 0), number(values, 1));
-               });
-  commands.add("color.send", "Sends the table to the selected robot's program", {},
-               [](ColorBench& bench, auto&, auto&) -> Result<void> {
-                 if (bench.session().selectedRobot().empty())
-                   return failure("color.no-robot", "there is no robot; open a scene or a log first");
-                 colorSender(bench).send();
-                 return {};
-               });
-  commands.add("color.auto-send", "Chooses whether each new table is sent to the robot at once",
-               {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
-                 colorSender(bench).setAutoSend(std::get<bool>(values[0]));
-                 return {};
-               });
+void attachTableCommands(Commands& commands) {
+  commands.attach("color.preset", [](ColorBench& bench, auto&, const Values& values) {
+    return usePreset(bench, text(values, 0));
+  });
+  commands.attach("color.method", [](ColorBench& bench, auto&, const Values& values) {
+    return setMethod(bench, text(values, 0));
+  });
+  commands.attach("color.option", [](ColorBench& bench, auto&, const Values& values) {
+    return setOption(bench, text(values, 0), number(values, 1));
+  });
+  commands.attach("color.send", [](ColorBench& bench, auto&, auto&) -> Result<void> {
+    if (bench.session().selectedRobot().empty())
+      return failure("color.no-robot", "there is no robot; open a scene or a log first");
+    colorSender(bench).send();
+    return {};
+  });
+  commands.attach("color.auto-send", [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
+    colorSender(bench).setAutoSend(std::get<bool>(values[0]));
+    return {};
+  });
 }
 
 /// The finder is a child of the bench.
-void addSearchCommands(Commands& commands, ColorFrameFinder* finder) {
-  commands.add("color.find-frames", "Searches for the images where the table looks most suspicious", {},
-               [finder](auto&, auto&, auto&) { return finder->search(); });
+void attachSearchCommands(Commands& commands, ColorFrameFinder* finder) {
+  commands.attach("color.find-frames", [finder](auto&, auto&, auto&) { return finder->search(); });
 }
 
 }  // namespace
 
 void addColorCommands(ViewContext& context) {
-  if (context.commands.find("color.new") != nullptr) return;
+  if (context.commands.isAttached("color.new")) return;
   Commands commands(context);
-  addFileCommands(commands);
-  addStrokeCommands(commands);
-  addTableCommands(commands);
-  addSearchCommands(commands, &colorFrameFinder(context));
+  attachFileCommands(commands);
+  attachStrokeCommands(commands);
+  attachTableCommands(commands);
+  attachSearchCommands(commands, &colorFrameFinder(context));
 }
 
 }  // namespace widgets

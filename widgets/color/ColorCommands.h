@@ -5,9 +5,9 @@ namespace widgets {
 
 struct ViewContext;
 
-/// Adds the commands of the color tool ("color.new", "color.stroke", ...) to the context's command table.
+/// Attaches the commands of the color tool ("color.new", "color.stroke", ...) in the context's command table.
 /// They change the documents of colorBench(context) and colorFiles(context), and fail when these are gone.
-/// They open no dialogs: what would lose unsaved changes is refused. Does nothing if the commands are there
+/// They open no dialogs: what would lose unsaved changes is refused. Does nothing if they are attached
 /// already.
 void addColorCommands(ViewContext& context);
 

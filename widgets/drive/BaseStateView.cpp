@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
-#include "robotlink/session/CommandTable.h"
 #include "widgets/BaseSilence.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"

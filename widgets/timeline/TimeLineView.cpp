@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <filesystem>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"

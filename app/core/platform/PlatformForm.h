@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 
 namespace app {
 

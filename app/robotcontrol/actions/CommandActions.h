@@ -5,7 +5,7 @@
 #include <QObject>
 #include <functional>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 
 namespace app {
 

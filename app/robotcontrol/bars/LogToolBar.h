@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 #include "widgets/log/ReplayKeys.h"
 
 class QComboBox;

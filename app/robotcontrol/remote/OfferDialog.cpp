@@ -15,9 +15,9 @@
 #include <QVBoxLayout>
 
 #include "app/core/remote/SessionOffer.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
-#include "robotlink/session/CommandTable.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"

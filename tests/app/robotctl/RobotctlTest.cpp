@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -292,4 +293,27 @@ TEST(Robotctl, layoutsAreCheckedAndDrawn) {
   EXPECT_EQ(graph.status, 0);
   EXPECT_NE(graph.text.find("digraph"), std::string::npos);
   EXPECT_NE(graph.text.find("camera/image"), std::string::npos);
+}
+
+TEST(Robotctl, commandsPrintsAllOfTheWorkbenchOneALine) {
+  const PrintedOutcome outcome = robotctl("commands");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, testing::HasSubstr("\nsimulation.start  Runs the simulation\n"));
+  EXPECT_THAT(outcome.text,
+              testing::HasSubstr("\nsimulation.light <brightness: number> [warmth: number = 0]  "));
+  EXPECT_THAT(outcome.text, testing::HasSubstr("\nview.show <view: text>  "));
+  EXPECT_THAT(outcome.text, testing::HasSubstr("\nlog.open <source: text>  ")) << "of a kind of platform";
+}
+
+TEST(Robotctl, commandsPrintsJsonForPrograms) {
+  const PrintedOutcome outcome = robotctl("commands --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto commands = nlohmann::json::parse(outcome.text);
+  const auto found = std::find_if(commands.begin(), commands.end(),
+                                  [](const auto& command) { return command.at("name") == "remote.limit"; });
+  ASSERT_NE(found, commands.end());
+  const auto& images = found->at("arguments").at(2);
+  EXPECT_EQ(images.at("choices"), nlohmann::json({"auto", "raw", "jpeg"}));
+  EXPECT_EQ(images.at("default"), "auto");
+  EXPECT_EQ(images.at("optional"), true);
 }

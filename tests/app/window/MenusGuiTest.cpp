@@ -13,8 +13,8 @@
 
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/session/CommandTable.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -229,6 +229,11 @@ class MenusGuiTest : public WindowTest {
     QCOMPARE(docks(desk, "image"), std::size_t{2});
     desk.choose("resetPerspective");
     QCOMPARE(docks(desk, "image"), std::size_t{1});
+  }
+
+  void everyCommandThatIsDeclaredDoesSomething() {
+    EmptyDesk desk(home_);
+    for (const std::string& name : desk.workbench.commands().unattached()) QFAIL(name.c_str());
   }
 
   void aRefusalNamesTheFileAndGoesWhenItIsNoLongerTrue() {

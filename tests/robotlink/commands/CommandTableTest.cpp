@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/session/CommandTable.h"
+#include "robotlink/commands/CommandTable.h"
 
 #include <gmock/gmock.h>
 
-#include "robotlink/session/CommandLine.h"
+#include "robotlink/commands/CommandLine.h"
 
 using namespace robotlink;
 using testing::ElementsAre;
@@ -108,7 +108,76 @@ TEST_F(CommandTableTest, aNameThatIsAddedTwiceEndsTheProgramWithAReason) {
   EXPECT_DEATH(table_.add({"robot.stop", "", {}, {}}), "command \"robot.stop\": added twice");
 }
 
+TEST_F(CommandTableTest, whatIsLeftOutHasItsDefault) {
+  table_.add({"log.add",
+              "Adds.",
+              {{"file"}, {"offset", Type::kNumber, "seconds", 0.5}, {.name = "note", .mayBeMissing = true}},
+              [this](const auto& values) -> Result<void> {
+                ran_.push_back(values);
+                return {};
+              }});
+  EXPECT_EQ(error("log.add a"), "");
+  EXPECT_EQ(error("log.add a 2 b"), "");
+  EXPECT_THAT(ran_, ElementsAre(ElementsAre(Value(std::string("a")), Value(0.5)),
+                                ElementsAre(Value(std::string("a")), Value(2.0), Value(std::string("b")))));
+  EXPECT_THAT(error("log.add"), HasSubstr("log.add takes 1 to 3 arguments, 0 were given"));
+  EXPECT_EQ(argumentsInWords(*table_.find("log.add")), "<file: text> [offset: number = 0.5] [note: text]");
+}
+
+TEST_F(CommandTableTest, aChoiceIsOneOfThem) {
+  table_.add(
+      {"log.images", "", {{.name = "coding", .choices = {"png", "jpeg"}}}, [](const auto&) -> Result<void> {
+         return {};
+       }});
+  EXPECT_EQ(error("log.images jpeg"), "");
+  EXPECT_EQ(error("log.images gif"),
+            "the argument coding must be png or jpeg, not \"gif\": log.images <coding: png|jpeg>");
+  EXPECT_FALSE(table_.run("log.images", {std::string("gif")}));
+}
+
+TEST_F(CommandTableTest, errorsHaveTheColumn) {
+  const auto column = [this](const std::string& line) { return table_.runLine(line).error().where.column; };
+  EXPECT_EQ(column("  fly"), 3);
+  EXPECT_EQ(column("simulation.speed fast"), 18);
+  EXPECT_EQ(column("simulation.speed 1 2"), 20);
+  EXPECT_EQ(column("solution.select \"ball"), 17);
+}
+
+TEST_F(CommandTableTest, handlersAreAttachedWhereTheyLive) {
+  table_.add({"view.show", "Shows a view.", {{"view"}}});
+  EXPECT_THAT(table_.unattached(), ElementsAre("view.show"));
+  EXPECT_EQ(table_.runLine("view.show image").error().id, "command.unattached");
+  bool ran = false;
+  table_.attach("view.show", [&](const auto&) -> Result<void> {
+    ran = true;
+    return {};
+  });
+  EXPECT_EQ(error("view.show image"), "");
+  EXPECT_TRUE(ran);
+  EXPECT_TRUE(table_.isAttached("view.show"));
+}
+
+TEST_F(CommandTableTest, aHandlerWithoutADeclarationEndsTheProgramWithAReason) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_DEATH(table_.attach("view.show", {}), "command \"view.show\": has a handler, but is not declared");
+  EXPECT_DEATH(table_.attach("robot.stop", {}), "command \"robot.stop\": has a handler already");
+  EXPECT_DEATH(table_.add({"a.b", "", {{"x", Type::kText, "", std::string()}, {"y"}}}), "follows one that");
+}
+
 TEST(CommandLine, quotesAndBackslashesDoWhatTheHeaderSays) {
-  EXPECT_THAT(splitCommandLine("a'b c'd \"e \\\"f\\\\\" 'g\\' h#i C:\\x").value(),
-              ElementsAre("ab cd", "e \"f\\", "g\\", "h#i", "C:\\x"));
+  const auto words = splitCommandLine("a'b c'd \"e \\\"f\\\\\" 'g\\' h#i C:\\x").value();
+  std::vector<std::string> texts;
+  for (const CommandWord& word : words) texts.push_back(word.text);
+  EXPECT_THAT(texts, ElementsAre("ab cd", "e \"f\\", "g\\", "h#i", "C:\\x"));
+  EXPECT_EQ(words[1].column, 9);
+}
+
+TEST(CommandLine, aQuotedWordIsReadAsItWas) {
+  for (const std::string text :
+       {"", "plain", "two words", "it's", "a \"b\" c's\\", "#", "line\nfeed", "C:\\x"}) {
+    const auto words = splitCommandLine(quotedWord(text));
+    ASSERT_TRUE(words) << text;
+    ASSERT_EQ(words->size(), 1U) << text;
+    EXPECT_EQ(words->front().text, text);
+  }
 }

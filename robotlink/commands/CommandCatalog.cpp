@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/commands/CommandCatalog.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace robotlink {
+namespace {
+
+using Command = CommandTable::Command;
+using Type = CommandTable::Type;
+using Rows = std::vector<Command>;
+
+Rows simulationRows() {
+  return {
+      {"simulation.start", "Runs the simulation"},
+      {"simulation.pause", "Pauses the simulation"},
+      {"simulation.step", "Steps the simulation by 8 ms"},
+      {"simulation.reset", "Resets everything to the start"},
+      {"simulation.speed",
+       "Sets how many times real time the simulation runs; 0 is as fast as possible",
+       {{"speed", Type::kNumber, "times real time, 0 to 100"}}},
+      {"simulation.light",
+       "Changes the light that cameras see; 1 0 is the scene's own",
+       {{"brightness", Type::kNumber, "times the scene's, 0 to 10"},
+        {"warmth", Type::kNumber, "-1 (bluish) to 1 (reddish)", 0.0}}},
+      {"layout.open",
+       "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
+       "one",
+       {{"layout", Type::kText, "a layout file"}}},
+  };
+}
+
+Rows robotRows() {
+  return {
+      {"robot.connect-now",
+       "Reconnects to the robot now instead of after a pause; its program keeps running"},
+      {"robot.select",
+       "Selects the robot that toolbars and views show",
+       {{"robot", Type::kText, "its name"}}},
+      {"robot.stop",
+       "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
+       {{"engaged", Type::kBool, "true engages, false releases"}}},
+      {"robot.steer",
+       "Steers a robot that others can steer, too, from now on; or gives it up",
+       {{"robot", Type::kText, "its name"},
+        {"on", Type::kBool, "true: instead of whoever steers it now; false: gives it up"}}},
+      {"robot.key",
+       "Sets a debug key of the selected robot's program",
+       {{"key", Type::kText, "its name, as in the view of debug keys"},
+        {"mode", Type::kText, "off, always, 'n 3' (times), 'every 3' (frames) or 'every-ms 40'",
+         std::string("always")}}},
+      {"robot.solution",
+       "Switches the solution of a task of the selected robot's program",
+       {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}}},
+      {"robot.color-table",
+       "Sends a color table to the selected robot's program, which uses it from its next image on",
+       {{"file", Type::kText, "a color table: .c64, or another team's"}}},
+      {"robot.no-color-table", "Switches the selected robot's program back to its built-in color table"},
+      {"robot.goal",
+       "Sends the selected robot to a place, if it has wheels",
+       {{"x", Type::kNumber, "m, in the map's frame"}, {"y", Type::kNumber, "m"}}},
+      {"robot.no-goal", "Cancels the selected robot's goal"},
+      {"robot.motors",
+       "Switches the motors of the selected robot on wheels",
+       {{"on", Type::kBool, "true: on, false: off"}}},
+      {"robot.sonars",
+       "Switches the sonars of the selected robot on wheels",
+       {{"on", Type::kBool, "true: on, false: off"}}},
+  };
+}
+
+Rows remoteRows() {
+  return {
+      {"remote.connect",
+       "Connects robots whose programs run elsewhere, beside those that are open here",
+       {{"url", Type::kText, "ws://HOST[:PORT]"},
+        {"token", Type::kText, "that the robot asks for, or ''", std::string()}}},
+      {"remote.trust",
+       "Trusts the certificate that a robot elsewhere shows, from now on, and connects it",
+       {{"url", Type::kText, "as it was connected"},
+        {"fingerprint", Type::kText, "SHA256:..., as the robot has printed it at its start"}}},
+      {"remote.show-token",
+       "Shows a token to a robot elsewhere that asks for one",
+       {{"url", Type::kText, "as it was connected"},
+        {"token", Type::kText, "one of the two that the robot has printed"}}},
+      {"remote.remember-token",
+       "Remembers the token of a connection on this computer, once the robot has accepted it",
+       {{"url", Type::kText, "as it was connected"}}},
+      {"remote.forget-token",
+       "Forgets the token that is remembered for a robot elsewhere",
+       {{"url", Type::kText, "as it was connected"}}},
+      {"remote.disconnect",
+       "Ends the connection to robots elsewhere, which leave the window",
+       {{"url", Type::kText, "as it was connected"}}},
+      {"remote.limit",
+       "Limits what robots elsewhere send, for lines that are narrow or shared",
+       {{"url", Type::kText, "as it was connected"},
+        {"bytes", Type::kNumber, "at most so many bytes a second; 0: no limit"},
+        {.name = "images",
+         .help = "auto: raw as long as the line carries it",
+         .initial = std::string("auto"),
+         .choices = {"auto", "raw", "jpeg"}}}},
+      {"session.offer",
+       "Lets others watch and steer what is open here, as clients of the Foxglove WebSocket protocol",
+       {{"address", Type::kText, "[ADDRESS:]PORT, or '' for 127.0.0.1:8765", std::string()}}},
+      {"session.stop-offering", "Ends the connections of all who watch and steer what is open here"},
+  };
+}
+
+Rows openedLogRows() {
+  return {
+      {"log.add",
+       "Adds a log file to the timeline",
+       {{"file", Type::kText, "a log file"},
+        {"offset", Type::kNumber,
+         "seconds to add to its times; 0: it starts with the first log unless their times overlap", 0.0}}},
+      {"log.cancel", "Cancels opening a log, map or scene; what ran before continues"},
+      {"log.close", "Closes the open logs"},
+      {"log.offset",
+       "Shifts one of the open logs on the timeline",
+       {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds to add to its times"}}},
+      {"log.package",
+       "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
+       {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
+        {.name = "source", .choices = {"logged", "recomputed", "automatic"}}}},
+      {"log.layout",
+       "Restarts the program on the log in another process layout, given by its path or the name of a "
+       "shipped "
+       "one",
+       {{"layout", Type::kText, "a layout file"}}},
+  };
+}
+
+Rows playedLogRows() {
+  return {
+      {"log.play", "Plays the log; at its end, from the start"},
+      {"log.pause", "Pauses the log"},
+      {"log.stop", "Pauses the log at its start"},
+      {"log.speed",
+       "Sets how many times real time the log is played",
+       {{"speed", Type::kNumber, "times real time, 0.05 to 50"}}},
+      {"log.loop",
+       "Loops the whole log or the selected range",
+       {{"on", Type::kBool, "off pauses at the end"}}},
+      {"log.skip-gaps",
+       "Skips gaps of more than a second in the log",
+       {{"on", Type::kBool, "off plays them at normal speed"}}},
+      {"log.range",
+       "Selects a range, for example to loop it; equal times clear the selection",
+       {{"from", Type::kNumber, "seconds since the start"},
+        {"to", Type::kNumber, "seconds since the start"}}},
+      {"log.step",
+       "Pauses the log and steps by frames of the chosen process",
+       {{"count", Type::kNumber, "how many; negative: backward", 1.0}}},
+      {"log.step-message",
+       "Pauses the log and steps by messages of a stream",
+       {{"stream", Type::kText, "its path: red1/camera/image"},
+        {"count", Type::kNumber, "how many; negative: backward", 1.0}}},
+      {"log.step-process",
+       "Chooses the process whose frames are stepped and counted",
+       {{"process", Type::kText, "red1/cognition"}}},
+      {"log.jump", "Jumps to a time of the log", {{"seconds", Type::kNumber, "since the start"}}},
+      {"log.jump-frame",
+       "Jumps to a frame of the chosen process",
+       {{"number", Type::kNumber, "of the frame, as the process counted"}}},
+  };
+}
+
+Rows recordingRows() {
+  return {
+      {"recording.start", "Starts recording into a new file in the folder for recordings"},
+      {"recording.start-file",
+       "Starts recording into a file",
+       {{"file", Type::kText, "a log file that does not exist yet"}}},
+      {"recording.stop", "Ends the recording"},
+      {"recording.toggle", "Starts recording into a new file, or ends the recording"},
+      {"recording.save-last", "Saves the last seconds, which are kept in memory, to a new file"},
+      {"recording.save-last-file",
+       "Saves the last seconds, which are kept in memory, to a file",
+       {{"file", Type::kText, "a log file that does not exist yet"}}},
+      {"recording.bookmark",
+       "Marks the shown instant in the recording; without one, saves the last seconds with the mark",
+       {{"text", Type::kText, "what happens there"}}},
+      {"recording.streams",
+       "Chooses what is recorded; empty: all that a replay needs",
+       {{"selection", Type::kText, "comma-separated paths; * matches any text, - excludes: red1/*,-*/log"}}},
+      {"recording.images",
+       "Chooses how images are recorded",
+       {{.name = "coding", .choices = {"as-is", "jpeg", "png"}}}},
+      {"recording.compression",
+       "Chooses how new files are compressed",
+       {{.name = "compression", .choices = {"none", "lz4", "zstd"}}}},
+      {"recording.keep",
+       "Keeps the last seconds in memory, to save them when something happens; 0 keeps nothing",
+       {{"seconds", Type::kNumber, "0 to 3600"}}},
+      {"recording.trigger",
+       "Saves the last seconds when a message arrives on a stream; empty: never",
+       {{"stream", Type::kText, "its path; * matches any text: red1/plots/ball-model/*"}}},
+      {"recording.folder", "Chooses the folder for new recordings", {{"folder", Type::kText, "its path"}}},
+  };
+}
+
+}  // namespace
+
+Rows commandCatalog() {
+  Rows all;
+  for (Rows& rows : std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(),
+                                      playedLogRows(), recordingRows(), windowCatalog(), colorCatalog()})
+    std::ranges::move(rows, std::back_inserter(all));
+  return all;
+}
+
+}  // namespace robotlink

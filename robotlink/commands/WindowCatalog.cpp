@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of the catalog about the window and about color tables.
+#include "robotlink/commands/CommandCatalog.h"
+
+namespace robotlink {
+namespace {
+
+using Command = CommandTable::Command;
+using Type = CommandTable::Type;
+using Rows = std::vector<Command>;
+
+Rows colorFileRows() {
+  return {
+      {"color.new", "Starts new samples of a color table"},
+      {"color.open", "Opens the samples of a color table", {{"file", Type::kText, "a .samples file"}}},
+      {"color.save", "Saves the samples of the color table to the file they are from"},
+      {"color.save-as", "Saves the samples of the color table", {{"file", Type::kText, "a .samples file"}}},
+      {"color.discard", "Discards unsaved changes of the samples"},
+      {"color.merge", "Adds the samples of another file", {{"file", Type::kText, "a .samples file"}}},
+      {"color.open-pictures",
+       "Adds pictures to the strip and shows the first",
+       {{"path", Type::kText, "a picture (.png, .jpg, .jpeg, .yuyv) or a folder of them"}}},
+      {"color.export", "Writes the color table to a file", {{"file", Type::kText, "a .c64 file"}}},
+      {"color.compare",
+       "Compares the table with another one",
+       {{"table", Type::kText, "a file, now (what it is now), or none"}}},
+  };
+}
+
+Rows colorStrokeRows() {
+  return {
+      {"color.class",
+       "Chooses the class of the next stroke",
+       {{"name", Type::kText, "of a class, or background"}}},
+      {"color.must-not", "Chooses whether the next strokes must not be of the class", {{"on", Type::kBool}}},
+      {"color.weight", "Sets how much the next strokes count", {{"weight", Type::kNumber, "0.1 to 10"}}},
+      {"color.stroke",
+       "Adds a disc of the color view's image to the samples",
+       {{"x", Type::kNumber, "pixels"}, {"y", Type::kNumber, "pixels"}, {"radius", Type::kNumber, "pixels"}}},
+      {"color.undo", "Undoes the last change of the samples"},
+      {"color.redo", "Redoes what was undone"},
+  };
+}
+
+Rows colorTableRows() {
+  return {
+      {"color.preset",
+       "Sets the classes; strokes keep the class of their name",
+       {{"name", Type::kText, "2002 or bhuman2009"}}},
+      {"color.method",
+       "Chooses how the table is made",
+       {{"name", Type::kText, "votes, gaussians or support-vectors"}}},
+      {"color.option",
+       "Sets an option of how the table is made",
+       {{"name", Type::kText, "such as radius"}, {"value", Type::kNumber, "switches: 0 or 1"}}},
+      {"color.send", "Sends the table to the selected robot's program"},
+      {"color.auto-send",
+       "Chooses whether each new table is sent to the robot at once",
+       {{"on", Type::kBool}}},
+      {"color.find-frames", "Searches for the images where the table looks most suspicious"},
+  };
+}
+
+}  // namespace
+
+Rows windowCatalog() {
+  return {
+      {"view.show",
+       "Brings a view to the front and opens it if needed",
+       {{"view", Type::kText, "its name: image, field, packets, ..."}}},
+      {"view.screenshot",
+       "Saves a picture of a view, which is opened if needed, or of the whole window",
+       {{"view", Type::kText, "its name, or window"}, {"file", Type::kText, "a PNG file"}}},
+      {"log.bookmark",
+       "Adds a bookmark to the log",
+       {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},
+  };
+}
+
+Rows colorCatalog() {
+  Rows all = colorFileRows();
+  for (Rows& rows : std::vector<Rows>{colorStrokeRows(), colorTableRows()})
+    all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
+
+}  // namespace robotlink
