@@ -4,7 +4,9 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 #include "robotlink/base/Spelling.h"
 
@@ -25,6 +27,15 @@ std::vector<std::string> names(const std::vector<std::string>& streams,
     }
   }
   return {all.begin(), all.end()};
+}
+
+std::string inWords(const std::optional<FieldValue>& value) {
+  if (!value) return "not there";
+  if (value->text) return *value->text;
+  if (!value->number) return "not a number";
+  std::ostringstream number;
+  number << std::setprecision(6) << *value->number;
+  return number.str();
 }
 
 }  // namespace
@@ -100,6 +111,15 @@ std::vector<std::string> BoundExpression::neverFound() const {
     if (!found_[i]) missing.push_back(streams_[i] + "." + expression_.inputs()[i].path.text());
   }
   return missing;
+}
+
+std::string BoundExpression::valuesInWords() const {
+  std::string words;
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const ExpressionInput& input = expression_.inputs()[i];
+    words += (i > 0 ? ", " : "") + input.stream + "." + input.path.text() + " is " + inWords(values_[i]);
+  }
+  return words;
 }
 
 void BoundExpression::forget(const std::string& stream) {

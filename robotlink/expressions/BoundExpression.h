@@ -31,6 +31,8 @@ class BoundExpression {
   void forget(const std::string& stream);
   /// Those of its values that no message had so far, such as an element of a misspelled name.
   std::vector<std::string> neverFound() const;
+  /// Its newest values for people: "models/ball.position.x is 0.31, hosting.state is RUNNING".
+  std::string valuesInWords() const;
   /// The result for the newest values; see Expression::value().
   std::optional<double> value() { return expression_.value(values_); }
 

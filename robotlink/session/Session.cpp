@@ -195,6 +195,9 @@ void Session::tick() {
   }
   timeline_.setNewest(store_.newest());
   for (const ResultPtr& result : results) {
+    for (const auto& [number, listener] : listeners_) {
+      if (listener.result) listener.result(*result);
+    }
     auto handler = pending_->handlers.extract(result->id());
     if (!handler.empty() && handler.mapped()) handler.mapped()(*result);
   }

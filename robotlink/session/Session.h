@@ -51,11 +51,13 @@ class Session {
   using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
   /// The refused request in words ("set key of red1"), and the reason.
   using RefusalHandler = std::function<void(const std::string& what, const std::string& reason)>;
-  /// Follows what goes through a session, to pass it on: each message as tick() moves it into the history,
-  /// and each request that is made. Functions may be empty.
+  /// Follows what goes through a session: each message as tick() moves it into the history, each request that
+  /// is made, and its result. Functions may be empty.
   struct Listener {
-    std::function<void(const StreamMessage&)> message;
-    std::function<void(const robotcontrol::Request&)> request;
+    std::function<void(const StreamMessage&)> message = {};
+    std::function<void(const robotcontrol::Request&)> request = {};
+    /// The result of a request, in tick(), before its own handler gets it.
+    std::function<void(const robotcontrol::RequestResult&)> result = {};
   };
 
   explicit Session(StreamStore::Limits limits = {});

@@ -52,7 +52,8 @@ TEST(Session, allListenersFollowUntilTheyAreRemoved) {
   const auto listener = [&heard](const std::string& name) {
     return Session::Listener{
         [&heard, name](const StreamMessage& message) { heard.push_back(name + ": " + message.path); },
-        [&heard, name](const robotcontrol::Request&) { heard.push_back(name + ": request"); }};
+        [&heard, name](const robotcontrol::Request&) { heard.push_back(name + ": request"); },
+        [&heard, name](const robotcontrol::RequestResult&) { heard.push_back(name + ": result"); }};
   };
   const auto first = session.addListener(listener("first"));
   session.addListener(listener("second"));
@@ -63,6 +64,8 @@ TEST(Session, allListenersFollowUntilTheyAreRemoved) {
   session.removeListener(first);
   session.request({});
   EXPECT_THAT(heard, ElementsAre("second: request"));
+  session.tick();
+  EXPECT_THAT(heard, ElementsAre("second: request", "second: result"));
 }
 
 TEST(Session, aLineIsCutWhereAGapLiesBetweenItsEnds) {

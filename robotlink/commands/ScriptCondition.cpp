@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/commands/ScriptCondition.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace robotlink {
+namespace {
+
+const std::string kTimeStream = streams::kSimulation;
+
+}  // namespace
+
+ScriptCondition::ScriptCondition(Session& session, std::string expression)
+    : session_(session), text_(std::move(expression)) {
+  listener_ = session_.addListener({.message = [this](const StreamMessage& message) { take(message); }});
+  bind();
+}
+
+ScriptCondition::~ScriptCondition() {
+  session_.removeListener(listener_);
+}
+
+void ScriptCondition::bind() {
+  StreamStore& store = session_.store();
+  const bool isSame = generation_ == store.generation() && robot_ == session_.selectedRobot();
+  // New streams are of no use to what is bound already.
+  if (wrong_ || (isSame && (bound_ || listVersion_ == store.listVersion()))) return;
+  listVersion_ = store.listVersion();
+  generation_ = store.generation();
+  robot_ = session_.selectedRobot();
+  std::vector<std::string> paths{kTimeStream};
+  for (const auto* stream : store.streams()) {
+    if (stream->path != kTimeStream) paths.push_back(stream->path);
+  }
+  std::vector<std::string> robots;
+  if (!robot_.empty()) robots.push_back(robot_);
+  bound_.reset();
+  auto bound = BoundExpression::bind(text_, paths, robots);
+  if (bound) {
+    missing_.reset();
+    bound_ = std::move(bound->front());
+    usesTime_ = std::ranges::find(bound_->streams(), kTimeStream) != bound_->streams().end();
+    takeNewest();
+    return;
+  }
+  const bool mayAppear = bound.error().id == "expression.stream" || bound.error().id == "expression.robot";
+  (mayAppear ? missing_ : wrong_) = bound.error();
+}
+
+void ScriptCondition::takeNewest() {
+  for (const std::string& stream : bound_->streams()) {
+    const StreamMessage* message = session_.store().latest(stream, Instant::max());
+    if (stream != kTimeStream && message != nullptr) takeValue(stream, *message->value);
+  }
+  takeTime(session_.timeline().newest());
+  wasTrue_ |= isTrue();
+}
+
+void ScriptCondition::take(const StreamMessage& message) {
+  if (!bound_ || wrong_ || wasTrue_) return;
+  const auto& streams = bound_->streams();
+  const bool isUsed =
+      message.path != kTimeStream && std::ranges::find(streams, message.path) != streams.end();
+  if (!isUsed && !usesTime_) return;
+  if (isUsed) takeValue(message.path, *message.value);
+  takeTime(message.time);
+  wasTrue_ |= isTrue();
+}
+
+void ScriptCondition::takeTime(Instant time) {
+  if (!usesTime_) return;
+  const auto* known = session_.store().latestAs<robotcontrol::SimulationStatus>(kTimeStream, Instant::max());
+  robotcontrol::SimulationStatus status;
+  if (known != nullptr) status = *known;
+  status.set_time(seconds(session_.timeline().sinceOrigin(time)));
+  takeValue(kTimeStream, status);
+}
+
+void ScriptCondition::takeValue(const std::string& stream, const google::protobuf::Message& value) {
+  if (auto taken = bound_->take(stream, value); !taken && !wrong_) wrong_ = taken.error();
+}
+
+bool ScriptCondition::isTrue() {
+  const auto value = bound_->value();
+  return value && *value != 0;
+}
+
+Result<bool> ScriptCondition::look() {
+  bind();
+  if (wrong_) return tl::unexpected(*wrong_);
+  return std::exchange(wasTrue_, false);
+}
+
+Result<bool> ScriptCondition::now() {
+  bind();
+  if (bound_) takeNewest();
+  if (wrong_ || missing_) return tl::unexpected(wrong_ ? *wrong_ : *missing_);
+  return isTrue();
+}
+
+std::string ScriptCondition::values() const {
+  if (missing_) return missing_->text;
+  return bound_ ? bound_->valuesInWords() : std::string();
+}
+
+}  // namespace robotlink
