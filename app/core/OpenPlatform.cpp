@@ -209,6 +209,7 @@ void OpenPlatform::apply(Outcome outcome) {
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
     if (bodyQuestion_.ask(errors)) return;
+    openingErrors_ = errors;
     const bool wanted =
         errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
     if (!wanted) report(errors);

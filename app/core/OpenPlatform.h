@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/PlatformThread.h"
@@ -100,6 +101,8 @@ class OpenPlatform {
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Whether something is being loaded now.
   bool loading() const { return !openings_.empty(); }
+  /// Why something could not be opened since this was called last, or was canceled; empty if nothing failed.
+  robotlink::Errors takeOpeningErrors() { return std::exchange(openingErrors_, {}); }
   /// Which share of the file that is being opened now was read, in [0, 1]; unset if none is.
   std::optional<double> progress() const;
   /// The name of that file; empty if there is none.
@@ -150,6 +153,7 @@ class OpenPlatform {
   /// than a person has begun.
   robotlink::BoundedQueue<Outcome> outcomes_{std::numeric_limits<std::size_t>::max()};
   std::optional<LoadedPlatform> loaded_;
+  robotlink::Errors openingErrors_;
   /// How many of the requests of switchKeysOn() a robot has not answered yet, by robot. Shared with the
   /// handlers of the answers, which count down.
   std::map<std::string, std::shared_ptr<int>> keysToSwitchOn_;

@@ -20,7 +20,9 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
+#include "app/robotcontrol/StartScript.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/commands/CommandSocket.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 
 namespace {
@@ -42,6 +44,8 @@ struct Arguments {
   std::string screenshot;
   double after = 5;
   std::vector<std::string> commands;
+  std::string script, junit;
+  bool keepOpen = false;
 };
 
 /// "A world (.sdf, .world) or ...; or a log file ...": all that the platforms open.
@@ -81,6 +85,13 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
+  auto* script =
+      app.add_option("--script", arguments.script,
+                     "Run a script, then quit; the exit status is 1 if a line fails. Works without a display")
+          ->check(CLI::ExistingFile);
+  app.add_flag("--keep-open", arguments.keepOpen, "Do not quit at the end of the script")->needs(script);
+  app.add_option("--junit", arguments.junit, "Write how the script went to this JUnit XML file")
+      ->needs(script);
   app.add_option("--screenshot", arguments.screenshot,
                  "Save a picture of the window to this PNG file and quit; works without a display");
   app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
@@ -136,39 +147,6 @@ bool load(app::Workbench& workbench, const Arguments& arguments) {
   return true;
 }
 
-/// Starts the simulation when it is loaded, then runs the commands of the command line one after the other,
-/// each after everything that the previous one opens is loaded.
-class Script : public QObject {
- public:
-  Script(app::Workbench& workbench, const Arguments& arguments, QObject* parent)
-      : QObject(parent),
-        workbench_(workbench),
-        lines_(arguments.commands),
-        start_(!arguments.paused && simulates(arguments)) {
-    startTimer(20);
-  }
-
- protected:
-  void timerEvent(QTimerEvent* event) override {
-    if (workbench_.loading()) return;
-    if (start_ && workbench_.loaded() != nullptr) run("simulation.start");
-    start_ = false;
-    while (next_ < lines_.size() && !workbench_.loading()) run(lines_[next_++]);
-    if (next_ == lines_.size()) killTimer(event->timerId());
-  }
-
- private:
-  void run(const std::string& line) {
-    const auto done = workbench_.commands().runLine(line);
-    if (!done) std::cerr << "robotcontrol: " << line << ": " << done.error().describe() << "\n";
-  }
-
-  app::Workbench& workbench_;
-  const std::vector<std::string> lines_;
-  bool start_;
-  std::size_t next_ = 0;
-};
-
 const char* wordFor(QtMsgType type) {
   switch (type) {
     case QtDebugMsg:
@@ -207,9 +185,26 @@ int takePicture(app::MainWindow& window, const std::string& file) {
   return kFailed;
 }
 
+/// Lets other programs of the user run commands here: robotctl do. What it refers to must outlive the window.
+void listenForCommands(robotlink::CommandSocket& socket, const robotlink::Clock& clock,
+                       app::MainWindow& window) {
+  const auto folder = robotlink::commandSocketFolder();
+  if (folder.empty()) return;
+  if (const auto opened = socket.open(folder); !opened) {
+    std::cerr << "robotcontrol: " << opened.error().describe() << "\n";
+    return;
+  }
+  constexpr int kTickMs = 33;
+  auto* tick = new QTimer(&window);
+  QObject::connect(tick, &QTimer::timeout, &window, [&socket, &clock] { socket.tick(clock.now()); });
+  tick->start(kTickMs);
+}
+
 int run(const Arguments& arguments) {
   app::QuitSignals quitSignals;  // until the workbench has written the rest of its recording
   app::Workbench workbench(robotlink::userDirectory());
+  const robotlink::SteadyClock clock;
+  robotlink::CommandSocket socket(app::scriptsOf(workbench));
   app::MainWindow window(workbench, robotlink::userDirectory());
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
     window.showPerspective(QString::fromStdString(perspective));
@@ -221,7 +216,18 @@ int run(const Arguments& arguments) {
   });
   window.show();
   if (!load(workbench, arguments)) return kUsage;
-  new Script(workbench, arguments, &window);
+  listenForCommands(socket, clock, window);
+  auto* script = new app::StartScript(workbench,
+                                      {.startsSimulation = !arguments.paused && simulates(arguments),
+                                       .commands = arguments.commands,
+                                       .script = arguments.script,
+                                       .junit = arguments.junit},
+                                      &window);
+  QObject::connect(script, &app::StartScript::finished, &window, [&](int status) {
+    if (arguments.keepOpen) return;
+    window.keep();
+    QApplication::exit(status);
+  });
   if (!arguments.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(arguments.after * 1000), &window,
                        [&] { QApplication::exit(takePicture(window, arguments.screenshot)); });
@@ -266,7 +272,7 @@ int start(int argc, char** argv) {
     return refuse(found.error().describe(), argv);
   }
   if (!hasDisplay()) {
-    if (arguments.screenshot.empty()) {
+    if (arguments.screenshot.empty() && arguments.script.empty()) {
       std::cerr << "There is no display to open a window on: DISPLAY and WAYLAND_DISPLAY are not set.\n";
       return kUsage;
     }

@@ -20,6 +20,7 @@ void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addCommandsCommand(CLI::App& app, int& status);
+void addDoCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 void addPlatformCommand(CLI::App& app, int& status);
 void addLaunchCommand(CLI::App& app, int& status);

@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   addRequestCommand(app, status);
   addColorCommand(app, status);
   addCommandsCommand(app, status);
+  addDoCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -21,7 +21,7 @@ class WorkbenchSignals : public testing::TestWithParam<int> {
     std::filesystem::create_directories(here_);
     std::filesystem::create_directories(home_);
     ::setenv("XDG_CONFIG_HOME", home_.c_str(), 1);
-    ::setenv("XDG_RUNTIME_DIR", home_.c_str(), 1);
+    ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1);  // its socket is not what tests wait for
     ::setenv("HOME", home_.c_str(), 1);
   }
 

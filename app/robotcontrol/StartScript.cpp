@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/StartScript.h"
+
+#include <QTimerEvent>
+#include <iostream>
+#include <utility>
+
+#include "app/core/Workbench.h"
+#include "app/core/platform/ExitStatus.h"
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Printable.h"
+
+namespace app {
+namespace {
+
+constexpr int kScriptTickMs = 20;
+
+}  // namespace
+
+robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench) {
+  const auto opening = [&workbench]() -> robotlink::Result<bool> {
+    const robotlink::Errors errors = workbench.takeOpeningErrors();
+    if (!errors.empty()) return robotlink::failure("script.opening", robotlink::describe(errors));
+    return workbench.loading();
+  };
+  return {workbench.commands(), workbench.session(), opening};
+}
+
+StartScript::StartScript(Workbench& workbench, Options options, QObject* parent)
+    : QObject(parent), workbench_(workbench), options_(std::move(options)), run_(scriptsOf(workbench)) {
+  startTimer(kScriptTickMs);
+}
+
+void StartScript::timerEvent(QTimerEvent* event) {
+  if (workbench_.loading() && !hasStarted_) return;
+  if (!std::exchange(hasStarted_, true)) unopened_ = workbench_.takeOpeningErrors();
+  run_.tick(clock_.now());
+  while (run_.isIdle()) {
+    report();
+    if (isScript_ || !beginNext()) {
+      killTimer(event->timerId());
+      if (isScript_) finish();
+      return;
+    }
+    run_.tick(clock_.now());
+  }
+}
+
+bool StartScript::beginNext() {
+  const bool starts = next_ == 0 && options_.startsSimulation && workbench_.loaded() != nullptr;
+  if (starts && line_.empty()) {
+    line_ = "simulation.start";
+  } else if (next_ < options_.commands.size()) {
+    line_ = options_.commands[next_++];
+  } else {
+    if (options_.script.empty()) return false;
+    if (!unopened_.empty()) {
+      std::cerr << robotlink::printableLines(robotlink::describe(unopened_)) << std::endl;
+      Q_EMIT finished(kFailed);
+      return false;
+    }
+    isScript_ = true;
+    before_ = run_.outcomes().size();
+    run_.runFile(options_.script);
+    return true;
+  }
+  run_.runLines({}, line_);
+  return true;
+}
+
+void StartScript::report() {
+  if (!run_.failed()) return;
+  const std::string where = isScript_ ? "" : "robotcontrol: " + line_ + ": ";
+  std::cerr << robotlink::printableLines(where + run_.failed()->describe()) << std::endl;
+}
+
+void StartScript::finish() {
+  bool failed = run_.failed().has_value();
+  if (!options_.junit.empty()) {
+    const auto& all = run_.outcomes();
+    const std::vector<robotlink::ScriptOutcome> ofScript(all.begin() + static_cast<std::ptrdiff_t>(before_),
+                                                         all.end());
+    const auto written = robotlink::writeFileAtomically(options_.junit, robotlink::junitXml(ofScript));
+    if (!written) std::cerr << options_.junit << ": " << written.error().text << std::endl;
+    failed |= !written;
+  }
+  Q_EMIT finished(failed ? kFailed : kDone);
+}
+
+}  // namespace app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/commands/ScriptRun.h"
+
+namespace app {
+
+class OpenPlatform;
+class Workbench;
+
+/// What scripts act on in a workbench, which must outlive them.
+robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench);
+
+/// What the program does by itself at its start: it starts the simulation when that is loaded, runs the
+/// commands of the command line one after the other, and then a script. GUI thread.
+class StartScript : public QObject {
+  Q_OBJECT
+ public:
+  struct Options {
+    /// Whether what is opened is a simulation that is started.
+    bool startsSimulation = false;
+    std::vector<std::string> commands;
+    /// The file of a script; empty: none.
+    std::string script;
+    /// The JUnit file that is written at the end of the script; empty: none.
+    std::string junit;
+  };
+
+  /// The workbench must outlive it.
+  StartScript(Workbench& workbench, Options options, QObject* parent);
+
+ Q_SIGNALS:
+  /// The script has ended, with an ExitStatus; what was wrong is printed on standard error.
+  void finished(int status);
+
+ protected:
+  void timerEvent(QTimerEvent* event) override;
+
+ private:
+  /// Begins what comes next, once the line before is done. Returns false if there is nothing more.
+  bool beginNext();
+  /// Prints why the line or script that ran last failed.
+  void report();
+  /// Writes the JUnit file and ends.
+  void finish();
+
+  Workbench& workbench_;
+  const Options options_;
+  const robotlink::SteadyClock clock_;
+  robotlink::ScriptRun run_;
+  /// The line that runs now, for messages.
+  std::string line_;
+  std::size_t next_ = 0;
+  /// Why what the command line names could not be opened.
+  robotlink::Errors unopened_;
+  bool hasStarted_ = false;
+  bool isScript_ = false;
+  /// How many outcomes there were before the script.
+  std::size_t before_ = 0;
+};
+
+}  // namespace app

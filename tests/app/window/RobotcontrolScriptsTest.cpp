@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real workbench runs scripts: those that are shipped, and lines that robotctl sends.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
+#include "tests/app/StartedProgram.h"
+#include "tests/app/Watch.h"
+
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kScripts = ROBOTCONTROL_SOURCE_DIR "/resources/scripts/";
+
+class RobotcontrolScripts : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { ::setenv("QT_QPA_PLATFORM", "offscreen", 1); }
+  void SetUp() override {
+    std::filesystem::create_directories(here_);
+    std::filesystem::create_directories(home_);
+    std::filesystem::permissions(home_, std::filesystem::perms::owner_all);  // as Qt demands it
+    ::setenv("XDG_CONFIG_HOME", home_.c_str(), 1);
+    ::setenv("XDG_RUNTIME_DIR", home_.c_str(), 1);
+    ::setenv("HOME", home_.c_str(), 1);
+    ::setenv("LOG", (here_ / "game.mcap").c_str(), 1);
+  }
+  StartedProgram started(const std::string& script, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"--script", script};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return {ROBOTCONTROL, here_, arguments};
+  }
+  void passes(const std::string& script) const {
+    StartedProgram workbench = started(kScripts + script);
+    EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+  }
+  std::string read(const std::string& name) const { return robotlink::readFile(here_ / name).value_or(""); }
+
+  const TestFolder folder_;
+  const std::filesystem::path here_ = folder_ / "here", home_ = folder_ / "home";
+};
+
+}  // namespace
+
+TEST_F(RobotcontrolScripts, theBallIsFound) {
+  passes("ball.script");
+}
+
+TEST_F(RobotcontrolScripts, keysAndSolutionsAreSwitched) {
+  passes("keys.script");
+}
+
+TEST_F(RobotcontrolScripts, aRobotOnWheelsDrivesToAGoal) {
+  passes("goal.script");
+  EXPECT_THAT(read("goal.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(RobotcontrolScripts, aLogIsRecordedOpenedAndSearched) {
+  passes("log.script");
+}
+
+TEST_F(RobotcontrolScripts, aFailureHasItsPlaceAndAJUnitFile) {
+  folder_.write("here/part.script", "wait until simulation.time > 0.1\nassert simulation.time < 0\n");
+  folder_.write("here/a.script", "include part.script\n");
+  StartedProgram workbench = started("a.script", {"--junit", "a.xml"});
+  EXPECT_EQ(workbench.wait(), 1);
+  EXPECT_THAT(workbench.errors(),
+              StartsWith("part.script:2:8: expected simulation.time < 0: simulation.time is "));
+  EXPECT_THAT(read("a.xml"), HasSubstr("tests=\"2\" failures=\"2\""));
+  EXPECT_THAT(read("a.xml"), HasSubstr("a.script:1: the included script failed: part.script:2:8: "));
+}
+
+TEST_F(RobotcontrolScripts, whatCannotBeOpenedOrIsRefusedFails) {
+  folder_.write("here/a.script", "simulation.open none.sdf");
+  StartedProgram opening = started("a.script");
+  EXPECT_EQ(opening.wait(), 1);
+  EXPECT_THAT(opening.errors(), StartsWith("a.script:1: "));
+  folder_.write("here/b.script", "robot.solution ball-percept magic");
+  StartedProgram refused = started("b.script");
+  EXPECT_EQ(refused.wait(), 1);
+  EXPECT_THAT(refused.errors(), HasSubstr("b.script:1:1: refused: "));
+}
+
+TEST_F(RobotcontrolScripts, robotctlRunsLinesInTheRunningWorkbench) {
+  const Watch watch(home_, IN_CREATE);
+  StartedProgram workbench(ROBOTCONTROL, here_, {"--paused"});
+  const auto listens = [this] {
+    for (const auto& entry : std::filesystem::directory_iterator(home_)) {
+      if (entry.path().extension() == ".sock") return true;
+    }
+    return false;
+  };
+  while (!listens()) ASSERT_TRUE(watch.happens());
+  StartedProgram good(ROBOTCTL, here_,
+                      {"do", "wait until simulation.steps >= 0", "set n 2", "simulation.step",
+                       "wait until simulation.steps >= $n", "screenshot window window.png"});
+  EXPECT_EQ(good.wait(), 0) << good.errors();
+  EXPECT_THAT(read("window.png"), StartsWith("\x89PNG"));
+  StartedProgram bad(ROBOTCTL, here_, {"do", "simulation.speed 5", "simulation.speed fast"});
+  EXPECT_EQ(bad.wait(), 1);
+  EXPECT_THAT(bad.errors(), HasSubstr("simulation.speed fast: the argument speed must be a number"));
+  workbench.send(SIGTERM);
+  EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+  StartedProgram nobody(ROBOTCTL, here_, {"do", "robot.stop on"});
+  EXPECT_EQ(nobody.wait(), 1);
+  EXPECT_THAT(nobody.errors(), HasSubstr("no workbench of yours runs"));
+}
