@@ -43,6 +43,16 @@ struct ProcessThread {
 std::array<ProcessThread, 64> processThreads;  // NOLINT
 /// The thread that a report is asked of; 0: any.
 std::atomic<::pid_t> suspected{0};  // NOLINT
+/// The thread in which a module has called exit(); 0: none.
+std::atomic<::pid_t> leaving{0};  // NOLINT
+
+/// Finds out that a module calls exit(): what belongs to the calling thread is destroyed before anything
+/// else.
+struct ThreadEnd {
+  ~ThreadEnd() {
+    if (mine != nullptr && mine->activity() != nullptr) leaving = ::gettid();
+  }
+};
 
 // Only what may be called in a handler of signals.
 void put(std::string_view text) {
@@ -85,7 +95,15 @@ void onQuestion(int) {
   errno = before;
 }
 
+void handle(int signal, void (*handler)(int), int flags);
+
 void onFatal(int signal) {
+  // While a thread is in exit(), static objects are destroyed that the others use. It is exit() that ends the
+  // program.
+  if (const ::pid_t thread = leaving.load(); thread != 0 && thread != ::gettid()) {
+    handle(signal, onFatal, static_cast<int>(SA_RESETHAND));
+    while (true) ::pause();
+  }
   putReport(kEndHead, kInSignal);
   // It comes again when this returns, now without a handler.
   ::raise(signal);
@@ -93,7 +111,7 @@ void onFatal(int signal) {
 
 void onExit(int status, void*) {
   putReport(kEndHead, kInExit);
-  // Destructors of static objects would run beside the robot's program.
+  // The destructors of more static objects would run beside the robot's program.
   ::_exit(status);
 }
 
@@ -163,6 +181,7 @@ void CrashReport::watch(const std::vector<robotlink::Process*>& processes) {
 
 void CrashReport::enterThread(const robotlink::Process& process) {
   mine = &process;
+  static thread_local const ThreadEnd end;
   // A stack overflow needs another stack for its report. It exists as long as the thread.
   static thread_local std::vector<char> stackOfThread(signalStack.size());
   stack_t stack = {};

@@ -161,7 +161,14 @@ TEST_F(OwnRealProgramTest, abortAndExitEndOnlyTheProgram) {
   run_.reset();
   play("exit");
   ASSERT_TRUE(onlyTheProgramEnds());
-  EXPECT_THAT(hosting_.text(), HasSubstr("called exit(3) in trouble (exit)"));
+  EXPECT_THAT(hosting_.text(), HasSubstr("called exit(3) in trouble (exit)")) << hosting_.stack();
+}
+
+TEST_F(OwnRealProgramTest, whatCrashesWhileAModuleExitsIsNotTheReason) {
+  play("exit-among-others");
+  ASSERT_TRUE(onlyTheProgramEnds());
+  EXPECT_THAT(hosting_.text(), HasSubstr("called exit(3) in trouble (exit-among-others)"))
+      << hosting_.stack();
 }
 
 TEST_F(OwnRealProgramTest, aModuleThatTakesAllMemoryIsStopped) {

@@ -62,6 +62,24 @@ void abortAll() {
 void leave() {
   std::exit(3);
 }
+std::atomic<bool> isLeaving{false}, isCrashing{false};
+/// Other threads run on while it is destroyed, and crash.
+struct UsedByOthers {
+  ~UsedByOthers() {
+    isLeaving = true;
+    while (!isCrashing) std::this_thread::yield();
+    for (int i = 0; i < 1000; ++i) std::this_thread::yield();
+  }
+};
+void leaveAmongOthers() {
+  static const UsedByOthers used;
+  std::thread([] {
+    while (!isLeaving) std::this_thread::yield();
+    isCrashing = true;
+    writeNowhere();
+  }).detach();
+  std::exit(3);
+}
 void loop() {
   static std::atomic<int> turns = 0;
   for (;;) ++turns;
@@ -91,6 +109,10 @@ const SolutionRegistration kAborts =
         .yields(robotlink::kDrivePath);
 const SolutionRegistration kLeaves =
     SolutionBuilder<Troublemaker<leave>>("trouble", "exit", "Calls exit().").yields(robotlink::kDrivePath);
+const SolutionRegistration kLeavesAmongOthers =
+    SolutionBuilder<Troublemaker<leaveAmongOthers>>("trouble", "exit-among-others",
+                                                    "Calls exit() while another thread runs.")
+        .yields(robotlink::kDrivePath);
 const SolutionRegistration kLoops =
     SolutionBuilder<Troublemaker<loop>>("trouble", "loop", "Never returns.").yields(robotlink::kDrivePath);
 const SolutionRegistration kTakes =
