@@ -74,14 +74,14 @@ DataView::DataView(ViewContext& context, QWidget* parent) : View(context, parent
 }
 
 void DataView::createActions() {
-  remember_ = makeAction(this, "bookmark",
-                         {"dataRemember", tr("Remember now"),
-                          tr("Compares with the values that are shown now"), tr("Ctrl+Shift+R")});
+  remember_ =
+      makeAction(this, "bookmark",
+                 {"dataRemember", tr("Remember now"), tr("Compares with the values that are shown now"), {}});
   plot_ = makeAction(this, "plots",
                      {"dataPlot", tr("Plot"), tr("Plots the selected numbers over time"), tr("Ctrl+Return")});
-  listOverTime_ = makeAction(
-      this, "time-line",
-      {"dataOverTime", tr("Table over time"), tr("Lists the selected values over time"), tr("Ctrl+T")});
+  listOverTime_ =
+      makeAction(this, "time-line",
+                 {"dataOverTime", tr("Table over time"), tr("Lists the selected values over time"), {}});
   switchOn_ = makeAction(
       this, "keys", {"dataSwitchOn", tr("Switch on"), tr("Switches on the debug key of the stream"), {}});
   copyPath_ =

@@ -222,7 +222,7 @@ class DataViewTest : public QObject {
     auto& panel = child<FieldTablePanel>(*view, "dataTablePanel");
     QVERIFY(!panel.isVisible());
     open(treeOf(*view), {kJoints, "joints", "[1] head.pan", "position"});
-    QTest::keyClick(&treeOf(*view), Qt::Key_T, Qt::ControlModifier);
+    click(*view, "dataOverTime");
     QVERIFY(panel.isVisible());
     auto& table = child<QTableView>(panel, "dataTable");
     QTRY_VERIFY((bench.tick(*view), table.model()->rowCount() == 4));
