@@ -2,15 +2,20 @@
 #include "logplayer/file/LogImport.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "logplayer/base/LogWriter.h"
 #include "logplayer/bhuman/MessageQueueReader.h"
 #include "logplayer/bhuman/QueueImport.h"
+#include "logplayer/pictures/FrameImport.h"
+#include "logplayer/pictures/PictureFrames.h"
+#include "logplayer/pictures/VideoFrames.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 
@@ -22,9 +27,34 @@ using robotlink::StreamMessage;
 
 namespace {
 
-constexpr char kLayout[] = "layouts/perception.yaml";
-constexpr char kRobot[] = "robots/nao.yaml";
-constexpr char kField[] = "fields/2009.yaml";
+/// What a program that replays logs of a format is made of.
+struct ImportedRobot {
+  /// Its name where the user gives it none.
+  const char* name;
+  /// Resources.
+  const char* description;
+  const char* layout;
+  const char* field;
+  /// The packages that such logs hold.
+  std::vector<const char*> offers;
+};
+
+ImportedRobot naoOf2009() {
+  return {"nao",
+          "robots/nao.yaml",
+          "layouts/perception.yaml",
+          "fields/2009.yaml",
+          {robotlink::kCameraImage.name, robotlink::kCameraPose.name, robotlink::kJointStates.name,
+           robotlink::kBodySensors.name, robotlink::kBodyReadings.name, robotlink::kMotionStatus.name}};
+}
+
+ImportedRobot camera() {
+  return {"camera",
+          "robots/camera.yaml",
+          "layouts/perception.yaml",
+          "fields/2002.yaml",
+          {robotlink::kCameraImage.name, robotlink::kCameraPose.name}};
+}
 
 Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
   const auto text = robotlink::readFile(robotlink::resource(name));
@@ -35,20 +65,17 @@ Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
 }
 
 /// The setup of the program that replays such a log.
-Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportOptions& options) {
+Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportedRobot& robot, const ImportOptions& options) {
   auto setup = std::make_shared<ProgramSetup>();
   setup->set_robot(options.robot);
   setup->set_team("red");
   setup->set_executor("lockstep");
-  for (const auto& [name, file] : {std::pair{kLayout, setup->mutable_layout()},
-                                   {kRobot, setup->mutable_description()},
-                                   {kField, setup->mutable_field()}}) {
+  for (const auto& [name, file] : {std::pair{robot.layout, setup->mutable_layout()},
+                                   {robot.description, setup->mutable_description()},
+                                   {robot.field, setup->mutable_field()}}) {
     if (auto read = readResource(name, *file); !read) return tl::unexpected(std::move(read.error()));
   }
-  for (const char* package :
-       {robotlink::kCameraImage.name, robotlink::kCameraPose.name, robotlink::kJointStates.name,
-        robotlink::kBodySensors.name, robotlink::kBodyReadings.name, robotlink::kMotionStatus.name})
-    setup->add_offered(package);
+  for (const char* package : robot.offers) setup->add_offered(package);
   if (options.colorTable) setup->add_offered(robotlink::kColorTable.name);
   return setup;
 }
@@ -56,8 +83,9 @@ Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportOptions& options) {
 /// Writes the setup at the time of the first frame, then the frames.
 class ImportWriter {
  public:
-  static Result<ImportWriter> create(const std::filesystem::path& file, const ImportOptions& options) {
-    auto setup = setupOf(options);
+  static Result<ImportWriter> create(const std::filesystem::path& file, const ImportedRobot& robot,
+                                     const ImportOptions& options) {
+    auto setup = setupOf(robot, options);
     if (!setup) return tl::unexpected(std::move(setup.error()));
     ImportWriter writer;
     writer.opening_.push_back({options.robot + "/" + robotlink::streams::kProgram, {}, std::move(*setup)});
@@ -72,7 +100,7 @@ class ImportWriter {
     return writer;
   }
 
-  Result<void> write(const bhuman::FrameConverter::Frame& frame) {
+  Result<void> write(const std::vector<StreamMessage>& frame) {
     if (!opening_.empty()) {
       for (StreamMessage& message : opening_) message.time = frame.front().time;
       if (auto written = log_->write(opening_); !written) return written;
@@ -98,11 +126,66 @@ class ImportWriter {
   std::unique_ptr<LogWriter> log_;
 };
 
-Result<ImportReport> convert(bhuman::ByteSource& bytes, ImportWriter& writer, const ImportOptions& options) {
-  auto report = bhuman::importQueue(
-      bytes, options.robot,
-      [&writer](const bhuman::FrameConverter::Frame& frame) { return writer.write(frame); },
-      options.progress);
+/// A format that can be imported.
+struct Format {
+  ImportedRobot (*robot)();
+  bool (*recognizes)(const std::filesystem::path& file);
+  Result<ImportReport> (*import)(const std::filesystem::path& from, const ImportSink& sink,
+                                 const ImportOptions& options);
+};
+
+bool isQueue(const std::filesystem::path& file) {
+  const auto bytes = bhuman::openFile(file);
+  return bytes && bhuman::MessageQueueReader::recognizes(**bytes);
+}
+
+Result<ImportReport> importQueue(const std::filesystem::path& from, const ImportSink& sink,
+                                 const ImportOptions& options) {
+  const auto bytes = bhuman::openFile(from);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return bhuman::importQueue(**bytes, options.robot, sink, options.progress);
+}
+
+/// Where the camera is, is in its description.
+Result<ImportReport> importFrom(FrameSource& source, const ImportSink& sink, const ImportOptions& options) {
+  const auto file = robotlink::resource(camera().description);
+  const auto description = robotlink::readRobotDescription(file);
+  if (!description) return tl::unexpected(description.error().front());
+  if (!description->camera)
+    return robotlink::failure("import.camera", "there is no camera in this description",
+                              {file.string(), 0, 0});
+  return importFrames(source, *description->camera, sink, options.robot, options.progress);
+}
+
+Result<ImportReport> importVideo(const std::filesystem::path& from, const ImportSink& sink,
+                                 const ImportOptions& options) {
+  auto video = VideoFrames::open(from);
+  if (!video) return tl::unexpected(video.error());
+  return importFrom(*video, sink, options);
+}
+
+Result<ImportReport> importPictures(const std::filesystem::path& from, const ImportSink& sink,
+                                    const ImportOptions& options) {
+  auto pictures = PictureFrames::open(from);
+  if (!pictures) return tl::unexpected(pictures.error());
+  return importFrom(*pictures, sink, options);
+}
+
+constexpr std::array<Format, 3> kFormats{{{naoOf2009, isQueue, importQueue},
+                                          {camera, isVideo, importVideo},
+                                          {camera, isPictureFolder, importPictures}}};
+
+/// Null if there is none.
+const Format* formatOf(const std::filesystem::path& file) {
+  const auto* const found =
+      std::ranges::find_if(kFormats, [&](const Format& format) { return format.recognizes(file); });
+  return found == kFormats.end() ? nullptr : found;
+}
+
+Result<ImportReport> convert(const Format& format, const std::filesystem::path& from, ImportWriter& writer,
+                             const ImportOptions& options) {
+  auto report = format.import(
+      from, [&writer](const std::vector<StreamMessage>& frame) { return writer.write(frame); }, options);
   if (!report) return report;
   if (auto closed = writer.close(*report); !closed) return tl::unexpected(std::move(closed.error()));
   return report;
@@ -118,30 +201,35 @@ bool isRobotName(std::string_view name) {
 }
 
 bool canImport(const std::filesystem::path& file) {
-  const auto bytes = bhuman::openFile(file);
-  return bytes && bhuman::MessageQueueReader::recognizes(**bytes);
+  return formatOf(file) != nullptr;
 }
 
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                const ImportOptions& options) {
-  if (!isRobotName(options.robot)) {
+  const Format* format = formatOf(from);
+  if (format == nullptr) {
+    std::error_code error;
+    if (!std::filesystem::exists(from, error))
+      return robotlink::failure("log.open", "there is no such file", {from.string(), 0, 0});
+    return robotlink::failure("log.unknown-format",
+                              "this cannot be imported: it is neither a B-Human message queue nor a video "
+                              "nor a folder of pictures",
+                              {from.string(), 0, 0});
+  }
+  ImportOptions chosen = options;
+  if (chosen.robot.empty()) chosen.robot = format->robot().name;
+  if (!isRobotName(chosen.robot)) {
     return robotlink::failure(
         "import.robot",
-        "'" + options.robot +
+        "'" + chosen.robot +
             "' is not a robot name; use letters, digits, '-', '_' and '.', as in nao or red-1",
-        {}, {options.robot});
+        {}, {chosen.robot});
   }
-  const auto bytes = bhuman::openFile(from);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (!bhuman::MessageQueueReader::recognizes(**bytes))
-    return robotlink::failure("log.unknown-format",
-                              "this log cannot be imported: it does not begin with a B-Human message queue",
-                              {from.string(), 0, 0});
   Result<ImportReport> report;
   {
-    auto writer = ImportWriter::create(to, options);
+    auto writer = ImportWriter::create(to, format->robot(), chosen);
     if (!writer) return tl::unexpected(std::move(writer.error()));
-    report = convert(**bytes, *writer, options);
+    report = convert(*format, from, *writer, chosen);
   }
   if (!report) {
     std::error_code ignored;  // the import's own error says more

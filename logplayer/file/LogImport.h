@@ -16,7 +16,8 @@ class ColorTable;
 
 namespace logplayer {
 
-/// Whether a file has an older format that importLog() reads, judged by its contents.
+/// Whether importLog() reads a file: a log of an older format or a video, judged by its contents, or a folder
+/// of pictures.
 bool canImport(const std::filesystem::path& file);
 
 /// Whether a robot may have this name, which becomes a part of stream paths ("<robot>/..."): letters, digits,
@@ -25,19 +26,19 @@ bool isRobotName(std::string_view name);
 
 /// What the imported file does not say.
 struct ImportOptions {
-  /// Name of the robot, see isRobotName().
-  std::string robot = "nao";
+  /// Name of the robot, see isRobotName(); empty: the default of the format, "nao" or "camera".
+  std::string robot = {};
   /// Is written into the log as its color table (app/core/program/ColorTables.h reads such files); null:
   /// none.
-  std::shared_ptr<const robotcontrol::ColorTable> colorTable;
+  std::shared_ptr<const robotcontrol::ColorTable> colorTable = {};
   /// Called with the share done in [0, 1]; false cancels the import.
-  std::function<bool(double)> progress;
+  std::function<bool(double)> progress = {};
 };
 
-/// Converts a log of an older format into a new MCAP file, which must not exist. The new log begins with the
-/// setup of a program that fits such a log: the robot (resources/robots/nao.yaml), the field of its year, and
-/// a layout of tasks that the data allows. If canceled by the progress callback (error id "log.given-up"), or
-/// failed, nothing is left.
+/// Converts a log of an older format, a video or a folder of pictures into a new MCAP file, which must not
+/// exist. The new log begins with the setup of a program that fits it: the robot (resources/robots/nao.yaml,
+/// or camera.yaml, whose pose is stated there), a field, and a layout of tasks that the data allows. If
+/// canceled by the progress callback (error id "log.given-up"), or failed, nothing is left.
 robotlink::Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                           const ImportOptions& options);
 

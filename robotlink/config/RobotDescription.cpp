@@ -67,6 +67,18 @@ RobotDescription::Laser readLaser(const YamlNode& node) {
   return laser;
 }
 
+RobotDescription::Camera readCamera(const YamlNode& node) {
+  RobotDescription::Camera camera;
+  const auto position = node.required<std::vector<double>>("position");
+  if (position.size() != 3) node.fail("robot.camera", "position must be [x, y, z]");
+  const double tilt = radians(node.numberIn("tilt_deg", -90, 90));
+  if (position.size() == 3)
+    camera.inRobot = Eigen::Translation3d(position[0], position[1], position[2]) *
+                     Eigen::AngleAxisd(tilt, Vector3::UnitY());
+  camera.horizontalAngle = radians(node.numberIn("horizontal_angle_deg", 1, 179));
+  return camera;
+}
+
 RobotDescription::Battery readBattery(const YamlNode& node) {
   RobotDescription::Battery battery;
   battery.empty = node.numberIn("empty", 0, 1000);
@@ -105,10 +117,13 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty())
     robot.sonars = readSonars(sonars);
   if (const YamlNode laser = root.optionalChild("laser"); !laser.empty()) robot.laser = readLaser(laser);
+  if (const YamlNode camera = root.optionalChild("camera"); !camera.empty())
+    robot.camera = readCamera(camera);
   if (const YamlNode battery = root.optionalChild("battery"); !battery.empty())
     robot.battery = readBattery(battery);
   readRobotUse(root);  // Those keys belong to the file, too.
-  if (robot.joints.empty() && !robot.drive) root.fail("robot.moves", "a robot needs joints or a drive");
+  if (robot.joints.empty() && !robot.drive && !robot.camera)
+    root.fail("robot.moves", "a robot needs joints, a drive or a camera");
   const YamlNode platform = root.child("platform");
   robot.offers = platform.required<std::vector<std::string>>("offers");
   robot.simulatedOnly = platform.optional<std::vector<std::string>>("simulated_only", {});

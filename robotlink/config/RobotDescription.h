@@ -64,6 +64,13 @@ struct RobotDescription {
     /// The range, m.
     double maximum = 0;
   };
+  /// A camera that is fixed to the robot, or a camera on a tripod that is all there is.
+  struct Camera {
+    /// Its frame: x along the optical axis, y to the left, z up. The robot's origin is on the ground.
+    Pose3 inRobot = Pose3::Identity();
+    /// The whole opening angle across the image's width, rad. Pixels are square.
+    double horizontalAngle = 0;
+  };
   /// What the voltages of the battery mean, V.
   struct Battery {
     /// At this voltage the robot switches itself off.
@@ -89,6 +96,8 @@ struct RobotDescription {
   std::optional<Drive> drive;
   std::optional<Sonars> sonars;
   std::optional<Laser> laser;
+  /// Only where the camera does not move with joints.
+  std::optional<Camera> camera;
   /// Only of robots that report the voltage of their battery.
   std::optional<Battery> battery;
   /// Packages that its platforms receive.

@@ -10,10 +10,10 @@
 #include "colortool/table/NamedColorTable.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
+#include "logplayer/images/PictureFile.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/color/PictureFile.h"
 
 namespace widgets {
 namespace {
@@ -47,7 +47,7 @@ std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path&
   std::map<std::string, fs::path> images;
   const auto add = [&images, &labels](const fs::path& file) {
     const bool isLabel = robotlink::fileSuffix(file) == ".png" && file.parent_path() == labels;
-    if (!isLabel && isPictureFile(file)) images.try_emplace(file.stem().string(), file);
+    if (!isLabel && logplayer::isPictureFile(file)) images.try_emplace(file.stem().string(), file);
   };
   for (const fs::path& file : filesOf(folder)) {
     std::error_code error;
@@ -63,7 +63,7 @@ std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path&
 /// The labels of an image's pixels. In a .yuyv file two pixels share a label, which is given to the second
 /// one.
 Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& file, bool yuyv) {
-  const auto labels = readPicture(file, YuyvPixels::kAll);
+  const auto labels = logplayer::readPicture(file, logplayer::YuyvPixels::kAll);
   if (!labels) return tl::unexpected(labels.error());
   const int step = yuyv ? 2 : 1;
   if (labels->format != robotlink::PixelFormat::kMono8)
@@ -125,7 +125,7 @@ Result<LabeledFolder::Read> LabeledFolder::readAll(const fs::path& chosen, const
     const fs::path label = labels / (name + ".png");
     std::error_code error;
     if (!fs::exists(label, error)) continue;
-    const auto image = readPicture(file, YuyvPixels::kAll);
+    const auto image = logplayer::readPicture(file, logplayer::YuyvPixels::kAll);
     auto values = image ? labelsFor(*image, label, robotlink::fileSuffix(file) == ".yuyv")
                         : tl::unexpected(image.error());
     if (!values) {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "foxglove/Image.pb.h"
+#include "logplayer/images/PictureFile.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/color/PictureFile.h"
 
 namespace widgets {
 
@@ -22,7 +22,7 @@ PictureReading::PictureReading(std::vector<std::filesystem::path> filesOrFolders
 
 Result<PictureReading::Read> PictureReading::readAll(const std::vector<std::filesystem::path>& filesOrFolders,
                                                      const std::stop_token& stop) {
-  const auto files = pictureFiles(filesOrFolders);
+  const auto files = logplayer::pictureFiles(filesOrFolders);
   if (!files) return tl::unexpected(files.error());
   Read read;
   std::size_t bytes = 0, done = 0;
@@ -33,7 +33,7 @@ Result<PictureReading::Read> PictureReading::readAll(const std::vector<std::file
       ++read.leftOut;
       continue;
     }
-    const auto image = readPicture(file);
+    const auto image = logplayer::readPicture(file);
     if (!image) {
       read.problems.push_back(image.error());
       continue;

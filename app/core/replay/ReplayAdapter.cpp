@@ -4,6 +4,8 @@
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/replay/ReplayFeed.h"
 #include "app/core/replay/ReplayHeadless.h"
+#include "logplayer/pictures/PictureFrames.h"
+#include "logplayer/pictures/VideoFrames.h"
 
 namespace app {
 namespace {
@@ -20,15 +22,19 @@ robotlink::Result<PlatformOpening> openLogFiles(const PlatformChoices& choices) 
 /// The last adapter: every source that no other one opens is a log, or is reported not to be one.
 const PlatformRegistration kReplayRegistration{
     {.name = ReplayFeed::kAdapter,
-     .sources = "log files to open on one timeline",
+     .sources = "logs, videos or folders of pictures to open on one timeline",
      .time = TimeKind::kLogged,
      .severalSources = true,
      .opens = [](const std::string&) { return true; },
      .order = 3,
      .open = openLogFiles,
      .command = "log.open",
-     .commandHelp = "Opens a log file, paused at its first image; closes what was open",
-     .perspective = [](const std::string&) { return "Log"; },
+     .commandHelp =
+         "Opens a log, a video or a folder of pictures, paused at its first image; closes what was open",
+     .perspective =
+         [](const std::string& source) {
+           return logplayer::isVideo(source) || logplayer::isPictureFolder(source) ? "Colour" : "Log";
+         },
      .headless = headlessReplay}};
 
 }  // namespace

@@ -7,12 +7,12 @@
 #include <string_view>
 
 #include "app/core/platform/PlatformAdapter.h"
+#include "logplayer/images/PictureFile.h"
 #include "robotlink/base/FileSuffix.h"
 
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, 4> kPictureSuffixes = {".png", ".jpg", ".jpeg", ".yuyv"};
 constexpr std::array<std::string_view, 6> kColorTables = {".c64", ".tm", ".raw", ".cal", ".lut", ".bz2"};
 
 bool isIn(const auto& suffixes, const std::string& suffix) {
@@ -24,7 +24,7 @@ bool isIn(const auto& suffixes, const std::string& suffix) {
 FileKind kindOfFile(const std::filesystem::path& file) {
   std::error_code ignored;
   const std::string suffix = robotlink::fileSuffix(file);
-  if (isIn(kPictureSuffixes, suffix) || std::filesystem::is_directory(file, ignored))
+  if (logplayer::isPictureFile(file) || std::filesystem::is_directory(file, ignored))
     return FileKind::kPictures;
   const PlatformAdapter* adapter = adapterFor(file.string());
   if (adapter != nullptr && adapter->time == TimeKind::kSimulated) return FileKind::kScene;

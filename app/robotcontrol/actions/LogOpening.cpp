@@ -58,7 +58,8 @@ void LogOpening::ask(bool add) {
   dialog->setObjectName(QStringLiteral("openLogDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(add ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
-  dialog->setNameFilters({tr("Logs (*.mcap *.log)"), tr("All files (*)")});
+  dialog->setNameFilters(
+      {tr("Logs and videos (*.mcap *.log *.mp4 *.mov *.avi *.mkv *.webm *.mpg)"), tr("All files (*)")});
   if (!recent_.isEmpty()) dialog->setDirectory(QFileInfo(recent_.front()).path());
   connect(dialog, &QFileDialog::filesSelected, this, [this, add](const QStringList& files) {
     for (int i = 0; i < files.size(); ++i) open(files[i], add || i > 0);

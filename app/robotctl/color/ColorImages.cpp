@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <span>
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/file/LogFile.h"
 #include "logplayer/images/ImageCoding.h"
+#include "logplayer/images/PictureFile.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
 #include "robotlink/packages/Conversions.h"
@@ -25,14 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestFile = 256U << 20U;
 constexpr int kYuyvWidth = 320, kYuyvHeight = 240;
 constexpr std::size_t kYuyvBytes = std::size_t{kYuyvWidth} * kYuyvHeight * 4;
-
-bool isImageFile(const fs::path& file) {
-  constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
-  return std::ranges::find(kEndings, robotlink::fileSuffix(file)) != kEndings.end();
-}
 
 Result<ColorImage> yuyvImage(const std::string& bytes, const fs::path& file) {
   if (bytes.size() != kYuyvBytes) {
@@ -47,14 +41,6 @@ Result<ColorImage> yuyvImage(const std::string& bytes, const fs::path& file) {
     pixel = {from[2], from[1], from[3]};
     from += 4;
   }
-  return image;
-}
-
-Result<Image> decoded(const std::string& bytes, const fs::path& file) {
-  const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  auto image =
-      robotlink::fileSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
-  if (!image) image.error().where = {file.string(), 0, 0};
   return image;
 }
 
@@ -79,7 +65,7 @@ Result<ColorImages> ColorImages::open(const fs::path& folderOrLog) {
   images.path_ = folderOrLog;
   for (fs::directory_iterator entry(folderOrLog, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (isImageFile(entry->path())) images.names_.push_back(entry->path().filename().string());
+    if (logplayer::isPictureFile(entry->path())) images.names_.push_back(entry->path().filename().string());
   }
   if (error) {
     return failure("image.folder", "cannot read this folder of images: " + error.message(),
@@ -159,18 +145,17 @@ Result<std::optional<Image>> ColorImages::trueClasses(const std::string& name) c
 }
 
 Result<ColorImage> ColorImages::loadFile(const fs::path& file) {
-  const auto bytes = robotlink::readFile(file, kLargestFile);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (robotlink::fileSuffix(file) == ".yuyv") return yuyvImage(*bytes, file);
-  const auto image = decoded(*bytes, file);
+  if (robotlink::fileSuffix(file) == ".yuyv") {
+    const auto bytes = robotlink::readFile(file, kYuyvBytes + 1);
+    return bytes ? yuyvImage(*bytes, file) : tl::unexpected(bytes.error());
+  }
+  const auto image = logplayer::readPicture(file);
   if (!image) return tl::unexpected(image.error());
   return ColorImage::of(image->view());
 }
 
 Result<Image> ColorImages::loadLabels(const fs::path& file) {
-  const auto bytes = robotlink::readFile(file, kLargestFile);
-  if (!bytes) return tl::unexpected(bytes.error());
-  auto image = decoded(*bytes, file);
+  auto image = logplayer::readPicture(file);
   if (image && image->format != robotlink::PixelFormat::kMono8) {
     return failure("image.labels", "labels are a gray PNG with the classes' numbers; this one has colors",
                    {file.string(), 0, 0});

@@ -59,11 +59,13 @@ int import(ImportArguments& arguments) {
   arguments.from = input->path().string();
   if (!logplayer::canImport(arguments.from)) {
     std::error_code error;
-    const bool there = std::filesystem::is_regular_file(arguments.from, error);
-    return printErrors({{"import.format",
-                         there ? "this is not a log of an older format" : "there is no such file",
-                         {},
-                         {arguments.from, 0, 0}}});
+    const bool there = std::filesystem::exists(arguments.from, error);
+    return printErrors(
+        {{"import.format",
+          there ? "this is neither a log of an older format nor a video nor a folder of pictures"
+                : "there is no such file",
+          {},
+          {arguments.from, 0, 0}}});
   }
   if (!arguments.colorTable.empty()) {
     auto table = readColorTable(arguments.colorTable);
@@ -124,10 +126,14 @@ CLI::App* addImporter(CLI::App& log, const char* name, const char* help,
 void addLogImportCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ImportArguments>();
   CLI::App* command = addImporter(
-      log, "import", "Converts a log of an older format; reports what was and was not understood", arguments);
-  command->add_option("--robot", arguments->options.robot, "The name that the robot gets")
-      ->check(robotName)
-      ->capture_default_str();
+      log, "import",
+      "Converts a log of an older format, a video or a folder of pictures; reports what was and was not "
+      "understood",
+      arguments);
+  command
+      ->add_option("--robot", arguments->options.robot,
+                   "The name that the robot gets; without it: nao, or camera")
+      ->check(robotName);
   command
       ->add_option("--color-table", arguments->colorTable,
                    "A .c64 color table to store in the log as the one in use")

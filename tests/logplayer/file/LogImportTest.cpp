@@ -17,6 +17,7 @@
 #include "tests/TestFolder.h"
 #include "tests/game/Data.h"
 #include "tests/game/Log.h"
+#include "tests/logplayer/pictures/AviFile.h"
 
 using namespace logplayer;
 using bhuman::QueueBuilder;
@@ -227,4 +228,33 @@ TEST_F(LogImport, theShippedDescriptionsAreSound) {
   ASSERT_TRUE(field) << describe(field.error());
   EXPECT_EQ(field->goalLineX(), 3);
   EXPECT_TRUE(field->beacons.empty());
+}
+
+TEST_F(LogImport, aVideoBecomesTheLogOfACamera) {
+  AviFile avi(64, 48, 25);
+  for (int i = 0; i < 3; ++i) avi.add(robotlink::Image(64, 48, robotlink::PixelFormat::kRgb8));
+  avi.write(folder_ / "match.avi");
+  EXPECT_TRUE(canImport(folder_ / "match.avi"));
+  const auto report = importLog(folder_ / "match.avi", target(), {});
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(report->format, "video");
+  const auto messages = messagesOf(target());
+  EXPECT_EQ(topicsOf(messages),
+            "camera/program camera/camera/image camera/camera/pose camera/frames/camera "
+            "camera/camera/image camera/camera/pose camera/frames/camera "
+            "camera/camera/image camera/camera/pose camera/frames/camera ");
+  EXPECT_EQ(messages.back().time, robotlink::Instant(std::chrono::milliseconds(80)));
+}
+
+TEST_F(LogImport, aFolderOfPicturesBecomesTheLogOfACamera) {
+  const auto png = encodePng(robotlink::Image(8, 6, robotlink::PixelFormat::kRgb8).view());
+  for (const char* name : {"a.png", "b.png"})
+    folder_.write(std::string("pictures/") + name, std::string(png->begin(), png->end()));
+  EXPECT_TRUE(canImport(folder_ / "pictures"));
+  EXPECT_FALSE(canImport(folder_.path()));
+  const auto report = importLog(folder_ / "pictures", target(), {.robot = "eye"});
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(topicsOf(messagesOf(target())),
+            "eye/program eye/camera/image eye/camera/pose eye/frames/camera "
+            "eye/camera/image eye/camera/pose eye/frames/camera ");
 }

@@ -9,7 +9,7 @@
 
 // Files of pictures: PNG, JPEG, and .yuyv, which is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr (640 Y values
 // per row). All functions can be called from any thread.
-namespace widgets {
+namespace logplayer {
 
 /// Whether a file is a picture, by its extension only.
 bool isPictureFile(const std::filesystem::path& file);
@@ -27,4 +27,4 @@ robotlink::Result<robotlink::Image> readPicture(const std::filesystem::path& fil
 robotlink::Result<std::vector<std::filesystem::path>> pictureFiles(
     const std::vector<std::filesystem::path>& filesOrFolders);
 
-}  // namespace widgets
+}  // namespace logplayer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/PictureFile.h"
+#include "logplayer/images/PictureFile.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
 
-namespace widgets {
+namespace logplayer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,8 +60,7 @@ Result<Image> readPicture(const fs::path& file, YuyvPixels yuyv) {
   if (!bytes) return tl::unexpected(bytes.error());
   if (robotlink::fileSuffix(file) == ".yuyv") return yuyvImage(*bytes, file, yuyv);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-  auto image =
-      robotlink::fileSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
+  auto image = robotlink::fileSuffix(file) == ".png" ? decodePng(data) : decodeJpeg(data);
   if (!image) image.error().where = {file.string(), 0, 0};
   return image;
 }
@@ -90,4 +89,4 @@ Result<std::vector<fs::path>> pictureFiles(const std::vector<fs::path>& filesOrF
   return files;
 }
 
-}  // namespace widgets
+}  // namespace logplayer
