@@ -42,6 +42,8 @@ void KeyRequests::setTable(const std::string& robot, const robotcontrol::KeyTabl
     const auto old = known.keys.find(row.name());
     if (old == known.keys.end()) continue;
     key.before = old->second.before;
+    key.asked = old->second.asked;
+    key.choices = old->second.choices;
     key.isTheirs = old->second.isTheirs;
     key.isRestored = old->second.isRestored && key.mode.kind() != KeyMode::OFF;
   }
@@ -57,6 +59,7 @@ void KeyRequests::noteChosen(const std::string& robot, const std::string& key, c
   if (found == known->second.keys.end()) return;
   found->second.mode = mode;
   found->second.before.reset();
+  found->second.choices.clear();
   found->second.isRestored = false;
   found->second.isTheirs = true;
 }
@@ -66,9 +69,9 @@ std::map<std::string, std::set<std::string>> KeyRequests::clientsByKey(const std
   const auto known = robots_.find(robot);
   if (known == robots_.end()) return result;
   for (const auto& [name, key] : known->second.keys) {
-    for (const auto& [stream, clients] : known->second.subscribers) {
-      if (publishesOn(key, stream)) result[name].insert(clients.begin(), clients.end());
-    }
+    std::set<std::string> clients = subscribersOf(key, known->second);
+    for (const auto& [client, mode] : key.choices) clients.insert(client);
+    if (!clients.empty()) result[name] = std::move(clients);
   }
   return result;
 }
@@ -92,30 +95,86 @@ bool KeyRequests::takeChanged(const std::string& robot) {
 void KeyRequests::restoreAll() {
   for (auto& [name, robot] : robots_) {
     robot.subscribers.clear();
+    for (auto& [keyName, key] : robot.keys) key.choices.clear();
     update(name, robot);
   }
+}
+
+std::set<std::string> KeyRequests::subscribersOf(const Key& key, const Robot& robot) {
+  std::set<std::string> all;
+  for (const auto& [stream, clients] : robot.subscribers)
+    if (publishesOn(key, stream)) all.insert(clients.begin(), clients.end());
+  return all;
+}
+
+std::optional<KeyMode> KeyRequests::wantedMode(const Key& key, const Robot& robot) {
+  std::set<std::string> subscribers = subscribersOf(key, robot);
+  for (const auto& [client, mode] : key.choices) subscribers.erase(client);
+  const auto isOn = [](const auto& choice) { return choice.second.kind() != KeyMode::OFF; };
+  const auto newest = std::find_if(key.choices.rbegin(), key.choices.rend(), isOn);
+  if (newest != key.choices.rend()) return newest->second;
+  const bool isOwnOn = key.before.value_or(key.mode).kind() != KeyMode::OFF;
+  if (subscribers.empty()) return key.choices.empty() ? std::nullopt : std::optional(KeyMode());
+  if (isOwnOn || key.isTheirs) return std::nullopt;
+  KeyMode always;
+  always.set_kind(KeyMode::ALWAYS);
+  return always;
+}
+
+std::optional<KeyMode> KeyRequests::takeChange(Key& key, const Robot& robot) {
+  const auto same = [](const KeyMode& one, const KeyMode& other) {
+    return one.SerializeAsString() == other.SerializeAsString();
+  };
+  if (const auto wanted = wantedMode(key, robot)) {
+    // Also if the table says something else: that may be older than our request.
+    if (same(key.before ? key.asked : key.mode, *wanted)) return std::nullopt;
+    if (!key.before) key.before = key.mode;
+    key.isRestored = false;
+    key.asked = *wanted;
+    return key.asked;
+  }
+  if (!key.before) return std::nullopt;
+  key.isRestored = key.before->kind() == KeyMode::OFF;
+  return std::exchange(key.before, std::nullopt);
 }
 
 void KeyRequests::update(const std::string& name, Robot& robot) {
   robot.hasChanged = true;
   for (auto& [keyName, key] : robot.keys) {
-    const bool wanted = std::ranges::any_of(
-        robot.subscribers,
-        [&one = std::as_const(key)](const auto& subscribed) { return publishesOn(one, subscribed.first); });
-    if (wanted && !key.before && !key.isTheirs && key.mode.kind() == KeyMode::OFF) {
-      key.before = key.mode;
-      key.isRestored = false;
-      KeyMode always;
-      always.set_kind(KeyMode::ALWAYS);
-      set(name, keyName, key, always);
-    } else if (!wanted) {
-      key.isTheirs = false;
-      // Also if the table says that it is so: that may be older than our request.
-      if (!key.before) continue;
-      key.isRestored = true;
-      set(name, keyName, key, *std::exchange(key.before, std::nullopt));
-    }
+    if (subscribersOf(key, robot).empty()) key.isTheirs = false;
+    if (const auto mode = takeChange(key, robot)) set(name, keyName, key, *mode);
   }
+}
+
+std::optional<KeyMode> KeyRequests::choose(const std::string& robot, const std::string& key,
+                                           const std::string& client, const std::optional<KeyMode>& mode) {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return mode;
+  const auto found = known->second.keys.find(key);
+  if (found == known->second.keys.end()) return mode;
+  std::erase_if(found->second.choices, [&](const auto& choice) { return choice.first == client; });
+  if (mode) found->second.choices.emplace_back(client, *mode);
+  known->second.hasChanged = true;
+  const auto change = takeChange(found->second, known->second);
+  if (change) found->second.mode = *change;
+  return change;
+}
+
+void KeyRequests::setClients(const std::set<std::string>& clients) {
+  for (auto& [name, robot] : robots_) {
+    std::size_t gone = 0;
+    for (auto& [keyName, key] : robot.keys)
+      gone += std::erase_if(key.choices, [&](const auto& choice) { return !clients.contains(choice.first); });
+    if (gone > 0) update(name, robot);
+  }
+}
+
+std::optional<KeyMode> KeyRequests::ownMode(const std::string& robot, const std::string& key) const {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end()) return std::nullopt;
+  const auto found = known->second.keys.find(key);
+  if (found == known->second.keys.end()) return std::nullopt;
+  return found->second.before.value_or(found->second.isRestored ? KeyMode() : found->second.mode);
 }
 
 void KeyRequests::set(const std::string& robot, const std::string& name, Key& key, const KeyMode& mode) {

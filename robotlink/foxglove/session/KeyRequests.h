@@ -6,15 +6,19 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "robotcontrol/Debugging.pb.h"
 
 namespace robotlink::websocket {
 
-/// Switches debug keys on for as long as somebody at the far end of a link subscribes to what they publish.
+/// Switches debug keys on for as long as somebody at the far end of a link subscribes to what they publish,
+/// or has chosen a mode.
 ///
-/// A key that is on already stays as it is. One that was switched on here gets its mode back when the last
-/// subscriber has gone, unless somebody else set it in the meantime: then that holds. A robot whose program
+/// A key that is on already stays as it is for subscribers. One whose mode was changed here gets its own mode
+/// back when the last client that wants another one has gone, unless somebody else set it in the meantime:
+/// then that holds. A robot whose program
 /// starts anew keeps its keys (they are overrides), so nothing has to be repeated. One thread.
 class KeyRequests {
  public:
@@ -27,6 +31,14 @@ class KeyRequests {
   /// The subscribers of one of a robot's streams, after each change; none: the last one has gone.
   void setSubscribers(const std::string& robot, const std::string& stream,
                       const std::set<std::string>& clients);
+  /// A client chooses a mode for as long as it is connected; the newest choice counts, and one that switches
+  /// the key off only as long as nobody else wants it on. Without a mode it has no choice any more. Returns
+  /// what the robot is to be asked for now; nothing if its mode stays.
+  std::optional<robotcontrol::KeyMode> choose(const std::string& robot, const std::string& key,
+                                              const std::string& client,
+                                              const std::optional<robotcontrol::KeyMode>& mode);
+  /// Only these clients are still there.
+  void setClients(const std::set<std::string>& clients);
   /// A robot is gone, and its streams with it. Should it come back, keys that were switched on here get their
   /// modes back.
   void forgetSubscribers(const std::string& robot);
@@ -36,11 +48,13 @@ class KeyRequests {
   /// object itself does.
   void noteChosen(const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode);
 
-  /// The clients that subscribe to what a robot's keys publish, by key.
+  /// The clients that subscribe to what a robot's keys publish, or have chosen a mode, by key.
   std::map<std::string, std::set<std::string>> clientsByKey(const std::string& robot) const;
   /// The same for the keys that are on only because of them, also while such a key, which nobody subscribes
   /// to any more, may still be on.
   std::map<std::string, std::set<std::string>> onDemand(const std::string& robot) const;
+  /// The mode that a key has without these clients; nothing if it is not known.
+  std::optional<robotcontrol::KeyMode> ownMode(const std::string& robot, const std::string& key) const;
   /// Whether they may have changed since this was asked last.
   bool takeChanged(const std::string& robot);
   /// Gives all keys that were switched on here their modes back, because nobody can subscribe any more.
@@ -50,8 +64,12 @@ class KeyRequests {
   struct Key {
     std::string stream;
     robotcontrol::KeyMode mode;
-    /// The mode to restore; empty: it was not switched on here.
+    /// The mode to restore; empty: it was not changed here.
     std::optional<robotcontrol::KeyMode> before;
+    /// What was asked for here while `before` is set.
+    robotcontrol::KeyMode asked;
+    /// Clients with the modes that they have chosen, the newest last.
+    std::vector<std::pair<std::string, robotcontrol::KeyMode>> choices;
     /// Its mode was asked back, and no table says yet that it is.
     bool isRestored = false;
     /// While there are subscribers: somebody else set it.
@@ -65,7 +83,12 @@ class KeyRequests {
   };
 
   static bool publishesOn(const Key& key, const std::string& stream);
-  /// Switches keys that have subscribers on, and those that have none any more back.
+  static std::set<std::string> subscribersOf(const Key& key, const Robot& robot);
+  /// The mode that clients want it to have; nothing if it is to have its own.
+  static std::optional<robotcontrol::KeyMode> wantedMode(const Key& key, const Robot& robot);
+  /// The mode that the robot is to be asked for, if it is another one now.
+  static std::optional<robotcontrol::KeyMode> takeChange(Key& key, const Robot& robot);
+  /// Gives keys the modes that clients want, and those that nobody wants changed any more their own.
   void update(const std::string& name, Robot& robot);
   void set(const std::string& robot, const std::string& name, Key& key, const robotcontrol::KeyMode& mode);
 

@@ -2,6 +2,7 @@
 #include "robotlink/foxglove/session/KeyWishes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace robotlink::websocket {
 
@@ -16,12 +17,29 @@ KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
     return {false, wanted_.insert(request.name()).second};
   switch (request.mode().kind()) {
     case KeyMode::ALWAYS:
-      return {false, wanted_.insert(request.name()).second};
+      return {false, wanted_.insert(request.name()).second, choices_.erase(request.name()) > 0};
     case KeyMode::OFF:
-      return {isOn(*key), wanted_.erase(request.name()) > 0};
+      return {isOn(*key), wanted_.erase(request.name()) > 0, choices_.erase(request.name()) > 0};
+    case KeyMode::N_TIMES:
+      // That ends by itself.
+      return {true, wanted_.insert(request.name()).second, choices_.erase(request.name()) > 0};
     default:
-      return {true, wanted_.insert(request.name()).second};
+      choices_[request.name()] = request.mode();
+      wanted_.insert(request.name());
+      return {false, true, true};
   }
+}
+
+std::optional<KeyMode> KeyWishes::choice(const std::string& key) const {
+  const auto found = choices_.find(key);
+  return found == choices_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string> KeyWishes::takeUnsent() {
+  std::vector<std::string> names;
+  if (!std::exchange(areUnsent_, false)) return names;
+  for (const auto& [name, mode] : choices_) names.push_back(name);
+  return names;
 }
 
 void KeyWishes::setChannelKeys(const KeyTable& table) {
@@ -32,6 +50,7 @@ void KeyWishes::setChannelKeys(const KeyTable& table) {
 KeyTable KeyWishes::shown(KeyTable table) const {
   for (Key& key : *table.mutable_keys()) {
     if (!isOn(key) && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
+    if (const auto chosen = choice(key.name())) *key.mutable_mode() = *chosen;
   }
   return table;
 }

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "robotcontrol/Requests.pb.h"
 
 namespace robotlink::websocket {
 
 /// The debug keys of one robot at the far end, as a session here sees them. While the session wants what a
-/// key publishes, it subscribes to it, and the robot switches the key on for it. Its tables have the modes
-/// without that: what is on only because clients subscribe is off in them. One thread.
+/// key publishes, it subscribes to it, and the robot switches the key on for it. A mode such as "every 3" is
+/// chosen beside that, and ends with the connection, too. The robot's tables have the modes without both:
+/// what is on only because of clients is off in them. One thread.
 class KeyWishes {
  public:
   /// What a request to set a key leads to.
@@ -20,9 +23,17 @@ class KeyWishes {
     bool isForwarded = false;
     /// The streams that are wanted have changed.
     bool hasChanged = false;
+    /// The mode that this client has chosen has changed: see choice().
+    bool isChoice = false;
   };
 
   Outcome set(const robotcontrol::SetKey& request);
+  /// The mode that a key has for this client, as long as it is connected; nothing if it has chosen none.
+  std::optional<robotcontrol::KeyMode> choice(const std::string& key) const;
+  /// The robot does not know any more what was chosen.
+  void setUnsent() { areUnsent_ = true; }
+  /// The keys of which it has to be told.
+  std::vector<std::string> takeUnsent();
   /// The newest table of the robot.
   void setTable(const robotcontrol::KeyTable& table) { table_ = table; }
   /// A robot without debug keys: each of these stands for a channel that is subscribed to while it is on.
@@ -45,6 +56,8 @@ class KeyWishes {
 
   robotcontrol::KeyTable table_;
   std::set<std::string> wanted_;
+  std::map<std::string, robotcontrol::KeyMode> choices_;
+  bool areUnsent_ = false;
   bool areChannels_ = false;
 };
 

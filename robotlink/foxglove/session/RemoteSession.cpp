@@ -193,6 +193,7 @@ void RemoteSession::onConnected(const ServerInfo& info) {
   serverSession = info.sessionId;
   number = 0;
   robots.setStale();
+  for (auto& [name, robot] : robots.all()) robot.keys.setUnsent();
   if (!isOurs) robots.add("", info.name.empty() ? options.connection.url.host : info.name);
   client->subscribeParameters(isOurs);
   hasChanged = true;
@@ -294,6 +295,7 @@ void RemoteSession::onMessage(const RemoteInbox::Arrival& arrival) {
   if (const auto* table = dynamic_cast<const KeyTable*>(arrival.value.get()); table && place.robot) {
     if (place.stream == streams::kKeys) {
       place.robot->keys.setTable(*table);
+      for (const std::string& key : place.robot->keys.takeUnsent()) sendChoice(*place.robot, key);
       hasChanged = true;
     }
     message.value = std::make_shared<const KeyTable>(place.robot->keys.shown(*table));

@@ -57,6 +57,8 @@ class RemoteSession {
   RemoteRobotList::Place placeOf(const RemoteChannel& channel);
 
   void setKey(RemoteRobotList::Robot& robot, const robotcontrol::Request& request);
+  /// Tells the robot which mode this client has chosen for a key, or that it has chosen none any more.
+  void sendChoice(const RemoteRobotList::Robot& robot, const std::string& key);
   void forward(const std::string& robot, const robotcontrol::Request& request);
   void answer(std::uint64_t id, bool isAccepted, const std::string& reason);
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "robotlink/base/Utf8.h"
+#include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/RemoteSession.h"
+#include "robotlink/foxglove/session/RobotPath.h"
 
 namespace robotlink::websocket {
 
@@ -24,13 +26,27 @@ void RemoteSession::answer(std::uint64_t id, bool isAccepted, const std::string&
 }
 
 void RemoteSession::setKey(RemoteRobotList::Robot& robot, const Request& request) {
+  const KeyWishes before = robot.keys;
   const KeyWishes::Outcome outcome = robot.keys.set(request.set_key());
+  if (outcome.isChoice && client->state().isConnected()) {
+    if (!client->state().takesMessages) {
+      robot.keys = before;
+      return answer(request.id(), false, "you may only watch " + robot.local);
+    }
+    sendChoice(robot, request.set_key().name());
+  }
   hasChanged |= outcome.hasChanged;
   if (outcome.hasChanged) changedKeys.insert(robot.remote);
   if (outcome.isForwarded)
     forward(robot.remote, request);
   else
     answer(request.id(), true, "");
+}
+
+void RemoteSession::sendChoice(const RemoteRobotList::Robot& robot, const std::string& key) {
+  Parameter parameter{robot.remote + "/" + kKeysGroup + "/" + key, std::nullopt};
+  if (const auto mode = robot.keys.choice(key)) parameter.value = Value{textOf(*mode)};
+  client->setParameters({parameter});
 }
 
 void RemoteSession::forward(const std::string& robot, const Request& request) {

@@ -96,7 +96,7 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
                                     [this](const Request& request) {
                                       if (!isForwarding_)
                                         steering_.noteLocal(request, server_->clock().now());
-                                      if (!request.has_set_key()) return;
+                                      if (!request.has_set_key() || isChoosing_) return;
                                       keys_.noteChosen(request.robot(), request.set_key().name(),
                                                        request.set_key().mode());
                                     }});
@@ -181,7 +181,9 @@ PackagePtr SessionServer::withOwnModes(const std::string& robot, const KeyTable&
   const auto known = robots_.find(robot);
   auto shown = std::make_shared<KeyTable>(table);
   for (auto& key : *shown->mutable_keys()) {
-    if (known != robots_.end() && known->second.onDemand.contains(key.name())) key.clear_mode();
+    if (known == robots_.end() || !known->second.onDemand.contains(key.name())) continue;
+    const auto own = keys_.ownMode(robot, key.name());
+    *key.mutable_mode() = own.value_or(robotcontrol::KeyMode());
   }
   return shown;
 }

@@ -158,7 +158,9 @@ class SessionServer {
                            ServiceHandlerOf handler);
   Result<robotcontrol::Request> requestFor(const Parameter& parameter) const;
   Result<std::vector<robotcontrol::Request>> requestsFor(const std::vector<Parameter>& parameters) const;
-  void set(const std::vector<Parameter>& parameters, const Reply& reply);
+  void set(const ClientInfo& client, const std::vector<Parameter>& parameters, const Reply& reply);
+  /// The mode of a key that a client has chosen: what the robot is asked for; nothing if it is not asked.
+  std::optional<robotcontrol::Request> chosenBy(const ClientInfo& client, robotcontrol::Request request);
   void play(const PlaybackControl& control);
   void noteSet(const robotcontrol::Request& request, bool isAccepted);
   void call(const std::string& robot, const std::string& service, const ClientInfo& client,
@@ -210,6 +212,8 @@ class SessionServer {
   /// The clients that are there.
   std::set<std::uint64_t> clients_;
   bool isForwarding_ = false;
+  /// Whether it is a key's mode that ends with its client.
+  bool isChoosing_ = false;
   /// Ends with this object: results may come later.
   const std::shared_ptr<const int> alive_ = std::make_shared<int>();
 };

@@ -68,8 +68,9 @@ ServerHandlers SessionServer::handlers(Report report) {
   handlers.clientsChanged = [post](const std::vector<ClientInfo>& clients) {
     post([clients](SessionServer& self) { self.noteClients(clients); });
   };
-  handlers.setParameters = [post](const ClientInfo&, const std::vector<Parameter>& parameters, Reply reply) {
-    post([parameters, reply](SessionServer& self) { self.set(parameters, reply); });
+  handlers.setParameters = [post](const ClientInfo& client, const std::vector<Parameter>& parameters,
+                                  Reply reply) {
+    post([client, parameters, reply](SessionServer& self) { self.set(client, parameters, reply); });
   };
   handlers.playbackControl = [post](const ClientInfo&, const PlaybackControl& control) {
     post([control](SessionServer& self) { self.play(control); });
@@ -92,11 +93,15 @@ ServerHandlers SessionServer::handlers(Report report) {
 
 void SessionServer::noteClients(const std::vector<ClientInfo>& clients) {
   std::set<std::uint64_t> ids;
+  std::set<std::string> names;
   for (const ClientInfo& client : clients) {
     ids.insert(client.id);
+    names.insert(shownName(client));
     if (!clients_.contains(client.id)) steering_.joined(client);
   }
   clients_ = std::move(ids);
+  keys_.setClients(names);
+  for (const auto& [name, robot] : robots_) offerOnDemand(name);
   std::erase_if(complaints_,
                 [this](const auto& reported) { return !clients_.contains(reported.first.first); });
 }
@@ -238,10 +243,15 @@ Result<Request> SessionServer::requestFor(const Parameter& parameter) const {
     return failure("foxglove.parameter", "there is no parameter '" + parameter.name + "' that can be set");
   }
   const auto* text = parameter.value ? std::get_if<std::string>(&parameter.value->data) : nullptr;
-  if (text == nullptr)
-    return failure("foxglove.parameter", "the value of '" + parameter.name + "' is a text");
   Request request;
   request.set_robot(robot);
+  // Without a value this client has chosen no mode any more.
+  if (!parameter.value && group == kKeysGroup) {
+    request.mutable_set_key()->set_name(name);
+    return request;
+  }
+  if (text == nullptr)
+    return failure("foxglove.parameter", "the value of '" + parameter.name + "' is a text");
   if (group == kSolutionsGroup) {
     request.mutable_select_solution()->set_task(name);
     request.mutable_select_solution()->set_solution(*text);
@@ -272,17 +282,41 @@ Result<std::vector<Request>> SessionServer::requestsFor(const std::vector<Parame
   return requests;
 }
 
-void SessionServer::set(const std::vector<Parameter>& parameters, const Reply& reply) {
+void SessionServer::set(const ClientInfo& client, const std::vector<Parameter>& parameters,
+                        const Reply& reply) {
   auto requests = requestsFor(parameters);
   if (!requests) return reply.fail(requests.error().text);
   const auto joint = std::make_shared<JointReply>(reply, requests->size());
   for (const Request& wanted : *requests) {
     if (wanted.has_set_parameters()) modules_.expect(wanted);
-    request(wanted, [this, joint, wanted](const RequestResult& result) {
-      noteSet(wanted, result.accepted());
+    const auto asked = wanted.has_set_key() ? chosenBy(client, wanted) : std::optional(wanted);
+    if (!asked) {
+      RequestResult done;
+      done.set_accepted(true);
+      joint->add(done);
+      continue;
+    }
+    isChoosing_ = wanted.has_set_key();
+    request(*asked, [this, joint, client, asked = *asked](const RequestResult& result) {
+      noteSet(asked, result.accepted());
+      if (!result.accepted() && asked.has_set_key())
+        keys_.choose(asked.robot(), asked.set_key().name(), shownName(client), std::nullopt);
       joint->add(result);
     });
+    isChoosing_ = false;
   }
+}
+
+std::optional<Request> SessionServer::chosenBy(const ClientInfo& client, Request request) {
+  // It may be gone already.
+  if (!clients_.contains(client.id)) return std::nullopt;
+  robotcontrol::SetKey& key = *request.mutable_set_key();
+  const auto chosen = key.has_mode() ? std::optional(key.mode()) : std::nullopt;
+  const auto mode = keys_.choose(request.robot(), key.name(), shownName(client), chosen);
+  offerOnDemand(request.robot());
+  if (!mode) return std::nullopt;
+  *key.mutable_mode() = *mode;
+  return request;
 }
 
 /// The robot's table follows; who asked shall see the value at once.

@@ -105,6 +105,50 @@ TEST_F(KeyRequestsTest, aTableThatIsOlderThanTheRequestChangesNothing) {
   EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
 }
 
+TEST_F(KeyRequestsTest, aModeThatAClientChoosesEndsWithItAndOthersStay) {
+  const std::string disc = "ball-percept/disc";
+  const auto choose = [&](const std::string& client, const std::string& mode) {
+    const auto asked = requests_.choose("red1", disc, client, *keyModeOf(mode));
+    return asked ? textOf(*asked) : "";
+  };
+  EXPECT_EQ(choose("a", "every 3"), "every 3");
+  setTable("every 3");
+  EXPECT_EQ(textOf(*requests_.ownMode("red1", disc)), "off");
+  EXPECT_THAT(requests_.onDemand("red1").at(disc), ElementsAre("a"));
+  EXPECT_EQ(choose("b", "every 200 ms"), "every 200 ms");
+  setTable("every 200 ms");
+  requests_.setSubscribers("red1", kDisc, {"c"});
+  requests_.setClients({"a", "c"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc every 3"));
+  requests_.setClients({"c"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always")) << "c still subscribes";
+  requests_.setSubscribers("red1", kDisc, {});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
+}
+
+TEST_F(KeyRequestsTest, whatTheProgramAskedForStaysWhenAClientThatChoseAnotherModeHasGone) {
+  setTable("every 3");
+  EXPECT_TRUE(requests_.choose("red1", "ball-percept/disc", "a", KeyMode()));
+  setTable("off");
+  requests_.setClients({});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc every 3"));
+}
+
+TEST_F(KeyRequestsTest, whoSwitchesAKeyOffKeepsItFromNobodyElse) {
+  requests_.setSubscribers("red1", kDisc, {"a", "b"});
+  takeSet();
+  EXPECT_FALSE(requests_.choose("red1", "ball-percept/disc", "a", KeyMode())) << "b subscribes";
+  requests_.setSubscribers("red1", kDisc, {"a"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
+}
+
+TEST_F(KeyRequestsTest, whatSomebodyElseSetsHoldsAlsoAgainstChoices) {
+  EXPECT_TRUE(requests_.choose("red1", "ball-percept/disc", "a", *keyModeOf("every 3")));
+  requests_.noteChosen("red1", "ball-percept/disc", *keyModeOf("always"));
+  requests_.setClients({});
+  EXPECT_THAT(takeSet(), IsEmpty());
+}
+
 TEST_F(KeyRequestsTest, aCurveIsThatOfItsKeyButALongerNameIsNot) {
   requests_.setSubscribers("red1", "plots/motion/speedometer", {"a"});
   EXPECT_THAT(takeSet(), IsEmpty());

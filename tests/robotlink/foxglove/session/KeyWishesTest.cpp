@@ -70,6 +70,21 @@ TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
   EXPECT_TRUE(keys_.set(keyRequest("unknown", KeyMode::ALWAYS)).isForwarded);
 }
 
+TEST_F(KeyWishesTest, aModeIsChosenForThisClientAloneAndToldAgainAfterACut) {
+  SetKey every = keyRequest("disc", KeyMode::EVERY_N);
+  every.mutable_mode()->set_n(3);
+  const auto outcome = keys_.set(every);
+  EXPECT_TRUE(outcome.isChoice);
+  EXPECT_FALSE(outcome.isForwarded);
+  EXPECT_TRUE(keys_.wants("drawings/disc"));
+  EXPECT_EQ(keys_.shown().keys(0).mode().n(), 3U);
+  EXPECT_TRUE(keys_.takeUnsent().empty());
+  keys_.setUnsent();
+  EXPECT_EQ(keys_.takeUnsent(), std::vector<std::string>{"disc"});
+  EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::OFF)).isChoice);
+  EXPECT_FALSE(keys_.choice("disc"));
+}
+
 TEST_F(KeyWishesTest, keysOfChannelsAreNeverForwarded) {
   KeyWishes keys;
   keys.setChannelKeys(table_);

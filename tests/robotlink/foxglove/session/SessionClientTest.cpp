@@ -234,6 +234,26 @@ TEST_F(SessionClientTest, imagesAreTheSameStreamWhenTheyAreSentAsJpeg) {
   EXPECT_TRUE(shows(9, 9));
 }
 
+TEST_F(SessionClientTest, aModeOfAKeyIsChosenUntilTheConnectionEndsAndAgainAfterACut) {
+  connect();
+  ASSERT_TRUE(hasRobot() && hasKeys());
+  Request every = keyRequest("package/camera/image", KeyMode::EVERY_N);
+  every.mutable_set_key()->mutable_mode()->set_n(3);
+  EXPECT_EQ(ask(every), "accepted");
+  EXPECT_TRUE(soon([&] { return far_.mode(0).kind() == KeyMode::EVERY_N; }));
+  const std::uint16_t port = far_.port();
+  far_.stop();
+  EXPECT_TRUE(soon([&] { return !client_->state().isConnected(); }));
+  far_.start(port);
+  ASSERT_TRUE(soon([&] { return client_->state().isConnected(); }));
+  EXPECT_TRUE(hasKeys() && soon([&] { return far_.mode(0).n() == 3; }));
+  client_.reset();
+  EXPECT_TRUE(eventually([&] {
+    far_.tick();
+    return far_.mode(0).kind() == KeyMode::OFF;
+  }));
+}
+
 TEST_F(SessionClientTest, twoSessionsDoNotKeepAKeyOnForEachOther) {
   connect();
   ASSERT_TRUE(hasRobot() && hasKeys());

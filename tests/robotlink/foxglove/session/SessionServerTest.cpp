@@ -215,6 +215,19 @@ TEST_F(SessionServerTest, keysAndSolutionsAreParametersThatCanBeSet) {
   EXPECT_EQ(answers.back().id, "set");
 }
 
+TEST_F(SessionServerTest, theModeOfAKeyThatAClientSetsEndsWithIt) {
+  publishTables();
+  heard<Advertise>();
+  say(SetParameters{{{"red1/keys/ball-percept/disc", Value{"every 3"}}}, "set"});
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].set_key().mode().n(), 3U);
+  server_->server()->disconnected(client_);
+  tick();
+  ASSERT_EQ(requests_.size(), 2U);
+  EXPECT_EQ(requests_[1].set_key().name(), "ball-percept/disc");
+  EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+}
+
 TEST_F(SessionServerTest, aParameterThatCannotBeSetIsRefusedBeforeAnythingIsDone) {
   publishTables();
   heard<Advertise>();
