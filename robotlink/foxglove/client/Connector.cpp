@@ -260,10 +260,15 @@ void ServerConnection<Stream>::onUpgraded(error_code error) {
 template <typename Stream>
 void ServerConnection<Stream>::onRead(error_code error, std::size_t bytes) {
   if (hasEnded_) return;
-  if (error == websocket::error::closed)
-    return fail(Failure::kEnded, whyClosed(socket_.reason().reason.c_str()));
-  if (error) return fail(Failure::kEnded, whyBroken(error));
   const Connector::Options& options = thread_.options;
+  // The next try would end in the same way.
+  if (error == websocket::error::message_too_big)
+    return fail(Failure::kRefused, whyTooLong(options.messageBytes));
+  // Whatever becomes of the connection when the server has said why it ends it.
+  if (const auto why = socket_.reason(); error && why.code != websocket::close_code::none)
+    return fail(Failure::kEnded, why.code == websocket::close_code::too_big ? whyTooLongForThem()
+                                                                            : whyClosed(why.reason.c_str()));
+  if (error) return fail(Failure::kEnded, whyBroken(error));
   thread_.watch.heard(thread_.now());
   thread_.client->countBytes(bytes);
   if (socket_.got_text() && buffer_.size() > options.textBytes)

@@ -3,7 +3,6 @@
 
 #include <boost/asio/error.hpp>
 #include <boost/asio/ssl/error.hpp>
-#include <boost/beast/websocket/error.hpp>
 
 #include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/protocol/Codec.h"
@@ -79,11 +78,18 @@ std::string whyClosed(const std::string& reason) {
   return theirs.empty() ? "the robot ended the connection" : "the robot ended the connection: " + theirs;
 }
 
+std::string whyTooLong(std::size_t maxBytes) {
+  return "the robot sends messages of more than " + std::to_string(maxBytes >> 20U) +
+         " MiB, which are not taken";
+}
+
+std::string whyTooLongForThem() {
+  return "the robot ended the connection, because what was sent to it was longer than it takes";
+}
+
 std::string whyBroken(const error_code& error) {
   if (error == asioError::eof || error == asioError::connection_reset || error == asioError::broken_pipe)
     return "the robot's program ended, or the connection was cut";
-  if (error == boost::beast::websocket::error::message_too_big)
-    return "the robot sent a message that is longer than allowed";
   return "the connection broke: " + error.message();
 }
 

@@ -20,6 +20,10 @@ std::string whyRefused(unsigned status, const std::string& text);
 std::string whyOtherProtocol(const std::string& protocol);
 /// It ended the connection with this reason, which may be empty.
 std::string whyClosed(const std::string& reason);
+/// It sent a message of more than `maxBytes`.
+std::string whyTooLong(std::size_t maxBytes);
+/// It ended the connection because of a message that was sent to it.
+std::string whyTooLongForThem();
 /// The connection broke.
 std::string whyBroken(const boost::system::error_code& error);
 

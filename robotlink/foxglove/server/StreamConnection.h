@@ -158,7 +158,10 @@ void StreamConnection<Stream>::decide(Instant now) {
     });
   };
   auto client = port_.server->connect(std::move(info), wake);
-  if (!client) return refuse({503, client.error().text});
+  if (!client) {
+    port_.server->report("A client at " + from_ + " was refused: " + client.error().text);
+    return refuse({503, client.error().text});
+  }
   client_ = *std::move(client);
   upgrade(std::get<Admitted>(decision).protocol);
 }
@@ -214,6 +217,8 @@ void StreamConnection<Stream>::read() {
 template <typename Stream>
 void StreamConnection<Stream>::onRead(error_code error, std::size_t bytes) {
   isReading_ = false;
+  if (error == beast::websocket::error::message_too_big)
+    reportEnd("a message of it is longer than " + std::to_string(port_.options.messageBytes) + " bytes");
   if (error || state_ == State::kEnded) return end();
   noteHeard();
   if (buffer_.size() == bytes) messageAt_ = heardAt_;
