@@ -33,8 +33,6 @@ namespace {
 constexpr std::chrono::milliseconds kBodyStep{4};
 constexpr std::chrono::milliseconds kBodyStatusEvery{100};
 constexpr std::chrono::milliseconds kBodyLook{5};
-/// A server that has listed its robots offers its bodies within this time, if it has some.
-constexpr robotlink::Duration kOfferTime = std::chrono::seconds(2);
 
 Errors bodyError(const std::string& text) {
   return {{"body.none", text, {}, {}}};
@@ -116,22 +114,18 @@ Errors BodyFeed::findBody() {
   linking.robot = options_.robot;
   linking.asJpeg = options_.asJpeg;
   link_ = std::make_unique<BodyLink>(std::move(linking));
-  const robotlink::Instant end = local_.now() + options_.patience;
-  robotlink::Instant listedAt;
-  std::vector<std::string> robots;
+  robotlink::Instant heardAt = local_.now();
+  std::uint64_t progress = 0;
   while (!link_->body()) {
     link_->tick();
     const auto state = link_->state();
     if (state.phase == ConnectionState::Phase::kRefused) return {refusalOf(options_.url, state)};
-    if (link_->robots() != robots) {
-      robots = link_->robots();
-      listedAt = local_.now();
-    }
-    const bool isListed = !robots.empty() && local_.now() - listedAt > kOfferTime;
-    if (std::string why = isListed ? whyNoBody() : std::string(); !why.empty()) return bodyError(why);
-    if (local_.now() > end)
+    if (const std::string why = whyNoBody(); !why.empty()) return bodyError(why);
+    const std::uint64_t now = link_->progress();
+    if (std::exchange(progress, now) != now) heardAt = local_.now();
+    if (local_.now() - heardAt > options_.patience)
       return bodyError("no body" + (options_.robot.empty() ? "" : " of " + options_.robot) +
-                       " was found at " + options_.url + (state.reason.empty() ? "" : ": " + state.reason));
+                       " was found at " + options_.url + ": " + whatIsMissing());
     std::this_thread::sleep_for(kBodyLook);
   }
   if (!link_->state().takesMessages)
@@ -143,15 +137,28 @@ Errors BodyFeed::findBody() {
 std::string BodyFeed::whyNoBody() const {
   const std::string& wanted = options_.robot;
   const std::vector<std::string>& robots = link_->robots();
+  const auto is = [this](BodyLink::Kind kind) {
+    return [this, kind](const std::string& robot) { return link_->kindOf(robot) == kind; };
+  };
+  if (std::ranges::all_of(robots, is(BodyLink::Kind::kUnknown))) return {};
   if (!wanted.empty() && std::ranges::count(robots, wanted) == 0)
     return "there is no robot " + wanted + " at " + options_.url + ", only " + listed(robots) +
            "; choose one of them";
-  const std::vector<std::string> others = link_->robotsWithPrograms();
-  const bool runsThere =
-      wanted.empty() ? others.size() == robots.size() : std::ranges::count(others, wanted) > 0;
-  if (!runsThere) return {};
-  return "the program of " + (wanted.empty() ? listed(others) : wanted) + " runs at " + options_.url +
+  const auto runsThere = is(BodyLink::Kind::kWithProgram);
+  if (wanted.empty() ? !std::ranges::all_of(robots, runsThere) : !runsThere(wanted)) return {};
+  return "the program of " + (wanted.empty() ? listed(robots) : wanted) + " runs at " + options_.url +
          "; connect with \"program: there\", or start 'robotctl platform ... --listen' there";
+}
+
+std::string BodyFeed::whatIsMissing() const {
+  const auto state = link_->state();
+  if (!state.isConnected()) return state.reason.empty() ? "nothing answers there" : state.reason;
+  const std::vector<std::string>& robots = link_->robots();
+  if (robots.empty()) return "no robot is there";
+  const bool isBody = std::ranges::any_of(
+      robots, [this](const auto& robot) { return link_->kindOf(robot) == BodyLink::Kind::kBody; });
+  return isBody ? "it does not say which sensors it has; does 'robotctl platform' run there?"
+                : "what is there does not say whether " + listed(robots) + " is a body";
 }
 
 Errors BodyFeed::describeRobot() {

@@ -44,7 +44,7 @@ struct BodyOptions {
   std::shared_ptr<BodyRefusal> refusal = nullptr;
   /// What the user chose for this robot when it was open before.
   ProgramOverrides overrides = {};
-  /// How long the body is looked for.
+  /// How long the body is looked for while nothing comes that says more about it.
   robotlink::Duration patience = std::chrono::seconds(5);
   /// Whether the program runs in a process of the operating system of its own.
   HostingChoices hosting = {};
@@ -110,8 +110,10 @@ class BodyFeed final : public PlatformFeed {
   using Clock = PacedThread::Clock;
 
   BodyFeed(BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder);
-  /// Why a server that has listed its robots has no body for this program; empty if it may still offer it.
+  /// Why a server has no body for this program, as it says itself; empty if it may still offer it.
   std::string whyNoBody() const;
+  /// What a server has not said yet, so that its body is not known.
+  std::string whatIsMissing() const;
   // In this order:
   robotlink::Errors findBody();
   robotlink::Errors describeRobot();

@@ -38,6 +38,8 @@ BodyLink::BodyLink(Options options) : wantedRobot_(std::move(options.robot)), se
   linked.connection = std::move(options.connection);
   linked.convert = decodedImage;
   linked.alsoWanted = [this](const std::string& path) { return wants(path); };
+  // Such as the poses of a whole world, which would keep a narrow line busy.
+  linked.wantsNothingElse = true;
   linked.passed = [this](const robotlink::StreamMessage& message) { look(message); };
   client_ = std::make_unique<SessionClient>(session_, std::move(linked));
   if (options.asJpeg) client_->setImages(SessionClient::Images::kJpeg);
@@ -53,8 +55,9 @@ void BodyLink::tick() {
 
 bool BodyLink::wants(const std::string& path) const {
   const auto [robot, stream] = partsOf(path);
-  if (stream == kBodyOffer) return true;
-  return body_ && robot == body_->offer.robot() && (stream == kBodyState || packages_.contains(stream));
+  if (stream == kBodyOffer || stream == streams::kProgram) return true;
+  return body_ && robot == body_->offer.robot() &&
+         (stream == kBodyState || stream == streams::kLog || packages_.contains(stream));
 }
 
 void BodyLink::look(const robotlink::StreamMessage& message) {
@@ -96,11 +99,19 @@ void BodyLink::lookForBody() {
   client_->updateSubscriptions();
 }
 
-std::vector<std::string> BodyLink::robotsWithPrograms() const {
-  std::vector<std::string> names;
-  for (const std::string& name : client_->robots())
-    if (!offers_.contains(name)) names.push_back(name);
-  return names;
+BodyLink::Kind BodyLink::kindOf(const std::string& robot) const {
+  const auto found = setups_.find(robot);
+  const auto* setup =
+      found == setups_.end() ? nullptr : dynamic_cast<const robotcontrol::ProgramSetup*>(found->second.get());
+  if (setup == nullptr) return Kind::kUnknown;
+  return setup->is_body() ? Kind::kBody : Kind::kWithProgram;
+}
+
+std::uint64_t BodyLink::progress() const {
+  // The names of the robots come behind many channels. What this end asks for now and then is less than that.
+  constexpr std::uint64_t kPart = 4096;
+  const std::size_t known = robots().size() + setups_.size() + offers_.size();
+  return known > 0 ? known : state().bytes / kPart;
 }
 
 void BodyLink::want(const std::set<std::string>& packages) {

@@ -60,10 +60,13 @@ class BodyLink {
   const std::optional<Body>& body() const { return body_; }
   /// Whether another body than this one is offered under its name now.
   bool isOther() const { return isOther_; }
-  /// The robots at the server, as far as they are known.
+  /// The robots at the server. They are all known as soon as one of them has said what it is.
   const std::vector<std::string>& robots() const { return client_->robots(); }
-  /// Those that have offered no body so far: their programs run there.
-  std::vector<std::string> robotsWithPrograms() const;
+  /// Whether a robot there has said what it is: a body, or one whose program runs there.
+  enum class Kind { kUnknown, kBody, kWithProgram };
+  Kind kindOf(const std::string& robot) const;
+  /// Changes with all that comes on the way to body().
+  std::uint64_t progress() const;
   /// From now on only these of the body's packages are sent.
   void want(const std::set<std::string>& packages);
   Arrived take() { return std::exchange(arrived_, {}); }

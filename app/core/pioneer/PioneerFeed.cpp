@@ -106,7 +106,8 @@ LoadedPlatform PioneerFeed::describe() const {
   loaded.lostChoices = run_->lostChoices();
   loaded.robots[run_->options().robot] = run_->robot().description;
   if (!run_->robot().fieldFile.empty()) loaded.field = run_->robot().field;
-  loaded.layout = run_->layout();
+  loaded.areBodies = run_->options().instead != nullptr;
+  if (!loaded.areBodies) loaded.layout = run_->layout();
   return loaded;
 }
 

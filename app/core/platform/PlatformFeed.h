@@ -45,6 +45,8 @@ struct LoadedPlatform {
   std::filesystem::path layout;
   /// Those of robots with other layouts, by name.
   std::map<std::string, std::filesystem::path> otherLayouts = {};
+  /// Whether only the robots' bodies are here, whose programs run elsewhere; then there are no layouts.
+  bool areBodies = false;
   /// The user's overrides that the programs cannot fulfill in this layout, as a sentence each.
   std::vector<std::string> lostChoices;
   /// What the platform that ran before reported about its end, as a sentence each: "p3at1: The platform was

@@ -33,7 +33,8 @@ void publishPrograms(robotlink::Session& session, const LoadedPlatform& platform
     if (session.store().find(path) != nullptr && platform.isLogged()) continue;
     auto setup = std::make_shared<ProgramSetup>();
     setup->set_robot(name);
-    addFile(*setup->mutable_layout(), platform.layoutOf(name));
+    setup->set_is_body(platform.areBodies);
+    if (!platform.areBodies) addFile(*setup->mutable_layout(), platform.layoutOf(name));
     if (description) addFile(*setup->mutable_description(), descriptionFile(description->name));
     if (platform.field) addFile(*setup->mutable_field(), fieldFileOf(*platform.field));
     session.push({path, session.store().newest(), std::move(setup)});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "robotcontrol/Body.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
@@ -19,14 +18,6 @@ std::string stemOf(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
-/// Whether a robot offers its body, so that no program runs there.
-bool isBody(robotlink::Session& session, const std::string& robot) {
-  const std::string& offer = robotcontrol::BodyOffer::descriptor()->full_name();
-  return std::ranges::any_of(session.store().streams(), [&](const auto* stream) {
-    return stream->type == offer && stream->path.starts_with(robot + "/");
-  });
-}
-
 }  // namespace
 
 std::vector<AnnouncedRobot> robotsToAnnounce(robotlink::Session& session) {
@@ -34,12 +25,12 @@ std::vector<AnnouncedRobot> robotsToAnnounce(robotlink::Session& session) {
   for (const std::string& name : session.robots()) {
     AnnouncedRobot& robot = robots.emplace_back();
     robot.name = name;
-    robot.isBody = isBody(session, name);
     const auto* setup = session.store().latestAs<robotcontrol::ProgramSetup>(
         name + "/" + robotlink::streams::kProgram, robotlink::Instant::max());
     if (setup == nullptr) continue;
     robot.kind = stemOf(setup->description().name());
-    if (!robot.isBody) robot.layout = stemOf(setup->layout().name());
+    robot.layout = stemOf(setup->layout().name());
+    robot.isBody = setup->is_body();
   }
   return robots;
 }

@@ -175,8 +175,11 @@ LoadedPlatform SimulationFeed::describe() const {
   loaded.sources = {run_->options().scene.string()};
   loaded.title = run_->options().scene.stem().string();
   if (!run_->field()->name.empty()) loaded.field = run_->field();
-  loaded.layout = run_->layout();
-  loaded.otherLayouts = run_->otherLayouts();
+  loaded.areBodies = run_->options().instead != nullptr;
+  if (!loaded.areBodies) {
+    loaded.layout = run_->layout();
+    loaded.otherLayouts = run_->otherLayouts();
+  }
   loaded.lostChoices = run_->lostChoices();
   return loaded;
 }

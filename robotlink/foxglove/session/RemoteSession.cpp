@@ -344,6 +344,7 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
   const RemoteRobotList::Place place = placeOf(channel);
   if (!channel.isDecoded || place.stream.empty() || isOtherCoding(channel)) return false;
   if (options.alsoWanted && options.alsoWanted(place.path())) return true;
+  if (options.wantsNothingElse) return false;
   if (place.robot == nullptr) return leads();
   const KeyWishes& keys = place.robot->keys;
   if (!isOurs) return !isHeavy(channel.type) || keys.wants(place.stream);

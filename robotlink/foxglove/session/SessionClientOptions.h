@@ -23,6 +23,8 @@ struct SessionClientOptions {
   std::function<PackagePtr(const PackagePtr&)> convert = {};
   /// Streams, by their paths in the session, that are wanted beside those that the session needs.
   std::function<bool(const std::string& path)> alsoWanted = {};
+  /// Whether only these are wanted: nobody looks at the session.
+  bool wantsNothingElse = false;
   /// Called by tick() with each message that goes into the session.
   std::function<void(const StreamMessage&)> passed = {};
 };

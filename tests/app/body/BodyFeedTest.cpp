@@ -5,9 +5,15 @@
 
 #include <gmock/gmock.h>
 
+#include "app/core/remote/ProgramNotes.h"
+#include "app/core/remote/RobotAnnouncer.h"
+#include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/foxglove/security/Tokens.h"
+#include "robotlink/foxglove/server/Listener.h"
+#include "robotlink/foxglove/session/SessionServer.h"
 #include "tests/TestFolder.h"
 #include "tests/app/body/BodyBench.h"
 #include "tests/robotlink/foxglove/Relay.h"
@@ -146,12 +152,68 @@ TEST(BodyFeed, aBodyWithStopIsNotSaidToMove) {
 }
 
 /// Why a program for a body is not started; empty if it is.
-std::string whyNot(BodyOptions options) {
+std::string whyNot(BodyOptions options, robotlink::Duration patience = 30s) {
   robotlink::Session session;
   logplayer::Recorder recorder({});
-  options.patience = 30s;
+  options.patience = patience;
   const auto feed = BodyFeed::create(std::move(options), session, recorder);
   return feed ? std::string() : feed.error().front().text;
+}
+
+TEST(BodyFeed, aBodyAtTheFarEndOfAVeryNarrowLineIsFound) {
+  OfferedBodies hall("scenes/field2002.sdf");
+  // What is offered there takes several seconds.
+  Relay relay(hall.port(), {.delay = 100ms, .bytesPerSecond = 12'500});
+  EXPECT_EQ(whyNot({.url = urlOf(relay.port()), .robot = "red1"}), "");
+}
+
+TEST(BodyFeed, whatIsMissingIsNamedWhereNothingMoreComes) {
+  robotlink::Session session;
+  session.setRobots({"red1"});
+  robotlink::websocket::SessionServer server(session);
+  robotlink::websocket::Listener::Options options;
+  options.address.port = 0;
+  const auto listener = robotlink::websocket::Listener::open(server.server(), options).value();
+  EXPECT_THAT(whyNot({.url = urlOf(listener->address().port)}, 1s),
+              HasSubstr("does not say whether red1 is a body"));
+}
+
+TEST(BodyFeed, nothingIsSubscribedToThatTheProgramDoesNotNeed) {
+  robotlink::Session session;
+  session.setRobots({"red1"});
+  robotlink::websocket::SessionServer server(session);
+  robotlink::websocket::Listener::Options options;
+  options.address.port = 0;
+  const auto listener = robotlink::websocket::Listener::open(server.server(), options).value();
+  const robotlink::Instant now(1s);
+  session.push({"transforms", now, std::make_shared<foxglove::FrameTransforms>()});
+  session.push({"red1/log", now, std::make_shared<foxglove::Log>()});
+  session.push({"red1/program", now, std::make_shared<robotcontrol::ProgramSetup>()});
+  BodyLink::Options linking;
+  linking.connection.url = *robotlink::websocket::parseServerUrl(urlOf(listener->address().port));
+  BodyLink link(linking);
+  EXPECT_TRUE(eventually([&] {
+    session.tick();
+    server.tick();
+    link.tick();
+    return link.kindOf("red1") == BodyLink::Kind::kWithProgram;
+  }));
+  EXPECT_TRUE(server.isWanted("red1/program"));
+  EXPECT_FALSE(server.isWanted("transforms"));
+  EXPECT_FALSE(server.isWanted("red1/log"));
+}
+
+TEST(BodyFeed, aBodyIsAnnouncedAsOneBeforeItsFirstFrame) {
+  robotlink::Session session;
+  logplayer::Recorder recorder({});
+  const auto feed = SimulationFeed::create(
+      test::bodies("scenes/field2002.sdf", std::make_shared<BodyInbox>()), session, recorder);
+  ASSERT_TRUE(feed);
+  session.setRobots({"red1"});
+  publishPrograms(session, (*feed)->describe());
+  session.tick();
+  EXPECT_THAT(robotsToAnnounce(session),
+              testing::ElementsAre(robotlink::dds::AnnouncedRobot{"red1", "ers210", "", true}));
 }
 
 TEST(BodyFeed, whereARobotIsMissingTheOthersAreNamed) {

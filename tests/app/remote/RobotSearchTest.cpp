@@ -7,7 +7,6 @@
 
 #include "app/core/remote/RobotAnnouncer.h"
 #include "app/core/remote/SessionOffer.h"
-#include "robotcontrol/Body.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/session/Session.h"
 #include "tests/Eventually.h"
@@ -80,10 +79,11 @@ class AnnouncedSession {
     session.setRobots({"red1"});
     describe("own.yaml");
   }
-  void describe(const std::string& layout) {
+  void describe(const std::string& layout, bool isBody = false) {
     auto setup = std::make_shared<robotcontrol::ProgramSetup>();
     setup->mutable_description()->set_name("ers210.yaml");
-    setup->mutable_layout()->set_name(layout);
+    if (!layout.empty()) setup->mutable_layout()->set_name(layout);
+    setup->set_is_body(isBody);
     session.push({"red1/program", robotlink::Instant(++time_), std::move(setup)});
     session.tick();
   }
@@ -115,9 +115,7 @@ TEST(RobotSearch, robotsAreFoundOverDds) {
 
 TEST(RobotSearch, aBodyIsAnnouncedAsOne) {
   AnnouncedSession robot;
-  robot.session.push({"red1/body/offer", robotlink::Instant(std::chrono::seconds(1)),
-                      std::make_shared<robotcontrol::BodyOffer>()});
-  robot.session.tick();
+  robot.describe("", true);
   EXPECT_THAT(robotsToAnnounce(robot.session), ElementsAre(AnnouncedRobot{"red1", "ers210", "", true}));
 }
 
