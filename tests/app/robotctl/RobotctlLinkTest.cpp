@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -57,6 +58,8 @@ class OfferedRobot : public testing::Test {
     return runRobotctl(folder_.path(), command + " " + url_ + " --token " + token + " " + rest);
   }
   void publish() {
+    // As all servers say it: a program runs there, rather than only a body.
+    session_.push({"red1/program", {}, std::make_shared<robotcontrol::ProgramSetup>()});
     for (int i = 1; !isOver_; ++i) {
       const robotlink::Instant now(i * 10ms);
       auto text = std::make_shared<foxglove::Log>();
