@@ -57,11 +57,11 @@ ROOMS = {
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
     "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
-        "log", "color", "drive", "messages", "plots", "data", "scene", "timeline", "color/image", "color/quality",
+        "log", "color", "drive", "messages", "console", "plots", "data", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["program", "own", "spread", "platform", "recordings", "deploy", "pioneer", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
-    "app/robotcontrol": ["actions", "remote", "docks", "bars", "."],
+    "app/robotcontrol": ["actions", "commands", "remote", "docks", "bars", "."],
 }
 
 # Libraries whose headers only some targets may show or use.

@@ -35,17 +35,13 @@ void SteeringBar::refresh(robotlink::Session& session, const std::string& robot)
   const bool isShown = state_ && state_->who != Who::kNobody;
   setVisible(isShown);
   if (!isShown) return;
-  const bool isOther = isOthers();
+  const bool isOther = state_->isOthers();
   text_->setText(isOther ? tr("%1 What you command is not sent.").arg(state_->text) : state_->text);
   text_->setToolTip(state_->details);
   setMeaning(*text_, isOther ? std::optional(Meaning::kWarning) : std::nullopt);
   take_->setText(isOther ? tr("Steer instead") : tr("Let others steer"));
   take_->setToolTip(isOther ? tr("You steer from now on; the robot stands until you command it")
                             : tr("Others may steer from now on; the robot stands"));
-}
-
-bool SteeringBar::isOthers() const {
-  return state_ && state_->who == Who::kOther && !state_->isSilent;
 }
 
 void SteeringBar::run() {

@@ -26,8 +26,6 @@ class SteeringBar final : public QWidget {
   SteeringBar(const robotlink::CommandTable& commands, QWidget* parent);
   /// Shows who steers the robot now; to be called in each tick.
   void refresh(robotlink::Session& session, const std::string& robot);
-  /// Whether commands from here would be refused, because somebody else steers.
-  bool isOthers() const;
 
  private:
   void run();

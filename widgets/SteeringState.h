@@ -23,6 +23,9 @@ struct SteeringState {
   QString text;
   /// What the robot says of it.
   QString details;
+
+  /// Whether commands from here would be refused, because somebody else steers.
+  bool isOthers() const { return who == Who::kOther && !isSilent; }
 };
 
 /// Whether the line to a robot elsewhere is lost, so that it stands and nobody here steers it.

@@ -10,6 +10,7 @@
 
 #include "widgets/HeaderState.h"
 #include "widgets/SplitterState.h"
+#include "widgets/WrittenPicture.h"
 
 namespace widgets {
 namespace {
@@ -31,6 +32,10 @@ QJsonObject View::saveState() const {
 
 void View::restoreState(const QJsonObject& state) {
   for (const Kept& kept : kept_) kept.restore(state.value(kept.name));
+}
+
+robotlink::Result<void> View::saveTo(const QString& file) {
+  return writePicture(grab().toImage(), file);
 }
 
 void View::keep(const char* name, Save save, Restore restore) {

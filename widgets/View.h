@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/base/Error.h"
+
 class QAction;
 class QComboBox;
 class QHeaderView;
@@ -27,6 +29,8 @@ struct RobotDescription;
 namespace widgets {
 
 class ColorBench;
+class CommandLog;
+class ManualSteering;
 class OpenLogs;
 
 /// What a view may use. All of it outlives the view.
@@ -41,6 +45,10 @@ struct ViewContext {
   std::shared_ptr<OpenLogs> logs = {};
   /// The color table being trained; created on first use by colorBench().
   std::shared_ptr<ColorBench> colors = {};
+  /// Manual control of the selected robot; created on first use by manualSteering().
+  std::shared_ptr<ManualSteering> steering = {};
+  /// The commands that were typed; created on first use by commandLog().
+  std::shared_ptr<CommandLog> commandLog = {};
 };
 
 /// A dockable view of a session. Everything it shows comes from the session's streams, everything it does is
@@ -63,6 +71,9 @@ class View : public QWidget {
   /// Applies what saveState() returned, possibly in another version: unknown or missing entries must be
   /// harmless.
   virtual void restoreState(const QJsonObject& state);
+  /// Writes what the view can save to a file: by default a picture of it, as PNG; views that have more decide
+  /// by the file's suffix. Opens no dialog.
+  virtual robotlink::Result<void> saveTo(const QString& file);
 
  Q_SIGNALS:
   /// The title of the dock changed: "Image: red1/camera".

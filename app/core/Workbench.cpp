@@ -8,6 +8,7 @@
 #include "app/core/RecordingCommands.h"
 #include "app/core/RemoteCommands.h"
 #include "app/core/RobotCommands.h"
+#include "app/core/SceneCommands.h"
 #include "app/core/SimulationCommands.h"
 
 namespace app {
@@ -16,6 +17,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
     : OpenPlatform(std::move(userFolder)), commands_(allCommands()) {
   addPlatformCommands(commands_, *this);
   addSimulationCommands(commands_, *this);
+  addSceneCommands(commands_, *this);
   addRobotCommands(commands_, *this);
   addRemoteCommands(commands_, *this);
   addLogCommands(commands_, *this);

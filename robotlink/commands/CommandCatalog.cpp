@@ -206,8 +206,9 @@ Rows recordingRows() {
 
 Rows commandCatalog() {
   Rows all;
-  for (Rows& rows : std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(),
-                                      playedLogRows(), recordingRows(), windowCatalog(), colorCatalog()})
+  for (Rows& rows :
+       std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(), playedLogRows(),
+                         recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
     std::ranges::move(rows, std::back_inserter(all));
   return all;
 }

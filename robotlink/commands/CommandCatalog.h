@@ -12,8 +12,10 @@ namespace robotlink {
 /// acts: `commands.attach("robot.stop", handler)`.
 std::vector<CommandTable::Command> commandCatalog();
 
-/// The rows of commandCatalog() about the window and its views, and about color tables.
+/// The rows of commandCatalog() about the window and its views, about manual control, parameters and plots,
+/// and about color tables.
 std::vector<CommandTable::Command> windowCatalog();
+std::vector<CommandTable::Command> controlCatalog();
 std::vector<CommandTable::Command> colorCatalog();
 
 }  // namespace robotlink

@@ -252,12 +252,16 @@ void Session::await(std::uint64_t id, ResultHandler onResult) {
   pending_->handlers.erase(pending_->handlers.begin());
 }
 
+void Session::reportRefusal(const std::string& what, const std::string& reason) {
+  if (refused_) refused_(what, reason);
+}
+
 std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onResult) {
   const std::uint64_t id = pending_->nextId++;
   request.set_id(id);
   if (!onResult) {
     onResult = [this, what = inWords(request)](const RequestResult& result) {
-      if (!result.accepted() && refused_) refused_(what, result.reason());
+      if (!result.accepted()) reportRefusal(what, result.reason());
     };
   }
   await(id, std::move(onResult));

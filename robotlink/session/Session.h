@@ -113,6 +113,8 @@ class Session {
   void setRequestSink(RequestSink sink);
   /// Called from tick() for refusals of requests that had no result handler, so that none goes unnoticed.
   void setRefusalHandler(RefusalHandler handler);
+  /// Passes a refusal to that handler, for requests whose result handler does something else with it, too.
+  void reportRefusal(const std::string& what, const std::string& reason);
   /// Adds a listener until it is removed; returns its id. Listeners are called in the order of their ids.
   std::uint64_t addListener(Listener listener);
   /// Must not be called by a listener.

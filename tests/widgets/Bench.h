@@ -20,6 +20,7 @@
 #include "tests/TestFolder.h"
 #include "tests/widgets/GuiTest.h"
 #include "widgets/View.h"
+#include "widgets/motion/ManualSteering.h"
 
 namespace widgets::test {
 
@@ -50,6 +51,7 @@ class Bench {
   void tick(View& view) {
     session.tick();
     view.tick();
+    if (context.steering) context.steering->tick();
   }
 
   template <typename T>

@@ -63,10 +63,10 @@ void HeadPanel::createSlider(Joint joint, const char* name, const QString& text)
 }
 
 void HeadPanel::setRobot(const robotlink::RobotDescription* robot) {
-  static constexpr const char* kNames[] = {"neckTilt", "headPan", "headRoll", "mouth"};
   for (int i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
-    const int index = robot != nullptr ? robot->jointIndex(kNames[i]) : -1;
+    const int index =
+        robot != nullptr ? robot->jointIndex(kHeadJoints[static_cast<std::size_t>(i)].joint) : -1;
     const QSignalBlocker quiet(sliders_[joint]);
     if (index >= 0) {
       const auto& limits = robot->joints[static_cast<std::size_t>(index)];

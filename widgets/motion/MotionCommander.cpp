@@ -22,6 +22,7 @@ void MotionCommander::play(const std::string& motion) {
 
 void MotionCommander::halt() {
   axes_ = {};
+  velocity_.reset();
   motion_.clear();
 }
 
@@ -30,7 +31,7 @@ void MotionCommander::setActive(bool active) {
   active_ = active;
   sinceSent_ = kResendTicks;
   sent_.clear();
-  halt();
+  if (!active) halt();
 }
 
 void MotionCommander::settleMotion(const robotcontrol::MotionStatus* status) {
@@ -57,6 +58,11 @@ robotcontrol::RemoteMotion MotionCommander::command() const {
   if (!motion_.empty()) {
     motion.set_kind(motion_ == kGetUp ? Kind::GET_UP : Kind::KEY_FRAMES);
     motion.set_motion(motion_);
+  } else if (velocity_) {
+    motion.set_kind(Kind::WALK);
+    motion.mutable_walk()->set_x(velocity_->x);
+    motion.mutable_walk()->set_y(velocity_->y);
+    motion.mutable_walk()->set_rotation(velocity_->rotation);
   } else if (!axes_.zero()) {
     // Limits the square of the axes to a disc of speeds: full deflection is the limit in every direction.
     const double length = std::max(1.0, std::hypot(axes_.forward, axes_.left));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+
+#include "widgets/motion/MeasuredSpeed.h"
 
 namespace robotcontrol {
 class MotionStatus;
@@ -33,6 +37,17 @@ struct HeadTarget {
   bool operator==(const HeadTarget&) const = default;
 };
 
+/// A joint of the head: its name in commands, its name in robots' descriptions, and its angle.
+struct HeadJoint {
+  const char* name;
+  const char* joint;
+  double HeadTarget::*angle;
+};
+inline constexpr std::array<HeadJoint, 4> kHeadJoints{{{"tilt", "neckTilt", &HeadTarget::tilt},
+                                                       {"pan", "headPan", &HeadTarget::pan},
+                                                       {"roll", "headRoll", &HeadTarget::roll},
+                                                       {"mouth", "mouth", &HeadTarget::mouth}}};
+
 /// Turns the inputs of pad, keys, sliders and gamepad into motion commands, and decides when one is due: at
 /// once when something changed, and ten times a second (every third tick) while it is active, so that a robot
 /// can stop when commands no longer arrive. A key-frame motion is commanded until the robot reports that it
@@ -51,16 +66,23 @@ class MotionCommander {
 
   void setLimits(Limits limits) { limits_ = limits; }
   const Limits& limits() const { return limits_; }
-  void setAxes(const WalkAxes& axes) { axes_ = axes; }
+  /// Replaces a velocity that was commanded by walk().
+  void setAxes(const WalkAxes& axes) {
+    axes_ = axes;
+    velocity_.reset();
+  }
   const WalkAxes& axes() const { return axes_; }
   void setHead(const HeadTarget& head) { head_ = head; }
+  const HeadTarget& head() const { return head_; }
+  /// Commands a velocity, whatever the limits are, until the axes are set or halt() is called.
+  void walk(const Speed& velocity) { velocity_ = velocity; }
   /// Commands a key-frame motion, or kGetUp; replaces a motion that has not begun.
   void play(const std::string& motion);
   /// Commands standing still: no deflection and no motion. The head keeps its mode.
   void halt();
 
-  /// Only an active commander commands, that is, while the user has manual control. A change of it
-  /// halts and makes a command due.
+  /// Only an active commander commands, that is, while the user has manual control. A change of it makes a
+  /// command due; deactivating also halts.
   void setActive(bool active);
   bool active() const { return active_; }
 
@@ -77,6 +99,8 @@ class MotionCommander {
 
   Limits limits_;
   WalkAxes axes_;
+  /// Takes precedence over the axes.
+  std::optional<Speed> velocity_;
   HeadTarget head_;
   /// Motion that has not begun; empty: none.
   std::string motion_;

@@ -10,10 +10,10 @@
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
@@ -21,7 +21,6 @@
 #include "widgets/SteeringBar.h"
 #include "widgets/SteeringState.h"
 #include "widgets/StopStyle.h"
-#include "widgets/TypedStreams.h"
 #include "widgets/motion/HeadPanel.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/SpeedPanel.h"
@@ -39,7 +38,8 @@ constexpr int kTurnSteps = 100;
 
 }  // namespace
 
-MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, parent) {
+MotionView::MotionView(ViewContext& context, QWidget* parent)
+    : View(context, parent), manual_(manualSteering(context)) {
   setObjectName(QStringLiteral("motionView"));
   auto device = std::make_shared<Gamepad>();
   gamepad_ = [device] { return device->poll(); };
@@ -141,41 +141,25 @@ void MotionView::connectSignals() {
   connect(turn_, &QSlider::sliderReleased, this, [this] { turn_->setValue(0); });
   connect(motions_, &MotionButtons::chosen, this, &MotionView::play);
   connect(speed_, &SpeedPanel::limitsChanged, this, [this] {
-    commander_.setLimits(speed_->limits());
+    manual_.commander().setLimits(speed_->limits());
     keepLimits();
   });
 }
 
 void MotionView::followRobot() {
-  const std::string& robot = session().selectedRobot();
-  const auto known = context().robots.find(robot);
-  const auto description = known == context().robots.end() ? nullptr : known->second;
-  if (robot != robot_) {
+  manual_.follow();
+  if (manual_.robot() != robot_) {
     stand();
-    robot_ = robot;
-    manualControl_ = {};
-    tables_.clear();
-    askedForStatus_ = false;
-    commander_.setActive(false);
-    description_ = description;
-    useRobot(description.get());
+    robot_ = manual_.robot();
+    description_ = manual_.description();
+    isPadNext_ = false;
+    useRobot(description_.get());
     nameRobot();
-  } else if (description != description_) {
-    // That of a robot elsewhere is known later than its name.
-    description_ = description;
-    useRobot(description.get());
+  } else if (manual_.description() != description_) {
+    description_ = manual_.description();
+    useRobot(description_.get());
   }
-  const auto tables =
-      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
-  auto values = valuesOf(tables);
-  if (values != tables_) {
-    tables_ = std::move(values);
-    manualControl_.update(tasksOf(tables));
-  }
-  const bool taken = manualControl_.state() == ManualControl::State::kTaken;
-  if (taken && !commander_.active()) walkPad_->setFocus();
-  commander_.setActive(taken);
-  commander_.setHead(head_->target());
+  if (manual_.isTaken() && std::exchange(isPadNext_, false)) walkPad_->setFocus();
 }
 
 void MotionView::nameRobot() {
@@ -242,25 +226,24 @@ void MotionView::tick() {
   followRobot();
   if (drive_) subscription_.want(session(), robot_, {robotlink::kDriveState.name});
   useGamepad(gamepad_());
-  std::string path = robot_ + '/';
-  path += robotlink::kMotionStatus.name;
-  const auto* status =
-      session().store().latestAs<robotcontrol::MotionStatus>(path, session().timeline().newest());
   WalkAxes axes = pad_.axes.zero() ? walkPad_->axes() : pad_.axes;
   if (turn_->isSliderDown()) axes.turn = turn_->value() / double(kTurnSteps);
-  commander_.setAxes(commander_.active() ? axes : WalkAxes{});
+  manual_.setAxes(axes);
+  steerHead();
   steering_->refresh(session(), robot_);
-  if (commander_.tick(status) && !steering_->isOthers()) send();
   showStop();
-  showPad(status);
+  showPad(manual_.status());
 }
 
-void MotionView::send() {
-  if (isLost(session(), robot_)) return;
-  robotcontrol::Request request;
-  *request.mutable_motion() = commander_.command();
-  robotlink::assign(*request.mutable_motion()->mutable_timestamp(), session().timeline().newest());
-  ask(session(), robot_, std::move(request));
+void MotionView::steerHead() {
+  const HeadTarget panel = head_->target();
+  if (panel != panelHead_) {
+    manual_.commander().setHead(panel);
+  } else if (manual_.commander().head() != commandedHead_) {
+    head_->setTarget(manual_.commander().head());
+  }
+  panelHead_ = head_->target();
+  commandedHead_ = manual_.commander().head();
 }
 
 void MotionView::stand() {
@@ -268,32 +251,15 @@ void MotionView::stand() {
   turn_->setSliderDown(false);
   turn_->setValue(0);
   pad_ = {};
-  if (!commander_.active()) return;
-  commander_.halt();
-  if (commander_.tick(nullptr)) send();
+  manual_.releaseAxes();
 }
 
 void MotionView::takeOver(bool take) {
-  const std::string solution = manualControl_.begin(take);
   if (!take) stand();
-  if (!solution.empty()) {
-    robotcontrol::Request request;
-    request.mutable_select_solution()->set_task(manualControl_.task());
-    request.mutable_select_solution()->set_solution(solution);
-    ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
-      if (!accepted) manualControl_.refused(reason);
-    });
-  }
+  isPadNext_ = take;
+  // What prevents it is shown beside the button.
+  static_cast<void>(manual_.takeOver(take));
   showPad(nullptr);
-  if (take && !askedForStatus_ && !drive_) {
-    askedForStatus_ = true;
-    robotcontrol::Request request;
-    std::string key = "package/";
-    key += robotlink::kMotionStatus.name;
-    request.mutable_set_key()->set_name(key);
-    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    ask(session(), robot_, std::move(request));
-  }
 }
 
 void MotionView::stop(bool engage) {
@@ -303,7 +269,8 @@ void MotionView::stop(bool engage) {
 }
 
 void MotionView::play(const QString& motion) {
-  if (commander_.active() && !drive_) commander_.play(motion.toStdString());
+  // Without manual control, or on wheels, the buttons are disabled, and the gamepad's does nothing.
+  static_cast<void>(manual_.play(motion.toStdString()));
 }
 
 void MotionView::useGamepad(const Gamepad::State& pad) {
@@ -334,7 +301,7 @@ void MotionView::showStop() {
 }
 
 void MotionView::showPad(const robotcontrol::MotionStatus* status) {
-  const ManualControl::State who = manualControl_.state();
+  const ManualControl::State who = manual_.control().state();
   const bool taken = who == ManualControl::State::kTaken;
   QAction& take = *take_->defaultAction();
   take.setChecked(taken);
@@ -361,14 +328,15 @@ QString MotionView::stateText() const {
     return tr(
         "The connection to the robot is lost. It stands, and can be steered as soon as it is found again.");
   const auto* base = drive_ ? driveState() : nullptr;
-  if (base == nullptr || manualControl_.state() != ManualControl::State::kTaken) return manualControl_.text();
+  if (base == nullptr || manual_.control().state() != ManualControl::State::kTaken)
+    return manual_.control().text();
   if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
-  return base->motors_on() ? manualControl_.text()
+  return base->motors_on() ? manual_.control().text()
                            : tr("You steer the robot, but its motors are off: switch them on.");
 }
 
 void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
-  const bool taken = manualControl_.state() == ManualControl::State::kTaken;
+  const bool taken = manual_.control().state() == ManualControl::State::kTaken;
   const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
   std::optional<Speed> believed;
   if (const auto* base = drive_ ? driveState() : nullptr; base != nullptr) {
@@ -376,13 +344,16 @@ void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
   } else if (status != nullptr) {
     believed = Speed{status->velocity().x(), status->velocity().y(), status->velocity().rotation()};
   }
-  const auto walk = commander_.command().motion().walk();
+  const auto walk = manual_.commander().command().motion().walk();
   speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
-  WalkPad::Picture picture{
-      commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
+  WalkPad::Picture picture{manual_.commander().axes(),
+                           {},
+                           taken,
+                           drive_.has_value(),
+                           taken ? QString() : tr("Take over to steer")};
   // The true speed of a real robot is unknown; the pad shows the robot's own measurement instead.
   if (const auto real = measured ? measured : drive_ ? believed : std::nullopt) {
-    const auto limits = commander_.limits();
+    const auto limits = manual_.commander().limits();
     picture.measured =
         WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
   }

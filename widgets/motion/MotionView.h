@@ -5,8 +5,7 @@
 #include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
 #include "widgets/motion/Gamepad.h"
-#include "widgets/motion/ManualControl.h"
-#include "widgets/motion/MotionCommander.h"
+#include "widgets/motion/ManualSteering.h"
 
 class QLabel;
 class QPushButton;
@@ -26,15 +25,12 @@ class SpeedPanel;
 class SteeringBar;
 class WalkPad;
 
-/// Manual control of the selected robot. "Take over" switches its behavior (or driving) task to the solution
-/// "obey"; from then on the view sends motion requests from the pad, the keyboard, the sliders and the
-/// gamepad, ten times a second and whenever they change. Robots on wheels are driven, and their motors can be
-/// switched. STOP is a request to the platform and works whatever the program does. The view also shows
-/// commanded, true and estimated speed.
+/// Manual control of the selected robot by the pad, the keyboard, the sliders and the gamepad, see
+/// ManualSteering. Robots on wheels are driven, and their motors can be switched. STOP is a request to the
+/// platform and works whatever the program does. The view also shows commanded, true and estimated speed.
 ///
-/// Nothing is commanded before manual control is confirmed, and nothing while somebody else steers the robot
-/// over a link. When the view is hidden, the window loses the
-/// focus, or another robot is selected, the robot is commanded to stand still.
+/// When the view is hidden or the window loses the focus, a robot that is steered by the view is commanded to
+/// stand still.
 ///
 /// Registered as "motion". GUI thread.
 class MotionView final : public View {
@@ -45,7 +41,7 @@ class MotionView final : public View {
 
   explicit MotionView(ViewContext& context, QWidget* parent = nullptr);
   void setGamepad(GamepadSource source) { gamepad_ = std::move(source); }
-  /// Reads pad, sliders and gamepad, and sends a motion request if one is due.
+  /// Reads pad, sliders and gamepad, and shows what is commanded.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
@@ -65,7 +61,7 @@ class MotionView final : public View {
   QWidget* createBody();
   void connectSignals();
 
-  /// Adopts the selected robot and its solution tables, and updates who has control.
+  /// Adopts the selected robot.
   void followRobot();
   /// Shows the controls that fit the robot (legs or wheels) and restores its limits. May be null.
   void useRobot(const robotlink::RobotDescription* description);
@@ -81,8 +77,10 @@ class MotionView final : public View {
   void stop(bool engage);
   /// Commands a key-frame motion; ignored without manual control and for wheels.
   void play(const QString& motion);
-  /// Resets all inputs and, with manual control, commands the robot to stand still.
+  /// Releases all inputs.
   void stand();
+  /// Passes the head's sliders on, and shows what a command has set.
+  void steerHead();
   /// Applies the gamepad's state; buttons act when they are pressed, not while they are held.
   void useGamepad(const Gamepad::State& pad);
   /// Updates STOP from the SimulationStatus.
@@ -95,13 +93,8 @@ class MotionView final : public View {
   const robotcontrol::DriveState* driveState() const;
   /// One sentence: who has control, or what prevents it.
   QString stateText() const;
-  /// Sends the commander's command with the timeline's newest time.
-  void send();
 
-  /// Turns the inputs into commands and decides when one is due.
-  MotionCommander commander_;
-  /// Whether the user or the program controls the robot.
-  ManualControl manualControl_;
+  ManualSteering& manual_;
   GamepadSource gamepad_;
   /// The gamepad's state in the last tick, to detect pressed buttons.
   Gamepad::State pad_;
@@ -130,10 +123,10 @@ class MotionView final : public View {
   std::optional<MotionCommander::Limits> driveLimits_;
   /// Requests that DriveState is published.
   PackageSubscription subscription_;
-  /// Addresses of the solution tables that manualControl_ has seen.
-  std::vector<const void*> tables_;
-  /// Whether the debug key of MotionStatus was requested for this robot.
-  bool askedForStatus_ = false;
+  /// The heads that the panel and the steering had when they agreed last.
+  HeadTarget panelHead_, commandedHead_;
+  /// Whether the keys are for the pad as soon as manual control is confirmed.
+  bool isPadNext_ = false;
 };
 
 }  // namespace widgets

@@ -299,12 +299,21 @@ void PacketInspector::copy() {
 }
 
 bool PacketInspector::saveConversation(const QString& file) {
-  const auto written = robotlink::writeFileAtomically(
-      file.toStdString(), robotlink::arcos::writeConversation(conversationOf(shownModel())));
+  const auto written = writeConversation(file);
   if (written) return true;
   QMessageBox::warning(this, tr("Save conversation"),
                        QString::fromStdString(robotlink::describe({written.error()})));
   return false;
+}
+
+robotlink::Result<void> PacketInspector::writeConversation(const QString& file) {
+  return robotlink::writeFileAtomically(file.toStdString(),
+                                        robotlink::arcos::writeConversation(conversationOf(shownModel())));
+}
+
+robotlink::Result<void> PacketInspector::saveTo(const QString& file) {
+  return file.endsWith(QLatin1String(".wire"), Qt::CaseInsensitive) ? writeConversation(file)
+                                                                    : View::saveTo(file);
 }
 
 bool PacketInspector::openConversation(const QString& file) {

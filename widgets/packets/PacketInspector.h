@@ -36,6 +36,8 @@ class PacketInspector final : public View {
 
   /// Saves all packets of the list, whatever the filters. False, with a message shown, if that fails.
   bool saveConversation(const QString& file);
+  /// The conversation (.wire) without a message box, or a picture of the view (.png).
+  robotlink::Result<void> saveTo(const QString& file) override;
   /// Shows a file instead of the live packets. False, with a message shown, if it cannot be read.
   bool openConversation(const QString& file);
   /// Closes the file and shows the live packets again.
@@ -71,6 +73,7 @@ class PacketInspector final : public View {
   void send(const std::vector<std::string>& packets);
   /// Copies the selected rows with their bytes.
   void copy();
+  robotlink::Result<void> writeConversation(const QString& file);
   /// Asks for a file, then saveConversation() or openConversation().
   void save();
   void open();

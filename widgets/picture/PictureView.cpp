@@ -12,6 +12,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/SplitterState.h"
+#include "widgets/WrittenPicture.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/picture/ViewPicture.h"
@@ -108,6 +109,10 @@ QLabel* PictureView::addFiguresLabel(QHBoxLayout* row, const char* name, const Q
   QLabel* label = addWideLabel(row, name, text);
   label->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   return label;
+}
+
+robotlink::Result<void> PictureView::saveTo(const QString& file) {
+  return writePicture(rendered_(), file);
 }
 
 bool PictureView::savePicture(const QString& file) {

@@ -30,6 +30,8 @@ class PictureView : public View {
  public:
   /// Writes the picture as PNG. False, with a message box that names the file, if that fails.
   bool savePicture(const QString& file);
+  /// The same without a message box.
+  robotlink::Result<void> saveTo(const QString& file) override;
 
  protected:
   /// What is beside the picture.

@@ -8,7 +8,8 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPainter>
-#include <QSaveFile>
+
+#include "widgets/WrittenPicture.h"
 
 namespace widgets {
 namespace {
@@ -29,12 +30,11 @@ QImage paintedPicture(const QWidget& widget, const std::function<void(QPainter&)
 }
 
 bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
-  QSaveFile out(file);
-  if (!picture.isNull() && out.open(QIODevice::WriteOnly) && picture.save(&out, "PNG") && out.commit())
-    return true;
-  const QString reason = picture.isNull() ? pictureText("there is no picture yet") : out.errorString();
-  QMessageBox::warning(view, pictureText("Save picture"),
-                       pictureText("Nothing was saved to %1: %2").arg(file, reason));
+  const auto written = writePicture(picture, file);
+  if (written) return true;
+  QMessageBox::warning(
+      view, pictureText("Save picture"),
+      pictureText("Nothing was saved to %1: %2").arg(file, QString::fromStdString(written.error().text)));
   return false;
 }
 

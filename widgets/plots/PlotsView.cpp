@@ -168,8 +168,10 @@ void PlotsView::connectSignals() {
     filter_->setFilterFixedString(text);
     if (!text.isEmpty()) tree_->expandAll();
   });
-  connect(csv_, &QAction::triggered, this, &PlotsView::exportCsv);
-  connect(png_, &QAction::triggered, this, &PlotsView::exportPng);
+  connect(csv_, &QAction::triggered, this,
+          [this] { exportAs(tr("Export the points as CSV"), QStringLiteral("csv")); });
+  connect(png_, &QAction::triggered, this,
+          [this] { exportAs(tr("Export the picture"), QStringLiteral("png")); });
 }
 
 void PlotsView::addSelected() {
@@ -180,11 +182,37 @@ void PlotsView::addSelected() {
   }
 }
 
-void PlotsView::addCurve(const QString& source) {
-  if (!curves_.add(PlotSource::fromText(source))) return;
+bool PlotsView::addCurve(const QString& source) {
+  if (!curves_.add(PlotSource::fromText(source))) return false;
   curves_.update(session().store());
   requestMissing();
   dirty_ = true;
+  return true;
+}
+
+bool PlotsView::removeCurve(const QString& source) {
+  const auto row = curves().indexOf(source);
+  if (row < 0) return false;
+  curves_.remove(row);
+  dirty_ = true;
+  return true;
+}
+
+void PlotsView::clear() {
+  curves_.clear();
+  dirty_ = true;
+}
+
+QStringList PlotsView::curves() const {
+  QStringList texts;
+  for (const auto& curve : curves_.curves()) texts << curve->series.source().text();
+  return texts;
+}
+
+QStringList PlotsView::sources() const {
+  QStringList texts;
+  for (const PlotSource& source : plotSources(session().store())) texts << source.text();
+  return texts;
 }
 
 void PlotsView::removeSelected() {
@@ -267,23 +295,23 @@ void PlotsView::tick() {
   canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt(), session().remoteRobots());
 }
 
-void PlotsView::exportCsv() {
-  const QString file = askForFile_(tr("Export the points as CSV"), QStringLiteral("csv"));
+void PlotsView::exportAs(const QString& title, const QString& suffix) {
+  const QString file = askForFile_(title, suffix);
   if (file.isEmpty()) return;
-  const auto written = robotlink::writeFileAtomically(file.toStdString(), curves_.csv().toStdString());
+  const auto written = saveTo(file);
   state_->setText(written ? tr("Wrote %1").arg(file) : QString::fromStdString(written.error().describe()));
 }
 
-void PlotsView::exportPng() {
-  const QString file = askForFile_(tr("Export the picture"), QStringLiteral("png"));
-  if (file.isEmpty()) return;
-  state_->setText(canvas_->savePng(file) ? tr("Wrote %1").arg(file) : tr("%1 cannot be written").arg(file));
+robotlink::Result<void> PlotsView::saveTo(const QString& file) {
+  const std::string path = file.toStdString();
+  if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
+    return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
+  if (canvas_->savePng(file)) return {};
+  return robotlink::failure("plots.save", "the picture cannot be written", {path, 0, 0});
 }
 
 QJsonObject PlotsView::saveState() const {
-  QJsonArray sources;
-  for (const auto& curve : curves_.curves()) sources.append(curve->series.source().text());
-  return {{QStringLiteral("curves"), sources},
+  return {{QStringLiteral("curves"), QJsonArray::fromStringList(curves())},
           {QStringLiteral("window"), window_->currentData().toInt()},
           {QStringLiteral("tree"), showTree_->isChecked()},
           {QStringLiteral("splitter"), splitterState(*splitter_)}};

@@ -32,13 +32,22 @@ class PlotsView final : public View {
 
   explicit PlotsView(ViewContext& context, QWidget* parent = nullptr);
   void setFileQuestion(FileQuestion question) { askForFile_ = std::move(question); }
-  /// Adds a curve by PlotSource::text().
-  void addCurve(const QString& source);
+  /// Adds a curve by PlotSource::text(). Returns false if there is one already, or the text has no stream.
+  bool addCurve(const QString& source);
   /// Appends new points and redraws if something changed.
   void tick() override;
   QJsonObject saveState() const override;
   /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
+  /// All points of all curves as a table (.csv), or the picture of the plot (.png).
+  robotlink::Result<void> saveTo(const QString& file) override;
+  /// removeCurve() and clear() remove one or all curves; removeCurve() returns false if there is none by this
+  /// PlotSource::text().
+  bool removeCurve(const QString& source);
+  void clear();
+  /// The PlotSource::text() of all curves, and of all that could be one.
+  QStringList curves() const;
+  QStringList sources() const;
   static constexpr int kMaxRestored = 100;
 
  private:
@@ -57,10 +66,8 @@ class PlotsView final : public View {
   void listSources();
   /// Requests the debug keys of curves whose source is not published, each once.
   void requestMissing();
-  /// Writes all points of all curves.
-  void exportCsv();
-  /// Writes the picture of the plot.
-  void exportPng();
+  /// Asks for a file with this suffix and saves to it.
+  void exportAs(const QString& title, const QString& suffix);
   /// The timeline's shown instant, in s.
   double shownTime() const;
   /// Name of the joint that "positions[1]" of a JointRequest refers to; empty for other sources.

@@ -46,7 +46,7 @@ void SolutionsView::createActions() {
                   tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
   showParameters_ = makeToggle(this, "settings",
                                {"solutionsParameters", tr("Parameters"),
-                                tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
+                                tr("Shows the parameters of the current solution"), tr("Ctrl+Shift+I")});
 }
 
 void SolutionsView::createViews() {

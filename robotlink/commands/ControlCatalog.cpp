@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rows of the catalog about manual control, parameters, the scene's models, views and plots.
+#include "robotlink/commands/CommandCatalog.h"
+
+namespace robotlink {
+namespace {
+
+using Command = CommandTable::Command;
+using Type = CommandTable::Type;
+using Rows = std::vector<Command>;
+
+Rows manualRows() {
+  return {
+      {"robot.take-over",
+       "Takes the selected robot over, so that it obeys you, or gives it back",
+       {{"on", Type::kBool, "off gives it back to its program", true}}},
+      {"robot.walk",
+       "Lets the robot that was taken over walk or drive until another command",
+       {{"x", Type::kNumber, "m/s forward"},
+        {"y", Type::kNumber, "m/s to the left; robots on wheels ignore it", 0.0},
+        {"rotation", Type::kNumber, "rad/s counterclockwise", 0.0}}},
+      {"robot.stand", "Lets the robot that was taken over stand"},
+      {"robot.head",
+       "Chooses what the head of the robot that was taken over does",
+       {{"mode", Type::kText, "", {}, {"look-ahead", "search-ball", "track-ball", "look-around"}}}},
+      {"robot.head-joint",
+       "Moves a joint of the head of the robot that was taken over",
+       {{"joint", Type::kText, "as far as the robot has it", {}, {"tilt", "pan", "roll", "mouth"}},
+        {"angle", Type::kNumber, "rad"}}},
+      {"robot.motion",
+       "Plays a key-frame motion of the robot that was taken over",
+       {{"name", Type::kText, "as on the buttons of the motion view, or get-up"}}},
+      {"robot.parameter",
+       "Sets a parameter of a solution of the selected robot's program",
+       {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
+        {"path", Type::kText, "as in the view of solutions: step.height"},
+        {"value", Type::kText, "a number, on or off, a choice or a text"}}},
+      {"robot.reset-parameter",
+       "Resets a parameter of the selected robot's program to its default",
+       {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
+        {"path", Type::kText, "a parameter or a group of them; all if it is left out", std::string()}}},
+  };
+}
+
+Rows viewRows() {
+  const CommandTable::Argument view{"view", Type::kText, "its name: image, field, packets, ..."};
+  return {
+      {"view.another", "Opens one more view of a kind", {view}},
+      {"view.close", "Closes all views of a kind; they keep their places", {view}},
+      {"view.maximize", "Gives a view all the space", {view}},
+      {"view.restore", "Shows all views again after one was maximized"},
+      {"view.save",
+       "Saves the contents of a view: its picture, points of plots, packets",
+       {view, {"file", Type::kText, ".png, for plots also .csv, for packets also .wire"}}},
+      {"view.perspective", "Shows a perspective", {{"name", Type::kText, "Play, Log, or one of your own"}}},
+      {"view.save-perspective",
+       "Saves the arrangement of the views as a perspective",
+       {{"name", Type::kText, "a new one, or one to replace"}}},
+      {"view.delete-perspective",
+       "Deletes a perspective of your own",
+       {{"name", Type::kText, "of the perspective"}}},
+      {"view.reset", "Shows the current perspective as it is shipped"},
+      {"view.undo", "Undoes the last change of the arrangement of the views"},
+      {"view.redo", "Redoes what was undone"},
+      {"view.appearance",
+       "Chooses the colors of the window",
+       {{"name", Type::kText, "", {}, {"system", "light", "dark"}}}},
+  };
+}
+
+Rows plotRows() {
+  const CommandTable::Argument value{"value", Type::kText, "\"red1/models/ball: position_in_robot.x\""};
+  return {
+      {"plots.add", "Adds a curve to the plots", {value}},
+      {"plots.remove", "Removes a curve from the plots", {value}},
+      {"plots.clear", "Removes all curves from the plots"},
+  };
+}
+
+}  // namespace
+
+Rows controlCatalog() {
+  Rows all = manualRows();
+  for (Rows& rows : std::vector<Rows>{viewRows(), plotRows()})
+    all.insert(all.end(), rows.begin(), rows.end());
+  all.push_back({"scene.place",
+                 "Places a robot or the ball of the simulation",
+                 {{"model", Type::kText, "its name in the scene: red1, ball"},
+                  {"x", Type::kNumber, "m, in the field's frame"},
+                  {"y", Type::kNumber, "m"},
+                  {"heading", Type::kNumber, "rad, counterclockwise", 0.0}}});
+  return all;
+}
+
+}  // namespace robotlink

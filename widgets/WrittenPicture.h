@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "robotlink/base/Error.h"
+
+class QImage;
+
+namespace widgets {
+
+/// Writes a PNG file, whole or not at all. Fails if the picture is null or the file cannot be written. GUI
+/// thread.
+robotlink::Result<void> writePicture(const QImage& picture, const QString& file);
+
+}  // namespace widgets

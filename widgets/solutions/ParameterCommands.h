@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace robotlink {
+class CommandTable;
+}
+
+namespace widgets {
+
+class ParameterEdits;
+
+/// Attaches the commands that set parameters of solutions ("robot.parameter", "robot.reset-parameter"). They
+/// fail when `edits` is gone. Does nothing if they are attached already.
+void attachParameterCommands(robotlink::CommandTable& commands, ParameterEdits& edits);
+
+}  // namespace widgets

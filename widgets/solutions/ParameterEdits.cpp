@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/ParameterEdits.h"
+
+#include <algorithm>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "widgets/Requests.h"
+#include "widgets/TypedStreams.h"
+#include "widgets/solutions/ParameterModel.h"
+#include "widgets/solutions/SolutionModel.h"
+
+namespace widgets {
+namespace {
+
+using robotcontrol::ParameterValues;
+using robotlink::failure;
+using robotlink::Result;
+
+/// The paths of all values below an index.
+void collectPaths(const ParameterModel& model, const QModelIndex& parent, QStringList& paths) {
+  for (int row = 0; row < model.rowCount(parent); ++row) {
+    const QModelIndex index = model.index(row, ParameterModel::kField, parent);
+    if (model.rowCount(index) == 0) paths << index.data(ParameterModel::kPathRole).toString();
+    collectPaths(model, index, paths);
+  }
+}
+
+/// The index of a value or group; invalid if there is none.
+QModelIndex indexOf(const ParameterModel& model, const QString& path, const QModelIndex& parent = {}) {
+  for (int row = 0; row < model.rowCount(parent); ++row) {
+    const QModelIndex index = model.index(row, ParameterModel::kField, parent);
+    if (index.data(ParameterModel::kPathRole).toString() == path) return index;
+    if (const QModelIndex below = indexOf(model, path, index); below.isValid()) return below;
+  }
+  return {};
+}
+
+bool setValue(ParameterModel& model, const QModelIndex& index, const QString& value) {
+  if (!index.data(Qt::CheckStateRole).isValid()) return model.setData(index, value, Qt::EditRole);
+  const bool isOn = value == QLatin1String("on") || value == QLatin1String("true");
+  if (!isOn && value != QLatin1String("off") && value != QLatin1String("false")) return false;
+  return model.setData(index, isOn ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+}
+
+/// The changed message, serialized.
+Result<std::string> changed(const ParameterValues& values, const std::string& path,
+                            const std::optional<std::string>& value) {
+  ParameterModel model;
+  if (!model.setParameters(values))
+    return failure("robot.parameter-type",
+                   "parameters of the type " + values.value().type() + " cannot be read here", {},
+                   {values.value().type()});
+  const QModelIndex index = indexOf(model, QString::fromStdString(path));
+  if (!index.isValid() && (value || !path.empty())) {
+    QStringList paths;
+    collectPaths(model, {}, paths);
+    return failure(
+        "robot.parameter-unknown",
+        "there is no parameter " + path + "; there are " + paths.join(QStringLiteral(", ")).toStdString(), {},
+        {path});
+  }
+  QByteArray after = model.value();
+  QObject::connect(&model, &ParameterModel::edited, &model,
+                   [&](const QByteArray&, const QByteArray& edited) { after = edited; });
+  if (!value) {
+    model.reset(index);
+  } else if (!setValue(model, index.siblingAtColumn(ParameterModel::kValue),
+                       QString::fromStdString(*value))) {
+    const QStringList choices = index.data(ParameterModel::kChoicesRole).toStringList();
+    const QString what =
+        choices.isEmpty() ? index.data(Qt::ToolTipRole).toString() : choices.join(QStringLiteral(", "));
+    return failure("robot.parameter-value", "the value " + *value + " does not fit " + what.toStdString(), {},
+                   {path, *value});
+  }
+  return after.toStdString();
+}
+
+}  // namespace
+
+Result<void> ParameterEdits::set(const std::string& solution, const std::string& path,
+                                 const std::string& value) {
+  return begin(solution, {{}, path, value});
+}
+
+Result<void> ParameterEdits::reset(const std::string& solution, const std::string& path) {
+  return begin(solution, {{}, path, std::nullopt});
+}
+
+std::vector<TaskEntry> ParameterEdits::tasks() const {
+  return tasksOf(latestTable(session_.store(), session_.selectedRobot(), robotlink::streams::kSolutions,
+                             session_.timeline().newest()));
+}
+
+std::vector<std::string> ParameterEdits::solutions() const {
+  std::vector<std::string> names;
+  for (const TaskEntry& task : tasks()) {
+    for (const TaskEntry::Solution& solution : task.solutions) {
+      if (solution.hasParameters) names.push_back(task.name + "/" + solution.name);
+      if (solution.hasParameters && solution.name == task.active) names.push_back(task.name);
+    }
+  }
+  return names;
+}
+
+Result<ParameterEdits::Id> ParameterEdits::find(const std::string& solution) const {
+  const std::string& robot = session_.selectedRobot();
+  if (robot.empty())
+    return failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
+  const auto slash = solution.find('/');
+  const std::string task = solution.substr(0, slash);
+  const auto known = tasks();
+  const auto found = std::ranges::find(known, task, &TaskEntry::name);
+  if (found == known.end())
+    return failure("robot.task-unknown", robot + " has no task " + task, {}, {robot, task});
+  const std::string name = slash == std::string::npos ? found->active : solution.substr(slash + 1);
+  const auto chosen = std::ranges::find(found->solutions, name, &TaskEntry::Solution::name);
+  if (chosen == found->solutions.end())
+    return failure("robot.solution-unknown", "the task " + task + " has no solution " + name, {},
+                   {task, name});
+  if (!chosen->hasParameters)
+    return failure("robot.parameter-none", task + "/" + name + " has no parameters", {}, {task, name});
+  return Id{robot, task, name};
+}
+
+const ParameterValues* ParameterEdits::values(const Id& id) const {
+  const auto& [robot, task, solution] = id;
+  for (const auto* message :
+       latestOfType(session_.store(), robot, "robotcontrol.ParameterValues", session_.timeline().newest())) {
+    const auto* values =
+        message == nullptr ? nullptr : dynamic_cast<const ParameterValues*>(message->value.get());
+    if (values != nullptr && values->task() == task && values->solution() == solution) return values;
+  }
+  return nullptr;
+}
+
+Result<void> ParameterEdits::begin(const std::string& solution, Edit edit) {
+  const auto id = find(solution);
+  if (!id) return tl::unexpected(id.error());
+  edit.id = *id;
+  // What the robot said before shows wrong names and values at once.
+  if (const auto* known = values(*id); known != nullptr) {
+    if (auto result = changed(*known, edit.path, edit.value); !result) return tl::unexpected(result.error());
+  }
+  robotcontrol::Request request;
+  const auto& [robot, task, name] = *id;
+  request.set_robot(robot);
+  request.mutable_get_parameters()->set_task(task);
+  request.mutable_get_parameters()->set_solution(name);
+  session_.request(std::move(request), [guard = QPointer(this),
+                                        edit = std::move(edit)](const robotcontrol::RequestResult& result) {
+    if (!guard) return;
+    const auto done =
+        result.accepted() ? guard->finish(edit, result.id()) : failure("robot.parameter", result.reason());
+    if (!done)
+      guard->session_.reportRefusal("parameter " + edit.path + " of " + std::get<1>(edit.id),
+                                    done.error().describe());
+  });
+  return {};
+}
+
+Result<void> ParameterEdits::finish(const Edit& edit, std::uint64_t asked) {
+  const auto* known = values(edit.id);
+  if (known == nullptr) return failure("robot.parameter", "the robot did not report its parameters");
+  ParameterValues base = *known;
+  const auto sent = sent_.find(edit.id);
+  if (sent != sent_.end() && sent->second.request > asked) base.mutable_value()->set_data(sent->second.value);
+  auto value = changed(base, edit.path, edit.value);
+  if (!value) return tl::unexpected(value.error());
+  robotcontrol::Request request;
+  const auto& [robot, task, solution] = edit.id;
+  request.set_robot(robot);
+  auto& set = *request.mutable_set_parameters();
+  set.set_task(task);
+  set.set_solution(solution);
+  set.mutable_value()->set_type(base.value().type());
+  set.mutable_value()->set_data(*value);
+  sent_[edit.id] = {session_.request(std::move(request)), std::move(*value)};
+  return {};
+}
+
+}  // namespace widgets
