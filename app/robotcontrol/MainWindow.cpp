@@ -27,6 +27,7 @@
 #include "app/robotcontrol/bars/StatusLine.h"
 #include "app/robotcontrol/bars/StopToolBar.h"
 #include "app/robotcontrol/bars/ToolBarState.h"
+#include "app/robotcontrol/commands/CommandPalette.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -36,7 +37,9 @@
 #include "widgets/Icon.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/console/CommandLog.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/motion/ManualSteering.h"
 
 namespace app {
 namespace {
@@ -78,10 +81,12 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   createMenus();
   createMaximizing();
   connectSignals();
+  createPalette();
   restoreWindow();
   if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
   createColors(userFolder);
   createKeys();
+  attachCommands();
 }
 
 MainWindow::~MainWindow() {
@@ -147,6 +152,7 @@ void MainWindow::connectSignals() {
     const QString text =
         tr("Refused (%1): %2").arg(QString::fromStdString(what), QString::fromStdString(reason));
     statusBar()->showMessage(text, kRefusalShownMs);
+    widgets::commandLog(context_).add(widgets::CommandLog::Kind::kError, text);
   });
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
   tick_.start(kTickMs);
@@ -215,6 +221,7 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
   if (shown.size() < errors.size())
     text += widgets::counted(errors.size() - shown.size(), tr("\n… and 1 more"), tr("\n… and %1 more"));
   errorId_ = errors.front().id;
+  widgets::commandLog(context_).add(widgets::CommandLog::Kind::kError, text);
   errorText_->setText(text);
   errorBar_->show();
 }
@@ -232,6 +239,7 @@ void MainWindow::tick() {
   status_->refresh();
   remoteLine_->refresh();
   tickDocks();
+  widgets::manualSteering(context_).tick();
   platforms_->tick();
   remote_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;
@@ -247,6 +255,9 @@ void MainWindow::restoreWindow() {
   platforms_->memory().load(window);
   remote_->load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
+  palette_->setRecent(window.value(QStringLiteral("palette")).toVariant().toStringList());
+  widgets::commandLog(context_).setHistory(
+      window.value(QStringLiteral("command_history")).toVariant().toStringList());
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
@@ -262,6 +273,9 @@ void MainWindow::keepWindow() {
   QJsonObject window{{QStringLiteral("geometry"), toText(saveGeometry())},
                      {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
                      {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
+                     {QStringLiteral("palette"), QJsonArray::fromStringList(palette_->recent())},
+                     {QStringLiteral("command_history"),
+                      QJsonArray::fromStringList(widgets::commandLog(context_).history())},
                      {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
                      {QStringLiteral("appearance"), nameOf(appearance_)}};
   platforms_->memory().save(window);

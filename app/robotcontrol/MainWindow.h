@@ -11,6 +11,7 @@
 #include "app/robotcontrol/Appearance.h"
 #include "app/robotcontrol/docks/Perspectives.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/commands/CommandTable.h"
 #include "widgets/View.h"
 
 class QLabel;
@@ -25,6 +26,7 @@ class EmptyHint;
 namespace app {
 
 class CommandActions;
+class CommandPalette;
 class DockSpace;
 class LayoutHistory;
 class LogOpening;
@@ -102,20 +104,38 @@ class MainWindow : public QMainWindow {
   void whenDocksRest(std::function<void()> change);
   /// Shows the current perspective as it is shipped; can be undone.
   void resetPerspective();
-  /// Removes the current perspective, which must be one of the user's, and shows Play.
-  void deletePerspective();
   /// Toolbars of simulation and recording, and the status line.
   void createActions();
   /// Toolbar and bars for logs, and their connections (MainWindowLogs.cpp).
   void createLogs();
-  /// addBookmarkCommand() and addViewCommands() attach the commands "log.bookmark", "view.show" and
-  /// "view.screenshot".
+  /// Attaches the command "log.bookmark".
   void addBookmarkCommand();
-  void addViewCommands();
+  /// Commands about the window and its views, and the palette (MainWindowCommands.cpp).
+  using WindowCommand =
+      std::function<robotlink::Result<void>(MainWindow&, const robotlink::CommandTable::Values&)>;
+  void attachCommands();
+  void attach(const char* name, WindowCommand run, robotlink::CommandTable::Offer offer = {});
+  void attachViewCommands();
+  void attachPerspectiveCommands();
+  void attachPlotCommands();
+  void createPalette();
   /// Brings a view to the front and opens it if needed. Fails if there is none of this name.
   robotlink::Result<ads::CDockWidget*> openView(const std::string& id);
   /// Writes a PNG file of a view, or of the "window".
   robotlink::Result<void> saveScreenshot(const std::string& view, const std::string& file);
+  /// Writes what a view, which is opened if need be, can save.
+  robotlink::Result<void> saveView(const std::string& id, const std::string& file);
+  /// The first open view of a kind; null if there is none. shownView() opens one then.
+  template <typename V>
+  V* findView(const char* id) const;
+  template <typename V>
+  V* shownView(const char* id);
+  /// Undoes or redoes a change of the layout.
+  void stepLayout(void (LayoutHistory::*step)());
+  /// Saves the layout as a perspective. Fails if the name is empty.
+  robotlink::Result<void> savePerspective(const QString& name);
+  /// Removes a perspective of the user; Play is shown if it was the current one. Fails for shipped ones.
+  robotlink::Result<void> removePerspective(const QString& name);
   /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
   void createColors(const std::filesystem::path& userFolder);
   /// Maximizing a view by F11.
@@ -184,6 +204,7 @@ class MainWindow : public QMainWindow {
   DockSpace* dockSpace_ = nullptr;
   WindowKeys* keys_ = nullptr;
   UndoOrder* undoOrder_ = nullptr;
+  CommandPalette* palette_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
   /// Entries of the window menu that are enabled by tickDocks().

@@ -95,16 +95,6 @@ void MainWindow::resetPerspective() {
   });
 }
 
-void MainWindow::deletePerspective() {
-  whenDocksRest([this] {
-    const QString gone = perspectives_.current();
-    perspectives_.remove(gone);
-    perspectives_.show(QStringLiteral("Play"), *docks_);
-    layouts_->forget();
-    fillPerspectiveMenu();
-  });
-}
-
 void MainWindow::fillPerspectiveMenu() {
   perspectiveMenu_->clear();
   int number = 1;
@@ -117,8 +107,10 @@ void MainWindow::fillPerspectiveMenu() {
     action->setShortcutContext(Qt::ApplicationShortcut);  // also works in floating docks
   }
   perspectiveMenu_->addSeparator();
-  QAction* remove =
-      perspectiveMenu_->addAction(tr("&Delete this perspective"), this, &MainWindow::deletePerspective);
+  QAction* remove = perspectiveMenu_->addAction(tr("&Delete this perspective"), this, [this] {
+    if (const auto removed = removePerspective(perspectives_.current()); !removed)
+      showErrors({removed.error()});
+  });
   remove->setObjectName(QStringLiteral("deletePerspective"));
   remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
 }
@@ -129,9 +121,7 @@ void MainWindow::savePerspectiveAs() {
                                              QLineEdit::Normal, perspectives_.current(), &accepted)
                            .trimmed();
   if (!accepted || name.isEmpty()) return;
-  perspectives_.keep(name, *docks_);
-  keepWindow();
-  fillPerspectiveMenu();
+  if (const auto saved = savePerspective(name); !saved) showErrors({saved.error()});
 }
 
 void MainWindow::showEvent(QShowEvent* event) {

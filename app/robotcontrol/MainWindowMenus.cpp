@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MainWindow: the menus and the functions of their entries.
-#include <qtadvanceddocking/DockWidget.h>
 #include <QActionGroup>
 #include <QApplication>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QPointer>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -60,50 +58,7 @@ void MainWindow::createFileMenu() {
       ->setObjectName(QStringLiteral("file.quit"));
 }
 
-void MainWindow::addViewCommands() {
-  auto& commands = workbench_.commands();
-  if (commands.isAttached("view.show")) return;
-  const auto offer = [](std::size_t argument) {
-    std::vector<std::string> ids;
-    for (const auto& view : widgets::ViewRegistry::all()) {
-      if (argument == 0) ids.emplace_back(view.id);
-    }
-    return ids;
-  };
-  const auto show = [window = QPointer(this)](const auto& values) -> robotlink::Result<void> {
-    if (window == nullptr) return robotlink::failure("view.closed", "the window is closed");
-    return window->openView(std::get<std::string>(values[0])).map([](auto*) {});
-  };
-  commands.attach("view.show", show, offer);
-  const auto save = [window = QPointer(this)](const auto& values) -> robotlink::Result<void> {
-    if (window == nullptr) return robotlink::failure("view.closed", "the window is closed");
-    return window->saveScreenshot(std::get<std::string>(values[0]), std::get<std::string>(values[1]));
-  };
-  commands.attach("view.screenshot", save, offer);
-}
-
-robotlink::Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
-  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(QString::fromStdString(id));
-  return robotlink::failure("view.unknown", "there is no view '" + id + "'", {}, {id});
-}
-
-robotlink::Result<void> MainWindow::saveScreenshot(const std::string& view, const std::string& file) {
-  QPixmap picture;
-  if (view == "window") {
-    docks_->tick();
-    picture = grab();
-  } else {
-    const auto dock = openView(view);
-    if (!dock) return tl::unexpected(dock.error());
-    docks_->tick();
-    picture = (*dock)->widget()->grab();
-  }
-  if (picture.save(QString::fromStdString(file), "PNG")) return {};
-  return robotlink::failure("picture.save", "the picture could not be written; choose another place", {file});
-}
-
 void MainWindow::createViewMenu() {
-  addViewCommands();
   menuBar()->addMenu(new ViewMenu(*docks_, this));
 }
 
@@ -153,11 +108,11 @@ void MainWindow::createWindowMenu() {
       ->setObjectName(QStringLiteral("resetPerspective"));
   menu->addSeparator();
   undoLayout_ = menu->addAction(
-      widgets::icon("undo"), tr("&Undo layout change"), this,
-      [this] { whenDocksRest([this] { layouts_->undo(); }); }, QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+      widgets::icon("undo"), tr("&Undo layout change"), this, [this] { stepLayout(&LayoutHistory::undo); },
+      QKeySequence(QStringLiteral("Ctrl+Shift+U")));
   undoLayout_->setObjectName(QStringLiteral("undoLayout"));
   redoLayout_ = menu->addAction(widgets::icon("redo"), tr("Re&do layout change"), this,
-                                [this] { whenDocksRest([this] { layouts_->redo(); }); });
+                                [this] { stepLayout(&LayoutHistory::redo); });
   redoLayout_->setObjectName(QStringLiteral("redoLayout"));
   undoLayout_->setEnabled(false);
   redoLayout_->setEnabled(false);
@@ -181,6 +136,7 @@ void MainWindow::createAppearanceMenu(QMenu& menu) {
 
 void MainWindow::createHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  menu->setObjectName(QStringLiteral("helpMenu"));
   menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
       ->setObjectName(QStringLiteral("help.shortcuts"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
@@ -201,14 +157,10 @@ void MainWindow::loadColorTable() {
 }
 
 void MainWindow::savePicture() {
-  const QPixmap picture = grab();
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save picture"), QStringLiteral("robotcontrol.png"), tr("Pictures (*.png)"));
-  if (file.isEmpty() || picture.save(file)) return;
-  showErrors({{"picture.save",
-               "the picture could not be written; choose another place",
-               {},
-               {file.toStdString(), 0, 0}}});
+  if (file.isEmpty()) return;
+  if (const auto saved = saveScreenshot("window", file.toStdString()); !saved) showErrors({saved.error()});
 }
 
 void MainWindow::setAppearance(Appearance appearance) {

@@ -55,11 +55,17 @@ void MaximizedView::toggle() {
   if (active()) return restore();
   ads::CDockWidget* dock = wanted();
   if (dock == nullptr) return;
-  if (!dock->isInFloatingContainer()) return maximize(*dock->dockAreaWidget());
+  if (!dock->isInFloatingContainer()) return maximize(*dock);
   dock->window()->setWindowState(dock->window()->windowState() ^ Qt::WindowMaximized);
 }
 
-void MaximizedView::maximize(QWidget& area) {
+void MaximizedView::maximize(ads::CDockWidget& dock) {
+  restore();
+  if (!dock.isInFloatingContainer()) return hideOthers(*dock.dockAreaWidget());
+  dock.window()->setWindowState(dock.window()->windowState() | Qt::WindowMaximized);
+}
+
+void MaximizedView::hideOthers(QWidget& area) {
   QWidget* child = &area;
   for (QWidget* parent = area.parentWidget(); parent != nullptr && parent != &manager_;
        parent = parent->parentWidget()) {

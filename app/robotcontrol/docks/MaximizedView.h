@@ -28,6 +28,8 @@ class MaximizedView final : public QObject {
   /// first one; if a view is maximized, calls restore(). The window of a floating view is maximized on the
   /// screen instead.
   void toggle();
+  /// Maximizes a view, instead of the one that may be maximized.
+  void maximize(ads::CDockWidget& dock);
   /// Shows all docks with their sizes as before; without effect if no view is maximized.
   void restore();
   /// Notes which view is clicked: not all of its parts take the focus. Handles no event.
@@ -39,7 +41,7 @@ class MaximizedView final : public QObject {
   /// The view to maximize; null if there is none.
   ads::CDockWidget* wanted() const;
   /// Hides everything but a dock area.
-  void maximize(QWidget& area);
+  void hideOthers(QWidget& area);
 
   ads::CDockManager& manager_;
   /// The part of a view that was clicked or got the focus last.

@@ -26,7 +26,7 @@ std::vector<Group> groups() {
       {tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),
-        QStringLiteral("processes"), QStringLiteral("packets")}},
+        QStringLiteral("processes"), QStringLiteral("packets"), QStringLiteral("console")}},
       {tr("Logs"),
        {QStringLiteral("time-line"), QStringLiteral("replay-packages"), QStringLiteral("log-streams"),
         QStringLiteral("bookmarks")}},

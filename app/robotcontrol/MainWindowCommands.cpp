@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MainWindow: commands about the window, its views and perspectives, and the palette.
+#include <qtadvanceddocking/DockWidget.h>
+#include <QAction>
+#include <QMenu>
+#include <QPointer>
+#include <algorithm>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/actions/WindowKeys.h"
+#include "app/robotcontrol/commands/CommandPalette.h"
+#include "app/robotcontrol/docks/LayoutHistory.h"
+#include "app/robotcontrol/docks/MaximizedView.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "widgets/WrittenPicture.h"
+#include "widgets/console/CommandLog.h"
+#include "widgets/motion/ManualSteering.h"
+#include "widgets/motion/MotionCommands.h"
+#include "widgets/plots/PlotsView.h"
+#include "widgets/solutions/ParameterCommands.h"
+#include "widgets/solutions/ParameterEdits.h"
+
+namespace app {
+namespace {
+
+using robotlink::failure;
+using robotlink::Result;
+using Values = robotlink::CommandTable::Values;
+
+/// Stands for the whole window where commands name a view.
+constexpr char kWindow[] = "window";
+
+QString argumentOf(const Values& values, std::size_t index) {
+  return QString::fromStdString(std::get<std::string>(values[index]));
+}
+
+std::vector<std::string> toStrings(const QStringList& texts) {
+  std::vector<std::string> strings;
+  for (const QString& each : texts) strings.push_back(each.toStdString());
+  return strings;
+}
+
+tl::unexpected<robotlink::Error> unknownView(const std::string& id) {
+  return failure("view.unknown", "there is no view '" + id + "'", {}, {id});
+}
+
+std::vector<std::string> viewNames(std::size_t argument) {
+  std::vector<std::string> names;
+  if (argument != 0) return names;
+  for (const widgets::ViewType& type : widgets::ViewRegistry::all()) names.emplace_back(type.id);
+  return names;
+}
+
+}  // namespace
+
+void MainWindow::attachCommands() {
+  auto& commands = workbench_.commands();
+  widgets::attachMotionCommands(context_);
+  widgets::attachParameterCommands(commands, *new widgets::ParameterEdits(context_.session, this));
+  if (commands.isAttached("view.show")) return;
+  attachViewCommands();
+  attachPerspectiveCommands();
+  attachPlotCommands();
+}
+
+void MainWindow::attach(const char* name, WindowCommand run, robotlink::CommandTable::Offer offer) {
+  const auto act = [window = QPointer(this), run = std::move(run)](const Values& values) -> Result<void> {
+    if (window) return run(*window, values);
+    return failure("window.closed", "the window is closed");
+  };
+  workbench_.commands().attach(name, act, std::move(offer));
+}
+
+void MainWindow::attachViewCommands() {
+  const auto attachForView = [this](const char* name, void (*run)(MainWindow&, const QString& id)) {
+    const auto act = [run](MainWindow& window, const Values& values) -> Result<void> {
+      const QString id = argumentOf(values, 0);
+      if (widgets::ViewRegistry::find(id.toStdString()) == nullptr) return unknownView(id.toStdString());
+      run(window, id);
+      return {};
+    };
+    attach(name, act, viewNames);
+  };
+  attachForView("view.show", [](MainWindow& window, const QString& id) { window.docks_->open(id); });
+  attachForView("view.another",
+                [](MainWindow& window, const QString& id) { window.docks_->openAnother(id); });
+  attachForView("view.close", [](MainWindow& window, const QString& id) {
+    window.maximizedView_->restore();
+    window.docks_->close(id);
+  });
+  attachForView("view.maximize", [](MainWindow& window, const QString& id) {
+    window.maximizedView_->maximize(*window.docks_->open(id));
+  });
+  attach("view.restore", [](MainWindow& window, const Values&) -> Result<void> {
+    window.maximizedView_->restore();
+    return {};
+  });
+  const auto attachForFile =
+      [this](const char* name, Result<void> (MainWindow::*save)(const std::string&, const std::string&)) {
+        const auto act = [save](MainWindow& window, const Values& values) {
+          return (window.*save)(std::get<std::string>(values[0]), std::get<std::string>(values[1]));
+        };
+        attach(name, act, viewNames);
+      };
+  attachForFile("view.screenshot", &MainWindow::saveScreenshot);
+  attachForFile("view.save", &MainWindow::saveView);
+}
+
+void MainWindow::attachPerspectiveCommands() {
+  const auto names = [window = QPointer(this)](std::size_t) {
+    return window ? toStrings(window->perspectives_.names()) : std::vector<std::string>();
+  };
+  const auto attachForPerspective = [&](const char* name,
+                                        Result<void> (*run)(MainWindow&, const QString& name)) {
+    const auto act = [run](MainWindow& window, const Values& values) -> Result<void> {
+      const QString wanted = argumentOf(values, 0);
+      const QStringList known = window.perspectives_.names();
+      if (known.contains(wanted)) return run(window, wanted);
+      return failure("view.perspective",
+                     QStringLiteral("there is no perspective %1; there are %2")
+                         .arg(wanted, known.join(QStringLiteral(", ")))
+                         .toStdString(),
+                     {}, {wanted.toStdString()});
+    };
+    attach(name, act, names);
+  };
+  attachForPerspective("view.perspective", [](MainWindow& window, const QString& name) -> Result<void> {
+    window.showPerspective(name);
+    return {};
+  });
+  attachForPerspective("view.delete-perspective", [](MainWindow& window, const QString& name) {
+    return window.removePerspective(name);
+  });
+  attach(
+      "view.save-perspective",
+      [](MainWindow& window, const Values& values) { return window.savePerspective(argumentOf(values, 0)); },
+      names);
+  const auto attachSimple = [this](const char* name, void (*run)(MainWindow&)) {
+    attach(name, [run](MainWindow& window, const Values&) -> Result<void> {
+      run(window);
+      return {};
+    });
+  };
+  attachSimple("view.reset", [](MainWindow& window) { window.resetPerspective(); });
+  attachSimple("view.undo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::undo); });
+  attachSimple("view.redo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::redo); });
+  attach("view.appearance", [](MainWindow& window, const Values& values) -> Result<void> {
+    window.setAppearance(appearanceFromName(argumentOf(values, 0)));
+    return {};
+  });
+}
+
+void MainWindow::attachPlotCommands() {
+  const auto offers = [this](QStringList (widgets::PlotsView::*texts)() const) {
+    return [texts, window = QPointer(this)](std::size_t) {
+      const auto* plots = window ? window->findView<widgets::PlotsView>("plots") : nullptr;
+      return plots == nullptr ? std::vector<std::string>() : toStrings((plots->*texts)());
+    };
+  };
+  attach(
+      "plots.add",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const QString value = argumentOf(values, 0);
+        if (window.shownView<widgets::PlotsView>("plots")->addCurve(value)) return {};
+        return failure("plots.add", "there is a curve of " + value.toStdString() + " already", {},
+                       {value.toStdString()});
+      },
+      offers(&widgets::PlotsView::sources));
+  attach(
+      "plots.remove",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const QString value = argumentOf(values, 0);
+        auto* plots = window.findView<widgets::PlotsView>("plots");
+        if (plots != nullptr && plots->removeCurve(value)) return {};
+        return failure("plots.remove", "there is no curve of " + value.toStdString(), {},
+                       {value.toStdString()});
+      },
+      offers(&widgets::PlotsView::curves));
+  attach("plots.clear", [](MainWindow& window, const Values&) -> Result<void> {
+    if (auto* plots = window.findView<widgets::PlotsView>("plots")) plots->clear();
+    return {};
+  });
+}
+
+template <typename V>
+V* MainWindow::findView(const char* id) const {
+  for (const ads::CDockWidget* dock : docks_->docks(QLatin1String(id))) {
+    if (!dock->isClosed()) return qobject_cast<V*>(dock->widget());
+  }
+  return nullptr;
+}
+
+template <typename V>
+V* MainWindow::shownView(const char* id) {
+  if (V* view = findView<V>(id)) return view;
+  ads::CDockWidget* dock = docks_->open(QLatin1String(id));
+  return dock == nullptr ? nullptr : qobject_cast<V*>(dock->widget());
+}
+
+Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
+  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(QString::fromStdString(id));
+  return unknownView(id);
+}
+
+Result<void> MainWindow::saveScreenshot(const std::string& view, const std::string& file) {
+  QWidget* shown = this;
+  if (view != kWindow) {
+    const auto dock = openView(view);
+    if (!dock) return tl::unexpected(dock.error());
+    shown = (*dock)->widget();
+  }
+  docks_->tick();
+  return widgets::writePicture(shown->grab().toImage(), QString::fromStdString(file));
+}
+
+Result<void> MainWindow::saveView(const std::string& id, const std::string& file) {
+  const auto dock = openView(id);
+  if (!dock) return tl::unexpected(dock.error());
+  docks_->tick();
+  return static_cast<widgets::View*>((*dock)->widget())->saveTo(QString::fromStdString(file));
+}
+
+void MainWindow::stepLayout(void (LayoutHistory::*step)()) {
+  whenDocksRest([this, step] {
+    layouts_->look();  // what was changed just now is a step, too
+    (layouts_->*step)();
+  });
+}
+
+Result<void> MainWindow::savePerspective(const QString& name) {
+  if (name.trimmed().isEmpty()) return failure("view.perspective", "a perspective needs a name");
+  perspectives_.keep(name.trimmed(), *docks_);
+  keepWindow();
+  fillPerspectiveMenu();
+  return {};
+}
+
+Result<void> MainWindow::removePerspective(const QString& name) {
+  if (perspectives_.isShipped(name))
+    return failure("view.perspective", name.toStdString() + " is shipped and cannot be deleted", {},
+                   {name.toStdString()});
+  whenDocksRest([this, name] {
+    const bool isShown = name == perspectives_.current();
+    perspectives_.remove(name);
+    if (isShown) perspectives_.show(QStringLiteral("Play"), *docks_);
+    if (isShown) layouts_->forget();
+    fillPerspectiveMenu();
+  });
+  return {};
+}
+
+void MainWindow::createPalette() {
+  palette_ = new CommandPalette({*actions_, workbench_.commands(), widgets::commandLog(context_)}, this);
+  auto* action = new QAction(tr("&Commands…"), this);
+  action->setObjectName(QStringLiteral("help.commands"));
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
+  action->setShortcutContext(Qt::ApplicationShortcut);
+  action->setToolTip(tr("Finds commands and menu entries by their words, and runs them"));
+  connect(action, &QAction::triggered, palette_, &CommandPalette::open);
+  addAction(action);
+  if (auto* menu = findChild<QMenu*>(QStringLiteral("helpMenu")))
+    menu->insertAction(menu->actions().value(0), action);
+}
+
+}  // namespace app

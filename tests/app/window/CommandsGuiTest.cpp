@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands about the window: that they do what its menus and buttons do.
+#include <qtadvanceddocking/DockWidget.h>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+
+#include "app/robotcontrol/Appearance.h"
+#include "robotlink/commands/CommandTable.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
+#include "widgets/plots/PlotsView.h"
+
+namespace app::test {
+namespace {
+
+struct CommandDesk : EmptyDesk {
+  using EmptyDesk::EmptyDesk;
+  /// The error's id; empty: none.
+  QString run(const QString& line) {
+    const auto done = workbench.commands().runLine(line.toStdString());
+    return done ? QString() : QString::fromStdString(done.error().id);
+  }
+  bool isOpen(const char* id) { return window.docks().isOpen(QLatin1String(id)); }
+};
+
+}  // namespace
+
+class CommandsGuiTest : public WindowTest {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyDeclaredCommandHasAHandlerInTheWorkbench() {
+    CommandDesk desk(home_);
+    const auto missing = desk.workbench.commands().unattached();
+    QVERIFY2(missing.empty(), missing.empty() ? "" : missing.front().c_str());
+  }
+
+  void viewsAreShownClosedAndMaximized() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("view.show plots")), QString());
+    QVERIFY(desk.window.docks().isInFront(QStringLiteral("plots")));
+    QCOMPARE(desk.run(QStringLiteral("view.another plots")), QString());
+    QCOMPARE(desk.window.docks().docks(QStringLiteral("plots")).size(), std::size_t{2});
+    QCOMPARE(desk.run(QStringLiteral("view.close plots")), QString());
+    QVERIFY(!desk.isOpen("plots"));
+    auto* field = desk.window.docks().open(QStringLiteral("field"));
+    auto* scene = desk.window.docks().open(QStringLiteral("scene"));
+    QVERIFY(field->isVisible() && scene->isVisible());
+    QCOMPARE(desk.run(QStringLiteral("view.maximize field")), QString());
+    QVERIFY(field->isVisible() && !scene->isVisible());
+    QCOMPARE(desk.run(QStringLiteral("view.maximize scene")), QString());
+    QVERIFY(!field->isVisible() && scene->isVisible());
+    QCOMPARE(desk.run(QStringLiteral("view.restore")), QString());
+    QVERIFY(field->isVisible() && scene->isVisible());
+    QCOMPARE(desk.run(QStringLiteral("view.close nothing")), QStringLiteral("view.unknown"));
+  }
+
+  void perspectivesAreShownSavedResetAndDeleted() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("view.perspective Motion")), QString());
+    QTRY_VERIFY(desk.find<QAction>("perspective.Motion").isChecked());
+    QVERIFY(desk.isOpen("motion"));
+    QCOMPARE(desk.run(QStringLiteral("view.close motion")), QString());
+    QCOMPARE(desk.run(QStringLiteral("view.save-perspective 'My own'")), QString());
+    QVERIFY(desk.has("perspective.My own"));
+    QCOMPARE(desk.run(QStringLiteral("view.perspective Motion")), QString());
+    QCOMPARE(desk.run(QStringLiteral("view.reset")), QString());
+    QTRY_VERIFY(desk.isOpen("motion"));
+    QCOMPARE(desk.run(QStringLiteral("view.perspective 'My own'")), QString());
+    QTRY_VERIFY(!desk.isOpen("motion"));
+    QCOMPARE(desk.run(QStringLiteral("view.delete-perspective 'My own'")), QString());
+    QTRY_VERIFY(!desk.has("perspective.My own"));
+    QCOMPARE(desk.run(QStringLiteral("view.delete-perspective Play")), QStringLiteral("view.perspective"));
+    QCOMPARE(desk.run(QStringLiteral("view.perspective Nowhere")), QStringLiteral("view.perspective"));
+    QCOMPARE(desk.run(QStringLiteral("view.save-perspective ''")), QStringLiteral("view.perspective"));
+  }
+
+  void changesOfTheLayoutAreUndoneAndRedone() {
+    CommandDesk desk(home_);
+    desk.window.tick();
+    QVERIFY(desk.isOpen("field"));
+    QCOMPARE(desk.run(QStringLiteral("view.close field")), QString());
+    QCOMPARE(desk.run(QStringLiteral("view.undo")), QString());
+    QTRY_VERIFY(desk.isOpen("field"));
+    QCOMPARE(desk.run(QStringLiteral("view.redo")), QString());
+    QTRY_VERIFY(!desk.isOpen("field"));
+  }
+
+  void theAppearanceIsChosen() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("view.appearance dark")), QString());
+    QVERIFY(desk.find<QAction>("appearance.dark").isChecked());
+    QCOMPARE(desk.run(QStringLiteral("view.appearance light")), QString());
+    QVERIFY(desk.find<QAction>("appearance.light").isChecked());
+    QVERIFY(!desk.run(QStringLiteral("view.appearance purple")).isEmpty());
+    QCOMPARE(desk.run(QStringLiteral("view.appearance system")), QString());
+  }
+
+  void anyViewIsSavedAsAPicture() {
+    CommandDesk desk(home_);
+    QTemporaryDir folder;
+    for (const char* view : {"field", "messages", "plots"}) {
+      const QString file = folder.filePath(QLatin1String(view) + QStringLiteral(".png"));
+      QCOMPARE(desk.run(QStringLiteral("view.save %1 %2").arg(QLatin1String(view), file)), QString());
+      QVERIFY2(QImage(file).width() > 50, view);
+    }
+    QVERIFY(!desk.run(QStringLiteral("view.save field /no/such/folder/field.png")).isEmpty());
+    QVERIFY(!desk.run(QStringLiteral("view.save plots /no/such/folder/plots.png")).isEmpty());
+    QCOMPARE(desk.run(QStringLiteral("view.save nothing x.png")), QStringLiteral("view.unknown"));
+  }
+
+  void plotsGetAndLoseCurvesAndAreWrittenAsATable() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto run = [&](const QString& line) {
+      const auto done = desk.workbench.commands().runLine(line.toStdString());
+      return done ? QString() : QString::fromStdString(done.error().id);
+    };
+    const QString curve = QStringLiteral("\"simulation: time\"");
+    QCOMPARE(run(QStringLiteral("plots.add ") + curve), QString());
+    QCOMPARE(run(QStringLiteral("plots.add ") + curve), QStringLiteral("plots.add"));
+    QVERIFY(desk.window.docks().isOpen(QStringLiteral("plots")));
+    auto* view = qobject_cast<widgets::PlotsView*>(
+        desk.window.docks().docks(QStringLiteral("plots")).front()->widget());
+    QVERIFY(view->curves().contains(QStringLiteral("simulation: time")));
+    const auto offered = desk.workbench.commands().find("plots.add")->offer(0);
+    QVERIFY(std::find(offered.begin(), offered.end(), "simulation: time") != offered.end());
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("points.csv"));
+    QCOMPARE(run(QStringLiteral("view.save plots ") + file), QString());
+    QFile table(file);
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    QVERIFY(table.readLine().contains("simulation: time"));
+    QVERIFY(!table.readLine().isEmpty());
+    QCOMPARE(run(QStringLiteral("plots.remove ") + curve), QString());
+    QCOMPARE(run(QStringLiteral("plots.remove ") + curve), QStringLiteral("plots.remove"));
+    QCOMPARE(run(QStringLiteral("plots.add ") + curve), QString());
+    QCOMPARE(run(QStringLiteral("plots.clear")), QString());
+    QVERIFY(view->curves().isEmpty());
+  }
+
+  void robotsAndTheBallArePlaced() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& commands = desk.workbench.commands();
+    QVERIFY(commands.runLine("scene.place red1 -0.5 0.25 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.robot() && std::abs(desk.robot()->x() + 0.5) < 0.02 && std::abs(desk.robot()->y() - 0.25) < 0.02,
+        kWaitMs);
+    const auto nobody = commands.runLine("scene.place nobody 0 0");
+    QVERIFY(!nobody);
+    QVERIFY(nobody.error().text.find("red1") != std::string::npos);
+  }
+
+  void whatWasTypedIsRememberedOverARestart() {
+    {
+      CommandDesk desk(home_);
+      desk.window.docks().open(QStringLiteral("console"));
+      auto& input = desk.find<QLineEdit>("consoleInput");
+      input.setFocus();
+      QTest::keyClicks(&input, QStringLiteral("view.show field"));
+      QTest::keyClick(&input, Qt::Key_Return);
+      QVERIFY(desk.window.docks().isInFront(QStringLiteral("field")));
+      desk.window.keep();
+    }
+    CommandDesk again(home_);
+    again.window.docks().open(QStringLiteral("console"));
+    auto& input = again.find<QLineEdit>("consoleInput");
+    QTest::keyClick(&input, Qt::Key_Up);
+    QCOMPARE(input.text(), QStringLiteral("view.show field"));
+  }
+
+  void whatIsRefusedLaterIsShownInTheConsole() {
+    CommandDesk desk(home_);
+    desk.window.docks().open(QStringLiteral("console"));
+    QCOMPARE(desk.run(QStringLiteral("simulation.start")), QString());
+    desk.window.tick();
+    QVERIFY(desk.find<QPlainTextEdit>("consoleOutput").toPlainText().contains(QStringLiteral("Refused")));
+  }
+};
+
+const widgets::test::GuiTest<CommandsGuiTest> kCommandsGuiTest;
+
+}  // namespace app::test
+
+#include "CommandsGuiTest.moc"
