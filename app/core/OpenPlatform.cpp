@@ -17,10 +17,11 @@ namespace app {
 OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
     : userFolder_(std::move(userFolder)),
       recording_(userFolder_),
-      remote_(session_, recording_.recorder()),
+      limits_(userFolder_ / "links.json"),
+      remote_(session_, recording_.recorder(), limits_),
       offer_(session_),
       hosting_(userFolder_ / "hosting.json"),
-      platform_(session_, recording_.recorder(), &hosting_) {
+      platform_(session_, recording_.recorder(), &hosting_, &limits_) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   // What is refused is among the notes of remote_.
   offer_.onSteerElsewhere(
@@ -133,6 +134,12 @@ robotlink::Result<void> OpenPlatform::disconnectRemote(const std::string& url) {
   if (auto kept = keepKeys(); !kept) report({kept.error()});
   return remote_.disconnect(url);
 }
+robotlink::Result<void> OpenPlatform::limitRemote(const std::string& url, const LinkLimits& limits) {
+  const auto parsed = robotlink::websocket::parseServerUrl(url);
+  if (!parsed) return tl::unexpected(parsed.error());
+  limits_.choose(toString(*parsed), limits);
+  return {};
+}
 robotlink::Result<void> OpenPlatform::steer(const std::string& robot, bool giveUp) {
   const auto& robots = session_.robots();
   if (std::ranges::find(robots, robot) == robots.end())
@@ -168,6 +175,7 @@ void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
   if (const auto saved = hosting_.save(); !saved) report({saved.error()});
+  if (const auto saved = limits_.save(); !saved) report({saved.error()});
   if (!loading()) bodyQuestion_.follow();
   followRemote();
   session_.tick();

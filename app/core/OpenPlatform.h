@@ -31,8 +31,8 @@ namespace app {
 /// recording. Only in one thread, that of the GUI, which calls tick() at 30 Hz.
 class OpenPlatform {
  public:
-  /// The settings of the recording, the debug keys that were on for each robot, and where programs run are
-  /// kept below `userFolder`.
+  /// The settings of the recording, the debug keys that were on for each robot, where programs run, and what
+  /// connections may carry are kept below `userFolder`.
   explicit OpenPlatform(std::filesystem::path userFolder);
   ~OpenPlatform();
 
@@ -71,10 +71,9 @@ class OpenPlatform {
   bool asksForBody() const { return bodyQuestion_.asked().has_value(); }
   /// What robots elsewhere object to, and the user can decide.
   std::vector<LinkQuestion> questions() const;
-  /// See RemoteRobots::limit().
-  robotlink::Result<void> limitRemote(const std::string& url, const RemoteRobots::Limits& limits) {
-    return remote_.limit(url, limits);
-  }
+  /// Limits what a connection carries, also that to a body whose program runs here, now and whenever it is
+  /// connected. Fails if the URL makes no sense.
+  robotlink::Result<void> limitRemote(const std::string& url, const LinkLimits& limits);
   /// See RemoteRobots::recordings().
   RecordingJobs* recordingsAt(const std::string& url) { return remote_.recordings(url); }
   DeployJobs* deploymentAt(const std::string& url) { return remote_.deployment(url); }
@@ -164,6 +163,7 @@ class OpenPlatform {
   std::deque<std::shared_ptr<Opening>> openings_;
   BodyQuestion bodyQuestion_;
   RobotSearch search_;
+  LinkLimitsMemory limits_;
   RemoteRobots remote_;
   /// RemoteRobots::version() when the session was told.
   std::uint64_t remoteVersion_ = 0;

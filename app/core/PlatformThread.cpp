@@ -22,10 +22,11 @@ struct PlatformThread::Asked {
 };
 
 PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder,
-                               HostingMemory* hosting)
+                               HostingMemory* hosting, const LinkLimitsMemory* limits)
     : session_(session),
       recorder_(recorder),
       hosting_(hosting),
+      limits_(limits),
       thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); },
                [this] { endFeed(); }}) {}
 
@@ -89,8 +90,8 @@ void PlatformThread::open(PlatformOpening opening, logplayer::LogFile::Progress 
       [this, opening = std::move(opening), progress = std::move(progress), handler = std::move(handler)] {
         const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
         if (sameKind) feed_->makeWay();
-        auto feed = opening.make(
-            {session_, recorder_, memories_[opening.adapter], overridesFor(opening), progress, hosting_});
+        auto feed = opening.make({session_, recorder_, memories_[opening.adapter], overridesFor(opening),
+                                  progress, hosting_, limits_});
         if (!feed) {
           robotlink::Errors errors = feed.error();
           if (sameKind) {

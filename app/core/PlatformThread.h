@@ -36,9 +36,9 @@ class PlatformThread {
   using LoadHandler = std::function<void(const tl::expected<LoadedPlatform, robotlink::Errors>&)>;
 
   /// Starts the thread; at first no platform runs.
-  /// `hosting` may be null, see PlatformContext; otherwise it must outlive this object.
-  PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder,
-                 HostingMemory* hosting = nullptr);
+  /// `hosting` and `limits` may be null, see PlatformContext; otherwise they must outlive this object.
+  PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder, HostingMemory* hosting = nullptr,
+                 const LinkLimitsMemory* limits = nullptr);
 
   /// Opens a platform. It gets the overrides of the last one that had any, if that had the same adapter and
   /// sources.
@@ -95,6 +95,7 @@ class PlatformThread {
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
   HostingMemory* const hosting_;
+  const LinkLimitsMemory* const limits_;
   /// Null if no platform runs. Only in the platform's thread.
   std::unique_ptr<PlatformFeed> feed_;
   /// Only in the platform's thread.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RemoteCommands.h"
 
-#include <map>
 #include <string>
 
 #include "app/core/CommandValues.h"
@@ -12,12 +11,11 @@ namespace app {
 namespace {
 
 robotlink::Result<void> limitRemote(OpenPlatform& open, const Values& values) {
-  using Images = RemoteRobots::Limits::Images;
-  const double bytes = number(values, 1);
-  const std::map<std::string, Images> images{
-      {"auto", Images::kAutomatic}, {"raw", Images::kRaw}, {"jpeg", Images::kJpeg}};
+  const double bytes = number(values, 1), rate = number(values, 3);
   if (!(bytes >= 0)) return robotlink::failure("remote.limit", "a limit is a number of bytes a second, or 0");
-  return open.limitRemote(text(values, 0), {bytes, images.at(text(values, 2))});
+  if (!(rate >= 0))
+    return robotlink::failure("remote.limit", "a limit is a number of images a second, or 0: all");
+  return open.limitRemote(text(values, 0), {bytes, *imagesNamed(text(values, 2)), rate});
 }
 
 }  // namespace

@@ -122,7 +122,7 @@ robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, lo
                                  }});
   const auto access = listenAccess(options.address, options.access);
   if (!access) return {access.error()};
-  server.setImageEncoder(jpegOf);
+  server.setImageEncoders(imageEncoders());
   auto listener = Listener::open(server.server(), access->listening);
   if (!listener) return {listener.error()};
   for (const std::string& note : access->notes) out << note << std::endl;

@@ -18,13 +18,11 @@ robotlink::Result<PlatformOpening> openBody(const PlatformChoices& choices) {
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
   options.map = textOf(choices.values, "map");
-  options.asJpeg = flagOf(choices.values, "jpeg");
   return BodyFeed::opening(std::move(options));
 }
 
 /// Only a command: the dialog is that of all connections, Robot > Connect…
 PlatformForm bodyForm() {
-  using Kind = PlatformField::Kind;
   PlatformForm form{.name = "body",
                     .command = "remote.host",
                     .commandHelp =
@@ -37,12 +35,7 @@ PlatformForm bodyForm() {
       {.name = "layout",
        .help = "a layout file or the name of a shipped one; '': the robot's",
        .noun = "layout"},
-      {.name = "map", .help = "a map of where it drives, or ''", .noun = "map"},
-      {.name = "jpeg",
-       .kind = Kind::kFlag,
-       .help = "whether images come as JPEG, for narrow lines",
-       .initial = false,
-       .noun = "choice of JPEG"}};
+      {.name = "map", .help = "a map of where it drives, or ''", .noun = "map"}};
   return form;
 }
 

@@ -61,7 +61,7 @@ PlatformOpening BodyFeed::opening(BodyOptions options) {
     if (chosen.robot.empty() && context.overrides.size() == 1)
       chosen.overrides = context.overrides.begin()->second;
     chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, kAdapter);
-    return create(std::move(chosen), context.session, context.recorder, context.hosting);
+    return create(std::move(chosen), context.session, context.recorder, context.hosting, context.limits);
   };
   opening.refusal = [refusal = options.refusal] { return refusal->get(); };
   opening.withToken = [options](const std::string& token) {
@@ -75,9 +75,11 @@ PlatformOpening BodyFeed::opening(BodyOptions options) {
 tl::expected<std::unique_ptr<BodyFeed>, Errors> BodyFeed::create(BodyOptions options,
                                                                  robotlink::Session& session,
                                                                  logplayer::Recorder& recorder,
-                                                                 HostingMemory* hosting) {
+                                                                 HostingMemory* hosting,
+                                                                 const LinkLimitsMemory* limits) {
   auto feed = std::unique_ptr<BodyFeed>(new BodyFeed(std::move(options), session, recorder));
   feed->hosting_ = hosting;
+  feed->limits_ = limits;
   for (const auto part : {&BodyFeed::findBody, &BodyFeed::describeRobot, &BodyFeed::startProgram})
     if (Errors errors = (feed.get()->*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
   return feed;
@@ -104,6 +106,10 @@ BodyFeed::~BodyFeed() {
   tap_->clear();
 }
 
+LinkLimits BodyFeed::limits() const {
+  return limits_ == nullptr ? options_.limits : limits_->limits(options_.url);
+}
+
 Errors BodyFeed::findBody() {
   auto connection = linkOptions(options_.url, options_.token, options_.isTrusted);
   if (!connection) return {connection.error()};
@@ -112,7 +118,7 @@ Errors BodyFeed::findBody() {
   BodyLink::Options linking;
   linking.connection = std::move(*connection);
   linking.robot = options_.robot;
-  linking.asJpeg = options_.asJpeg;
+  linking.limits = limits();
   link_ = std::make_unique<BodyLink>(std::move(linking));
   robotlink::Instant heardAt = local_.now();
   std::uint64_t progress = 0;
@@ -279,6 +285,7 @@ void BodyFeed::step() {
   robot_->enqueueRequests();
   tap_->askForPackages();
   if (spread_) platform_->setUnattended(robot_->isUnattended());
+  followLimits();
   executor_->step();
   noteRefusal();
   robot_->startStep();
@@ -288,6 +295,11 @@ void BodyFeed::step() {
   // Missed steps are not made up for.
   due_ = std::max(due_ + kBodyStep, real);
   if (isRead_ && real - lastStatus_ >= kBodyStatusEvery) publishStatus();
+}
+
+void BodyFeed::followLimits() {
+  if (limits_ != nullptr && std::exchange(limitsVersion_, limits_->version()) != limits_->version())
+    link_->limit(limits());
 }
 
 void BodyFeed::noteRefusal() {

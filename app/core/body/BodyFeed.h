@@ -17,6 +17,7 @@
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotHost.h"
 #include "app/core/remote/LinkAccess.h"
+#include "app/core/remote/LinkLimits.h"
 #include "app/core/spread/SpreadProgram.h"
 
 namespace app {
@@ -39,7 +40,8 @@ struct BodyOptions {
   std::filesystem::path map = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
-  bool asJpeg = false;
+  /// What the connection may carry, where no memory has it.
+  LinkLimits limits = {};
   /// Gets why the body refuses the connection once it is open; may be null.
   std::shared_ptr<BodyRefusal> refusal = nullptr;
   /// What the user chose for this robot when it was open before.
@@ -76,11 +78,11 @@ class BodyFeed final : public PlatformFeed {
   /// Returns the opening for PlatformThread. The robot's overrides are those of the last time it was open. If
   /// the body objects to what a person can decide, the errors say so: questionIn().
   static PlatformOpening opening(BodyOptions options);
-  /// `hosting` remembers what the user chooses; it may be null, otherwise it must outlive the feed.
-  static tl::expected<std::unique_ptr<BodyFeed>, robotlink::Errors> create(BodyOptions options,
-                                                                           robotlink::Session& session,
-                                                                           logplayer::Recorder& recorder,
-                                                                           HostingMemory* hosting = nullptr);
+  /// `hosting` remembers what the user chooses, and `limits` knows what the connection may carry; they may be
+  /// null, otherwise they must outlive the feed.
+  static tl::expected<std::unique_ptr<BodyFeed>, robotlink::Errors> create(
+      BodyOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+      HostingMemory* hosting = nullptr, const LinkLimitsMemory* limits = nullptr);
   ~BodyFeed() override;
   /// Looks for the body only.
   static tl::expected<FoundBody, robotlink::Errors> find(BodyOptions options);
@@ -127,6 +129,8 @@ class BodyFeed final : public PlatformFeed {
   void reportSpread(const std::string& text);
   void publishLostOverrides();
   robotlink::Errors hostProgram(const std::string& asked, const robotcontrol::HostProgram& choice);
+  LinkLimits limits() const;
+  void followLimits();
   /// Passes on why the body refuses the connection, such as by another certificate than before.
   void noteRefusal();
   /// Adopts a program and starts its threads.
@@ -141,6 +145,9 @@ class BodyFeed final : public PlatformFeed {
   bool isRead_ = true;
   logplayer::Recorder& recorder_;
   HostingMemory* hosting_ = nullptr;
+  const LinkLimitsMemory* limits_ = nullptr;
+  /// Its version when the connection got them.
+  std::uint64_t limitsVersion_ = 0;
   robotlink::SteadyClock local_;
   BodyClock clock_{local_};
   std::unique_ptr<BodyLink> link_;

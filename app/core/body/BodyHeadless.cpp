@@ -25,7 +25,8 @@ using nlohmann::json;
 using Kind = PlatformField::Kind;
 
 constexpr char kMapOption[] = "map", kRobotOption[] = "robot", kSecondsOption[] = "seconds",
-               kTextsOption[] = "texts", kTokenOption[] = "token", kJpegOption[] = "jpeg";
+               kTextsOption[] = "texts", kTokenOption[] = "token", kJpegOption[] = "jpeg",
+               kPngOption[] = "png", kBudgetOption[] = "budget", kRateOption[] = "image-rate";
 constexpr robotlink::StreamStore::Limits kNoHistory{std::chrono::seconds(1), 64U << 20U};
 
 BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole& console) {
@@ -38,7 +39,10 @@ BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole&
   if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
   options.map = textOf(values, kMapOption);
   options.solutions = choices.solutions;
-  options.asJpeg = flagOf(values, kJpegOption);
+  options.limits.bytesPerSecond = numberOf(values, kBudgetOption);
+  options.limits.imagesPerSecond = numberOf(values, kRateOption);
+  if (flagOf(values, kJpegOption)) options.limits.images = LinkLimits::Images::kJpeg;
+  if (flagOf(values, kPngOption)) options.limits.images = LinkLimits::Images::kPng;
   options.spread = choices.spread;
   options.hosting.ownProcesses = flagOf(values, ownProcessField().name);
   return options;
@@ -196,6 +200,25 @@ HeadlessPlatform headlessBody() {
             .help = "Bodies elsewhere: images as JPEG, for narrow lines",
             .initial = false,
             .option = "--jpeg"},
+           {.name = kPngOption,
+            .kind = Kind::kFlag,
+            .help = "Bodies elsewhere: images as PNG",
+            .initial = false,
+            .option = "--png"},
+           {.name = kBudgetOption,
+            .kind = Kind::kNumber,
+            .help = "Bodies elsewhere: bytes a second that the body may send (no limit)",
+            .initial = 0.0,
+            .noun = "number of bytes a second",
+            .max = 1e12,
+            .option = "--budget"},
+           {.name = kRateOption,
+            .kind = Kind::kNumber,
+            .help = "Bodies elsewhere: images of each stream a second that the body may send (all)",
+            .initial = 0.0,
+            .noun = "number of images a second",
+            .max = 1e6,
+            .option = "--image-rate"},
            ownProcessField()},
       .prepare = prepareBody,
       .prepareServing = prepareServedBody,

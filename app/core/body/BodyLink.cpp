@@ -42,7 +42,7 @@ BodyLink::BodyLink(Options options) : wantedRobot_(std::move(options.robot)), se
   linked.wantsNothingElse = true;
   linked.passed = [this](const robotlink::StreamMessage& message) { look(message); };
   client_ = std::make_unique<SessionClient>(session_, std::move(linked));
-  if (options.asJpeg) client_->setImages(SessionClient::Images::kJpeg);
+  limit(options.limits);
 }
 
 BodyLink::~BodyLink() = default;
@@ -51,6 +51,10 @@ void BodyLink::tick() {
   client_->tick();
   session_.tick();
   if (!body_) lookForBody();
+}
+
+void BodyLink::limit(const LinkLimits& limits) {
+  if (std::exchange(limits_, limits) != limits) apply(limits, *client_);
 }
 
 bool BodyLink::wants(const std::string& path) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/remote/LinkLimits.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "robotcontrol/Body.pb.h"
 #include "robotlink/foxglove/session/SessionClient.h"
@@ -30,8 +31,7 @@ class BodyLink {
     robotlink::websocket::Connector::Options connection;
     /// The robot whose body it is; empty: the first that is offered.
     std::string robot = {};
-    /// Images are sent as JPEG, for narrow lines.
-    bool asJpeg = false;
+    LinkLimits limits = {};
   };
   /// What the body is, once it is known.
   struct Body {
@@ -67,6 +67,8 @@ class BodyLink {
   Kind kindOf(const std::string& robot) const;
   /// Changes with all that comes on the way to body().
   std::uint64_t progress() const;
+  /// Limits what the connection carries.
+  void limit(const LinkLimits& limits);
   /// From now on only these of the body's packages are sent.
   void want(const std::set<std::string>& packages);
   Arrived take() { return std::exchange(arrived_, {}); }
@@ -80,8 +82,8 @@ class BodyLink {
   void control(const robotcontrol::ControlDrive& details, std::function<void(const std::string& why)> done);
 
   robotlink::websocket::ConnectionState state() const { return client_->state(); }
-  /// "connected, 12 ms, 1.3 MB/s"
-  std::string stateText() const { return client_->stateText(); }
+  /// "connected, 12 ms, 1.3 MB/s, at most 2.0 MB/s"
+  std::string stateText() const { return client_->stateText() + inWords(limits_); }
   std::string url() const { return toString(client_->url()); }
 
  private:
@@ -93,6 +95,8 @@ class BodyLink {
             std::function<void(const std::string& why)> done);
 
   const std::string wantedRobot_;
+  /// Those that the client has.
+  LinkLimits limits_;
   std::map<std::string, robotcontrol::BodyOffer> offers_;
   std::map<std::string, robotlink::PackagePtr> setups_;
   /// Does not change once it is set.

@@ -23,6 +23,7 @@ class Session;
 namespace app {
 
 class HostingMemory;
+class LinkLimitsMemory;
 class PlatformFeed;
 struct HeadlessPlatform;
 
@@ -53,6 +54,8 @@ struct PlatformContext {
   std::function<bool(double share)> progress = {};
   /// Where the user wants programs to run; null: nobody has chosen, and nothing is to be remembered.
   HostingMemory* hosting = nullptr;
+  /// What the user lets connections to robots elsewhere carry; null: nothing is limited.
+  const LinkLimitsMemory* limits = nullptr;
 };
 
 /// A platform that is to be opened, as a value that can be passed to the platform's thread.

@@ -3,14 +3,29 @@
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
+#include "robotlink/foxglove/session/LinkNames.h"
 
 namespace app {
 
-robotlink::PackagePtr jpegOf(const google::protobuf::Message& image) {
-  const auto* raw = dynamic_cast<const foxglove::RawImage*>(&image);
-  if (raw == nullptr) return nullptr;
-  const auto encoded = logplayer::jpegImage(*raw);
-  return encoded ? *encoded : nullptr;
+namespace {
+
+/// Makes messages of what an encoder returns; null if it fails.
+template <typename Encode>
+robotlink::websocket::SessionServer::ImageEncoder encoderBy(Encode encode) {
+  return [encode](const google::protobuf::Message& image) -> robotlink::PackagePtr {
+    const auto* raw = dynamic_cast<const foxglove::RawImage*>(&image);
+    if (raw == nullptr) return nullptr;
+    const auto encoded = encode(*raw);
+    return encoded ? *encoded : nullptr;
+  };
+}
+
+}  // namespace
+
+robotlink::websocket::SessionServer::ImageEncoders imageEncoders() {
+  namespace websocket = robotlink::websocket;
+  return {{websocket::kJpegChannel, encoderBy(logplayer::jpegImage)},
+          {websocket::kPngChannel, encoderBy(logplayer::pngImage)}};
 }
 
 robotlink::PackagePtr decodedImage(const robotlink::PackagePtr& package) {

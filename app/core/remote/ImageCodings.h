@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robotlink/foxglove/session/SessionServer.h"
 #include "robotlink/process/Link.h"
 
 namespace app {
 
-// Images on links, for SessionServer::setImageEncoder() and SessionClient::Options::convert. Any thread.
+// Images on links, for SessionServer and SessionClient::Options::convert. Any thread.
 
-/// An image as JPEG; null if it cannot be encoded.
-robotlink::PackagePtr jpegOf(const google::protobuf::Message& image);
+/// Those of JPEG and PNG.
+robotlink::websocket::SessionServer::ImageEncoders imageEncoders();
 /// A compressed image decoded, as views know images; anything else, or what cannot be decoded, as it is.
 robotlink::PackagePtr decodedImage(const robotlink::PackagePtr& package);
 

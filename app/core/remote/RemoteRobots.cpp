@@ -44,25 +44,14 @@ std::string robotOfStream(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
-/// ", at most 2.0 MB/s, images as JPEG"; empty without limits.
-std::string inWords(const RemoteRobots::Limits& limits) {
-  using Images = RemoteRobots::Limits::Images;
-  std::string text;
-  if (limits.bytesPerSecond >= 1e6) text = fmt::format(", at most {:.1f} MB/s", 1e-6 * limits.bytesPerSecond);
-  if (limits.bytesPerSecond > 0 && text.empty())
-    text = fmt::format(", at most {:.0f} kB/s", 1e-3 * limits.bytesPerSecond);
-  if (limits.images == Images::kJpeg) text += ", images as JPEG";
-  if (limits.images == Images::kRaw) text += ", images raw";
-  return text;
-}
-
 }  // namespace
 
 struct RemoteRobots::Line {
   std::string url, token;
   /// Whether the token is to be remembered once it was accepted.
   bool remembersToken = false;
-  Limits limits = {};
+  /// Those that the client has.
+  LinkLimits limits = {};
   std::unique_ptr<SessionClient> client;
   /// These use the client; null until they were asked for.
   std::unique_ptr<RecordingJobs> recordings;
@@ -70,16 +59,13 @@ struct RemoteRobots::Line {
   std::uint64_t robotsVersion = 0;
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
-
-  void applyLimits() const {
-    client->setImages(limits.images);
-    client->setBudget(limits.bytesPerSecond);
-  }
 };
 
-RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder)
+RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder,
+                           const LinkLimitsMemory& limits)
     : session_(session),
       recorder_(recorder),
+      limits_(limits),
       listener_(
           session.addListener({[this](const robotlink::StreamMessage& message) { record(message); }, {}})),
       notes_(std::make_shared<robotlink::BoundedQueue<robotlink::Error>>(100)) {}
@@ -113,8 +99,8 @@ Result<std::string> RemoteRobots::connect(const std::string& url, const std::str
   options.convert = decodedImage;
   options.alsoWanted = [this](const std::string& path) { return recorded_.contains(path); };
   line->client = std::make_unique<SessionClient>(session_, std::move(options));
-  // Foreign servers know nothing of these.
-  if (line->limits != Limits()) line->applyLimits();
+  line->limits = {};
+  applyLimits();
   ++version_;
   return name;
 }
@@ -130,12 +116,17 @@ Result<void> RemoteRobots::disconnect(const std::string& url) {
   return {};
 }
 
-Result<void> RemoteRobots::limit(const std::string& url, const Limits& limits) {
-  const auto parsed = websocket::parseServerUrl(url);
-  Line* line = parsed ? find(toString(*parsed)) : nullptr;
-  if (line == nullptr) return robotlink::failure("remote.none", "nothing is connected at " + url, {}, {url});
-  if (std::exchange(line->limits, limits) != limits) line->applyLimits();
-  return {};
+/// Foreign servers know nothing of these, and hear nothing as long as nothing is limited.
+void RemoteRobots::applyLimits() {
+  for (const auto& line : lines_) {
+    const LinkLimits chosen = limits_.limits(line->url);
+    if (std::exchange(line->limits, chosen) != chosen) apply(chosen, *line->client);
+  }
+}
+
+std::vector<websocket::RemoteStream> RemoteRobots::streams(const std::string& url) const {
+  const auto line = std::ranges::find(lines_, url, [](const auto& one) { return one->url; });
+  return line == lines_.end() ? std::vector<websocket::RemoteStream>() : (*line)->client->streams();
 }
 
 DeployJobs* RemoteRobots::deployment(const std::string& url) {
@@ -207,7 +198,7 @@ std::vector<RemoteRobots::Connection> RemoteRobots::connections() const {
   std::vector<Connection> all;
   for (const auto& line : lines_)
     all.push_back({line->url, line->client->state(), line->client->stateText() + inWords(line->limits),
-                   line->limits, line->client->robots(), line->client->hasService("recordings/list"),
+                   limits(line->url), line->client->robots(), line->client->hasService("recordings/list"),
                    line->client->hasService("deploy/put")});
   return all;
 }
@@ -271,6 +262,7 @@ void RemoteRobots::tick() {
   }
   for (const auto& line : lines_) noteGaps(*line);
   keepTokens();
+  applyLimits();
   describeRobots();
   showRobots();
   subscribeRecorded();

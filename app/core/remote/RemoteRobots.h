@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/remote/LinkLimits.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Error.h"
@@ -39,17 +40,9 @@ class RecordingJobs;
 /// themselves. Requests to these robots go to them; what is asked of no robot goes to the first connection,
 /// unless a platform is open. What is received is recorded as that of other robots.
 ///
-/// One thread, that of Session::tick(). Session and recorder must outlive it.
+/// One thread, that of Session::tick(). Session, recorder and limits must outlive it.
 class RemoteRobots {
  public:
-  /// How much a connection may carry. A plain value.
-  struct Limits {
-    using Images = robotlink::websocket::RemoteImages;
-    /// That the robot may send; 0: as much as the line takes.
-    double bytesPerSecond = 0;
-    Images images = Images::kAutomatic;
-    bool operator==(const Limits&) const = default;
-  };
   /// A connection, as users see it.
   struct Connection {
     /// Without a token.
@@ -57,7 +50,7 @@ class RemoteRobots {
     robotlink::websocket::ConnectionState state;
     /// "connected, 12 ms, 1.3 MB/s, at most 2.0 MB/s".
     std::string text;
-    Limits limits;
+    LinkLimits limits;
     /// The names of its robots in the session.
     std::vector<std::string> robots;
     /// Whether it records into its own storage, as recordings() shows.
@@ -66,7 +59,7 @@ class RemoteRobots {
     bool hasResources = false;
   };
 
-  RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder);
+  RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder, const LinkLimitsMemory& limits);
   ~RemoteRobots();
   RemoteRobots(const RemoteRobots&) = delete;
   RemoteRobots& operator=(const RemoteRobots&) = delete;
@@ -77,8 +70,10 @@ class RemoteRobots {
   robotlink::Result<std::string> connect(const std::string& url, const std::string& token = {});
   /// Ends a connection; its robots leave the session. Fails if there is none.
   robotlink::Result<void> disconnect(const std::string& url);
-  /// Limits a connection, also when it is connected anew. Fails if there is none.
-  robotlink::Result<void> limit(const std::string& url, const Limits& limits);
+  /// What connections to a URL may carry, as the user chose.
+  LinkLimits limits(const std::string& url) const { return limits_.limits(url); }
+  /// The streams of a connection, with what was left out of each; empty if there is no such connection.
+  std::vector<robotlink::websocket::RemoteStream> streams(const std::string& url) const;
   std::vector<Connection> connections() const;
   /// Remembers the token of a connection as soon as the robot has accepted it.
   robotlink::Result<void> rememberToken(const std::string& url);
@@ -130,6 +125,7 @@ class RemoteRobots {
   void findLeader();
   void noteGaps(Line& line);
   void keepTokens();
+  void applyLimits();
   void describeRobots();
   void showRobots();
   void record(const robotlink::StreamMessage& message);
@@ -139,6 +135,7 @@ class RemoteRobots {
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
+  const LinkLimitsMemory& limits_;
   std::uint64_t listener_;
   /// From the threads of the links; shared with them.
   std::shared_ptr<robotlink::BoundedQueue<robotlink::Error>> notes_;

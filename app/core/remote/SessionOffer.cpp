@@ -38,7 +38,7 @@ robotlink::Result<void> SessionOffer::begin(const std::string& address) {
   auto server = std::make_unique<SessionServer>(
       session_, robotlink::websocket::ServerOptions{},
       [queue = reported_](const std::string& sentence) { queue->push(sentence); });
-  server->setImageEncoder(jpegOf);
+  server->setImageEncoders(imageEncoders());
   server->onSteerElsewhere(steerElsewhere_);
   auto listener = Listener::open(server->server(), access->listening);
   if (!listener) return tl::unexpected(listener.error());

@@ -152,6 +152,17 @@ QLayout* RemoteDialog::createLimits() {
   images_->addItem(tr("raw, as JPEG where the line is too narrow"), QStringLiteral("auto"));
   images_->addItem(tr("always raw"), QStringLiteral("raw"));
   images_->addItem(tr("as JPEG"), QStringLiteral("jpeg"));
+  images_->addItem(tr("as PNG"), QStringLiteral("png"));
+  rate_ = new QDoubleSpinBox(this);
+  widgets::describe(*rate_,
+                    {"remoteImageRate", tr("Images a second"),
+                     tr("How many images a second of each stream the robots at this URL send at most. "
+                        "What is left out counts as thinned")});
+  rate_->setRange(0, 1000);
+  rate_->setDecimals(1);
+  rate_->setSuffix(tr(" a second"));
+  rate_->setSpecialValueText(tr("all"));
+  rate_->setKeyboardTracking(false);
   limit_ = new QDoubleSpinBox(this);
   widgets::describe(*limit_, {"remoteLimit", tr("Limit"),
                               tr("What the robots at this URL may send at most. Newer images and states "
@@ -166,33 +177,46 @@ QLayout* RemoteDialog::createLimits() {
   label->setBuddy(limit_);
   auto* row = new QHBoxLayout;
   row->addWidget(images_, 1);
+  row->addWidget(rate_);
   row->addWidget(label);
   row->addWidget(limit_);
-  const auto changed = [this] { applyLimits(enteredUrl()); };
-  connect(images_, QOverload<int>::of(&QComboBox::activated), this, changed);
-  connect(limit_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, changed);
+  connect(images_, QOverload<int>::of(&QComboBox::activated), this, &RemoteDialog::changeLimits);
+  for (QDoubleSpinBox* box : {rate_, limit_})
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RemoteDialog::changeLimits);
   connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showLimits);
-  // A body sends what its program here needs.
-  connect(program_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          [this](int index) { limit_->setEnabled(index == 0); });
   return row;
 }
 
 void RemoteDialog::showLimits() {
+  const std::string url = enteredUrl();
+  const bool isRecent =
+      std::ranges::any_of(recent_, [&](const Recent& one) { return one.url == QString::fromStdString(url); });
+  if (!isRecent && !isConnected(url)) return;
+  const LinkLimits limits = robots_.limits(url);
+  const QSignalBlocker quietRate(rate_), quietLimit(limit_);
+  rate_->setValue(limits.imagesPerSecond);
+  limit_->setValue(1e-3 * limits.bytesPerSecond);
+  images_->setCurrentIndex(images_->findData(QString::fromLatin1(nameOf(limits.images))));
+}
+
+bool RemoteDialog::isConnected(const std::string& url) const {
+  if (!hosted_.isEmpty() && hosted_ == QString::fromStdString(url)) return true;
   const auto connections = robots_.connections();
-  const auto found = std::ranges::find(connections, enteredUrl(), &RemoteRobots::Connection::url);
-  if (found == connections.end()) return;
-  const QSignalBlocker quiet(limit_);
-  limit_->setValue(1e-3 * found->limits.bytesPerSecond);
-  images_->setCurrentIndex(static_cast<int>(found->limits.images));
+  return std::ranges::count(connections, url, &RemoteRobots::Connection::url) > 0;
+}
+
+void RemoteDialog::changeLimits() {
+  if (const std::string url = enteredUrl(); isConnected(url)) applyLimits(url);
 }
 
 void RemoteDialog::applyLimits(const std::string& url) {
-  limit_->interpretText();
-  const auto connections = robots_.connections();
-  if (std::ranges::count(connections, url, &RemoteRobots::Connection::url) == 0) return;
+  for (QDoubleSpinBox* box : {rate_, limit_}) {
+    const QSignalBlocker quiet(box);
+    box->interpretText();
+  }
   const auto done = commands_.run(
-      "remote.limit", {url, 1e3 * limit_->value(), images_->currentData().toString().toStdString()});
+      "remote.limit",
+      {url, 1e3 * limit_->value(), images_->currentData().toString().toStdString(), rate_->value()});
   if (!done) fail(QString::fromStdString(done.error().text));
 }
 
@@ -242,7 +266,6 @@ void RemoteDialog::createConnections() {
   connections_ = new QTreeWidget(this);
   widgets::describe(*connections_, {"remoteConnections", tr("Connections"), {}});
   connections_->setHeaderLabels({tr("State"), tr("Robots"), tr("Address")});
-  connections_->setRootIsDecorated(false);
   widgets::styleTree(*connections_);
   auto* fit = new widgets::ColumnFit(
       *connections_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName, widgets::ColumnKind::kName});
@@ -298,10 +321,10 @@ void RemoteDialog::connectUrl() {
   wanted_ = QString::fromStdString(toString(*parsed));
   widgets::setMeaning(*state_, {});
   wantsProgram_ = program_->currentIndex() == 1;
+  applyLimits(wanted_.toStdString());
   if (wantsProgram_) return hostUrl(url.toStdString());
   const auto done = commands_.run("remote.connect", {url.toStdString(), token_->text().toStdString()});
   if (!done) return fail(QString::fromStdString(done.error().text));
-  applyLimits(wanted_.toStdString());
   const auto known = std::ranges::find_if(recent_, [this](const Recent& one) { return one.url == wanted_; });
   remember({wanted_, known == recent_.end() ? QString() : known->robots});
   showConnections();
@@ -310,8 +333,7 @@ void RemoteDialog::connectUrl() {
 
 void RemoteDialog::hostUrl(const std::string& url) {
   const auto done = commands_.run(
-      "remote.host", {url, token_->text().toStdString(), std::string(), std::string(), std::string(),
-                      images_->currentData().toString() == QStringLiteral("jpeg")});
+      "remote.host", {url, token_->text().toStdString(), std::string(), std::string(), std::string()});
   if (!done) return fail(QString::fromStdString(done.error().text));
   remember({wanted_, QString(), true});
   progress_->show();
@@ -343,6 +365,7 @@ void RemoteDialog::failHosted(const QString& reason) {
 void RemoteDialog::disconnectSelected() {
   const QTreeWidgetItem* row = connections_->currentItem();
   if (row == nullptr) return;
+  if (row->parent() != nullptr) row = row->parent();
   const QString url = row->text(2);
   if (url == wanted_) {
     wanted_.clear();
@@ -382,13 +405,37 @@ void RemoteDialog::showConnections() {
     row.setToolTip(1, row.text(1));
     row.setText(2, QString::fromStdString(connection.url));
     row.setData(0, Qt::UserRole, connection.state.connections == 0);
+    showThinned(row, connection.url);
     if (connections_->currentItem() == nullptr || row.text(2) == wanted_) connections_->setCurrentItem(&row);
   }
   showSelected();
 }
 
+void RemoteDialog::showThinned(QTreeWidgetItem& row, const std::string& url) {
+  row.setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
+  if (!row.isExpanded()) return;
+  int count = 0;
+  for (const auto& stream : robots_.streams(url)) {
+    const auto thinned = stream.thinned.value_or(0), dropped = stream.dropped.value_or(0);
+    if (thinned + dropped == 0) continue;
+    QTreeWidgetItem* child = count < row.childCount() ? row.child(count) : new QTreeWidgetItem(&row);
+    child->setText(0, dropped == 0 ? tr("%1 thinned").arg(thinned)
+                                   : tr("%1 thinned, %2 lost").arg(thinned).arg(dropped));
+    child->setText(1, QString::fromStdString(stream.path));
+    child->setToolTip(1, child->text(1));
+    ++count;
+  }
+  if (count == 0) {
+    if (row.childCount() == 0) new QTreeWidgetItem(&row);
+    row.child(count)->setText(0, tr("everything was sent"));
+    row.child(count++)->setText(1, QString());
+  }
+  while (row.childCount() > count) delete row.takeChild(count);
+}
+
 void RemoteDialog::showSelected() {
   const QTreeWidgetItem* row = connections_->currentItem();
+  if (row != nullptr && row->parent() != nullptr) row = row->parent();
   disconnect_->setEnabled(row != nullptr);
   const bool isNew = row != nullptr && row->data(0, Qt::UserRole).toBool();
   disconnect_->setText(isNew ? tr("C&ancel") : tr("&Disconnect"));

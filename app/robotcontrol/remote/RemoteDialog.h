@@ -11,6 +11,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace robotlink {
 class CommandTable;
@@ -64,10 +65,13 @@ class RemoteDialog final : public QDialog {
   void createState();
   QLayout* createToken();
   QLayout* createLimits();
-  /// Shows those of the connection at this URL, if there is one.
+  /// Shows those of this URL, if it is known.
   void showLimits();
-  /// Limits the connection at a URL as was entered, if there is one.
+  /// Limits connections to a URL as was entered.
   void applyLimits(const std::string& url);
+  /// The same for a connection that there is already.
+  void changeLimits();
+  bool isConnected(const std::string& url) const;
   /// The URL that the user has entered, as connections have it; empty if it is none.
   std::string enteredUrl() const;
   /// Takes the address of robots that announce themselves.
@@ -89,6 +93,8 @@ class RemoteDialog final : public QDialog {
   /// Shows why a URL cannot be connected.
   void fail(const QString& reason);
   void showConnections();
+  /// Shows what was left out of the streams of a connection, while its row is open.
+  void showThinned(QTreeWidgetItem& row, const std::string& url);
   /// Shows how the connection that the user asked for is getting on.
   void showProgress();
   void showSelected();
@@ -100,7 +106,7 @@ class RemoteDialog final : public QDialog {
   QComboBox* program_ = nullptr;
   QLineEdit* token_ = nullptr;
   QComboBox* images_ = nullptr;
-  QDoubleSpinBox* limit_ = nullptr;
+  QDoubleSpinBox *rate_ = nullptr, *limit_ = nullptr;
   QPushButton* forget_ = nullptr;
   QLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;

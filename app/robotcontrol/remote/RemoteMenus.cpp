@@ -87,7 +87,7 @@ void RemoteMenus::showOffer() {
 
 void RemoteMenus::host(const std::string& url) {
   const auto done = workbench_.commands().run(
-      "remote.host", {url, std::string(), std::string(), std::string(), std::string(), false});
+      "remote.host", {url, std::string(), std::string(), std::string(), std::string()});
   if (!done) showConnect();
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/remote/ImageCodings.h"
+#include "app/core/remote/LinkLimits.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
@@ -31,8 +32,8 @@ struct WatchArguments {
   RecordOptions record;
   std::string csv;
   std::optional<double> seconds;
-  double budget = 0;
-  bool asJson = false, asJpeg = false, asRaw = false;
+  LinkLimits limits;
+  bool asJson = false, asJpeg = false, asPng = false, asRaw = false;
 };
 
 constexpr std::chrono::milliseconds kWatchTick{10};
@@ -79,9 +80,12 @@ class Watch {
         recorder_(recorder),
         session_(kWatchHistory),
         client_(session_, optionsFor(std::move(connection))) {
-    if (arguments.asJpeg) client_.setImages(SessionClient::Images::kJpeg);
-    if (arguments.asRaw) client_.setImages(SessionClient::Images::kRaw);
-    if (arguments.budget > 0) client_.setBudget(arguments.budget);
+    LinkLimits limits = arguments.limits;
+    if (arguments.asJpeg) limits.images = LinkLimits::Images::kJpeg;
+    if (arguments.asPng) limits.images = LinkLimits::Images::kPng;
+    if (arguments.asRaw) limits.images = LinkLimits::Images::kRaw;
+    // Foreign servers know nothing of these.
+    if (limits != LinkLimits()) apply(limits, client_);
   }
 
   int run() {
@@ -190,15 +194,22 @@ void addWatchCommand(CLI::App& app, int& status) {
   command->add_option("--seconds", arguments->seconds, "Ends after so long; otherwise with Ctrl-C")
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--budget", arguments->budget,
+      ->add_option("--budget", arguments->limits.bytesPerSecond,
                    "Bytes a second that the robot may send; 0 is without limit")
       ->check(CLI::NonNegativeNumber);
   auto* jpeg =
       command->add_flag("--jpeg", arguments->asJpeg, "Lets the robot send images as JPEG, for narrow lines");
+  auto* png =
+      command->add_flag("--png", arguments->asPng, "Lets the robot send images as PNG")->excludes(jpeg);
+  command
+      ->add_option("--image-rate", arguments->limits.imagesPerSecond,
+                   "Images a second that the robot may send of each stream; 0 is all")
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_flag("--raw", arguments->asRaw,
                  "Leaves images raw, also where the line is too narrow; else they come as JPEG then")
-      ->excludes(jpeg);
+      ->excludes(jpeg)
+      ->excludes(png);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object at the end");
   command->footer(
       "What is subscribed to is what a workbench would: tables, states and texts, what debug keys that are "

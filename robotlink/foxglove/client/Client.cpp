@@ -2,6 +2,7 @@
 #include "robotlink/foxglove/client/Client.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robotlink/foxglove/protocol/CallPart.h"
 
@@ -86,6 +87,12 @@ void Client::setBudget(double bytesPerSecond) {
   const std::lock_guard lock(mutex_);
   wishes_.budget = bytesPerSecond;
   if (can("parameters")) send(SetParameters{{{"link/budget", Value{bytesPerSecond}}}, ""});
+}
+
+void Client::setRates(std::map<std::string, double> messagesPerSecond) {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(wishes_.rates, messagesPerSecond) == messagesPerSecond || !can("parameters")) return;
+  send(SetParameters{{{"link/rates", valueOf(wishes_.rates)}}, ""});
 }
 
 void Client::advertise(ClientChannel channel) {

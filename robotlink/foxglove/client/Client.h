@@ -56,6 +56,9 @@ class Client {
   void subscribeGraph(bool wanted);
   /// Bytes a second that the server may send; 0 without limit. For servers that know `link/budget`.
   void setBudget(double bytesPerSecond);
+  /// How many messages a second the server may send of each topic, if the latest one counts; topics that are
+  /// not named are sent whole. For servers that know `link/rates`.
+  void setRates(std::map<std::string, double> messagesPerSecond);
   /// A channel of this client; a topic has one at most. publish() sends nothing unless it is connected.
   void advertise(ClientChannel channel);
   void unadvertise(const std::string& topic);
@@ -125,6 +128,7 @@ class Client {
     std::set<std::string> topics;
     bool parameters = false, graph = false;
     std::optional<double> budget;
+    std::map<std::string, double> rates;
     std::map<std::string, ClientChannel> channels;
     std::uint32_t nextChannel = 1;
   };

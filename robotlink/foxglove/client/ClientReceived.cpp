@@ -72,6 +72,8 @@ Result<void> Client::handle(const ServerInfo& message, Calls& calls) {
 /// Asks for all that holds.
 void Client::greet() {
   if (wishes_.budget && can("parameters")) send(SetParameters{{{"link/budget", Value{*wishes_.budget}}}, ""});
+  if (!wishes_.rates.empty() && can("parameters"))
+    send(SetParameters{{{"link/rates", valueOf(wishes_.rates)}}, ""});
   ClientAdvertise channels;
   for (const auto& [topic, channel] : wishes_.channels) channels.channels.push_back(channel);
   if (!channels.channels.empty() && can("clientPublish")) send(channels);

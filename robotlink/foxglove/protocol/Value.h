@@ -22,6 +22,13 @@ struct Value {
   bool operator==(const Value&) const = default;
 };
 
+/// An object of numbers.
+inline Value valueOf(const std::map<std::string, double>& numbers) {
+  Value::Object object;
+  for (const auto& [name, number] : numbers) object[name] = Value{number};
+  return Value{std::move(object)};
+}
+
 /// A parameter; without a value it does not exist (any more).
 struct Parameter {
   std::string name;

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/foxglove/server/Outbox.h"
 
+#include <algorithm>
+
 namespace robotlink::websocket {
+
+void Outbox::setRate(StreamId id, double messagesPerSecond) {
+  Stream& stream = streams_[id];
+  stream.gap = messagesPerSecond > 0 ? fromSeconds(1 / messagesPerSecond) : Duration(0);
+  stream.due = {};
+}
 
 bool Outbox::pushControl(FrameKind kind, SharedBytes bytes) {
   const std::size_t size = bytes->size();
@@ -15,7 +23,8 @@ bool Outbox::pushControl(FrameKind kind, SharedBytes bytes) {
 void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t maxWaiting) {
   Stream& stream = streams_[id];
   stream.delivery = delivery;
-  const bool isCalm = message.size() + smallBytes_ <= limits_.calmBytes;
+  const bool hasRate = stream.gap > Duration::zero();
+  const bool isCalm = message.size() + smallBytes_ <= limits_.calmBytes && !hasRate;
   addWaiting(message.size());
   if (delivery == Delivery::kLatest && !stream.waiting.empty() && !isCalm) {
     while (stream.waiting.size() > 1) giveUpOldest(stream);
@@ -80,21 +89,32 @@ std::optional<Outgoing> Outbox::next(Instant now) {
     message = std::move(control_.front());
     control_.pop_front();
     controlBytes_ -= message->size();
-  } else if (!turns_.empty() && isReady) {
-    Turn& turn = turns_.front();
-    Stream& stream = streams_[turn.stream];
-    message = std::move(turn.message);
+  } else if (const auto turn = isReady ? firstDue(now) : turns_.end(); turn != turns_.end()) {
+    Stream& stream = streams_[turn->stream];
+    message = std::move(turn->message);
+    // Those of one stream are due together, so this is the first.
     stream.waiting.pop_front();
-    turns_.pop_front();
+    turns_.erase(turn);
     removeWaiting(message->size());
-    ++stream.counters.sent;
-    stream.counters.bytes += message->size();
+    noteSent(stream, message->size(), now);
   }
   if (!message) return message;
-  message->hasMore = !isEmpty();
+  message->hasMore = !control_.empty() || firstDue(now) != turns_.end();
   budget_.take(message->size());
   sentBytes_ += message->size();
   return message;
+}
+
+Outbox::Turns::iterator Outbox::firstDue(Instant now) {
+  return std::ranges::find_if(turns_, [&](const Turn& turn) { return streams_[turn.stream].due <= now; });
+}
+
+void Outbox::noteSent(Stream& stream, std::size_t bytes, Instant now) {
+  ++stream.counters.sent;
+  stream.counters.bytes += bytes;
+  if (stream.gap == Duration::zero()) return;
+  // What is sent a little late does not make the rate lower.
+  stream.due = (now - stream.due < stream.gap ? stream.due : now) + stream.gap;
 }
 
 StreamCounters Outbox::counters(StreamId stream) const {

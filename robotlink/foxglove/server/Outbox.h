@@ -45,7 +45,8 @@ struct Outgoing {
 
 /// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
 /// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
-/// Memory is bounded; payloads are shared. Not thread-safe.
+/// Of a stream with a rate the newest message waits until it is due. Memory is bounded; payloads are shared.
+/// Not thread-safe.
 class Outbox {
  public:
   struct Limits {
@@ -66,6 +67,9 @@ class Outbox {
   /// In bytes a second, 0 without limit: what all messages together may take on average.
   Allowance& budget() { return budget_; }
 
+  /// How often a message of a stream is sent at most, in messages a second, 0 without limit; only of streams
+  /// of which the latest message counts.
+  void setRate(StreamId stream, double messagesPerSecond);
   /// Returns false, and does nothing, if the queue is full.
   bool pushControl(FrameKind kind, SharedBytes bytes);
   /// `maxWaiting` bounds what waits of a complete stream.
@@ -95,8 +99,14 @@ class Outbox {
     std::deque<Turns::iterator> waiting;
     Delivery delivery = Delivery::kLatest;
     StreamCounters counters;
+    /// The time between two messages, and when the next one may be sent.
+    Duration gap{0};
+    Instant due;
   };
 
+  /// The first of turns_ that is due.
+  Turns::iterator firstDue(Instant now);
+  static void noteSent(Stream& stream, std::size_t bytes, Instant now);
   void giveUpOldest(Stream& stream);
   /// A message of this size waits from now on, or no longer.
   void addWaiting(std::size_t size);

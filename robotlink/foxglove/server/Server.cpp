@@ -203,6 +203,7 @@ std::vector<ClientState> Server::clients() const {
                       client->outbox.sentBytes(),
                       client->outbox.waitingBytes(),
                       client->outbox.budget().rate(),
+                      client->rates,
                       {}};
     for (const auto& [id, channel] : channels_) {
       const StreamCounters counters = client->outbox.counters(id);

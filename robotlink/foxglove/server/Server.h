@@ -15,6 +15,9 @@ namespace robotlink::websocket {
 /// with its counters by topic. The second is only sent to those who name it.
 inline constexpr char kBudgetParameter[] = "link/budget";
 inline constexpr char kCountersParameter[] = "link/counters";
+/// How often a client gets messages of a topic of which the latest counts, in messages a second (0: all): an
+/// object by topic, of which each setting replaces the whole.
+inline constexpr char kRatesParameter[] = "link/rates";
 /// The number by which others know a client (SteeringStatus.client); cannot be set.
 inline constexpr char kClientParameter[] = "link/client";
 
@@ -122,6 +125,8 @@ class Server : public std::enable_shared_from_this<Server> {
   std::string subscribe(const ClientPtr& client, const Subscription& wanted, Calls& calls);
   std::string advertise(const ClientPtr& client, const ClientChannel& channel, Calls& calls);
   std::string setBudget(ServedClient& client, const Parameter& parameter);
+  std::string setRates(ServedClient& client, const Parameter& parameter);
+  void applyRate(ServedClient& client, const ServerChannel& channel);
   /// A reply that `send` turns into messages, with the mutex locked, if the client is still there.
   Reply replyTo(const ClientPtr& client, std::function<void(ServedClient&, Result<Reply::Answer>)> send);
 

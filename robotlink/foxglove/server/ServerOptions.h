@@ -28,6 +28,8 @@ struct ClientState {
   std::size_t waitingBytes = 0;
   /// In bytes a second; 0 without limit.
   double budget = 0;
+  /// In messages a second, by topic; others have none.
+  std::map<std::string, double> rates = {};
   /// The counters of what it subscribed to at some time, by topic.
   std::map<std::string, StreamCounters> streams;
 };

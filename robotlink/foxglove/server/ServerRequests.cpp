@@ -14,6 +14,8 @@ constexpr char kOnlyWatches[] =
 
 /// A budget below this would not carry what keeps a connection alive.
 constexpr double kMinBudget = 1000;
+/// One message a day.
+constexpr double kMinRate = 1e-5;
 
 std::optional<double> numberOf(const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
@@ -74,6 +76,7 @@ std::string Server::subscribe(const ClientPtr& client, const Subscription& wante
   client->subscriptions.emplace(wanted.id, channel);
   channel->subscribers_.push_back({client, wanted.id});
   ++channel->wanted_;
+  applyRate(*client, *channel);
   if (channel->latched_)
     push(*channel, channel->subscribers_.back(), channel->latchedTime_, channel->latched_);
   reportSubscribers(channel, calls);
@@ -156,15 +159,16 @@ void Server::handle(const ClientPtr& client, const ClientMessageData& message, C
 std::vector<Parameter> Server::valuesFor(ServedClient& client, const std::vector<std::string>& names) const {
   std::vector<Parameter> values;
   const Parameter budget{kBudgetParameter, Value{client.outbox.budget().rate()}};
+  const Parameter rates{kRatesParameter, valueOf(client.rates)};
   const Parameter number{kClientParameter, Value{static_cast<std::int64_t>(client.info.id)}};
   if (names.empty()) {
     for (const auto& [name, value] : parameters_) values.push_back({name, value});
-    values.push_back(budget);
-    values.push_back(number);
+    values.insert(values.end(), {budget, rates, number});
     return values;
   }
   for (const std::string& name : std::set(names.begin(), names.end())) {
     if (name == kBudgetParameter) values.push_back(budget);
+    if (name == kRatesParameter) values.push_back(rates);
     if (name == kClientParameter) values.push_back(number);
     if (name == kCountersParameter) values.push_back({name, countersOf(client)});
     if (const auto found = parameters_.find(name); found != parameters_.end())
@@ -199,15 +203,42 @@ std::string Server::setBudget(ServedClient& client, const Parameter& parameter) 
   return {};
 }
 
+std::string Server::setRates(ServedClient& client, const Parameter& parameter) {
+  const auto* object = parameter.value ? std::get_if<Value::Object>(&parameter.value->data) : nullptr;
+  if (parameter.value && object == nullptr)
+    return std::string(kRatesParameter) + " must be an object: the messages a second of each topic";
+  std::map<std::string, double> rates;
+  for (const auto& [topic, value] : object != nullptr ? *object : Value::Object()) {
+    const auto rate = numberOf(value);
+    if (!rate || !std::isfinite(*rate) || *rate < 0)
+      return "the rate of " + topic + " must be a number of messages a second, or 0 for all";
+    if (*rate > 0) rates[topic] = std::max(*rate, kMinRate);
+  }
+  if (rates.size() > options_.limits.parameterNames) return "you limit the rates of too many topics";
+  client.rates = std::move(rates);
+  for (const auto& [id, channel] : client.subscriptions) applyRate(client, *channel);
+  return {};
+}
+
+/// Nothing of what is to be complete may be left out.
+void Server::applyRate(ServedClient& client, const ServerChannel& channel) {
+  if (channel.setup().delivery != Delivery::kLatest) return;
+  const auto rate = client.rates.find(channel.setup().topic);
+  client.outbox.setRate(channel.id(), rate == client.rates.end() ? 0 : rate->second);
+}
+
 void Server::handle(const ClientPtr& client, const SetParameters& message, Calls& calls) {
   std::vector<Parameter> others;
   std::vector<std::string> names;
   for (const Parameter& parameter : message.parameters) {
     names.push_back(parameter.name);
-    if (parameter.name != kBudgetParameter)
+    const bool isBudget = parameter.name == kBudgetParameter;
+    if (!isBudget && parameter.name != kRatesParameter) {
       others.push_back(parameter);
-    else if (const std::string problem = setBudget(*client, parameter); !problem.empty())
-      complain(*client, problem);
+      continue;
+    }
+    const std::string problem = isBudget ? setBudget(*client, parameter) : setRates(*client, parameter);
+    if (!problem.empty()) complain(*client, problem);
   }
   const auto answer = [this, names, id = message.id](ServedClient& to, const Result<Reply::Answer>& result) {
     if (!result) complain(to, result.error().text);

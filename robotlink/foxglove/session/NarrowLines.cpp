@@ -27,7 +27,8 @@ std::vector<NarrowLines::Finding> NarrowLines::look(const std::vector<ClientStat
   std::set<Key> present;
   for (const ClientState& client : clients) {
     for (const auto& [topic, counters] : client.streams) {
-      if (!topics.contains(topic)) continue;
+      // At a rate that the client has chosen most are left out.
+      if (!topics.contains(topic) || client.rates.contains(topic)) continue;
       const Key key{client.info.id, topic};
       present.insert(key);
       const auto [entry, isNew] = counts_.try_emplace(key, Count{now, counters.sent, counters.thinned});

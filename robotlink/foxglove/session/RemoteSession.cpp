@@ -47,12 +47,16 @@ bool isOfWorld(const std::string& path) {
   return path == streams::kTransforms || path == streams::kSimulation;
 }
 
-bool isJpegOfOther(const RemoteChannel& channel) {
-  return channel.type == "foxglove.CompressedImage" && channel.topic.ends_with(kJpegChannel);
+/// What is behind the path of a channel of our servers whose images another channel has raw; else empty.
+std::string_view codingOf(const RemoteChannel& channel) {
+  if (channel.type != "foxglove.CompressedImage") return {};
+  for (const std::string_view coding : {kJpegChannel, kPngChannel})
+    if (channel.topic.ends_with(coding)) return coding;
+  return {};
 }
 
-std::string withoutJpeg(const std::string& path) {
-  return path.substr(0, path.size() - std::string_view(kJpegChannel).size());
+bool isImage(const RemoteChannel& channel) {
+  return channel.type == "foxglove.RawImage" || channel.type == "foxglove.CompressedImage";
 }
 
 /// The process that published a message, as far as its stream and the robot's tables tell.
@@ -233,7 +237,6 @@ void RemoteSession::onParameters(const std::vector<Parameter>& parameters) {
 std::string RemoteSession::takeJpegOffer(const std::string& text) {
   if (images != RemoteImages::kAutomatic || isNarrow) return text;
   isNarrow = hasChanged = true;
-  ++fallbacks;
   return "Images come as JPEG from now on: " + text;
 }
 
@@ -277,7 +280,8 @@ void RemoteSession::onStatus(const Status& status) {
 RemoteRobotList::Place RemoteSession::placeOf(const RemoteChannel& channel) {
   RemoteRobotList::Place place = robots.placeOf(channel.topic);
   if (isOurs) {
-    if (isJpegOfOther(channel)) place.stream = withoutJpeg(place.stream);
+    if (const auto coding = codingOf(channel); place.stream.size() > coding.size())
+      place.stream.resize(place.stream.size() - coding.size());
     return place;
   }
   if (channel.type == "foxglove.Log") place.stream = streams::kLog;
@@ -354,14 +358,30 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
 
 /// Whether another channel has the same images in the coding that is wanted.
 bool RemoteSession::isOtherCoding(const RemoteChannel& channel) const {
-  if (isJpegOfOther(channel)) return !sendsJpeg();
-  return sendsJpeg() && asJpeg.contains(channel.topic);
+  const std::string_view wanted = wantedCoding();
+  if (const auto coding = codingOf(channel); !coding.empty()) return coding != wanted;
+  return !wanted.empty() && encoded.contains(channel.topic + std::string(wanted));
+}
+
+std::string_view RemoteSession::wantedCoding() const {
+  switch (images) {
+    case RemoteImages::kJpeg:
+      return kJpegChannel;
+    case RemoteImages::kPng:
+      return kPngChannel;
+    case RemoteImages::kAutomatic:
+      return isNarrow ? kJpegChannel : "";
+    default:
+      return {};
+  }
 }
 
 void RemoteSession::updateSubscriptions() {
-  asJpeg.clear();
+  encoded.clear();
   for (const auto& [id, channel] : channels)
-    if (isOurs && isJpegOfOther(*channel)) asJpeg.insert(withoutJpeg(channel->topic));
+    if (isOurs && !codingOf(*channel).empty()) encoded.insert(channel->topic);
+  // Before the first image comes.
+  updateRates();
   std::set<std::string> wanted, unwanted;
   for (const auto& [id, channel] : channels) (wants(*channel) ? wanted : unwanted).insert(channel->topic);
   // A topic may have several channels, of which only one is decoded.
@@ -372,6 +392,14 @@ void RemoteSession::updateSubscriptions() {
   client->unsubscribe(unwanted);
   for (const std::string& topic : unwanted) topics.erase(topic);
   topics.insert(wanted.begin(), wanted.end());
+}
+
+/// Foreign servers know nothing of rates.
+void RemoteSession::updateRates() {
+  std::map<std::string, double> rates;
+  for (const auto& [id, channel] : channels)
+    if (isOurs && imageRate > 0 && isImage(*channel)) rates[channel->topic] = imageRate;
+  if (!channels.empty() || imageRate == 0) client->setRates(std::move(rates));
 }
 
 /// A foreign server's heavy channels look like debug keys, which one switches on.

@@ -44,12 +44,12 @@ class RemoteSession {
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
   bool wants(const RemoteChannel& channel);
   bool isOtherCoding(const RemoteChannel& channel) const;
-  bool sendsJpeg() const {
-    return images == RemoteImages::kJpeg || (images == RemoteImages::kAutomatic && isNarrow);
-  }
+  /// What is behind the paths of the images that are wanted: kJpegChannel, kPngChannel; empty: raw.
+  std::string_view wantedCoding() const;
   /// The server offers JPEG, since the line does not carry raw images; returns what follows, as a sentence.
   std::string takeJpegOffer(const std::string& text);
   void updateSubscriptions();
+  void updateRates();
   void updateChannelKeys();
   void lookAtRestart();
   void lookAtGaps(const ConnectionState& state);
@@ -74,8 +74,8 @@ class RemoteSession {
   TimeShift shift;
   std::map<std::string, Times> newestOf;
   std::map<std::uint64_t, RemoteChannelPtr> channels;
-  /// Topics of images that are offered as JPEG, too.
-  std::set<std::string> asJpeg;
+  /// Topics of encoded images that are offered beside the raw ones.
+  std::set<std::string> encoded;
   std::set<std::string> services, topics;
   /// Robots, by their names at the server, whose tables of keys are shown differently now.
   std::set<std::string> changedKeys;
@@ -83,10 +83,10 @@ class RemoteSession {
   LatchedMessages latched;
   std::vector<SessionGap> gaps;
   RemoteImages images = RemoteImages::kAutomatic;
-  /// Whether the server has found that the line does not carry raw images, and how often that changed what is
-  /// subscribed to.
+  /// Of each stream, in images a second; 0: all.
+  double imageRate = 0;
+  /// Whether the server has found that the line does not carry raw images.
   bool isNarrow = false;
-  std::uint64_t fallbacks = 0;
   /// The number by which the server knows this client; 0: not yet known.
   std::uint64_t number = 0;
   /// The steering of each robot, as the server says, by the path in the session.

@@ -89,7 +89,7 @@ ConnectionState SessionClient::state() const {
 
 std::string SessionClient::stateText() const {
   const std::string text = describe(state(), parts_->options.connection.clock->now());
-  return parts_->isNarrow && parts_->sendsJpeg()
+  return parts_->isNarrow && parts_->images == Images::kAutomatic
              ? text + ", images as JPEG: the line is too narrow for raw ones"
              : text;
 }
@@ -166,8 +166,8 @@ void SessionClient::setImages(Images images) {
   parts_->hasChanged |= std::exchange(parts_->images, images) != images;
 }
 
-std::uint64_t SessionClient::jpegFallbacks() const {
-  return parts_->fallbacks;
+void SessionClient::setImageRate(double imagesPerSecond) {
+  parts_->hasChanged |= std::exchange(parts_->imageRate, imagesPerSecond) != imagesPerSecond;
 }
 
 void SessionClient::setBudget(double bytesPerSecond) {

@@ -83,8 +83,9 @@ class SessionClient {
   void updateSubscriptions();
   /// How images are sent; at first automatic.
   void setImages(Images images);
-  /// How often images were changed to JPEG without anybody choosing that.
-  std::uint64_t jpegFallbacks() const;
+  /// How many images a second the server may send of each stream; 0: all. What it leaves out it counts as
+  /// thinned.
+  void setImageRate(double imagesPerSecond);
   /// Bytes a second that the server may send; 0 without limit.
   void setBudget(double bytesPerSecond);
   /// Whether the server has a service of this name, by its name there.

@@ -54,6 +54,7 @@ struct RemoteStream {
 enum class RemoteImages {
   kAutomatic,  ///< raw, and as JPEG from when the server finds that the line does not carry raw ones
   kRaw,
-  kJpeg  ///< where the server offers them; `convert` makes them raw again
+  kJpeg,  ///< where the server offers them; `convert` makes them raw again
+  kPng    ///< the same, without losses
 };
 }  // namespace robotlink::websocket

@@ -148,7 +148,8 @@ void SessionServer::pass(const StreamMessage& message) {
     found = channels_.find(message.path);
   }
   if (found->second->isWanted()) found->second->publish(message.time, shownTo(message)->SerializeAsString());
-  if (encoder_ && found->second->setup().schemaName == kRawImage) passAsJpeg(message);
+  if (found->second->setup().schemaName == kRawImage)
+    for (const auto& [coding, encoder] : encoders_) passEncoded(message, coding);
   unheard_.erase(message.path);
   notice(message);
 }
@@ -161,7 +162,7 @@ bool SessionServer::removeOutdated(const std::string& path) {
   if (before != outdated_.end() && now - before->second < kKeepType) return false;
   outdated_[path] = now;
   std::vector<ChannelPtr> removed;
-  for (const std::string& each : {path, path + kJpegChannel}) {
+  for (const std::string& each : {path, path + kJpegChannel, path + kPngChannel}) {
     const auto channel = channels_.find(each);
     const bool isOther = each != path && session_.store().find(each) != nullptr;
     if (channel == channels_.end() || isOther) continue;
@@ -207,30 +208,41 @@ PackagePtr SessionServer::shownTo(const StreamMessage& message) const {
 }
 
 void SessionServer::addChannels(std::vector<ChannelSetup> setups) {
-  for (std::size_t i = 0, count = setups.size(); encoder_ && i < count; ++i) {
-    if (setups[i].schemaName == kRawImage && !channels_.contains(setups[i].topic + kJpegChannel))
-      setups.push_back(setupOf(setups[i].topic + kJpegChannel, *foxglove::CompressedImage::descriptor()));
+  for (std::size_t i = 0, count = setups.size(); i < count; ++i) {
+    if (setups[i].schemaName != kRawImage) continue;
+    for (const auto& [coding, encoder] : encoders_) {
+      std::string path = setups[i].topic + coding;
+      if (!channels_.contains(path))
+        setups.push_back(setupOf(path, *foxglove::CompressedImage::descriptor()));
+    }
   }
   for (const ChannelPtr& channel : server_->addChannels(std::move(setups)))
     channels_.emplace(channel->setup().topic, channel);
 }
 
-void SessionServer::setImageEncoder(ImageEncoder encoder) {
-  encoder_ = std::move(encoder);
+void SessionServer::setImageEncoders(ImageEncoders encoders) {
+  encoders_ = std::move(encoders);
   std::vector<ChannelSetup> setups;
   for (const auto& [path, channel] : channels_) {
-    const std::string jpeg = path + kJpegChannel;
-    if (encoder_ && channel->setup().schemaName == kRawImage && !channels_.contains(jpeg))
-      setups.push_back(setupOf(jpeg, *foxglove::CompressedImage::descriptor()));
+    if (channel->setup().schemaName != kRawImage) continue;
+    for (const auto& [coding, encoder] : encoders_)
+      if (!channels_.contains(path + coding))
+        setups.push_back(setupOf(path + coding, *foxglove::CompressedImage::descriptor()));
   }
   if (!setups.empty()) addChannels(std::move(setups));
 }
 
-void SessionServer::passAsJpeg(const StreamMessage& message) {
-  const auto found = channels_.find(message.path + kJpegChannel);
+void SessionServer::passEncoded(const StreamMessage& message, const std::string& coding) {
+  const auto found = channels_.find(message.path + coding);
   if (found == channels_.end() || !found->second->isWanted()) return;
-  if (const PackagePtr encoded = encoder_(*message.value))
+  if (const PackagePtr encoded = encoders_.at(coding)(*message.value))
     found->second->publish(message.time, encoded->SerializeAsString());
+}
+
+std::string SessionServer::codingOf(const std::string& path) const {
+  const auto found =
+      std::ranges::find_if(encoders_, [&](const auto& encoder) { return path.ends_with(encoder.first); });
+  return found == encoders_.end() ? std::string() : found->first;
 }
 
 /// In a pause nothing new is published, so who comes then would see nothing.
@@ -238,12 +250,12 @@ void SessionServer::publishUnheard() {
   for (const std::string& path : std::exchange(unheard_, {})) {
     const auto channel = channels_.find(path);
     if (channel == channels_.end() || channel->second->setup().latched) continue;
-    const bool isJpeg = encoder_ && path.ends_with(kJpegChannel);
-    const StreamMessage* newest = session_.store().latest(
-        isJpeg ? path.substr(0, path.size() - std::string_view(kJpegChannel).size()) : path, Instant::max());
+    const std::string coding = codingOf(path);
+    const StreamMessage* newest =
+        session_.store().latest(path.substr(0, path.size() - coding.size()), Instant::max());
     if (newest == nullptr) continue;
-    if (isJpeg) {
-      passAsJpeg(*newest);
+    if (!coding.empty()) {
+      passEncoded(*newest, coding);
     } else if (fits(*newest, *channel->second)) {
       channel->second->publish(newest->time, newest->value->SerializeAsString());
     }
@@ -436,7 +448,7 @@ void SessionServer::watchLinks() {
 
 void SessionServer::offerJpeg() {
   const Instant now = server_->clock().now();
-  if (!encoder_ || clients_.empty() || now - lookedAtLines_ < kLookAtLines) return;
+  if (!encoders_.contains(kJpegChannel) || clients_.empty() || now - lookedAtLines_ < kLookAtLines) return;
   lookedAtLines_ = now;
   std::set<std::string> topics;
   for (const auto& [path, channel] : channels_)

@@ -53,9 +53,11 @@ class SessionServer {
 
   /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot.
   using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
-  /// From now on each channel of images has another one, "red1/camera/image/jpeg", for narrow lines. Images
-  /// are encoded once for all clients, while somebody subscribes.
-  void setImageEncoder(ImageEncoder encoder);
+  /// By kJpegChannel and kPngChannel.
+  using ImageEncoders = std::map<std::string, ImageEncoder>;
+  /// From now on each channel of images has others, "red1/camera/image/jpeg", for narrow lines. Images are
+  /// encoded once for all clients, while somebody subscribes.
+  void setImageEncoders(ImageEncoders encoders);
 
   /// What clients may publish for somebody else than the robots' programs.
   struct ClientStream {
@@ -113,7 +115,10 @@ class SessionServer {
   void addChannels(std::vector<ChannelSetup> setups);
   /// Removes the channel of a path, because its type is another one now; false: not so soon again.
   bool removeOutdated(const std::string& path);
-  void passAsJpeg(const StreamMessage& message);
+  /// Publishes an image on the channel of one of its codings, if somebody subscribes.
+  void passEncoded(const StreamMessage& message, const std::string& coding);
+  /// The coding of a channel of encoded images; empty if it is none.
+  std::string codingOf(const std::string& path) const;
   void pass(const StreamMessage& message);
   void notice(const StreamMessage& message);
   void noticeTable(const std::string& robot, const std::string& stream,
@@ -188,7 +193,7 @@ class SessionServer {
   KeyRequests keys_;
   Steering steering_;
   ModuleParameters modules_;
-  ImageEncoder encoder_;
+  ImageEncoders encoders_;
   NarrowLines narrowLines_;
   Instant lookedAtLines_;
   std::vector<ClientStream> clientStreams_;

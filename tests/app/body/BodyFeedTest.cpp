@@ -119,11 +119,30 @@ TEST(BodyFeed, aPioneerDrivesByAProgramHere) {
 
 TEST(BodyFeed, imagesComeAsJpegIfThatIsChosen) {
   OfferedBodies hall("scenes/field2002.sdf");
-  BodyDesk desk({.url = urlOf(hall.port()), .asJpeg = true}, hall.port());
+  BodyDesk desk({.url = urlOf(hall.port()), .limits = {.images = LinkLimits::Images::kJpeg}}, hall.port());
   desk.show("camera/image");
   EXPECT_TRUE(
       desk.soon([&] { return desk.newest<google::protobuf::Message>("red1/camera/image") != nullptr; }));
   EXPECT_TRUE(desk.soon([&] { return desk.bodyMoves(); }));
+}
+
+TEST(BodyFeed, whatTheConnectionMayCarryIsRememberedAndChanged) {
+  const TestFolder folder;
+  OfferedBodies hall("scenes/pioneer.sdf");
+  LinkLimitsMemory memory(folder / "links.json");
+  memory.choose(urlOf(hall.port()), {.bytesPerSecond = 2e6});
+  ASSERT_TRUE(memory.save());
+  robotlink::Session session;
+  logplayer::Recorder recorder({});
+  LinkLimitsMemory again(folder / "links.json");
+  const auto feed =
+      BodyFeed::create({.url = urlOf(hall.port()), .patience = 30s}, session, recorder, nullptr, &again);
+  ASSERT_TRUE(feed) << robotlink::describe(feed.error());
+  (*feed)->begin();
+  EXPECT_THAT((*feed)->link().stateText(), HasSubstr(", at most 2.0 MB/s"));
+  again.choose(urlOf(hall.port()), {.bytesPerSecond = 3e6, .images = LinkLimits::Images::kPng});
+  (*feed)->step();
+  EXPECT_THAT((*feed)->link().stateText(), HasSubstr(", at most 3.0 MB/s, images as PNG"));
 }
 
 TEST(BodyFeed, aSecondProgramIsToldWhoseBodyItIs) {

@@ -313,7 +313,7 @@ TEST(Robotctl, commandsPrintsJsonForPrograms) {
                                   [](const auto& command) { return command.at("name") == "remote.limit"; });
   ASSERT_NE(found, commands.end());
   const auto& images = found->at("arguments").at(2);
-  EXPECT_EQ(images.at("choices"), nlohmann::json({"auto", "raw", "jpeg"}));
+  EXPECT_EQ(images.at("choices"), nlohmann::json({"auto", "raw", "jpeg", "png"}));
   EXPECT_EQ(images.at("default"), "auto");
   EXPECT_EQ(images.at("optional"), true);
 }

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -88,6 +89,8 @@ class BodyGuiTest : public WindowTest {
     BodyHall hall;
     {
       HostDesk desk(home_ / "desk");
+      desk.choose("remote.connect");
+      desk.find<QDoubleSpinBox>("remoteLimit").setValue(5000);
       desk.host(hall.url());
       QTRY_VERIFY_WITH_TIMEOUT(desk.isHosting(), kWaitMs);
       QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>("remoteDialog").isVisible(), kWaitMs);
@@ -101,6 +104,7 @@ class BodyGuiTest : public WindowTest {
     desk.choose("remote.connect");
     QCOMPARE(desk.find<QComboBox>("remoteUrl").currentText(), hall.url());
     QCOMPARE(desk.find<QComboBox>("remoteProgram").currentIndex(), 1);
+    QCOMPARE(desk.find<QDoubleSpinBox>("remoteLimit").value(), 5000.0);
     QTest::mouseClick(&desk.find<QPushButton>("remoteConnect"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(desk.isHosting(), kWaitMs);
   }

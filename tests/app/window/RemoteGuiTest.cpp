@@ -80,9 +80,22 @@ class RemoteGuiTest : public WindowTest {
         desk.status() != nullptr && std::ranges::count(desk.status()->stopped_robots(), "red1") > 0, kWaitMs);
   }
 
-  void whatALineCarriesIsLimitedBeforeAndWhileItIsConnected() {
+  void whatALineCarriesIsLimitedBeforeAndWhileItIsConnectedAndRemembered() {
     OfferedHall hall;
+    {
+      RemoteDesk desk(home_);
+      limitAndConnect(desk, hall);
+    }
     RemoteDesk desk(home_);
+    desk.run("remote.connect " + hall.url() + " ''");
+    const LinkLimits limits = desk.workbench.remote().connections().at(0).limits;
+    QVERIFY((limits == LinkLimits{300e3, LinkLimits::Images::kPng, 5}));
+    QVERIFY2(desk.workbench.remote().connections().at(0).text.ends_with(
+                 ", at most 300 kB/s, images as PNG, 5 images a second"),
+             desk.workbench.remote().connections().at(0).text.c_str());
+  }
+
+  static void limitAndConnect(RemoteDesk& desk, OfferedHall& hall) {
     const auto limits = [&] { return desk.workbench.remote().connections().at(0).limits; };
     desk.choose("remote.connect");
     desk.find<QComboBox>("remoteUrl").setEditText(QString::fromStdString(hall.url()));
@@ -90,14 +103,15 @@ class RemoteGuiTest : public WindowTest {
     auto& limit = desk.find<QDoubleSpinBox>("remoteLimit");
     images.setFocus();
     QTest::keyClick(&images, Qt::Key_End);
+    desk.find<QDoubleSpinBox>("remoteImageRate").setValue(5);
     limit.setFocus();
     limit.selectAll();
     QTest::keyClicks(&limit, QStringLiteral("200"));
     QTest::mouseClick(&desk.find<QPushButton>("remoteConnect"), Qt::LeftButton);
     QCOMPARE(limits().bytesPerSecond, 200e3);
-    QCOMPARE(limits().images, RemoteRobots::Limits::Images::kJpeg);
+    QCOMPARE(limits().images, LinkLimits::Images::kPng);
     QTRY_VERIFY_WITH_TIMEOUT(desk.newest<foxglove::RawImage>("red1/camera/image") != nullptr, kWaitMs);
-    QVERIFY2(desk.state().contains(QStringLiteral("at most 200 kB/s, images as JPEG")),
+    QVERIFY2(desk.state().contains(QStringLiteral("at most 200 kB/s, images as PNG")),
              qPrintable(desk.state()));
     // They are shown again, and changed at once.
     desk.choose("remote.connect");
@@ -106,10 +120,19 @@ class RemoteGuiTest : public WindowTest {
     QCOMPARE(limits().bytesPerSecond, 200e3);
     desk.find<QComboBox>("remoteUrl").setEditText(QString::fromStdString(hall.url()));
     QCOMPARE(limit.value(), 200.0);
-    QCOMPARE(images.currentText(), QStringLiteral("as JPEG"));
+    QCOMPARE(images.currentText(), QStringLiteral("as PNG"));
     limit.setFocus();
     QTest::keyClick(&limit, Qt::Key_Up);
     QCOMPARE(limits().bytesPerSecond, 300e3);
+    // What was left out is shown for each stream.
+    auto* row = desk.find<QTreeWidget>("remoteConnections").topLevelItem(0);
+    row->setExpanded(true);
+    const auto isShown = [&] {
+      for (int i = 0; i < row->childCount(); ++i)
+        if (row->child(i)->text(1) == QStringLiteral("red1/camera/image")) return true;
+      return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isShown(), kWaitMs);
   }
 
   void theLineIsLostAndFoundWithoutAClick() {

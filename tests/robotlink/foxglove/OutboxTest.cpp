@@ -55,6 +55,37 @@ TEST_F(OutboxTest, whileLittleWaitsNothingIsThinned) {
   EXPECT_EQ(calm.counters(1).thinned, 3U);
 }
 
+TEST_F(OutboxTest, ofAStreamWithARateTheNewestMessageWaitsUntilItIsDue) {
+  using std::chrono::seconds;
+  Outbox outbox({4, 100, 50, 10});
+  const auto takenAt = [&](Instant now) {
+    std::vector<std::string> texts;
+    while (const auto next = outbox.next(now)) {
+      texts.push_back(*next->payload);
+      EXPECT_EQ(next->hasMore, false) << "what is not due keeps nothing back";
+    }
+    return texts;
+  };
+  outbox.setRate(1, 0.5);
+  outbox.push(1, message("a"), Delivery::kLatest, kMany);
+  EXPECT_THAT(takenAt(Instant(seconds(10))), ElementsAre("a"));
+  outbox.push(1, message("b"), Delivery::kLatest, kMany);
+  outbox.push(1, message("c"), Delivery::kLatest, kMany);
+  EXPECT_THAT(takenAt(Instant(seconds(11))), ElementsAre());
+  outbox.push(2, message("text"), Delivery::kComplete, kMany);
+  EXPECT_THAT(takenAt(Instant(seconds(11))), ElementsAre("text"));
+  EXPECT_THAT(takenAt(Instant(seconds(12))), ElementsAre("c"));
+  EXPECT_EQ(outbox.counters(1), (StreamCounters{2, 2, 1, 0}));
+  // What was sent a little late does not make the rate lower.
+  outbox.push(1, message("d"), Delivery::kLatest, kMany);
+  EXPECT_THAT(takenAt(Instant(seconds(15))), ElementsAre("d"));
+  outbox.push(1, message("e"), Delivery::kLatest, kMany);
+  EXPECT_THAT(takenAt(Instant(seconds(16))), ElementsAre("e"));
+  outbox.setRate(1, 0);
+  for (const char* text : {"f", "g"}) outbox.push(1, message(text), Delivery::kLatest, kMany);
+  EXPECT_EQ(outbox.counters(1).thinned, 1U);
+}
+
 TEST_F(OutboxTest, aHeavyMessageThatWaitsThinsNoLightStream) {
   Outbox outbox({4, 1000, 500, 10});
   const std::string image(100, 'i');

@@ -303,6 +303,12 @@ TEST_F(ServerTest, aClientSetsItsOwnBudgetAndSeesItsCounters) {
   EXPECT_EQ(server_->clients()[1].budget, 0);
   say(x, SetParameters{{{kBudgetParameter, Value{std::string("much")}}}, ""});
   EXPECT_THAT(complaints(x), ElementsAre(HasSubstr("a number of bytes a second")));
+  const Value rates = valueOf({{"a", 5.0}});
+  say(x, SetParameters{{{kRatesParameter, rates}}, "r"});
+  EXPECT_THAT(heardOf<ParameterValues>(x), ElementsAre(ParameterValues{{{kRatesParameter, rates}}, "r"}));
+  EXPECT_EQ(server_->clients()[0].rates, (std::map<std::string, double>{{"a", 5.0}}));
+  say(x, SetParameters{{{kRatesParameter, valueOf({{"a", -1.0}})}}, ""});
+  EXPECT_THAT(complaints(x), ElementsAre(HasSubstr("the rate of a must be a number of messages a second")));
   say(x, GetParameters{{kCountersParameter}, "r"});
   const auto number = [](std::int64_t n) { return Value{n}; };
   const Value::Object counters{

@@ -38,18 +38,21 @@ class FarSession {
     session->setRobots(robots);
     session->setRequestSink([this](const Request& request) { fulfill(request); });
     server_ = std::make_unique<SessionServer>(*session);
-    // As if an image could be made of its width.
-    server_->setImageEncoder([](const google::protobuf::Message& image) {
-      auto encoded = std::make_shared<foxglove::CompressedImage>();
-      encoded->set_format(std::to_string(dynamic_cast<const foxglove::RawImage&>(image).width()));
-      return encoded;
-    });
+    server_->setImageEncoders({{kJpegChannel, encoderOf(0)}, {kPngChannel, encoderOf(100)}});
     Listener::Options options;
     options.address.port = port;
     options.greetingDelay = Duration::zero();
     auto listener = Listener::open(server_->server(), options);
     ASSERT_TRUE(listener) << listener.error().text;
     listener_ = *std::move(listener);
+  }
+  /// As if an image could be made of its width.
+  static SessionServer::ImageEncoder encoderOf(std::uint32_t added) {
+    return [added](const google::protobuf::Message& image) {
+      auto encoded = std::make_shared<foxglove::CompressedImage>();
+      encoded->set_format(std::to_string(dynamic_cast<const foxglove::RawImage&>(image).width() + added));
+      return encoded;
+    };
   }
   void stop() { listener_.reset(); }
   std::uint16_t port() const { return listener_->address().port; }
@@ -230,8 +233,37 @@ TEST_F(SessionClientTest, imagesAreTheSameStreamWhenTheyAreSentAsJpeg) {
   EXPECT_FALSE(isSubscribed("red1/camera/image"));
   EXPECT_EQ(session_.store().find("red1/camera/image/jpeg"), nullptr);
   EXPECT_EQ(far_.mode(0).kind(), KeyMode::ALWAYS);
+  client_->setImages(SessionClient::Images::kPng);
+  EXPECT_TRUE(shows(10, 1110));
+  EXPECT_FALSE(isSubscribed("red1/camera/image"));
   client_->setImages(SessionClient::Images::kRaw);
   EXPECT_TRUE(shows(9, 9));
+}
+
+TEST_F(SessionClientTest, imagesComeAtAChosenRateAndWhatIsLeftOutIsCounted) {
+  connect();
+  ASSERT_TRUE(hasRobot() && hasKeys());
+  // One a day.
+  client_->setImageRate(1e-5);
+  far_.publish("red1/camera/image", Instant(1s), image(1));
+  ask(keyRequest("package/camera/image", KeyMode::ALWAYS));
+  const auto stream = [&] {
+    const auto all = client_->streams();
+    return *std::ranges::find(all, std::string("red1/camera/image"), &SessionClient::Stream::topic);
+  };
+  ASSERT_TRUE(soon([&] { return isSubscribed("red1/camera/image"); }));
+  std::uint32_t width = 1;
+  const auto until = [&](const auto& condition) {
+    return soon([&] {
+      ++width;
+      far_.publish("red1/camera/image", Instant(1s) + width * 1ms, image(width));
+      return condition(stream());
+    });
+  };
+  EXPECT_TRUE(until([](const auto& counted) { return counted.thinned.value_or(0) > 10; }));
+  EXPECT_EQ(stream().messages, 1U);
+  client_->setImageRate(0);
+  EXPECT_TRUE(until([](const auto& counted) { return counted.messages > 10; }));
 }
 
 TEST_F(SessionClientTest, aModeOfAKeyIsChosenUntilTheConnectionEndsAndAgainAfterACut) {

@@ -61,10 +61,10 @@ TEST_F(SessionServerTest, aMessageIsSerializedOnceForAllClients) {
   std::vector<ClientPtr> clients{client_};
   while (clients.size() < 10) clients.push_back(*server_->server()->connect({}, [] {}));
   int encoded = 0;
-  server_->setImageEncoder([&](const auto&) {
-    ++encoded;
-    return std::make_shared<foxglove::CompressedImage>();
-  });
+  server_->setImageEncoders({{kJpegChannel, [&](const auto&) {
+                                ++encoded;
+                                return std::make_shared<foxglove::CompressedImage>();
+                              }}});
   publish<foxglove::RawImage>("red1/camera/image", Instant(1ms));
   tick();
   auto channels = advertised();
