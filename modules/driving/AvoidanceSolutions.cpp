@@ -169,43 +169,57 @@ class SeeingAvoidance : public Avoidance {
   bool warned_ = false;
 };
 
-class VectorFieldAvoidance final : public SeeingAvoidance {
+/// Avoidance by an engine whose options are parameters of the solution.
+template <typename Engine, typename Parameters,
+          const robotlink::ParameterTable<typename Engine::Options>& kTable>
+class EngineAvoidance : public SeeingAvoidance {
  public:
-  explicit VectorFieldAvoidance(robotlink::SolutionContext& context)
-      : SeeingAvoidance(context),
-        parameters_(context.parameters<robotcontrol::VectorFieldParameters>()),
-        engine_(options()) {}
+  explicit EngineAvoidance(robotlink::SolutionContext& context)
+      : SeeingAvoidance(context), parameters_(context.parameters<Parameters>()), engine_(options()) {}
+
+ protected:
+  const Engine& engine() const { return engine_; }
+  /// Draws what the engine has decided.
+  virtual void draw() = 0;
 
  private:
   DriveVelocity avoid(const AvoidanceSituation& situation) override {
     engine_.setOptions(options());
     const DriveVelocity velocity = engine_.decide(situation);
-    if (debug_.on(kHistogramKey)) draw();
+    draw();
     return velocity;
   }
 
-  VectorField::Options options() const {
-    VectorField::Options options = kVectorFieldTable.read(parameters_);
+  typename Engine::Options options() const {
+    typename Engine::Options options = kTable.read(parameters_);
     options.outline = outline();
     return options;
   }
 
-  void draw() {
+  const Parameters& parameters_;
+  Engine engine_;
+};
+
+class VectorFieldAvoidance final
+    : public EngineAvoidance<VectorField, robotcontrol::VectorFieldParameters, kVectorFieldTable> {
+ public:
+  using EngineAvoidance::EngineAvoidance;
+
+ private:
+  void draw() override {
+    if (!debug_.on(kHistogramKey)) return;
     auto drawing = debug_.robotDrawing(kHistogramKey);
     const auto at = [](double angle, double way) {
       return Vector2(way * std::cos(angle), way * std::sin(angle));
     };
     for (int sector = 0; sector < PolarView::kSectors; ++sector) {
       const double angle = PolarView::angleOf(sector);
-      drawing.line(Vector2(0, 0), at(angle, engine_.view().free(sector)),
-                   engine_.open(sector) ? robotlink::colors::kGreen : robotlink::colors::kRed);
+      drawing.line(Vector2(0, 0), at(angle, engine().view().free(sector)),
+                   engine().open(sector) ? robotlink::colors::kGreen : robotlink::colors::kRed);
     }
-    const auto color = engine_.escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue;
-    drawing.arrow(Vector2(0, 0), at(engine_.direction(), 1), color, 3);
+    const auto color = engine().escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue;
+    drawing.arrow(Vector2(0, 0), at(engine().direction(), 1), color, 3);
   }
-
-  const robotcontrol::VectorFieldParameters& parameters_;
-  VectorField engine_;
 };
 
 const robotlink::SolutionRegistration kVectorField =
@@ -221,29 +235,15 @@ const robotlink::SolutionRegistration kVectorField =
         .parameters<robotcontrol::VectorFieldParameters>(
             kVectorFieldTable.rules<robotcontrol::VectorFieldParameters>());
 
-class DynamicWindowAvoidance final : public SeeingAvoidance {
+class DynamicWindowAvoidance final
+    : public EngineAvoidance<DynamicWindow, robotcontrol::DynamicWindowParameters, kDynamicWindowTable> {
  public:
-  explicit DynamicWindowAvoidance(robotlink::SolutionContext& context)
-      : SeeingAvoidance(context),
-        parameters_(context.parameters<robotcontrol::DynamicWindowParameters>()),
-        engine_(options()) {}
+  using EngineAvoidance::EngineAvoidance;
 
  private:
-  DriveVelocity avoid(const AvoidanceSituation& situation) override {
-    engine_.setOptions(options());
-    const DriveVelocity velocity = engine_.decide(situation);
-    if (debug_.on(kWindowKey)) draw();
-    return velocity;
-  }
-
-  DynamicWindow::Options options() const {
-    DynamicWindow::Options options = kDynamicWindowTable.read(parameters_);
-    options.outline = outline();
-    return options;
-  }
-
   /// Draws each velocity as the arc that the robot would drive.
-  void draw() {
+  void draw() override {
+    if (!debug_.on(kWindowKey)) return;
     auto drawing = debug_.robotDrawing(kWindowKey);
     const auto arc = [&](const DriveVelocity& velocity, double time, robotlink::Color color, double width) {
       Vector2 last(0, 0);
@@ -256,14 +256,11 @@ class DynamicWindowAvoidance final : public SeeingAvoidance {
         last = next;
       }
     };
-    for (const DynamicWindow::Candidate& candidate : engine_.candidates())
+    for (const DynamicWindow::Candidate& candidate : engine().candidates())
       arc(candidate.velocity, candidate.freeTime,
           candidate.admissible ? robotlink::colors::kGreen : robotlink::colors::kRed, 1);
-    arc(engine_.chosen(), 3, engine_.escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue, 3);
+    arc(engine().chosen(), 3, engine().escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue, 3);
   }
-
-  const robotcontrol::DynamicWindowParameters& parameters_;
-  DynamicWindow engine_;
 };
 
 const robotlink::SolutionRegistration kDynamicWindow =
