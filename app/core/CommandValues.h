@@ -11,7 +11,7 @@ namespace app {
 
 /// The arguments of a command. The command table has checked their number and types against the command's
 /// entry, so the functions below, each of which returns one argument, do not check them again.
-using Values = std::vector<robotlink::CommandTable::Value>;
+using Values = robotlink::CommandTable::Values;
 
 /// The argument must be of type kText.
 inline const std::string& text(const Values& values, std::size_t index) {

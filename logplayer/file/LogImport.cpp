@@ -139,8 +139,8 @@ bool isQueue(const std::filesystem::path& file) {
   return bytes && bhuman::MessageQueueReader::recognizes(**bytes);
 }
 
-Result<ImportReport> importQueue(const std::filesystem::path& from, const ImportSink& sink,
-                                 const ImportOptions& options) {
+Result<ImportReport> importQueueFile(const std::filesystem::path& from, const ImportSink& sink,
+                                     const ImportOptions& options) {
   const auto bytes = bhuman::openFile(from);
   if (!bytes) return tl::unexpected(bytes.error());
   return bhuman::importQueue(**bytes, options.robot, sink, options.progress);
@@ -171,7 +171,7 @@ Result<ImportReport> importPictures(const std::filesystem::path& from, const Imp
   return importFrom(*pictures, sink, options);
 }
 
-constexpr std::array<Format, 3> kFormats{{{naoOf2009, isQueue, importQueue},
+constexpr std::array<Format, 3> kFormats{{{naoOf2009, isQueue, importQueueFile},
                                           {camera, isVideo, importVideo},
                                           {camera, isPictureFolder, importPictures}}};
 

@@ -29,7 +29,7 @@ std::shared_ptr<foxglove::RawImage> image(int number, Instant time) {
   return message;
 }
 
-std::shared_ptr<foxglove::Log> text(int number, Instant time) {
+std::shared_ptr<foxglove::Log> logText(int number, Instant time) {
   auto message = std::make_shared<foxglove::Log>();
   robotlink::assign(*message->mutable_timestamp(), time);
   message->set_level(foxglove::Log::WARNING);
@@ -67,7 +67,7 @@ std::vector<StreamMessage> cognitionFrame(const SampleLog& log, int i) {
   const auto frame = static_cast<std::uint64_t>(i + 1);
   std::vector<StreamMessage> messages{{log.robot + "/camera/image", time, image(i, time), "cognition", frame},
                                       {log.robot + "/models/ball", time, ball, "cognition", frame}};
-  if (i % 10 == 0) messages.push_back({log.robot + "/log", time, text(i, time), "cognition", frame});
+  if (i % 10 == 0) messages.push_back({log.robot + "/log", time, logText(i, time), "cognition", frame});
   if (!log.cutLastFrame || i + 1 < log.frames) {
     messages.push_back({log.robot + "/frames/cognition", time, sampleFrameInfo("cognition", i + 1, time),
                         "cognition", frame});

@@ -24,7 +24,7 @@ namespace {
 using robotlink::CommandTable;
 using robotlink::failure;
 using robotlink::Result;
-using Values = std::vector<CommandTable::Value>;
+using Values = CommandTable::Values;
 using Run = std::function<Result<void>(ColorBench&, ColorFiles&, const Values&)>;
 
 const std::string& text(const Values& values, std::size_t index) {

@@ -20,7 +20,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kPatience = 15;  // ticks at 30 Hz before the progress is shown
+constexpr int kTicksBeforeProgress = 15;  // ticks at 30 Hz before the progress is shown
 constexpr int kPercent = 100;
 
 enum SourceEntry { kHistoryEntry, kLogEntry };
@@ -129,9 +129,9 @@ void FieldTablePanel::tick() {
   if (ticks_ < 0) return;
   if (auto table = worker_.take()) take(std::move(*table));
   if (ticks_ >= 0) ++ticks_;
-  progress_->setVisible(ticks_ > kPatience);
+  progress_->setVisible(ticks_ > kTicksBeforeProgress);
   progress_->setValue(static_cast<int>(share_ * kPercent));
-  findChild<QToolButton*>(QStringLiteral("dataTableCancel"))->setVisible(ticks_ > kPatience);
+  findChild<QToolButton*>(QStringLiteral("dataTableCancel"))->setVisible(ticks_ > kTicksBeforeProgress);
 }
 
 void FieldTablePanel::take(robotlink::Result<FieldTable> table) {

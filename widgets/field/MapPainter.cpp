@@ -85,7 +85,7 @@ void paintForbidden(QPainter& painter, const Place& place, const QTransform& toW
   painter.setBrush(Qt::NoBrush);
 }
 
-QString labelOf(const Place& place) {
+QString placeLabel(const Place& place) {
   if (!place.name().empty()) return QString::fromStdString(place.name());
   if (place.kind() == Place::HOME) return QObject::tr("Home", "place of a map");
   if (place.kind() == Place::DOCK) return QObject::tr("Dock", "place of a map");
@@ -125,7 +125,7 @@ void paintSpot(QPainter& painter, const Place& place, const QTransform& toWidget
   font.setBold(highlighted);
   painter.setFont(font);
   painter.setPen(highlighted ? palette.color(QPalette::Text) : color);
-  painter.drawText(at + QPointF(9, 4), labelOf(place));
+  painter.drawText(at + QPointF(9, 4), placeLabel(place));
 }
 
 }  // namespace

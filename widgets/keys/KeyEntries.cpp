@@ -50,7 +50,7 @@ QString kindName(KeyValue::Kind kind) {
   return {};
 }
 
-QString numberText(const KeyValue& value) {
+QString keyValueText(const KeyValue& value) {
   switch (value.kind) {
     case KeyValue::Kind::kTimes:
       return valueText("%1 left").arg(value.n);

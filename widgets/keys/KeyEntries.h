@@ -34,7 +34,7 @@ bool hasNumber(KeyValue::Kind kind);
 /// "off", "every n-th": translated, for lists.
 QString kindName(KeyValue::Kind kind);
 /// "10", "3 left", "100 ms"; empty for modes without a number.
-QString numberText(const KeyValue& value);
+QString keyValueText(const KeyValue& value);
 /// Unknown kinds of newer programs become kEveryMs.
 KeyValue keyValue(const robotcontrol::KeyMode& mode);
 /// Writes the mode into the message; the number of modes without one is 0.

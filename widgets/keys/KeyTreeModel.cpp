@@ -169,7 +169,7 @@ QString KeyTreeModel::display(const Node& node, int column) const {
   if (column == kName) return node.label;
   if (node.key >= 0) {
     const KeyValue value = shownValue(keys_[static_cast<std::size_t>(node.key)]);
-    return column == kMode ? kindName(value.kind) : numberText(value);
+    return column == kMode ? kindName(value.kind) : keyValueText(value);
   }
   int all = 0;
   const int active = column == kMode ? activeBelow(node, all) : 0;
