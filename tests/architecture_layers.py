@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -30,6 +30,7 @@ TARGETS = {
     "robotlink/commands": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging",
                            "robotlink/expressions", "robotlink/session"],
     "robotlink/motions": ["robotlink/base"],
+    "robotlink/series": ["robotlink/base"],
     "robotlink/arcos": ["robotlink/base"],
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
     "robotlink/foxglove": ["robotlink/base"],

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/series/Series.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace robotlink {
+
+static_assert(Series::kBlock % Series::kFan == 0);
+
+void Series::addBlock() {
+  blocks_.push_back(std::make_unique_for_overwrite<double[]>(2 * kBlock));
+  tail_ = blocks_.back().get();
+}
+
+void Series::insert(Point point) {
+  push(pointAt(end_ - 1));
+  std::size_t place = end_ - 2;
+  for (; place > begin_ && timeAt(place - 1) > point.time; --place) {
+    timeAt(place) = timeAt(place - 1);
+    valueAt(place) = valueAt(place - 1);
+  }
+  timeAt(place) = point.time;
+  valueAt(place) = point.value;
+  std::size_t span = 1;
+  for (Level& level : levels_) {
+    span *= kFan;
+    const std::size_t valid = place / span - level.first;
+    if (valid < level.entries.size()) level.entries.resize(valid);
+  }
+  summarize();
+}
+
+void Series::summarize() {
+  std::size_t span = kFan;
+  for (std::size_t i = 0; end_ / span > 0; ++i, span *= kFan) {
+    if (i == levels_.size()) levels_.push_back({begin_ / span});
+    Level& level = levels_[i];
+    while (level.end() < end_ / span) {
+      const std::size_t first = level.end() * kFan, end = first + kFan;
+      // What was dropped does not count; entries above it are never asked for.
+      level.entries.push_back(
+          i == 0 ? extentOfPoints(first, end)
+                 : extentOfEntries(levels_[i - 1], std::max(first, levels_[i - 1].first), end));
+    }
+  }
+}
+
+Series::Extent Series::extentOfPoints(std::size_t begin, std::size_t end) const {
+  Extent extent;
+  const double* values = block(begin) + kBlock;
+  for (std::size_t i = begin % kBlock; i < begin % kBlock + (end - begin); ++i)
+    extent.add({values[i], values[i]});
+  return extent;
+}
+
+Series::Extent Series::extentOfEntries(const Level& level, std::size_t begin, std::size_t end) const {
+  Extent extent;
+  for (std::size_t i = begin; i < end; ++i) extent.add(level.at(i));
+  return extent;
+}
+
+Series::Extent Series::extent(std::size_t begin, std::size_t end) const {
+  Extent extent;
+  std::size_t from = begin_ + begin, to = begin_ + end;
+  // The ragged ends of each level, from the points upwards; what is between them is asked of the next level.
+  for (std::size_t i = 0; from < to; ++i) {
+    const bool isTop = i == levels_.size();
+    const std::size_t whole = isTop ? to : std::min((from + kFan - 1) / kFan * kFan, to);
+    const std::size_t rest = isTop ? to : std::max(to / kFan * kFan, whole);
+    for (const auto& [first, last] : {std::pair(from, whole), std::pair(rest, to)}) {
+      if (first < last)
+        extent.add(i == 0 ? extentOfPoints(first, last) : extentOfEntries(levels_[i - 1], first, last));
+    }
+    from = whole / kFan;
+    to = rest / kFan;
+  }
+  return extent;
+}
+
+std::size_t Series::search(std::size_t begin, std::size_t end, double time, bool isLater) const {
+  while (begin < end) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    const double here = timeAt(begin_ + middle);
+    if (here < time || (isLater && here == time)) {
+      begin = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  return begin;
+}
+
+std::size_t Series::firstFromNear(std::size_t begin, std::size_t guess, double time) const {
+  const auto isEarlier = [&](std::size_t index) { return timeAt(begin_ + index) < time; };
+  guess = std::clamp(guess, begin, size());
+  std::size_t step = 1;
+  if (guess < size() && isEarlier(guess)) {
+    std::size_t low = guess + 1;
+    for (; low + step < size() && isEarlier(low + step); step *= 2) low += step + 1;
+    return search(low, std::min(low + step, size()), time, false);
+  }
+  std::size_t high = guess;
+  for (; high >= begin + step && !isEarlier(high - step); step *= 2) high -= step;
+  return search(high >= begin + step ? high - step + 1 : begin, high, time, false);
+}
+
+std::vector<Series::Column> Series::columns(double from, double to, std::size_t count) const {
+  std::vector<Column> columns;
+  columns.reserve(count);
+  std::size_t begin = firstFrom(from), width = 0;
+  for (std::size_t i = 1; i <= count && begin < size(); ++i) {
+    const double until = from + (to - from) * static_cast<double>(i) / static_cast<double>(count);
+    const std::size_t end = firstFromNear(begin, begin + width, until);
+    width = end - begin;
+    if (width > 0) columns.push_back({begin, end, extent(begin, end)});
+    begin = end;
+  }
+  return columns;
+}
+
+void Series::limit(std::size_t bytes) {
+  while (blocks_.size() > 1 && this->bytes() > bytes) {
+    blocks_.pop_front();
+    begin_ += kBlock;
+    std::size_t span = 1;
+    for (Level& level : levels_) {
+      span *= kFan;
+      while (!level.entries.empty() && (level.first + 1) * span <= begin_) {
+        level.entries.pop_front();
+        ++level.first;
+      }
+    }
+  }
+}
+
+void Series::shift(double seconds) {
+  for (std::size_t i = begin_; i < end_; ++i) timeAt(i) += seconds;
+  newest_ += seconds;
+}
+
+std::size_t Series::bytes() const {
+  std::size_t extents = 0;
+  for (const Level& level : levels_) extents += level.entries.size();
+  return blocks_.size() * 2 * kBlock * sizeof(double) + extents * sizeof(Extent);
+}
+
+}  // namespace robotlink
