@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "logplayer/file/LogFile.h"
+#include "robotlink/base/Worker.h"
+#include "robotlink/expressions/FieldPath.h"
+#include "robotlink/series/Series.h"
+
+namespace logplayer {
+
+/// A number in the messages of a log's stream.
+struct LogNumber {
+  /// As in the log.
+  std::string stream;
+  /// A path as robotlink::FieldPath parses it.
+  std::string field;
+  auto operator<=>(const LogNumber&) const = default;
+};
+
+/// Reads numbers of a whole log in a thread, without playing it. All of them share one pass over the file;
+/// one that is wanted later is read up to where the pass is, and with the others from there. Points wait
+/// until they are taken; if too many wait, the thread does. The public functions are called by one thread and
+/// do not block; the destructor waits for at most one read.
+class NumberReader {
+ public:
+  using Points = std::vector<robotlink::Series::Point>;
+  /// What was read since the last call.
+  struct News {
+    /// In order of time; times are the log's own, in s.
+    std::map<LogNumber, Points> points = {};
+    /// All points of these have been taken now.
+    std::vector<LogNumber> complete = {};
+    /// The share of the log, 0 to 1, that was read of all.
+    double progress = 1;
+    /// Why the log cannot be read.
+    std::optional<robotlink::Error> failure = {};
+  };
+  static constexpr std::size_t kMaxWaiting = 500'000;
+  /// The points of so many instants are made available at a time.
+  static constexpr std::size_t kInstants = 2000;
+
+  /// The thread reads on as long as not more than `maxWaiting` points wait.
+  explicit NumberReader(std::filesystem::path file, std::size_t maxWaiting = kMaxWaiting);
+  ~NumberReader();
+  NumberReader(const NumberReader&) = delete;
+  NumberReader& operator=(const NumberReader&) = delete;
+
+  /// Sets what is read. What was set before continues where it is; what was not begins at the log's begin.
+  void read(const std::set<LogNumber>& numbers);
+  News take();
+
+ private:
+  struct Reading {
+    /// Tells it from an earlier one of the same number.
+    std::uint64_t id = 0;
+    /// Empty if the field is no path.
+    std::optional<robotlink::FieldPath> path = {};
+    /// All that is earlier was read.
+    robotlink::Instant reached = robotlink::Instant::min();
+    bool isComplete = false;
+    Points waiting = {};
+  };
+  /// The readings that go on together, up to where another one is.
+  struct Pass {
+    std::map<LogNumber, Reading> readings = {};
+    robotlink::Instant from, until = robotlink::Instant::max();
+  };
+
+  void work(const std::stop_token& stop);
+  bool open(const std::stop_token& stop);
+  /// The readings that are behind all others; empty: all are complete.
+  Pass nextPass() const;
+  void run(Pass& pass, const std::stop_token& stop);
+  /// Makes points available, blocking as long as too many wait, and notes how far the readings are. False: to
+  /// be ended.
+  bool publish(Pass& pass, robotlink::Instant reached, const std::stop_token& stop);
+
+  const std::filesystem::path file_;
+  const std::size_t maxWaiting_;
+  /// Opened by the thread.
+  std::shared_ptr<LogFile> log_;
+  /// Protects all following members but the worker.
+  mutable std::mutex mutex_;
+  /// Signaled when points were taken.
+  std::condition_variable_any taken_;
+  std::map<LogNumber, Reading> readings_;
+  std::size_t waiting_ = 0;
+  std::uint64_t lastId_ = 0;
+  robotlink::Instant begin_, end_;
+  std::optional<robotlink::Error> failure_;
+  robotlink::Worker<std::monostate> worker_;
+};
+
+}  // namespace logplayer
