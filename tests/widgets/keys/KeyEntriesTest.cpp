@@ -51,9 +51,9 @@ TEST(KeyEntries, onlyModesWithANumberKeepIt) {
     assign(mode, {kind, 5});
     EXPECT_EQ(keyValue(mode), (KeyValue{kind, hasNumber(kind) ? 5U : 0U}));
   }
-  EXPECT_EQ(numberText({KeyValue::Kind::kTimes, 5}).toStdString(), "5 left");
-  EXPECT_EQ(numberText({KeyValue::Kind::kEveryMs, 5}).toStdString(), "5 ms");
-  EXPECT_TRUE(numberText({KeyValue::Kind::kAlways, 5}).isEmpty());
+  EXPECT_EQ(keyValueText({KeyValue::Kind::kTimes, 5}).toStdString(), "5 left");
+  EXPECT_EQ(keyValueText({KeyValue::Kind::kEveryMs, 5}).toStdString(), "5 ms");
+  EXPECT_TRUE(keyValueText({KeyValue::Kind::kAlways, 5}).isEmpty());
 }
 
 }  // namespace
