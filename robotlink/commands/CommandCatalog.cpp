@@ -25,6 +25,12 @@ Rows simulationRows() {
        "Changes the light that cameras see; 1 0 is the scene's own",
        {{"brightness", Type::kNumber, "times the scene's, 0 to 10"},
         {"warmth", Type::kNumber, "-1 (bluish) to 1 (reddish)", 0.0}}},
+      {"scene.place",
+       "Places a robot or the ball of the simulation",
+       {{"model", Type::kText, "its name in the scene: red1, ball"},
+        {"x", Type::kNumber, "m, in the field's frame"},
+        {"y", Type::kNumber, "m"},
+        {"heading", Type::kNumber, "rad, counterclockwise", 0.0}}},
       {"layout.open",
        "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
        "one",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the catalog about manual control, parameters, the scene's models, views and plots.
+// The rows of the catalog about manual control, parameters, views and plots.
 #include "robotlink/commands/CommandCatalog.h"
 
 namespace robotlink {
@@ -83,12 +83,6 @@ Rows controlCatalog() {
   Rows all = manualRows();
   for (Rows& rows : std::vector<Rows>{viewRows(), plotRows()})
     all.insert(all.end(), rows.begin(), rows.end());
-  all.push_back({"scene.place",
-                 "Places a robot or the ball of the simulation",
-                 {{"model", Type::kText, "its name in the scene: red1, ball"},
-                  {"x", Type::kNumber, "m, in the field's frame"},
-                  {"y", Type::kNumber, "m"},
-                  {"heading", Type::kNumber, "rad, counterclockwise", 0.0}}});
   return all;
 }
 

@@ -26,6 +26,7 @@ class RobotCommandsTest : public testing::Test {
     return done ? std::string() : done.error().id;
   }
   const std::vector<robotlink::CommandTable::Command> ofWindow_ = robotlink::windowCatalog();
+  const std::vector<robotlink::CommandTable::Command> ofControl_ = robotlink::controlCatalog();
   const std::vector<robotlink::CommandTable::Command> ofColors_ = robotlink::colorCatalog();
   const TestFolder home_;
   Workbench workbench_{home_.path()};
@@ -41,10 +42,10 @@ TEST_F(RobotCommandsTest, withoutARobotNothingCanBeAskedOfIt) {
 
 TEST_F(RobotCommandsTest, onlyWhatNeedsTheWindowWaitsForIt) {
   const auto& commands = workbench_.commands();
-  for (const auto* rows : {&ofWindow_, &ofColors_}) {
+  for (const auto* rows : {&ofWindow_, &ofControl_, &ofColors_}) {
     for (const auto& row : *rows) EXPECT_FALSE(commands.isAttached(row.name)) << row.name;
   }
-  EXPECT_EQ(commands.unattached().size(), ofWindow_.size() + ofColors_.size());
+  EXPECT_EQ(commands.unattached().size(), ofWindow_.size() + ofControl_.size() + ofColors_.size());
 }
 
 TEST_F(RobotCommandsTest, aKeysModeIsOneOfFive) {
