@@ -40,7 +40,7 @@ class SpreadPioneerTest : public testing::Test {
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);
       for (const auto& result : robotlink::messagesOf(robot, *queue, {}).results)
-        accepted_ = accepted_ || result->accepted();
+        accepted_ = accepted_ || (result->id() == kGoalId && result->accepted());
     };
     auto run = PioneerRun::create(options, listeners);
     ASSERT_TRUE(run) << robotlink::describe(run.error());
@@ -68,10 +68,11 @@ class SpreadPioneerTest : public testing::Test {
       return happens();
     });
   }
+  static constexpr std::uint64_t kGoalId = 1;
   /// Asks again until the program that plans is there to receive it.
   bool setGoal(double x) {
     robotcontrol::Request request;
-    request.set_id(1);
+    request.set_id(kGoalId);
     request.set_robot("p3at1");
     request.mutable_set_goal()->mutable_pose_in_field()->set_x(x);
     request.mutable_set_goal()->set_any_heading(true);
