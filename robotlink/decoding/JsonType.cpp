@@ -3,9 +3,7 @@
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
-#include <google/protobuf/duration.pb.h>
 #include <google/protobuf/dynamic_message.h>
-#include <google/protobuf/timestamp.pb.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -14,7 +12,7 @@
 #include "robotlink/decoding/JsonSchema.h"
 #include "robotlink/decoding/JsonText.h"
 #include "robotlink/decoding/JsonValues.h"
-#include "robotlink/decoding/SilentErrors.h"
+#include "robotlink/packages/DynamicTypes.h"
 
 namespace robotlink {
 
@@ -85,12 +83,7 @@ bool JsonType::Implementation::takeOwn(const std::string& wanted, const JsonSche
 }
 
 bool JsonType::Implementation::build(JsonSchema& schema, const std::string& wanted, bool apart) {
-  for (const auto* imported :
-       {google::protobuf::Timestamp::descriptor(), google::protobuf::Duration::descriptor()}) {
-    FileDescriptorProto file;
-    imported->file()->CopyTo(&file);
-    pool.BuildFileCollectingErrors(file, &silence);
-  }
+  addTimeTypes(pool);
   const FileDescriptorProto file = schema.describe(wanted, apart ? "json" : "");
   if (pool.BuildFileCollectingErrors(file, &silence) == nullptr) return false;
   const Descriptor* type = pool.FindMessageTypeByName(schema.typeName());

@@ -10,7 +10,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/decoding/JsonType.h"
-#include "robotlink/decoding/SilentErrors.h"
+#include "robotlink/packages/DynamicTypes.h"
 
 namespace robotlink {
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+// Types that are built at run time, from what files and servers say about their messages.
 namespace robotlink {
 
 /// Takes the errors of a schema that is being built, and prints none of them. A file from anywhere may hold
@@ -14,5 +15,8 @@ class SilentErrors final : public google::protobuf::DescriptorPool::ErrorCollect
   void AddError(const std::string&, const std::string&, const google::protobuf::Message*, ErrorLocation,
                 const std::string&) override {}
 };
+
+/// Builds the files of Timestamp and Duration in a pool, for types that import them.
+void addTimeTypes(google::protobuf::DescriptorPool& pool);
 
 }  // namespace robotlink
