@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/ros", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -22,7 +22,8 @@ TARGETS = {
     "robotlink/packages": ["robotlink/base"],
     "robotlink/expressions": ["robotlink/base", "robotlink/packages"],
     "robotlink/process": ["robotlink/base", "robotlink/config", "robotlink/packages"],
-    "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
+    "robotlink/ros": ["robotlink/base", "robotlink/packages", "robotlink/process"],
+    "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/ros"],
     "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
     "robotlink/dds": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",

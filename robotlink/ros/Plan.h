@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "robotlink/ros/Definition.h"
+
+namespace google::protobuf {
+class FieldDescriptor;
+}
+
+namespace robotlink::ros {
+
+struct StructPlan;
+
+/// How the bytes of one field are read, and into what.
+struct FieldPlan {
+  const google::protobuf::FieldDescriptor* field = nullptr;
+  Kind kind = Kind::kStruct;
+  Shape shape = Shape::kSingle;
+  /// As in Field.
+  std::uint64_t count = 0;
+  /// Of a struct.
+  const StructPlan* inner = nullptr;
+  bool isEnumeration = false;
+  /// The fewest bytes that one value takes.
+  std::uint64_t leastBytes = 0;
+};
+
+/// How a struct is read: field by field.
+struct StructPlan {
+  std::vector<FieldPlan> fields;
+  /// The fewest bytes that it takes, without padding.
+  std::uint64_t leastBytes = 0;
+};
+
+}  // namespace robotlink::ros

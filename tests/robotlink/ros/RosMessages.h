@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <google/protobuf/message.h>
+
+#include <cctype>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robotlink/ros/RosType.h"
+
+namespace robotlink::ros::test {
+
+/// Bytes from digits in pairs; everything else is left out. "00 01" are two.
+inline std::vector<std::uint8_t> bytesOf(const std::string& hex) {
+  std::string digits;
+  for (const char c : hex)
+    if (std::isxdigit(static_cast<unsigned char>(c)) != 0) digits += c;
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+    bytes.push_back(static_cast<std::uint8_t>(std::stoi(digits.substr(i, 2), nullptr, 16)));
+  return bytes;
+}
+
+/// How messages of a definition are written.
+struct Encodings {
+  std::string schema, message;
+};
+inline const Encodings kRos2{"ros2msg", "cdr"};
+inline const Encodings kRos1{"ros1msg", "ros1"};
+
+/// The values of a message as Protobuf's text, or what is wrong with it or its definition.
+inline std::string decoded(const std::string& definition, const std::string& hex,
+                           const Encodings& encodings = kRos2, const std::string& name = "p/msg/M") {
+  const auto type = RosType::of(name, encodings.schema, definition, encodings.message);
+  if (!type) return type.error().describe();
+  const auto message = RosType::read(*type, bytesOf(hex));
+  return message ? (*message)->ShortDebugString() : message.error().text;
+}
+
+}  // namespace robotlink::ros::test
