@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/decoding/JsonType.h"
 #include "robotlink/packages/DynamicTypes.h"
+#include "robotlink/ros/RosType.h"
 
 namespace robotlink {
 
@@ -77,6 +78,8 @@ MessageType::MessageType(const MessageSchema* schema, const std::string& message
     readJsonSchema(schema, sample);
   } else if (encoding_ == "protobuf" && schema != nullptr && schema->encoding == "protobuf") {
     readProtobufSchema(*schema);
+  } else if (schema != nullptr) {
+    readRosDefinition(*schema);
   }
 }
 
@@ -109,12 +112,21 @@ void MessageType::readJsonSchema(const MessageSchema* schema, const Sample& samp
     name_ = json_->name();
 }
 
+void MessageType::readRosDefinition(const MessageSchema& schema) {
+  const auto type = ros::RosType::of(name_, schema.encoding, schema.data, encoding_);
+  if (!type) return;
+  ros_ = *type;
+  // A type with the name of one of this program's types, but another structure.
+  if (DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr) name_ = ros_->name();
+}
+
 MessageType::~MessageType() = default;
 MessageType::MessageType(MessageType&&) noexcept = default;
 MessageType& MessageType::operator=(MessageType&&) noexcept = default;
 
 PackagePtr MessageType::read(std::span<const std::uint8_t> data) const {
   if (json_ != nullptr) return JsonType::read(json_, data);
+  if (ros_ != nullptr) return ros::RosType::read(ros_, data).value_or(nullptr);
   if (prototype_ == nullptr) {
     auto copy = std::make_shared<robotcontrol::PackageCopy>();
     copy->set_type(name_);

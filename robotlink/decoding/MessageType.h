@@ -13,22 +13,25 @@
 namespace robotlink {
 
 class JsonType;
+namespace ros {
+class RosType;
+}
 
 /// How messages are described, in a log file or by a server.
 struct MessageSchema {
   /// For protobuf the full name of the message type.
   std::string name;
-  /// The encoding of `data`: "protobuf", "jsonschema".
+  /// The encoding of `data`: "protobuf", "jsonschema", "ros1msg", "ros2msg".
   std::string encoding;
-  /// For protobuf a serialized FileDescriptorSet.
+  /// For protobuf a serialized FileDescriptorSet, otherwise text.
   std::string_view data;
 };
 
 /// The type of a channel's messages, determined by its schema. Protobuf messages of this
 /// program's types are parsed into their classes, others into dynamic messages with the descriptors from the
-/// schema, which they keep alive. JSON becomes dynamic messages, too, see JsonType. Messages in other
-/// encodings (cdr, ros1) or with an invalid schema stay bytes (robotcontrol.PackageCopy). Immutable; any
-/// thread.
+/// schema, which they keep alive. JSON and the messages of ROS become dynamic messages, too, see JsonType and
+/// ros::RosType. Messages in other encodings (flatbuffer) or with an invalid schema stay bytes
+/// (robotcontrol.PackageCopy). Immutable; any thread.
 class MessageType {
  public:
   /// Returns a message of the channel, empty if there is none. Called only for JSON without a schema.
@@ -44,7 +47,7 @@ class MessageType {
   /// The encoding of the messages: "protobuf", "json", "cdr", "ros1".
   const std::string& encoding() const { return encoding_; }
   /// Whether messages are decoded; otherwise they stay bytes.
-  bool isDecoded() const { return prototype_ != nullptr || json_ != nullptr; }
+  bool isDecoded() const { return prototype_ || json_ || ros_; }
   /// Decodes a message; null if the bytes are invalid.
   PackagePtr read(std::span<const std::uint8_t> data) const;
 
@@ -53,6 +56,7 @@ class MessageType {
   struct Dynamic;
   void readProtobufSchema(const MessageSchema& schema);
   void readJsonSchema(const MessageSchema* schema, const Sample& sample);
+  void readRosDefinition(const MessageSchema& schema);
 
   std::string name_, encoding_;
   /// Null if the type is not Protobuf.
@@ -61,6 +65,8 @@ class MessageType {
   std::shared_ptr<const Dynamic> dynamic_;
   /// Null if the type is not JSON.
   std::shared_ptr<const JsonType> json_;
+  /// Null if the type is not one of ROS.
+  std::shared_ptr<const ros::RosType> ros_;
 };
 
 }  // namespace robotlink

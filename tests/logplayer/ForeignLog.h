@@ -53,14 +53,15 @@ inline constexpr char kLogSchema[] = R"({"title": "foxglove.Log", "type": "objec
   "level": {"title": "foxglove.Level", "oneOf": [{"title": "INFO", "const": 2}, {"title": "WARNING", "const": 3}]},
   "message": {"type": "string"}, "name": {"type": "string"}, "file": {"type": "string"}, "line": {"type": "integer"}}})";
 
-/// A log with two poses and an invalid one, two texts, images in CDR, and a message of ROS 1; from 100 to 101
+/// A log with two poses and an invalid one, two texts, images in FlatBuffers, and a message of ROS 1 without
+/// a definition; from 100 to 101
 /// s.
 inline bool writeForeignLog(const std::filesystem::path& file) {
   ForeignLog log(file);
   const auto pose = log.add({"a/b/c", "their.Pose", "jsonschema", kPoseSchema, "json"});
   const auto text = log.add({"/rosout", "foxglove.Log", "jsonschema", kLogSchema, "json"});
-  const auto image = log.add({"/camera", "foxglove.RawImage", "ros2msg", "uint32 height", "cdr"});
-  const auto odometry = log.add({"/odom", "nav_msgs/Odometry", "ros1msg", "float64 x", "ros1"});
+  const auto image = log.add({"/camera", "foxglove.RawImage", "flatbuffer", "table", "flatbuffer"});
+  const auto odometry = log.add({"/odom", "nav_msgs/Odometry", "ros1msg", "no definition", "ros1"});
   log.write(
       pose, 100,
       R"({"stamp": {"sec": 5, "nsec": 250000000}, "frame": "map", "position": {"x": 1.5, "y": -2}, "covariance": [1, null]})");

@@ -53,16 +53,16 @@ class ForeignLogTest : public ::testing::Test {
 TEST_F(ForeignLogTest, infoNamesEncodingsAndClaimsOnlyWhatIsDecoded) {
   const auto info = readLogInfo(folder_ / "a.mcap");
   ASSERT_TRUE(info) << info.error().describe();
-  EXPECT_EQ(info->images, 0U) << "they are in CDR";
+  EXPECT_EQ(info->images, 0U) << "they are in FlatBuffers";
   EXPECT_THAT(info->robots, IsEmpty()) << "a topic a/b/c is no robot";
-  EXPECT_EQ(streamOf(*info, "/camera")->encoding, "cdr");
+  EXPECT_EQ(streamOf(*info, "/camera")->encoding, "flatbuffer");
   EXPECT_EQ(streamOf(*info, "/camera")->undecoded, 10U);
   EXPECT_EQ(streamOf(*info, "a/b/c")->undecoded, 0U);
   const std::string text = toText(*info);
-  EXPECT_THAT(text, HasSubstr("cdr, not decoded"));
+  EXPECT_THAT(text, HasSubstr("flatbuffer, not decoded"));
   EXPECT_THAT(text, HasSubstr("ros1, not decoded"));
-  EXPECT_THAT(text, HasSubstr("11 messages (cdr, ros1)"));
-  EXPECT_EQ(toJson(*info).at("streams").at(0).at("encoding"), "cdr");
+  EXPECT_THAT(text, HasSubstr("11 messages (flatbuffer, ros1)"));
+  EXPECT_EQ(toJson(*info).at("streams").at(0).at("encoding"), "flatbuffer");
 }
 
 TEST_F(ForeignLogTest, jsonIsReadAsValues) {
@@ -90,7 +90,7 @@ TEST_F(ForeignLogTest, whatIsNotDecodedIsNoTableAndNoImage) {
   const auto table = writeCsv(log(), "/camera", out, {});
   ASSERT_FALSE(table);
   EXPECT_THAT(table.error().text,
-              HasSubstr("the messages of /camera are in the encoding 'cdr', which is not read"));
+              HasSubstr("the messages of /camera are in the encoding 'flatbuffer', which is not read"));
   const auto images = exportImages(log(), {}, folder_ / "images", {});
   ASSERT_FALSE(images);
   EXPECT_THAT(images.error().text, HasSubstr("those of /camera are in an encoding that is not read"));

@@ -4,6 +4,8 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "robotlink/session/LatchedMessages.h"
 
@@ -18,6 +20,18 @@ bool isKept(const RemoteInbox::Arrival& arrival) {
   return !arrival.value || isLatched(arrival.channel->topic, arrival.value->GetDescriptor()->full_name());
 }
 
+/// The encoding of schemas for one of messages, where a server does not say which.
+std::string impliedSchema(const std::string& encoding) {
+  if (encoding == "json") return "jsonschema";
+  if (encoding == "cdr") return "ros2msg";
+  return encoding == "ros1" ? "ros1msg" : encoding;
+}
+
+bool isDecodable(const std::string& encoding) {
+  constexpr std::array<std::string_view, 4> kDecoded{"cdr", "json", "protobuf", "ros1"};
+  return std::ranges::find(kDecoded, encoding) != kDecoded.end();
+}
+
 }  // namespace
 
 RemoteChannel::RemoteChannel(const Channel& channel)
@@ -25,16 +39,16 @@ RemoteChannel::RemoteChannel(const Channel& channel)
       topic(channel.topic),
       type(channel.schemaName),
       encoding(channel.encoding),
-      isDecoded(encoding == "json" || encoding == "protobuf") {}
+      isDecoded(isDecodable(encoding)) {}
 
 std::vector<RemoteChannelPtr> RemoteInbox::add(const std::vector<Channel>& channels) {
   std::vector<RemoteChannelPtr> added;
   for (const Channel& channel : channels) {
     added.push_back(std::make_shared<RemoteChannel>(channel));
     const std::string& schema = channel.schemaEncoding;
-    const std::string implied = channel.encoding == "json" ? "jsonschema" : channel.encoding;
-    types_.insert_or_assign(channel.id,
-                            Typed{added.back(), channel.schema, schema.empty() ? implied : schema, {}});
+    types_.insert_or_assign(
+        channel.id,
+        Typed{added.back(), channel.schema, schema.empty() ? impliedSchema(channel.encoding) : schema, {}});
   }
   return added;
 }

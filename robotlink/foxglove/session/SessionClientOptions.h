@@ -43,7 +43,7 @@ struct RemoteStream {
   std::string path;
   std::string topic, type, encoding;
   bool isSubscribed = false;
-  /// Messages of other encodings ("cdr", "ros1") are kept as bytes, and not shown.
+  /// Messages of other encodings ("flatbuffer") are kept as bytes, and not shown.
   bool isDecoded = false;
   std::uint64_t messages = 0, bytes = 0;
   /// As the server counts, if it does: replaced by newer messages, and lost.

@@ -125,7 +125,8 @@ class OpenedLogsGuiTest : public WindowTest {
     const QString text = desk.find<QLabel>("logContentsText").text();
     QVERIFY2(text.contains(QLatin1String("foreign.mcap has no robot")), qPrintable(text));
     QVERIFY2(text.contains(QLatin1String("It holds /rosout, a/b/c.")), qPrintable(text));
-    QVERIFY2(text.contains(QLatin1String("Not decoded: /camera (cdr), /odom (ros1).")), qPrintable(text));
+    QVERIFY2(text.contains(QLatin1String("Not decoded: /camera (flatbuffer), /odom (ros1).")),
+             qPrintable(text));
     QTest::mouseClick(&desk.find<QToolButton>("logContents.log-streams"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(desk.has("streamsView"), kWaitMs);
     // Its values are in the history, as those of any robot.

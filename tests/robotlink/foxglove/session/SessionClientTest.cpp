@@ -422,14 +422,16 @@ TEST_F(SessionClientTest, aResetInTheFirstSecondIsKnownByTheStreamsOfTheWorld) {
   EXPECT_EQ(session_.store().newest(), Instant(1008ms));
 }
 
-TEST(SessionClientOfAForeignServer, isOneRobotWhoseJsonAndProtobufAreDecoded) {
+TEST(SessionClientOfAForeignServer, isOneRobotWhoseMessagesAreDecoded) {
   const auto server = Server::make({.name = "foxglove bridge"}, {});
   const auto channels =
       server->addChannels({{"/battery", "json", "Battery",
                             R"({"type":"object","properties":{"volts":{"type":"number"}}})", "jsonschema"},
                            {"/rosout", "protobuf", "foxglove.Log", "", "protobuf"},
                            {"/camera", "protobuf", "foxglove.RawImage", "", "protobuf"},
-                           {"/cloud", "cdr", "sensor_msgs/msg/PointCloud2", "float x", "ros2msg"}});
+                           {"/cloud", "flatbuffer", "foxglove.PointCloud", "table", "flatbuffer"},
+                           {"/scan/width", "cdr", "std_msgs/msg/UInt32", "uint32 data"},
+                           {"/old/width", "ros1", "std_msgs/UInt32", "uint32 data", "ros1msg"}});
   Listener::Options listening;
   listening.address.port = 0;
   const auto listener = *Listener::open(server, listening);
@@ -454,6 +456,15 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseJsonAndProtobufAreDecoded) {
   channels[1]->publish(Instant(1s), text.SerializeAsString());
   EXPECT_TRUE(soon([&] { return session.store().find("foxglove_bridge/battery") != nullptr; }));
   EXPECT_TRUE(soon([&] { return session.store().find("foxglove_bridge/log") != nullptr; }));
+  EXPECT_TRUE(soon([&] { return channels[4]->isWanted() && channels[5]->isWanted(); }));
+  channels[4]->publish(Instant(1s), std::string("\0\1\0\0\7\0\0\0", 8));
+  channels[5]->publish(Instant(1s), std::string("\10\0\0\0", 4));
+  const auto shown = [&](const std::string& stream) {
+    const auto* message = session.store().latest("foxglove_bridge/" + stream, Instant::max());
+    return message == nullptr ? std::string() : message->value->ShortDebugString();
+  };
+  EXPECT_TRUE(soon([&] { return shown("scan/width") == "data: 7" && shown("old/width") == "data: 8"; }))
+      << shown("scan/width") << shown("old/width");
   // Images are switched on like debug keys.
   Request request;
   request.set_robot("foxglove_bridge");
@@ -462,8 +473,8 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseJsonAndProtobufAreDecoded) {
   client.request(request);
   EXPECT_TRUE(soon([&] { return channels[2]->isWanted(); }));
   const auto streams = client.streams();
-  ASSERT_EQ(streams.size(), 4U);
-  EXPECT_EQ(streams[2].encoding, "cdr");
+  ASSERT_EQ(streams.size(), 6U);
+  EXPECT_EQ(streams[2].encoding, "flatbuffer");
   EXPECT_FALSE(streams[2].isDecoded);
   EXPECT_TRUE(streams[0].isDecoded);
 }
