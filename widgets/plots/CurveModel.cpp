@@ -4,11 +4,12 @@
 #include <QGuiApplication>
 #include <QPalette>
 #include <algorithm>
-#include <map>
 
 #include "widgets/Theme.h"
 
 namespace widgets {
+
+using robotlink::Series;
 
 int CurveModel::freeColor() const {
   int color = 0;
@@ -20,11 +21,11 @@ int CurveModel::freeColor() const {
 
 bool CurveModel::add(const PlotSource& source) {
   const bool known = std::any_of(curves_.begin(), curves_.end(),
-                                 [&](const auto& curve) { return curve->series.source() == source; });
+                                 [&](const auto& curve) { return curve->source() == source; });
   if (known || source.stream.empty()) return false;
   const int color = freeColor();
   beginInsertRows({}, rowCount(), rowCount());
-  curves_.push_back(std::make_unique<Curve>(source));
+  curves_.push_back(std::make_shared<Curve>(source));
   curves_.back()->color = color;
   endInsertRows();
   return true;
@@ -42,23 +43,23 @@ void CurveModel::clear() {
   endResetModel();
 }
 
+bool CurveModel::takeLive(Curve& curve, const robotlink::StreamStore& store) {
+  const PlotReader::News news = curve.reader.take(store);
+  if (news.restarted) curve.live.clear();
+  for (const auto& point : news.points) curve.live.append(point);
+  return news.restarted || !news.points.empty();
+}
+
 bool CurveModel::update(const robotlink::StreamStore& store) {
   bool news = false;
   for (auto& curve : curves_) {
-    PlotSeries::News added = curve->series.take(store);
-    if (added.restarted) {
-      curve->points.clear();
-      curve->taken = 0;
-      curve->restarted = true;
+    if (takeLive(*curve, store)) {
+      news = true;
+      curve->live.limit(kMaxBytes / curves_.size());
     }
-    if (added.points.empty() && !added.restarted) continue;
-    news = true;
-    curve->points.insert(curve->points.end(), added.points.begin(), added.points.end());
-    while (curve->points.size() > 1 && (curve->points.size() > kMaxPoints ||
-                                        curve->points.back().time - curve->points.front().time > kHistory)) {
-      curve->points.pop_front();
-      if (curve->taken > 0) --curve->taken;
-    }
+    const std::size_t logged = curve->logged ? curve->logged->series.size() : 0;
+    news = news || logged != curve->loggedBefore;
+    curve->loggedBefore = logged;
   }
   if (news) Q_EMIT dataChanged(index(0, kValue), index(rowCount() - 1, kAtCursor));
   return news;
@@ -71,30 +72,50 @@ void CurveModel::setCursor(std::optional<double> time) {
   Q_EMIT headerDataChanged(Qt::Horizontal, kAtCursor, kAtCursor);
 }
 
-std::optional<double> CurveModel::atCursor(const Curve& curve) const {
-  if (!cursor_) return std::nullopt;
-  const auto after = std::ranges::upper_bound(curve.points, *cursor_, {}, &PlotSeries::Point::time);
-  return after == curve.points.begin() ? std::nullopt : std::optional(std::prev(after)->value);
+std::optional<double> CurveModel::Curve::valueAt(double time) const {
+  std::optional<Series::Point> newest;
+  for (const Series* series : {logged ? &logged->series : nullptr, &live}) {
+    const std::size_t after = series == nullptr ? 0 : series->firstAfter(time);
+    if (after == 0) continue;
+    const Series::Point point = (*series)[after - 1];
+    if (!newest || point.time >= newest->time) newest = point;
+  }
+  return newest ? std::optional(newest->value) : std::nullopt;
+}
+
+std::optional<std::pair<double, double>> CurveModel::Curve::times() const {
+  std::optional<std::pair<double, double>> times;
+  for (const Series* series : {logged ? &logged->series : nullptr, &live}) {
+    if (series == nullptr || series->empty()) continue;
+    const std::pair here(series->front().time, series->back().time);
+    times =
+        times ? std::pair(std::min(times->first, here.first), std::max(times->second, here.second)) : here;
+  }
+  return times;
 }
 
 QString CurveModel::csv() const {
-  std::map<double, std::map<std::size_t, double>> rows;
   QStringList header{QStringLiteral("time_s")};
-  for (std::size_t i = 0; i < curves_.size(); ++i) {
-    header << QStringLiteral("\"%1\"").arg(curves_[i]->series.source().text());
-    for (const auto& point : curves_[i]->points) rows[point.time][i] = point.value;
-  }
+  for (const auto& curve : curves_) header << QStringLiteral("\"%1\"").arg(curve->source().text());
   QString text = header.join(QLatin1Char(',')) + QLatin1Char('\n');
-  for (const auto& [time, values] : rows) {
-    text += QString::number(time, 'f', 6);
+  std::vector<std::size_t> next(curves_.size());
+  while (true) {
+    std::optional<double> time;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const auto value = values.find(i);
-      text +=
-          QLatin1Char(',') + (value == values.end() ? QString() : QString::number(value->second, 'g', 12));
+      const Series& points = curves_[i]->points();
+      if (next[i] < points.size()) time = std::min(time.value_or(points[next[i]].time), points[next[i]].time);
+    }
+    if (!time) return text;
+    text += QString::number(*time, 'f', 6);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      const Series& points = curves_[i]->points();
+      std::optional<double> value;
+      for (; next[i] < points.size() && points[next[i]].time == *time; ++next[i])
+        value = points[next[i]].value;
+      text += QLatin1Char(',') + (value ? QString::number(*value, 'g', 12) : QString());
     }
     text += QLatin1Char('\n');
   }
-  return text;
 }
 
 int CurveModel::rowCount(const QModelIndex& parent) const {
@@ -108,20 +129,20 @@ int CurveModel::columnCount(const QModelIndex& parent) const {
 QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Curve& curve = *curves_[static_cast<std::size_t>(index.row())];
-  const auto last = curve.series.last();
+  const auto last = curve.reader.last();
   if (role == Qt::DecorationRole && index.column() == kName)
     return curveColor(curve.color, QGuiApplication::palette());
   if (role == Qt::TextAlignmentRole && (index.column() == kValue || index.column() == kAtCursor))
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole) {
-    return last ? curve.series.source().text() : tr("%1: no values yet").arg(curve.series.source().text());
+    return last ? curve.source().text() : tr("%1: no values yet").arg(curve.source().text());
   }
   if (role == Qt::ForegroundRole && !last) return colorOf(Meaning::kMuted, QGuiApplication::palette());
   if (role != Qt::DisplayRole) return {};
-  if (index.column() == kName) return curve.series.source().text();
-  if (index.column() == kUnit) return curve.series.unit();
+  if (index.column() == kName) return curve.source().text();
+  if (index.column() == kUnit) return curve.reader.unit();
   if (index.column() == kAtCursor) {
-    const auto value = atCursor(curve);
+    const auto value = cursor_ ? curve.valueAt(*cursor_) : std::nullopt;
     return value ? QString::number(*value, 'g', 5) : QString();
   }
   return last ? QString::number(*last, 'g', 5) : QStringLiteral("–");

@@ -2,41 +2,51 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "robotlink/series/Series.h"
+#include "widgets/plots/LoggedCurve.h"
 #include "widgets/plots/PlotSource.h"
 
 namespace widgets {
 
-/// The curves of a plot with their points: the data of a PlotCanvas and the rows of the plot's legend. Points
-/// older than kHistory, and beyond kMaxPoints, are dropped. Times are seconds on the session's timeline. GUI
-/// thread.
+/// The curves of a plot with their points: the data of a PlotCanvas and the rows of the plot's legend. The
+/// oldest points are dropped when all together take more than kMaxBytes. Times are seconds on the session's
+/// timeline. GUI thread.
 class CurveModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
   /// Source, newest value, its unit, and the value under the cursor.
   enum Column { kName, kValue, kUnit, kAtCursor, kColumns };
-  /// Length of the history in s, counted back from a curve's newest point.
-  static constexpr double kHistory = 300;
-  /// Upper bound of the points of one curve.
-  static constexpr std::size_t kMaxPoints = 300'000;
+  /// Bound of the memory for the points that sessions published.
+  static constexpr std::size_t kMaxBytes = 512U << 20U;
 
-  /// One curve; the canvas keeps its own copy of the points.
   struct Curve {
-    explicit Curve(PlotSource source) : series(std::move(source)) {}
+    explicit Curve(PlotSource source) : reader(std::move(source)) {}
+    const PlotSource& source() const { return reader.source(); }
+    /// All that is known of the curve: of the log as a whole, or what the session published.
+    const robotlink::Series& points() const { return isLogged() ? logged->series : live; }
+    /// Whether the log has the values that the session publishes, so that `live` adds nothing to them.
+    bool isLogged() const { return logged && !isRecomputed && !logged->series.empty(); }
+    /// The newest value that is not later than a time; empty without one.
+    std::optional<double> valueAt(double time) const;
+    /// The times of the first and the last point; empty without points.
+    std::optional<std::pair<double, double>> times() const;
+
     /// Reads the values from the session's store.
-    PlotSeries series;
+    PlotReader reader;
     /// Index for curveColor(); the lowest that was free.
     int color = 0;
-    /// Oldest first.
-    std::deque<PlotSeries::Point> points;
-    /// Number of points, from the front, that the canvas has copied.
-    std::size_t taken = 0;
-    /// The clock went back: the canvas must drop its copy.
-    bool restarted = false;
+    /// What the session published.
+    robotlink::Series live;
+    /// The same of the whole log; null if it is not read.
+    std::shared_ptr<const LoggedCurve> logged;
+    /// Whether the program computes anew what the log has, so that both are of interest.
+    bool isRecomputed = false;
+    /// Number of points of `logged` at the last update().
+    std::size_t loggedBefore = 0;
     /// The debug key of the source was requested.
     bool requested = false;
   };
@@ -46,13 +56,13 @@ class CurveModel final : public QAbstractTableModel {
   bool add(const PlotSource& source);
   void remove(int row);
   void clear();
-  /// Appends the points that arrived since the last call. True if there is something new to draw.
+  /// Adds the points that arrived since the last call. True if there is something new to draw.
   bool update(const robotlink::StreamStore& store);
   /// Time under the cursor in s; empty: the cursor is not over the plot.
   void setCursor(std::optional<double> time);
-  /// The curves, in the order of the rows. The canvas updates `taken` and `restarted`.
-  std::vector<std::unique_ptr<Curve>>& curves() { return curves_; }
-  const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
+  /// The curves, in the order of the rows; what draws them shares them.
+  std::vector<std::shared_ptr<Curve>>& curves() { return curves_; }
+  const std::vector<std::shared_ptr<Curve>>& curves() const { return curves_; }
   /// All points as text: a column "time_s", then one per curve, empty where it has no value at that time.
   QString csv() const;
 
@@ -64,10 +74,10 @@ class CurveModel final : public QAbstractTableModel {
  private:
   /// The lowest color index that no curve has.
   int freeColor() const;
-  /// The value of the last point not later than the cursor; empty without one.
-  std::optional<double> atCursor(const Curve& curve) const;
+  /// Takes what the session has published of a curve. True if there is something new.
+  static bool takeLive(Curve& curve, const robotlink::StreamStore& store);
 
-  std::vector<std::unique_ptr<Curve>> curves_;
+  std::vector<std::shared_ptr<Curve>> curves_;
   std::optional<double> cursor_;  ///< s; empty: the cursor is not over the plot
 };
 

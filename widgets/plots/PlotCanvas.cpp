@@ -11,6 +11,7 @@
 #include "widgets/TypedStreams.h"
 #include "widgets/plots/CurveModel.h"
 #include "widgets/plots/PlotTreeModel.h"
+#include "widgets/plots/SeriesGraph.h"
 
 namespace widgets {
 
@@ -18,10 +19,8 @@ namespace {
 
 /// The end of what lasts, in s; a number that axes can compute with.
 constexpr double kForever = 1e12;
-
-robotlink::Instant instantAt(double seconds) {
-  return robotlink::Instant(robotlink::fromSeconds(seconds));
-}
+/// The share of a curve's color where it is paler.
+constexpr double kPale = 0.45;
 
 /// Ticks at round numbers of seconds since an origin.
 class TimeTicker final : public QCPAxisTicker {
@@ -91,61 +90,51 @@ void PlotCanvas::applyTheme() {
   cursor_->setPen(QPen(mixed(base, text, 0.5), 0));
   mark_->setPen(QPen(colorOf(Meaning::kBad, colors), 0, Qt::DashLine));
   gaps_.clear();  // they are shaded again in other colors
+  showGaps();
   matchGraphs();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// Matches the graphs with the curves by number, name and color; a graph whose curve changed is cleared and
-/// filled again.
 void PlotCanvas::matchGraphs() {
-  auto& curves = curves_.curves();
-  while (plot_->graphCount() > static_cast<int>(curves.size())) plot_->removeGraph(plot_->graphCount() - 1);
-  while (plot_->graphCount() < static_cast<int>(curves.size())) plot_->addGraph()->setAdaptiveSampling(true);
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    QCPGraph& graph = *plot_->graph(i);
-    CurveModel::Curve& curve = *curves[static_cast<std::size_t>(i)];
-    graph.setPen(QPen(curveColor(curve.color, palette()), 1));
-    const QString name = curve.series.source().text();
-    if (graph.name() == name && !curve.restarted) continue;
-    graph.setName(name);
-    graph.data()->clear();
-    curve.taken = 0;
-    curve.restarted = false;
+  const auto& curves = curves_.curves();
+  while (graphs_.size() > 2 * curves.size()) {
+    plot_->removePlottable(graphs_.back());
+    graphs_.pop_back();
+  }
+  while (graphs_.size() < 2 * curves.size()) graphs_.push_back(new SeriesGraph(plot_->xAxis, plot_->yAxis));
+  const QPalette colors = palette();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto& curve = curves[i];
+    const QColor color = curveColor(curve->color, colors);
+    const QColor pale = mixed(colors.color(QPalette::Base), color, kPale);
+    const auto robot = robots_.find(robotPart(curve->source().stream));
+    SeriesGraph &logged = *graphs_[2 * i], &live = *graphs_[2 * i + 1];
+    logged.setPen(QPen(curve->isRecomputed ? pale : color, 1));
+    logged.setSeries(std::shared_ptr<const robotlink::Series>(
+        curve->logged, curve->logged ? &curve->logged->series : nullptr));
+    live.setPen(QPen(color, 1));
+    live.setSeries(std::shared_ptr<const robotlink::Series>(curve, &curve->live));
+    live.setGaps(robot == robots_.end() ? std::vector<robotlink::LineGap>() : robot->second.gaps);
   }
 }
 
 void PlotCanvas::refresh(bool follow, double end, double length, const RemoteRobots& robots) {
+  robots_ = robots;
   matchGraphs();
-  showGaps(robots);
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    CurveModel::Curve& curve = *curves_.curves()[static_cast<std::size_t>(i)];
-    QCPGraph& graph = *plot_->graph(i);
-    const auto robot = robots.find(robotPart(curve.series.source().stream));
-    for (; curve.taken < curve.points.size(); ++curve.taken) {
-      const PlotSeries::Point& point = curve.points[curve.taken];
-      if (curve.taken > 0 && robot != robots.end()) {
-        const double before = curve.points[curve.taken - 1].time;
-        // The line ends where the graph has no number.
-        if (isCut(robot->second.gaps, instantAt(before), instantAt(point.time)))
-          graph.addData((before + point.time) / 2, std::numeric_limits<double>::quiet_NaN());
-      }
-      graph.addData(point.time, point.value);
-    }
-    if (!curve.points.empty()) graph.data()->removeBefore(curve.points.front().time);
-  }
+  showGaps();
   if (follow) {
-    plot_->xAxis->setRange(end - length, end);
+    length > 0 ? plot_->xAxis->setRange(end - length, end) : fitTimes();
     fitValues();
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 /// Shades the times in which nothing was heard of a robot that has a curve.
-void PlotCanvas::showGaps(const RemoteRobots& robots) {
+void PlotCanvas::showGaps() {
   std::vector<std::pair<double, double>> gaps;
   for (const auto& curve : curves_.curves()) {
-    const auto robot = robots.find(robotPart(curve->series.source().stream));
-    if (robot == robots.end()) continue;
+    const auto robot = robots_.find(robotPart(curve->source().stream));
+    if (robot == robots_.end()) continue;
     for (const robotlink::LineGap& gap : robot->second.gaps) {
       const double from = robotlink::seconds(gap.from), to = gap.to ? robotlink::seconds(*gap.to) : kForever;
       const auto known = std::ranges::find(gaps, std::pair(from, to));
@@ -172,23 +161,34 @@ void PlotCanvas::showGaps(const RemoteRobots& robots) {
 }
 
 void PlotCanvas::fitValues() {
-  bool found = false;
-  QCPRange all;
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    bool has = false;
-    const QCPRange range = plot_->graph(i)->getValueRange(has, QCP::sdBoth, plot_->xAxis->range());
-    if (!has) continue;
-    if (found) all.expand(range);
-    if (!found) all = range;
-    found = true;
+  robotlink::Series::Extent all;
+  const QCPRange times = plot_->xAxis->range();
+  const auto add = [&](const robotlink::Series& series) {
+    all.add(series.extent(series.firstFrom(times.lower), series.firstAfter(times.upper)));
+  };
+  for (const auto& curve : curves_.curves()) {
+    add(curve->live);
+    if (curve->logged) add(curve->logged->series);
   }
-  if (!found) return;
-  const double margin = all.size() > 0 ? all.size() * 0.06 : std::max(1e-3, std::abs(all.center()) * 0.1);
-  plot_->yAxis->setRange(all.lower - margin, all.upper + margin);
+  if (all.isEmpty()) return;
+  const double size = all.max - all.min, center = (all.min + all.max) / 2;
+  const double margin = size > 0 ? size * 0.06 : std::max(1e-3, std::abs(center) * 0.1);
+  plot_->yAxis->setRange(all.min - margin, all.max + margin);
+}
+
+void PlotCanvas::fitTimes() {
+  std::optional<QCPRange> all;
+  for (const auto& curve : curves_.curves()) {
+    const auto times = curve->times();
+    if (!times) continue;
+    const QCPRange here(times->first, times->second);
+    all = all ? all->expanded(here) : here;
+  }
+  if (all && all->size() > 0) plot_->xAxis->setRange(*all);
 }
 
 void PlotCanvas::fit() {
-  plot_->xAxis->rescale();
+  fitTimes();
   fitValues();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -17,11 +17,14 @@ class QCustomPlot;
 namespace widgets {
 
 class CurveModel;
+class SeriesGraph;
 
 /// Draws the curves of a CurveModel over time with QCustomPlot. The wheel zooms the time axis, or, with Shift
 /// or over the value axis, the values; dragging pans; both emit touched(), upon which the view stops
-/// following. Times are seconds on the session's timeline; the labels count from an origin. Lines are one
-/// pixel wide and not antialiased, since anything else costs a hundred times as much. GUI thread.
+/// following. Times are seconds on the session's timeline; the labels count from an origin. QCustomPlot gets
+/// only the points that are seen, a few for each column of pixels. Lines are one pixel wide and not
+/// antialiased, since anything else costs a hundred times as much. Where a program computes anew what a log
+/// has, the curve of the log is drawn in a paler color behind. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -31,8 +34,9 @@ class PlotCanvas final : public QWidget {
   /// `curves` must outlive the canvas.
   explicit PlotCanvas(CurveModel& curves, QWidget* parent = nullptr);
 
-  /// Draws the points that are new in the model. With `follow` the time axis shows [end - length, end] (in s)
-  /// and the value axis all values therein. Where nothing was heard of a robot, no line is drawn.
+  /// Draws what is in the model now. With `follow` the time axis shows [end - length, end] (in s), or all if
+  /// `length` is 0, and the value axis all values therein. Where nothing was heard of a robot, no line is
+  /// drawn.
   void refresh(bool follow, double end, double length, const RemoteRobots& robots = {});
   /// Shows all points of all curves.
   void fit();
@@ -62,17 +66,23 @@ class PlotCanvas final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void showGaps(const RemoteRobots& robots);
+  void showGaps();
   /// Colors axes, grid and lines by the palette.
   void applyTheme();
-  /// Makes QCustomPlot's graphs match the model's curves in number, name and color.
+  /// Makes QCustomPlot's graphs match the model's curves in number and color: two for each, the one of the
+  /// log first.
   void matchGraphs();
+  /// Shows all times of all curves.
+  void fitTimes();
   /// Fits the value axis to the values in the shown time range.
   void fitValues();
 
   CurveModel& curves_;
   QCustomPlot* plot_;
   QCPItemStraightLine* mark_;
+  /// Two for each curve: of the log, and of what the session published.
+  std::vector<SeriesGraph*> graphs_;
+  RemoteRobots robots_;
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;

@@ -107,11 +107,11 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
   return found;
 }
 
-PlotSeries::PlotSeries(PlotSource source) : source_(std::move(source)) {
+PlotReader::PlotReader(PlotSource source) : source_(std::move(source)) {
   if (auto path = robotlink::FieldPath::parse(source_.field)) path_ = std::move(*path);
 }
 
-std::optional<double> PlotSeries::valueOf(const robotlink::StreamMessage& message) {
+std::optional<double> PlotReader::valueOf(const robotlink::StreamMessage& message) {
   if (!source_.field.empty()) {
     if (!unitKnown_) unit_ = unitOf(message.value->GetDescriptor()->full_name(), source_.field);
     unitKnown_ = true;
@@ -124,7 +124,7 @@ std::optional<double> PlotSeries::valueOf(const robotlink::StreamMessage& messag
   return plot->value();
 }
 
-PlotSeries::News PlotSeries::take(const robotlink::StreamStore& store) {
+PlotReader::News PlotReader::take(const robotlink::StreamStore& store) {
   News news;
   const auto* stream = store.find(source_.stream);
   if (stream == nullptr) return news;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robotlink/expressions/FieldPath.h"
+#include "robotlink/series/Series.h"
 #include "robotlink/session/StreamStore.h"
 #include "widgets/TypedStreams.h"
 
@@ -38,20 +39,16 @@ std::vector<PlotSource> plotSources(const robotlink::StreamStore& store);
 std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source, robotlink::Instant time);
 
 /// Reads the values of one source from a session's history, each once.
-class PlotSeries {
+class PlotReader {
  public:
-  /// A value and its time on the session's timeline in s.
-  struct Point {
-    double time = 0;  ///< s
-    double value = 0;
-  };
   /// What has arrived since the last call.
   struct News {
-    std::vector<Point> points;
+    /// Times are seconds on the session's timeline.
+    std::vector<robotlink::Series::Point> points;
     /// The clock went back: earlier points are no longer valid.
     bool restarted = false;
   };
-  explicit PlotSeries(PlotSource source);
+  explicit PlotReader(PlotSource source);
   const PlotSource& source() const { return source_; }
   /// Returns what arrived since the last call. Messages without the field are skipped.
   News take(const robotlink::StreamStore& store);

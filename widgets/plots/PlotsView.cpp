@@ -23,6 +23,7 @@
 #include "widgets/Requests.h"
 #include "widgets/SplitterState.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/plots/LoggedCurves.h"
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets {
@@ -36,13 +37,15 @@ const ViewRegistration kPlotsViewRegistration{
 constexpr int kTicks = 6;                               // of this many ticks (at 30 Hz)...
 constexpr int kDrawn = 5;                               // ...at most this many draw: 25 Hz
 constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
+constexpr int kUsualWindow = 10;                        // s
 
-/// Whether a stream is a package that is replayed from a log instead of being recomputed.
-bool isAsLogged(const robotcontrol::ReplayStatus& status, const std::string& stream) {
-  return std::any_of(status.packages().begin(), status.packages().end(), [&](const auto& package) {
-    return package.package() == stream && package.logged() &&
-           package.source() == robotcontrol::ControlReplay::AS_LOGGED;
-  });
+/// How a stream is replayed that is a package of a log; empty for others.
+std::optional<robotcontrol::ControlReplay::PackageSource> replayed(const robotcontrol::ReplayStatus& status,
+                                                                   const std::string& stream) {
+  for (const auto& package : status.packages()) {
+    if (package.package() == stream && package.logged()) return package.source();
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -75,6 +78,9 @@ void PlotsView::createActions() {
                  {"plotsFollow", tr("Follow"), tr("Keeps the newest values in view"), tr("Ctrl+E")}, true);
   pause_ = makeToggle(this, "pause",
                       {"plotsPause", tr("Pause"), tr("Freezes the plot; nothing is lost"), tr("Ctrl+T")});
+  wholeLog_ = makeToggle(
+      this, "time-line",
+      {"plotsWholeLog", tr("Whole log"), tr("Reads the curves of the whole log, without playing it")}, true);
   fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all points of the curves"), tr("Ctrl+0")});
   csv_ = makeAction(this, "save",
                     {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
@@ -121,9 +127,11 @@ void PlotsView::createViews() {
   canvas_ = new PlotCanvas(curves_, this);
   hint_ = new EmptyHint(canvas_);
   window_ = new QComboBox(this);
-  describe(*window_, {"plotsWindow", tr("Time window"), tr("How many seconds are shown while following")});
+  describe(*window_,
+           {"plotsWindow", tr("Time window"), tr("What is shown while following: the last seconds, or all")});
   for (const int seconds : kWindows) window_->addItem(tr("%1 s").arg(seconds), seconds);
-  window_->setCurrentIndex(3);
+  window_->addItem(tr("all"), 0);
+  window_->setCurrentIndex(window_->findData(kUsualWindow));
   state_ = new QLabel(this);
   describe(*state_, {"plotsState", tr("State of the plots"), {}});
   auto* top = new QHBoxLayout;
@@ -133,7 +141,7 @@ void PlotsView::createViews() {
   for (QAction* action : {add_, remove_}) top->addWidget(makeButton(this, action));
   top->addSpacing(8);
   top->addWidget(window_);
-  for (QAction* action : {follow_, pause_, fit_}) top->addWidget(makeButton(this, action));
+  for (QAction* action : {follow_, pause_, fit_, wholeLog_}) top->addWidget(makeButton(this, action));
   top->addWidget(state_, 1);
   for (QAction* action : {csv_, png_}) top->addWidget(makeButton(this, action));
   auto* right = makeSplitter(this, "plotsLegendSplitter", Qt::Vertical, {{canvas_, 4}, {legend_, 1}});
@@ -155,6 +163,7 @@ void PlotsView::connectSignals() {
     canvas_->fit();
   });
   connect(follow_, &QAction::toggled, this, [this] { dirty_ = true; });
+  connect(wholeLog_, &QAction::toggled, this, [this] { logsVersion_ = 0; });
   connect(window_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     follow_->setChecked(true);
     dirty_ = true;
@@ -186,6 +195,7 @@ bool PlotsView::addCurve(const QString& source) {
   if (!curves_.add(PlotSource::fromText(source))) return false;
   curves_.update(session().store());
   requestMissing();
+  logsVersion_ = 0;
   dirty_ = true;
   return true;
 }
@@ -205,7 +215,7 @@ void PlotsView::clear() {
 
 QStringList PlotsView::curves() const {
   QStringList texts;
-  for (const auto& curve : curves_.curves()) texts << curve->series.source().text();
+  for (const auto& curve : curves_.curves()) texts << curve->source().text();
   return texts;
 }
 
@@ -225,8 +235,9 @@ void PlotsView::removeSelected() {
 void PlotsView::requestMissing() {
   for (auto& curve : curves_.curves()) {
     if (curve->requested) continue;
-    const PlotSource& source = curve->series.source();
-    if (isAsLogged(openLogs(context()).replay().status(), source.stream))
+    const PlotSource& source = curve->source();
+    if (replayed(openLogs(context()).replay().status(), source.stream) ==
+        robotcontrol::ControlReplay::AS_LOGGED)
       continue;  // it is published without a debug key
     const std::string key = keyFor(session().store(), source, session().timeline().newest());
     if (key.empty()) continue;
@@ -242,6 +253,26 @@ void PlotsView::requestMissing() {
           if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
         });
   }
+}
+
+void PlotsView::followLogs() {
+  OpenLogs& logs = openLogs(context());
+  LoggedCurves& logged = LoggedCurves::of(logs);
+  logged.tick();
+  findChild<QToolButton*>(QStringLiteral("plotsWholeLog"))->setVisible(!logs.logs().empty());
+  const bool isOther = logsVersion_ != logs.version();
+  for (auto& curve : curves_.curves()) {
+    if (isOther) curve->logged = wholeLog_->isChecked() ? logged.curve(curve->source()) : nullptr;
+    const bool isRecomputed =
+        replayed(logs.replay().status(), curve->source().stream) == robotcontrol::ControlReplay::RECOMPUTED;
+    dirty_ = dirty_ || isOther || curve->isRecomputed != isRecomputed;
+    curve->isRecomputed = isRecomputed;
+  }
+  logsVersion_ = logs.version();
+  const QString text = logged.stateText();
+  if (text == readingText_) return;
+  readingText_ = text;
+  state_->setText(text);
 }
 
 void PlotsView::listSources() {
@@ -276,6 +307,7 @@ double PlotsView::shownTime() const {
 void PlotsView::tick() {
   listSources();
   requestMissing();
+  followLogs();
   canvas_->setOrigin(robotlink::seconds(session().timeline().origin()));
   const bool empty = curves_.rowCount() == 0;
   hint_->setHint(!empty ? QString()
@@ -314,6 +346,7 @@ QJsonObject PlotsView::saveState() const {
   return {{QStringLiteral("curves"), QJsonArray::fromStringList(curves())},
           {QStringLiteral("window"), window_->currentData().toInt()},
           {QStringLiteral("tree"), showTree_->isChecked()},
+          {QStringLiteral("wholeLog"), wholeLog_->isChecked()},
           {QStringLiteral("splitter"), splitterState(*splitter_)}};
 }
 
@@ -325,8 +358,9 @@ void PlotsView::restoreState(const QJsonObject& state) {
     state_->setText(tr("The saved layout has too many curves (%1); only the first %2 are shown.")
                         .arg(sources.size())
                         .arg(kMaxRestored));
-  const int window = window_->findData(state.value(QStringLiteral("window")).toInt(10));
-  window_->setCurrentIndex(window < 0 ? 3 : window);
+  const int window = window_->findData(state.value(QStringLiteral("window")).toInt(kUsualWindow));
+  window_->setCurrentIndex(window < 0 ? window_->findData(kUsualWindow) : window);
+  wholeLog_->setChecked(state.value(QStringLiteral("wholeLog")).toBool(true));
   showTree_->setChecked(state.value(QStringLiteral("tree")).toBool(true));
   restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }

@@ -21,7 +21,7 @@ class PlotCanvas;
 /// Plots of values over time: any plot value, and any number in the messages of any stream. Curves are added
 /// from a searchable tree by double click, Enter or drag and drop. If a robot does not yet publish a value,
 /// its debug key is requested, and the state line says so. The legend shows the current values and those
-/// under the cursor.
+/// under the cursor. Of what a log has, the whole log is drawn, which is read in the background.
 ///
 /// Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
 class PlotsView final : public View {
@@ -66,6 +66,8 @@ class PlotsView final : public View {
   void listSources();
   /// Requests the debug keys of curves whose source is not published, each once.
   void requestMissing();
+  /// Lets the curves of open logs be read, and says how far that is.
+  void followLogs();
   /// Asks for a file with this suffix and saves to it.
   void exportAs(const QString& title, const QString& suffix);
   /// The timeline's shown instant, in s.
@@ -85,7 +87,7 @@ class PlotsView final : public View {
   QWidget* treePanel_ = nullptr;
   QTreeView* legend_ = nullptr;
   QLineEdit* search_ = nullptr;
-  /// Length of the time window while following, in s.
+  /// Length of the time window while following, in s; 0: all.
   QComboBox* window_ = nullptr;
   QLabel* state_ = nullptr;
   QSplitter* splitter_ = nullptr;
@@ -96,10 +98,15 @@ class PlotsView final : public View {
   QAction* follow_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* fit_ = nullptr;
+  QAction* wholeLog_ = nullptr;
   QAction* csv_ = nullptr;
   QAction* png_ = nullptr;
   /// Version of the store's list of streams that the tree shows.
   std::uint64_t listVersion_ = 0;
+  /// Version of the open logs in which the curves were looked up; 0: they must be looked up again.
+  std::uint64_t logsVersion_ = 0;
+  /// What was said last of the reading of logs.
+  QString readingText_;
   /// Counts ticks modulo 6, of which 5 may draw.
   int ticks_ = 0;
   /// Whether something changed since the last drawing.

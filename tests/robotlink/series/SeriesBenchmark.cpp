@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "robotlink/series/Outline.h"
+#include "robotlink/series/Series.h"
 
 namespace robotlink {
 namespace {
@@ -63,7 +63,7 @@ void ask(benchmark::State& state) {
   const double to = series.back().time * static_cast<double>(state.range(0)) / 1000;
   for (auto unused : state) {
     static_cast<void>(unused);
-    benchmark::DoNotOptimize(outline(series, 0, to, kColumns));
+    benchmark::DoNotOptimize(series.columns(0, to, kColumns));
   }
 }
 BENCHMARK(ask)->Arg(1000)->Arg(10)->Unit(benchmark::kMicrosecond);

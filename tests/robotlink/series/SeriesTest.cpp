@@ -7,8 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include "robotlink/series/Outline.h"
-
 namespace robotlink {
 namespace {
 
@@ -152,35 +150,6 @@ TEST(SeriesTest, timesAreShifted) {
   EXPECT_TRUE(series.empty());
   series.append({0, 1});
   EXPECT_EQ(series.size(), 1U);
-}
-
-TEST(OutlineTest, fewPointsAreDrawnAsTheyAreWithTheirNeighbors) {
-  const Series series = seriesOf({{1, 0}, {2, 1}, {3, 2}, {4, 3}, {5, 4}});
-  EXPECT_THAT(outline(series, 2, 4, 100), ElementsAre(Point{1, 0}, Point{2, 1}, Point{3, 2}, Point{4, 3}));
-  EXPECT_THAT(outline(series, 10, 20, 100), ElementsAre(Point{5, 4}));
-}
-
-TEST(OutlineTest, aColumnHasItsFirstAndLastPointAndItsExtremes) {
-  const Series series =
-      seriesOf({{0.0, 1}, {0.1, 9}, {0.2, -9}, {0.3, 0}, {1.0, 5}, {1.1, 6}, {1.2, 7}, {1.3, 8}});
-  EXPECT_THAT(outline(series, 0, 2, 2),
-              ElementsAre(Point{0, 1}, Point{0, 9}, Point{0, -9}, Point{0.3, 0}, Point{1, 5}, Point{1.3, 8}));
-}
-
-TEST(OutlineTest, noMoreThanFourPointsAColumnAndTheSameExtent) {
-  const Series series = seriesOf(noise(50'000));
-  const auto line = outline(series, 100, 400, 300);
-  EXPECT_LE(line.size(), 4U * 300 + 2);
-  const auto extent = series.extent(series.firstFrom(100), series.firstFrom(400));
-  EXPECT_EQ(std::ranges::max(line, {}, &Point::value).value, extent.max);
-  EXPECT_EQ(std::ranges::min(line, {}, &Point::value).value, extent.min);
-  EXPECT_TRUE(std::ranges::is_sorted(line, {}, &Point::time));
-}
-
-TEST(OutlineTest, theLineIsInterruptedWhereAColumnEndsWithoutANumber) {
-  const Series series = seriesOf({{0.0, 1}, {0.1, 2}, {0.2, kNaN}, {1.0, 5}, {1.1, 6}, {1.2, 7}});
-  const auto line = outline(series, 0, 2, 2);
-  ASSERT_EQ(std::ranges::count_if(line, [](const Point& point) { return std::isnan(point.value); }), 1);
 }
 
 }  // namespace robotlink

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/series/Series.h"
+
+namespace widgets {
+
+/// The values of a whole log for a curve, as far as they have been read.
+struct LoggedCurve {
+  /// Times are seconds on the session's timeline.
+  robotlink::Series series = {};
+  bool isComplete = false;
+  /// The log has more points than there is memory for.
+  bool isCut = false;
+};
+
+}  // namespace widgets
