@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/decoding/JsonType.h"
 #include "robotlink/packages/DynamicTypes.h"
+#include "robotlink/ros/KnownTypes.h"
 #include "robotlink/ros/RosType.h"
 
 namespace robotlink {
@@ -116,8 +117,11 @@ void MessageType::readRosDefinition(const MessageSchema& schema) {
   const auto type = ros::RosType::of(name_, schema.encoding, schema.data, encoding_);
   if (!type) return;
   ros_ = *type;
+  knownRosType_ = ros::knownType(ros_->name());
+  if (knownRosType_ != nullptr) name_ = knownRosType_->target()->full_name();
   // A type with the name of one of this program's types, but another structure.
-  if (DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr) name_ = ros_->name();
+  else if (DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr)
+    name_ = ros_->name();
 }
 
 MessageType::~MessageType() = default;
@@ -126,7 +130,10 @@ MessageType& MessageType::operator=(MessageType&&) noexcept = default;
 
 PackagePtr MessageType::read(std::span<const std::uint8_t> data) const {
   if (json_ != nullptr) return JsonType::read(json_, data);
-  if (ros_ != nullptr) return ros::RosType::read(ros_, data).value_or(nullptr);
+  if (ros_ != nullptr) {
+    const PackagePtr message = ros::RosType::read(ros_, data).value_or(nullptr);
+    return message && knownRosType_ ? knownRosType_->convert(*message) : message;
+  }
   if (prototype_ == nullptr) {
     auto copy = std::make_shared<robotcontrol::PackageCopy>();
     copy->set_type(name_);

@@ -15,7 +15,8 @@ namespace robotlink {
 class JsonType;
 namespace ros {
 class RosType;
-}
+struct KnownType;
+}  // namespace ros
 
 /// How messages are described, in a log file or by a server.
 struct MessageSchema {
@@ -30,8 +31,8 @@ struct MessageSchema {
 /// The type of a channel's messages, determined by its schema. Protobuf messages of this
 /// program's types are parsed into their classes, others into dynamic messages with the descriptors from the
 /// schema, which they keep alive. JSON and the messages of ROS become dynamic messages, too, see JsonType and
-/// ros::RosType. Messages in other encodings (flatbuffer) or with an invalid schema stay bytes
-/// (robotcontrol.PackageCopy). Immutable; any thread.
+/// ros::RosType; those that ros::knownType() lists are converted. Messages in other encodings (flatbuffer) or
+/// with an invalid schema stay bytes (robotcontrol.PackageCopy). Immutable; any thread.
 class MessageType {
  public:
   /// Returns a message of the channel, empty if there is none. Called only for JSON without a schema.
@@ -42,7 +43,7 @@ class MessageType {
   MessageType(MessageType&&) noexcept;
   MessageType& operator=(MessageType&&) noexcept;
 
-  /// The type name in the schema; "unknown" without one.
+  /// The type name in the schema, or of the type that messages are converted to; "unknown" without a schema.
   const std::string& name() const { return name_; }
   /// The encoding of the messages: "protobuf", "json", "cdr", "ros1".
   const std::string& encoding() const { return encoding_; }
@@ -67,6 +68,8 @@ class MessageType {
   std::shared_ptr<const JsonType> json_;
   /// Null if the type is not one of ROS.
   std::shared_ptr<const ros::RosType> ros_;
+  /// What its messages are converted to; null: they are not.
+  const ros::KnownType* knownRosType_ = nullptr;
 };
 
 }  // namespace robotlink

@@ -91,5 +91,21 @@ TEST_F(RosLogTest, itIsSearchedByItsFields) {
   EXPECT_THAT(found, ElementsAre(robotlink::Instant(robotlink::fromSeconds(12))));
 }
 
+TEST_F(RosLogTest, itsTextsAreThoseOfAllLogs) {
+  {
+    tests::ForeignLog texts(folder_ / "texts.mcap");
+    const auto rosout =
+        texts.add({"/rosout", "rcl_interfaces/msg/Log", "ros2msg",
+                   "builtin_interfaces/Time stamp\nuint8 level\nstring name\nstring msg", "cdr"});
+    texts.write(rosout, 1, bytes("00010000 01000000 00000000 28 000000 02000000 6e00 0000 03000000 686900"));
+    ASSERT_TRUE(texts.close());
+  }
+  const auto file = LogFile::open(folder_ / "texts.mcap", {});
+  ASSERT_TRUE(file);
+  std::ostringstream out;
+  ASSERT_TRUE(writeTexts(*file, {}, out, {}));
+  EXPECT_EQ(out.str(), "    1.000000  error    /n: hi\n");
+}
+
 }  // namespace
 }  // namespace logplayer
