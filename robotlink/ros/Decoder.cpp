@@ -37,6 +37,16 @@ RepeatedField<Value>& valuesOf(Message& message, const FieldDescriptor* field) {
 #pragma GCC diagnostic pop
 }
 
+/// Sets or appends a message within one. Protobuf's own functions look its type up each time.
+Message& addMessage(const FieldPlan& plan, Message& to) {
+  Message* inner = plan.prototype->New(to.GetArena());
+  if (plan.shape == Shape::kSingle)
+    to.GetReflection()->UnsafeArenaSetAllocatedMessage(&to, inner, plan.field);
+  else
+    to.GetReflection()->UnsafeArenaAddAllocatedMessage(&to, plan.field, inner);
+  return *inner;
+}
+
 void appendUtf8(std::string& to, std::uint32_t c) {
   const auto add = [&](std::uint32_t byte) { to += static_cast<char>(byte); };
   if (c < 0x80) return add(c);
@@ -159,11 +169,11 @@ bool Decoder::readOne(const FieldPlan& plan, Message& to) {
     }
     case Kind::kTime:
     case Kind::kDuration:
-      return readTime(plan, *to.GetReflection()->MutableMessage(&to, plan.field));
+      return readTime(plan, addMessage(plan, to));
     case Kind::kStruct:
       break;
   }
-  return readInner(plan, *to.GetReflection()->MutableMessage(&to, plan.field));
+  return readInner(plan, addMessage(plan, to));
 }
 
 bool Decoder::readAll(const FieldPlan& plan, Message& to) {
@@ -246,7 +256,7 @@ bool Decoder::readValues(const FieldPlan& plan, std::uint64_t count, Message& to
       reflection.AddString(&to, plan.field, std::move(text));
       continue;
     }
-    Message& inner = *reflection.AddMessage(&to, plan.field);
+    Message& inner = addMessage(plan, to);
     if (!(plan.kind == Kind::kStruct ? readInner(plan, inner) : readTime(plan, inner))) return false;
   }
   return true;

@@ -8,7 +8,8 @@
 
 namespace google::protobuf {
 class FieldDescriptor;
-}
+class Message;
+}  // namespace google::protobuf
 
 namespace robotlink::ros {
 
@@ -23,6 +24,8 @@ struct FieldPlan {
   std::uint64_t count = 0;
   /// Of a struct.
   const StructPlan* inner = nullptr;
+  /// Of a struct or a time: a message to make others like it.
+  const google::protobuf::Message* prototype = nullptr;
   bool isEnumeration = false;
   /// The fewest bytes that one value takes.
   std::uint64_t leastBytes = 0;

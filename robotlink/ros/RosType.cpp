@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/ros/RosType.h"
 
+#include <google/protobuf/arena.h>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/dynamic_message.h>
 
@@ -62,6 +63,13 @@ std::uint64_t leastBytes(Kind kind) {
   return 0;
 }
 
+/// Where all parts of a message are. It goes before its type does.
+struct MessageMemory {
+  explicit MessageMemory(std::shared_ptr<const RosType> of) : type(std::move(of)) {}
+  std::shared_ptr<const RosType> type;
+  google::protobuf::Arena arena;
+};
+
 }  // namespace
 
 struct RosType::Implementation {
@@ -105,8 +113,11 @@ const StructPlan* RosType::Implementation::plan(const std::string& structName) {
   for (std::size_t i = 0; i < definition.fields.size(); ++i) {
     const Field& field = definition.fields[i];
     const FieldDescriptor* described = type.FindFieldByNumber(fieldNumber(i));
-    FieldPlan step{described, field.kind, field.shape, field.count, nullptr, false, leastBytes(field.kind)};
+    FieldPlan step{described, field.kind, field.shape, field.count};
+    step.leastBytes = leastBytes(field.kind);
     step.isEnumeration = described->cpp_type() == FieldDescriptor::CPPTYPE_ENUM;
+    if (described->message_type() != nullptr)
+      step.prototype = factory.GetPrototype(described->message_type());
     if (field.kind == Kind::kStruct) {
       step.inner = this->plan(field.structName);
       step.leastBytes = step.inner->leastBytes;
@@ -159,8 +170,8 @@ const std::string& RosType::name() const {
 Result<PackagePtr> RosType::read(const std::shared_ptr<const RosType>& type,
                                  std::span<const std::uint8_t> data) {
   const Implementation& self = *type->implementation_;
-  const std::shared_ptr<Message> message(self.prototype->New(),
-                                         [keep = type](const Message* dead) { delete dead; });
+  const auto memory = std::make_shared<MessageMemory>(type);
+  const std::shared_ptr<Message> message(memory, self.prototype->New(&memory->arena));
   if (const auto read = self.decode(data, *self.root, *message); !read) return tl::unexpected(read.error());
   return message;
 }

@@ -107,6 +107,22 @@ function printKnown() {
   }
 }
 
+// What outlives the buffer, as the messages of a history do, has to be copied out of it.
+let kept;
+function bestTime(reader, bytes, copies) {
+  let best = Infinity;
+  for (let round = 0; round < 20; ++round) {
+    const count = 2000;
+    const begin = process.hrtime.bigint();
+    for (let i = 0; i < count; ++i) {
+      const message = reader.readMessage(bytes);
+      if (copies) for (const value of Object.values(message)) if (ArrayBuffer.isView(value)) kept = value.slice();
+    }
+    best = Math.min(best, Number(process.hrtime.bigint() - begin) / count);
+  }
+  return best;
+}
+
 function measure(target) {
   for (const [name, value] of Object.entries(values(20, "nanosec"))) {
     const definition = definitions[name] + header;
@@ -116,14 +132,8 @@ function measure(target) {
     writeFileSync(join(target, `${name}.msg`), definition);
     writeFileSync(join(target, `${name}.cdr`), bytes);
     const reader = new ros2.MessageReader(parsed);
-    let best = Infinity;
-    for (let round = 0; round < 20; ++round) {
-      const count = 2000;
-      const begin = process.hrtime.bigint();
-      for (let i = 0; i < count; ++i) reader.readMessage(bytes);
-      best = Math.min(best, Number(process.hrtime.bigint() - begin) / count);
-    }
-    console.log(`${name} ${best.toFixed(0)}`);
+    const best = [false, true].map((copies) => bestTime(reader, bytes, copies));
+    console.log(`${name} ${best.map((time) => time.toFixed(0)).join(" ")}`);
   }
 }
 
