@@ -47,6 +47,8 @@ class CurveModel final : public QAbstractTableModel {
     bool isRecomputed = false;
     /// Number of points of `logged` at the last update().
     std::size_t loggedBefore = 0;
+    /// Whether its values belong to the axis on the right.
+    bool isRight = false;
     /// The debug key of the source was requested.
     bool requested = false;
   };

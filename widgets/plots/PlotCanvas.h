@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -9,9 +10,14 @@
 #include <vector>
 
 #include "robotlink/session/RemoteRobot.h"
+#include "widgets/plots/PlotHistory.h"
 
+class QCPAxis;
 class QCPItemRect;
 class QCPItemStraightLine;
+class QCPItemText;
+class QMouseEvent;
+class QWheelEvent;
 class QCustomPlot;
 
 namespace widgets {
@@ -20,11 +26,12 @@ class CurveModel;
 class SeriesGraph;
 
 /// Draws the curves of a CurveModel over time with QCustomPlot. The wheel zooms the time axis, or, with Shift
-/// or over the value axis, the values; dragging pans; both emit touched(), upon which the view stops
-/// following. Times are seconds on the session's timeline; the labels count from an origin. QCustomPlot gets
-/// only the points that are seen, a few for each column of pixels. Lines are one pixel wide and not
-/// antialiased, since anything else costs a hundred times as much. Where a program computes anew what a log
-/// has, the curve of the log is drawn in a paler color behind. GUI thread.
+/// or over a value axis, the values; dragging pans; dragging with the right button zooms to a box. All of
+/// this emits touched(), upon which the view stops following, and can be undone. A click sets the first
+/// cursor, with Shift the second one. Times are seconds on the session's timeline; the labels count from an
+/// origin. QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one
+/// pixel wide and not antialiased, since anything else costs a hundred times as much. Where a program
+/// computes anew what a log has, the curve of the log is drawn in a paler color behind. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -40,20 +47,38 @@ class PlotCanvas final : public QWidget {
   void refresh(bool follow, double end, double length, const RemoteRobots& robots = {});
   /// Shows all points of all curves.
   void fit();
+  /// Shows these times, without a step in the history.
+  void showTimes(double from, double to);
+  PlotHistory& history() { return history_; }
+  /// Shows what was shown before or after; false: there is nothing.
+  bool undo() { return show(history_.undo(ranges())); }
+  bool redo() { return show(history_.redo(ranges())); }
+  /// What the axes show now.
+  PlotRanges ranges() const;
   /// Sets the time that the axis labels as 0 s.
   void setOrigin(double seconds);
   /// Marks the instant that the timeline shows by a dashed line; empty: no line.
   void setMark(std::optional<double> time);
   /// Marks the time under the cursor by a thin line; empty: no line.
   void setCursorLine(std::optional<double> time);
-  /// Writes what is shown, at twice the resolution of the screen. False if the file cannot be written.
+  /// Draws the two cursors at these times; empty: none.
+  void setCursors(const std::optional<std::pair<double, double>>& times);
+  /// Writes what is shown, at twice the resolution of the screen as PNG, or as SVG. False if the file cannot
+  /// be written.
   bool savePng(const QString& file);
+  bool saveSvg(const QString& file);
+  /// What is shown, at twice the resolution of the screen.
+  QPixmap picture();
   /// The ends of the time axis, in s.
   std::pair<double, double> shownTimes() const;
 
  Q_SIGNALS:
-  /// The user zoomed or panned.
+  /// The user zoomed or panned, or went back to what was shown before.
   void touched();
+  /// The same, and the times that are shown became others.
+  void timesTouched(double from, double to);
+  /// The user set a cursor, the second one or the first.
+  void cursorSet(bool isSecond, double time);
   /// The user dropped sources from the tree, as PlotSource::text().
   void sourcesDropped(const QStringList& sources);
   /// Time under the cursor in s; empty: the cursor has left the plot.
@@ -62,7 +87,7 @@ class PlotCanvas final : public QWidget {
  protected:
   /// Applies a new palette.
   void changeEvent(QEvent* event) override;
-  /// Handles drag and drop, and the cursor leaving the plot.
+  /// Handles drag and drop, presses, clicks, and the cursor leaving the plot.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -74,19 +99,37 @@ class PlotCanvas final : public QWidget {
   void matchGraphs();
   /// Shows all times of all curves.
   void fitTimes();
-  /// Fits the value axis to the values in the shown time range.
+  /// Fits the value axes to the values in the shown time range.
   void fitValues();
+  void fitValues(QCPAxis& axis);
+  void createItems();
+  void connectMouse();
+  void pressed(const QMouseEvent& event);
+  void released(const QMouseEvent& event);
+  void prepareWheel(const QWheelEvent& event);
+  /// Adds a step to the history if the user is about to change what is shown.
+  void rangeChanged();
+  bool show(const std::optional<PlotRanges>& ranges);
 
   CurveModel& curves_;
   QCustomPlot* plot_;
-  QCPItemStraightLine* mark_;
+  QCPItemStraightLine* mark_ = nullptr;
   /// Two for each curve: of the log, and of what the session published.
   std::vector<SeriesGraph*> graphs_;
   RemoteRobots robots_;
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;
-  QCPItemStraightLine* cursor_;
+  QCPItemStraightLine* cursor_ = nullptr;
+  /// The two cursors, and their names.
+  std::array<QCPItemStraightLine*, 2> lines_{};
+  std::array<QCPItemText*, 2> names_{};
+  PlotHistory history_;
+  /// What was shown before the user pressed a button or turned the wheel; empty once that is in the history.
+  std::optional<PlotRanges> before_;
+  /// Whether the last change was by the wheel: its next notch belongs to the same step.
+  bool isWheeling_ = false;
+  QPoint pressedAt_;
 };
 
 }  // namespace widgets

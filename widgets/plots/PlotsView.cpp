@@ -3,9 +3,10 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QJsonArray>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
@@ -15,16 +16,15 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
-#include "widgets/SplitterState.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/plots/LoggedCurves.h"
 #include "widgets/plots/PlotCanvas.h"
+#include "widgets/plots/TimeLink.h"
 
 namespace widgets {
 namespace {
@@ -37,7 +37,6 @@ const ViewRegistration kPlotsViewRegistration{
 constexpr int kTicks = 6;                               // of this many ticks (at 30 Hz)...
 constexpr int kDrawn = 5;                               // ...at most this many draw: 25 Hz
 constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
-constexpr int kUsualWindow = 10;                        // s
 
 /// How a stream is replayed that is a package of a log; empty for others.
 std::optional<robotcontrol::ControlReplay::PackageSource> replayed(const robotcontrol::ReplayStatus& status,
@@ -60,6 +59,7 @@ PlotsView::PlotsView(ViewContext& context, QWidget* parent)
   createActions();
   createTree();
   createLegend();
+  createStatistics();
   createViews();
   connectSignals();
 }
@@ -86,6 +86,23 @@ void PlotsView::createActions() {
                     {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   png_ = makeAction(this, "camera", {"plotsPng", tr("Export PNG"), tr("Writes the picture to a file")});
+  svg_ = makeAction(this, "export", {"plotsSvg", tr("Export SVG"), tr("Writes the drawing to a file")});
+  copy_ = makeAction(this, "copy",
+                     {"plotsCopy", tr("Copy picture"), tr("Copies the picture"), QKeySequence::Copy});
+  undo_ =
+      makeAction(this, "undo",
+                 {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"), QKeySequence::Undo});
+  redo_ = makeAction(
+      this, "redo",
+      {"plotsRedo", tr("Next view"), tr("Shows what was shown before going back"), QKeySequence::Redo});
+  link_ = makeToggle(this, "lock",
+                     {"plotsLink", tr("Link"), tr("Shows the same times as the other linked plots")});
+  cursors_ = makeToggle(this, "select-area",
+                        {"plotsCursors", tr("Cursors"),
+                         tr("Shows what is at and between two cursors; a click sets A, Shift+click sets B")});
+  right_ = makeAction(
+      this, "two-pictures",
+      {"plotsRight", tr("Other axis"), tr("Moves the selected curves to the axis on the right, or back")});
 }
 
 void PlotsView::createTree() {
@@ -123,6 +140,19 @@ void PlotsView::createLegend() {
   legend_->setTextElideMode(Qt::ElideMiddle);
 }
 
+void PlotsView::createStatistics() {
+  statistics_ = new QTreeView(this);
+  styleTree(*statistics_);
+  describe(*statistics_, {"plotsStatistics", tr("Between the cursors"), {}});
+  statistics_->setModel(&between_);
+  statistics_->setRootIsDecorated(false);
+  std::vector<ColumnKind> columns(CursorModel::kColumns, ColumnKind::kNumber);
+  columns.front() = ColumnKind::kName;
+  new ColumnFit(*statistics_, std::move(columns));
+  statistics_->setTextElideMode(Qt::ElideMiddle);
+  statistics_->hide();
+}
+
 void PlotsView::createViews() {
   canvas_ = new PlotCanvas(curves_, this);
   hint_ = new EmptyHint(canvas_);
@@ -138,14 +168,16 @@ void PlotsView::createViews() {
   auto* showTree = makeButton(this, showTree_);
   showTree->setToolButtonStyle(Qt::ToolButtonTextOnly);
   top->addWidget(showTree);
-  for (QAction* action : {add_, remove_}) top->addWidget(makeButton(this, action));
+  for (QAction* action : {add_, remove_, right_}) top->addWidget(makeButton(this, action));
   top->addSpacing(8);
   top->addWidget(window_);
-  for (QAction* action : {follow_, pause_, fit_, wholeLog_}) top->addWidget(makeButton(this, action));
+  for (QAction* action : {follow_, pause_, fit_, undo_, redo_, link_, cursors_, wholeLog_})
+    top->addWidget(makeButton(this, action));
   top->addWidget(state_, 1);
-  for (QAction* action : {csv_, png_}) top->addWidget(makeButton(this, action));
-  auto* right = makeSplitter(this, "plotsLegendSplitter", Qt::Vertical, {{canvas_, 4}, {legend_, 1}});
-  right->setSizes({400, 100});
+  for (QAction* action : {copy_, csv_, png_, svg_}) top->addWidget(makeButton(this, action));
+  auto* right =
+      makeSplitter(this, "plotsLegendSplitter", Qt::Vertical, {{canvas_, 4}, {legend_, 1}, {statistics_, 1}});
+  right->setSizes({400, 100, 100});
   splitter_ = makeSplitter(this, "plotsSplitter", Qt::Horizontal, {{treePanel_, 1}, {right, 3}});
   splitter_->setSizes({260, 640});
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
@@ -168,6 +200,25 @@ void PlotsView::connectSignals() {
     follow_->setChecked(true);
     dirty_ = true;
   });
+  connect(undo_, &QAction::triggered, canvas_, &PlotCanvas::undo);
+  connect(redo_, &QAction::triggered, canvas_, &PlotCanvas::redo);
+  connect(right_, &QAction::triggered, this, &PlotsView::changeAxis);
+  connect(copy_, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setPixmap(canvas_->picture()); });
+  TimeLink& link = TimeLink::of(openLogs(context()));
+  connect(canvas_, &PlotCanvas::timesTouched, this, [this, &link](double from, double to) {
+    if (link_->isChecked()) Q_EMIT link.moved(this, from, to);
+  });
+  connect(&link, &TimeLink::moved, this, &PlotsView::followLink);
+  connect(cursors_, &QAction::triggered, this, [this](bool on) {
+    const auto [from, to] = canvas_->shownTimes();
+    setCursors(on ? CursorModel::Cursors({from + (to - from) / 4, to - (to - from) / 4}) : std::nullopt);
+  });
+  connect(canvas_, &PlotCanvas::cursorSet, this, [this](bool isSecond, double time) {
+    auto times = between_.cursors().value_or(std::pair(time, time));
+    (isSecond ? times.second : times.first) = time;
+    setCursors(times);
+  });
   connect(canvas_, &PlotCanvas::touched, this, [this] { follow_->setChecked(false); });
   connect(canvas_, &PlotCanvas::sourcesDropped, this, [this](const QStringList& sources) {
     for (const QString& source : sources) addCurve(source);
@@ -181,6 +232,8 @@ void PlotsView::connectSignals() {
           [this] { exportAs(tr("Export the points as CSV"), QStringLiteral("csv")); });
   connect(png_, &QAction::triggered, this,
           [this] { exportAs(tr("Export the picture"), QStringLiteral("png")); });
+  connect(svg_, &QAction::triggered, this,
+          [this] { exportAs(tr("Export the drawing"), QStringLiteral("svg")); });
 }
 
 void PlotsView::addSelected() {
@@ -223,6 +276,34 @@ QStringList PlotsView::sources() const {
   QStringList texts;
   for (const PlotSource& source : plotSources(session().store())) texts << source.text();
   return texts;
+}
+
+std::vector<CurveModel::Curve*> PlotsView::selectedCurves() {
+  std::vector<CurveModel::Curve*> selected;
+  for (const QModelIndex& row : legend_->selectionModel()->selectedRows())
+    selected.push_back(curves_.curves()[static_cast<std::size_t>(row.row())].get());
+  return selected;
+}
+
+void PlotsView::changeAxis() {
+  const auto selected = selectedCurves();
+  const bool isRight = std::ranges::all_of(selected, &CurveModel::Curve::isRight);
+  for (CurveModel::Curve* curve : selected) curve->isRight = !isRight;
+  dirty_ = true;
+}
+
+void PlotsView::setCursors(const CursorModel::Cursors& cursors) {
+  cursors_->setChecked(cursors.has_value());
+  between_.setCursors(cursors);
+  canvas_->setCursors(cursors);
+  statistics_->setVisible(cursors.has_value());
+  if (cursors) state_->setText(tr("From A to B: %1 s").arg(cursors->second - cursors->first, 0, 'f', 3));
+}
+
+void PlotsView::followLink(const QObject* plot, double from, double to) {
+  if (plot == this || !link_->isChecked()) return;
+  follow_->setChecked(false);
+  canvas_->showTimes(from, to);
 }
 
 void PlotsView::removeSelected() {
@@ -314,6 +395,8 @@ void PlotsView::tick() {
                  : sources_.rowCount() == 0
                      ? tr("Nothing to plot yet. Start a simulation or connect to a robot.")
                      : tr("Choose values on the left: double click, Enter or drag them here."));
+  undo_->setEnabled(canvas_->history().canUndo());
+  redo_->setEnabled(canvas_->history().canRedo());
   ticks_ = (ticks_ + 1) % kTicks;
   if (pause_->isChecked()) return;
   dirty_ = curves_.update(session().store()) || dirty_;
@@ -325,44 +408,6 @@ void PlotsView::tick() {
   drawnTime_ = time;
   canvas_->setMark(live ? std::optional<double>() : time);
   canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt(), session().remoteRobots());
-}
-
-void PlotsView::exportAs(const QString& title, const QString& suffix) {
-  const QString file = askForFile_(title, suffix);
-  if (file.isEmpty()) return;
-  const auto written = saveTo(file);
-  state_->setText(written ? tr("Wrote %1").arg(file) : QString::fromStdString(written.error().describe()));
-}
-
-robotlink::Result<void> PlotsView::saveTo(const QString& file) {
-  const std::string path = file.toStdString();
-  if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
-    return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
-  if (canvas_->savePng(file)) return {};
-  return robotlink::failure("plots.save", "the picture cannot be written", {path, 0, 0});
-}
-
-QJsonObject PlotsView::saveState() const {
-  return {{QStringLiteral("curves"), QJsonArray::fromStringList(curves())},
-          {QStringLiteral("window"), window_->currentData().toInt()},
-          {QStringLiteral("tree"), showTree_->isChecked()},
-          {QStringLiteral("wholeLog"), wholeLog_->isChecked()},
-          {QStringLiteral("splitter"), splitterState(*splitter_)}};
-}
-
-void PlotsView::restoreState(const QJsonObject& state) {
-  curves_.clear();
-  const QJsonArray sources = state.value(QStringLiteral("curves")).toArray();
-  for (int i = 0; i < std::min(sources.size(), kMaxRestored); ++i) addCurve(sources.at(i).toString());
-  if (sources.size() > kMaxRestored)
-    state_->setText(tr("The saved layout has too many curves (%1); only the first %2 are shown.")
-                        .arg(sources.size())
-                        .arg(kMaxRestored));
-  const int window = window_->findData(state.value(QStringLiteral("window")).toInt(kUsualWindow));
-  window_->setCurrentIndex(window < 0 ? window_->findData(kUsualWindow) : window);
-  wholeLog_->setChecked(state.value(QStringLiteral("wholeLog")).toBool(true));
-  showTree_->setChecked(state.value(QStringLiteral("tree")).toBool(true));
-  restoreSplitter(*splitter_, state.value(QStringLiteral("splitter")));
 }
 
 }  // namespace widgets

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/View.h"
+#include "widgets/plots/CursorModel.h"
 #include "widgets/plots/CurveModel.h"
 #include "widgets/plots/PlotTreeModel.h"
 
@@ -21,7 +22,8 @@ class PlotCanvas;
 /// Plots of values over time: any plot value, and any number in the messages of any stream. Curves are added
 /// from a searchable tree by double click, Enter or drag and drop. If a robot does not yet publish a value,
 /// its debug key is requested, and the state line says so. The legend shows the current values and those
-/// under the cursor. Of what a log has, the whole log is drawn, which is read in the background.
+/// under the cursor, another table what is at and between two cursors. The time axes of several plots can be
+/// linked. Of what a log has, the whole log is drawn, which is read in the background.
 ///
 /// Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
 class PlotsView final : public View {
@@ -39,7 +41,7 @@ class PlotsView final : public View {
   QJsonObject saveState() const override;
   /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
-  /// All points of all curves as a table (.csv), or the picture of the plot (.png).
+  /// All points of all curves as a table (.csv), or the picture of the plot (.png, .svg).
   robotlink::Result<void> saveTo(const QString& file) override;
   /// removeCurve() and clear() remove one or all curves; removeCurve() returns false if there is none by this
   /// PlotSource::text().
@@ -49,6 +51,8 @@ class PlotsView final : public View {
   QStringList curves() const;
   QStringList sources() const;
   static constexpr int kMaxRestored = 100;
+  /// The time window as long as the user chooses none, in s.
+  static constexpr int kUsualWindow = 10;
 
  private:
   void createActions();
@@ -56,10 +60,20 @@ class PlotsView final : public View {
   void createTree();
   /// The table of the curves below the plot.
   void createLegend();
+  /// The table of what is between the cursors.
+  void createStatistics();
   void createViews();
   void connectSignals();
   /// Adds the sources that are selected in the tree.
   void addSelected();
+  /// The curves that are selected in the legend.
+  std::vector<CurveModel::Curve*> selectedCurves();
+  /// Moves the selected curves to the axis on the right; if all are there, to the one on the left.
+  void changeAxis();
+  /// Shows the cursors and what is between them, or hides both.
+  void setCursors(const CursorModel::Cursors& cursors);
+  /// Follows another plot that was moved, if both are linked.
+  void followLink(const QObject* plot, double from, double to);
   /// Removes the curves that are selected in the legend.
   void removeSelected();
   /// Rebuilds the tree when the store's list of streams changed.
@@ -79,6 +93,7 @@ class PlotsView final : public View {
 
   PlotTreeModel sources_;
   CurveModel curves_;
+  CursorModel between_{curves_};
   /// The tree's model filtered by the search field.
   QSortFilterProxyModel* filter_;
   FileQuestion askForFile_;
@@ -86,6 +101,8 @@ class PlotsView final : public View {
   QTreeView* tree_ = nullptr;
   QWidget* treePanel_ = nullptr;
   QTreeView* legend_ = nullptr;
+  /// What is between the cursors.
+  QTreeView* statistics_ = nullptr;
   QLineEdit* search_ = nullptr;
   /// Length of the time window while following, in s; 0: all.
   QComboBox* window_ = nullptr;
@@ -101,6 +118,13 @@ class PlotsView final : public View {
   QAction* wholeLog_ = nullptr;
   QAction* csv_ = nullptr;
   QAction* png_ = nullptr;
+  QAction* svg_ = nullptr;
+  QAction* copy_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  QAction* link_ = nullptr;
+  QAction* cursors_ = nullptr;
+  QAction* right_ = nullptr;
   /// Version of the store's list of streams that the tree shows.
   std::uint64_t listVersion_ = 0;
   /// Version of the open logs in which the curves were looked up; 0: they must be looked up again.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/PlotsView.h"
+#include "tests/widgets/plots/PlotBench.h"
 
 #include <QAbstractItemModelTester>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
@@ -15,86 +16,14 @@
 #include <QTreeView>
 #include <cmath>
 
-#include "logplayer/base/LogWriter.h"
-#include "robotcontrol/Modeling.pb.h"
-#include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/Theme.h"
-#include "widgets/plots/LoggedCurves.h"
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
-namespace {
-
-void pushPlot(Bench& bench, double time, double value) {
-  robotcontrol::PlotValue plot;
-  plot.set_value(value);
-  plot.set_unit("m");
-  bench.push("red1/plots/ball-model/position/x", plot, time);
-}
-
-void pushStatus(Bench& bench, double time, double x) {
-  robotcontrol::MotionStatus status;
-  status.mutable_velocity()->set_x(x);
-  bench.push("red1/motion/status", status, time);
-}
-
-/// Draws what is pending: queued replots run in the event loop.
-template <typename B>
-QImage picture(B& bench, widgets::PlotsView& view) {
-  for (int i = 0; i < 6; ++i) bench.tick(view);
-  QCoreApplication::processEvents();
-  return child<QWidget>(view, "plotCanvas").grab().toImage();
-}
-
-constexpr char kPlot[] = "red1/plots/ball-model/position/x";
-constexpr char kBallX[] = "red1/models/ball: position_in_robot.x";
-
-/// An open log whose file exists: the ball moves by 1 m in each frame.
-struct LogOnDisk : LogBench {
-  static constexpr int kFrames = 60;
-
-  LogOnDisk() {
-    auto writer = logplayer::LogWriter::create(file, {});
-    if (!writer) qFatal("the log cannot be written");
-    for (int i = 0; i < kFrames; ++i) {
-      auto ball = std::make_shared<robotcontrol::BallModel>();
-      ball->mutable_position_in_robot()->set_x(i);
-      if (!(*writer)->write({{"red1/models/ball", at(i * 0.04), ball}})) qFatal("the log cannot be written");
-    }
-    if (!(*writer)->container().close()) qFatal("the log cannot be written");
-    shapeOverview = [](LogOverview& overview) {
-      overview.robots = {"red1"};
-      overview.streams.push_back(
-          {"red1/models/ball", "robotcontrol.BallModel", kFrames, 0, at(0), at(kFrames * 0.04)});
-    };
-    openLog(file.string());
-  }
-  /// Ticks until the log was read; returns the points of the first curve.
-  const robotlink::Series& readAll(widgets::PlotsView& view) {
-    const auto& curves = *qobject_cast<CurveModel*>(child<QTreeView>(view, "plotsLegend").model());
-    const LoggedCurve* curve = nullptr;
-    const bool done = QTest::qWaitFor([&] {
-      tick(view);
-      const QString text = child<QLabel>(view, "plotsState").text();
-      if (!text.isEmpty()) said = text;
-      curve = curves.curves().front()->logged.get();
-      return curve != nullptr && curve->isComplete;
-    });
-    if (!done) qFatal("the log was not read");
-    return curve->series;
-  }
-
-  TestFolder folder;
-  std::filesystem::path file = folder / "game.mcap";
-  /// What was said last while reading.
-  QString said;
-};
-
-}  // namespace
 
 class PlotsViewTest : public QObject {
   Q_OBJECT
@@ -283,84 +212,6 @@ class PlotsViewTest : public QObject {
     QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
   }
 
-  void theWholeLogIsReadWithoutPlayingItAndTheProgressIsSaid() {
-    LogOnDisk log;
-    auto view = log.openView<widgets::PlotsView>();
-    view->addCurve(QLatin1String(kBallX));
-    const auto& curve = log.readAll(*view);
-    QCOMPARE(curve.size(), std::size_t{LogOnDisk::kFrames});
-    QCOMPARE(curve.back().value, LogOnDisk::kFrames - 1.0);
-    QVERIFY2(log.said.contains(QStringLiteral("game.mcap")), qPrintable(log.said));
-    QCOMPARE(child<QLabel>(*view, "plotsState").text(), QString());
-    auto& canvas = *view->findChild<widgets::PlotCanvas*>();
-    child<QComboBox>(*view, "plotsWindow").setCurrentText(QStringLiteral("all"));
-    picture(log, *view);
-    QCOMPARE(canvas.shownTimes(), std::pair(curve.front().time, curve.back().time));
-  }
-
-  void theLogOfACurveMovesWithItsOffset() {
-    LogOnDisk log;
-    auto view = log.openView<widgets::PlotsView>();
-    view->addCurve(QLatin1String(kBallX));
-    const auto& curve = log.readAll(*view);
-    const double before = curve.front().time;
-    log.status.mutable_logs(0)->set_offset(robotlink::fromSeconds(5).count());
-    log.publish();
-    log.tick(*view);
-    QCOMPARE(curve.front().time, before + 5);
-  }
-
-  void theWholeLogIsNotReadOnWish() {
-    LogOnDisk log;
-    auto view = log.openView<widgets::PlotsView>();
-    click(child<QToolButton>(*view, "plotsWholeLog"));
-    view->addCurve(QLatin1String(kBallX));
-    log.tick(*view);
-    auto& curves = LoggedCurves::of(log.logs());
-    QCOMPARE(curves.stateText(), QString());
-    auto again = log.openView<widgets::PlotsView>();
-    again->restoreState(view->saveState());
-    QVERIFY(!child<QToolButton>(*again, "plotsWholeLog").isChecked());
-    log.tick(*again);
-    QCOMPARE(curves.stateText(), QString());
-    click(child<QToolButton>(*again, "plotsWholeLog"));
-    QCOMPARE(log.readAll(*again).size(), std::size_t{LogOnDisk::kFrames});
-  }
-
-  void whatIsComputedAnewIsDrawnOverThePalerLog() {
-    LogOnDisk log;
-    auto view = log.openView<widgets::PlotsView>();
-    view->addCurve(QLatin1String(kBallX));
-    log.readAll(*view);
-    child<QComboBox>(*view, "plotsWindow").setCurrentText(QStringLiteral("all"));
-    const QColor full = curveColor(0, view->palette());
-    const auto pixels = [&](const QColor& color) { return countNear(picture(log, *view), color, 0); };
-    const int asLogged = pixels(full);
-    QVERIFY(asLogged > 0);
-    auto& package = *log.status.add_packages();
-    package.set_package("red1/models/ball");
-    package.set_logged(true);
-    package.set_source(robotcontrol::ControlReplay::RECOMPUTED);
-    log.publish();
-    QCOMPARE(pixels(full), 0);
-    robotcontrol::BallModel ball;
-    for (int i = 0; i < 20; ++i) {
-      ball.mutable_position_in_robot()->set_x(LogOnDisk::kFrames - i);
-      log.push("red1/models/ball", ball, i * 0.04);
-    }
-    const int computed = pixels(full);
-    QVERIFY2(computed > 0 && computed < asLogged, qPrintable(QString::number(computed)));
-  }
-
-  void aLogThatCannotBeReadIsSaid() {
-    LogOnDisk log;
-    auto view = log.openView<widgets::PlotsView>();
-    std::filesystem::remove(log.file);
-    view->addCurve(QLatin1String(kBallX));
-    QTRY_VERIFY((log.tick(*view),
-                 child<QLabel>(*view, "plotsState").text().contains(QStringLiteral("cannot be read"))));
-  }
-
   void aValueIsDroppedIntoThePlot() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
@@ -377,53 +228,6 @@ class PlotsViewTest : public QObject {
     QDropEvent drop({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
     QCoreApplication::sendEvent(&canvas, &drop);
     QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->rowCount(), 1);
-  }
-
-  void zoomingEndsFollowingAndFollowBringsTheNewestBack() {
-    Bench bench;
-    auto view = bench.open<widgets::PlotsView>();
-    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
-    view->addCurve(QString::fromLatin1(kPlot));
-    const QImage before = picture(bench, *view);
-    auto& plots = *view->findChild<widgets::PlotCanvas*>();
-    QCOMPARE(plots.shownTimes().first, -0.1);
-    QCOMPARE(plots.shownTimes().second, 9.9);
-    auto& canvas = child<QWidget>(*view, "plotCanvas");
-    QWheelEvent wheel(QPointF(canvas.rect().center()), canvas.mapToGlobal(canvas.rect().center()), {},
-                      {0, 120}, {}, {}, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(&canvas, &wheel);
-    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
-    QVERIFY(picture(bench, *view) != before);
-    QVERIFY(plots.shownTimes().first > 0 && plots.shownTimes().second < 9.9);
-    click(child<QToolButton>(*view, "plotsFit"));
-    QCOMPARE(plots.shownTimes().first, 0.0);
-    click(child<QToolButton>(*view, "plotsFollow"));
-    picture(bench, *view);
-    QCOMPARE(plots.shownTimes().first, -0.1);
-    child<QComboBox>(*view, "plotsWindow").setCurrentIndex(1);
-    picture(bench, *view);
-    QCOMPARE(plots.shownTimes().first, 7.9);
-    QCOMPARE(plots.shownTimes().second, 9.9);
-  }
-
-  void draggingThePlotEndsFollowing() {
-    Bench bench;
-    auto view = bench.open<widgets::PlotsView>();
-    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
-    view->addCurve(QString::fromLatin1(kPlot));
-    picture(bench, *view);
-    auto& plots = *view->findChild<widgets::PlotCanvas*>();
-    const double before = plots.shownTimes().first;
-    auto& canvas = child<QWidget>(*view, "plotCanvas");
-    const QPoint middle = canvas.rect().center();
-    QTest::mousePress(&canvas, Qt::LeftButton, {}, middle);
-    QMouseEvent move(QEvent::MouseMove, middle + QPoint(60, 0), Qt::NoButton, Qt::LeftButton, {});
-    QCoreApplication::sendEvent(&canvas, &move);
-    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, middle + QPoint(60, 0));
-    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
-    pushPlot(bench, 10, 3);
-    picture(bench, *view);
-    QVERIFY(plots.shownTimes().first < before);
   }
 
   void theTreeOfValuesIsHiddenOnWish() {
@@ -467,6 +271,12 @@ class PlotsViewTest : public QObject {
                         "1.000000,0.5,\n2.000000,,0.25\n"));
     click(child<QToolButton>(*view, "plotsPng"));
     QVERIFY(!QImage(folder.filePath(QStringLiteral("out.png"))).isNull());
+    click(child<QToolButton>(*view, "plotsSvg"));
+    QFile svg(folder.filePath(QStringLiteral("out.svg")));
+    QVERIFY(svg.open(QIODevice::ReadOnly));
+    QVERIFY(svg.readAll().contains("<polyline"));
+    click(child<QToolButton>(*view, "plotsCopy"));
+    QVERIFY(QGuiApplication::clipboard()->image().width() > 100);
   }
 
   void theFileOfAnExportIsAskedFor() {
