@@ -163,6 +163,9 @@ void MainWindow::attachPlotCommands() {
       "plots.add",
       [](MainWindow& window, const Values& values) -> Result<void> {
         const QString value = argumentOf(values, 0);
+        const auto source = widgets::PlotSource::fromText(value);
+        if (const auto filter = robotlink::PointFilter::parse(source.filter); !filter)
+          return tl::unexpected(filter.error());
         if (window.shownView<widgets::PlotsView>("plots")->addCurve(value)) return {};
         return failure("plots.add", "there is a curve of " + value.toStdString() + " already", {},
                        {value.toStdString()});

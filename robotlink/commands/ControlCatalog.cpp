@@ -69,7 +69,8 @@ Rows viewRows() {
 }
 
 Rows plotRows() {
-  const CommandTable::Argument value{"value", Type::kText, "\"red1/models/ball: position_in_robot.x\""};
+  const CommandTable::Argument value{"value", Type::kText,
+                                     "\"red1/models/ball: position_in_robot.x | average 0.5\""};
   return {
       {"plots.add", "Adds a curve to the plots", {value}},
       {"plots.remove", "Removes a curve from the plots", {value}},

@@ -22,7 +22,7 @@ int CurveModel::freeColor() const {
 bool CurveModel::add(const PlotSource& source) {
   const bool known = std::any_of(curves_.begin(), curves_.end(),
                                  [&](const auto& curve) { return curve->source() == source; });
-  if (known || source.stream.empty()) return false;
+  if (known || source.stream.empty() || !robotlink::PointFilter::parse(source.filter)) return false;
   const int color = freeColor();
   beginInsertRows({}, rowCount(), rowCount());
   curves_.push_back(std::make_shared<Curve>(source));
@@ -43,23 +43,62 @@ void CurveModel::clear() {
   endResetModel();
 }
 
-bool CurveModel::takeLive(Curve& curve, const robotlink::StreamStore& store) {
-  const PlotReader::News news = curve.reader.take(store);
-  if (news.restarted) curve.live.clear();
-  for (const auto& point : news.points) curve.live.append(point);
+CurveModel::Curve::Curve(const PlotSource& source) : reader(source) {
+  if (auto filter = robotlink::PointFilter::parse(source.filter)) liveFilter = logFilter = std::move(*filter);
+}
+
+std::shared_ptr<const Series> CurveModel::Curve::ofLog() const {
+  if (!logged) return nullptr;
+  if (!logFilter.isEmpty()) return filtered;
+  return {logged, &logged->series};
+}
+
+bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store) {
+  const PlotReader::News news = reader.take(store);
+  if (news.restarted) {
+    live.clear();
+    liveFilter.restart();
+  }
+  for (const auto& point : news.points) {
+    if (const auto result = liveFilter.next(point)) live.append(*result);
+  }
   return news.restarted || !news.points.empty();
+}
+
+bool CurveModel::Curve::takeLogged() {
+  const std::size_t count = logged ? logged->series.size() : 0;
+  const double since = count > 0 ? logged->series.front().time : 0;
+  const bool isOther = count < loggedBefore || since != loggedSince;
+  if (count == loggedBefore && !isOther) return false;
+  if (!logFilter.isEmpty()) {
+    if (isOther) {
+      filtered->clear();
+      logFilter.restart();
+    }
+    for (std::size_t i = isOther ? 0 : loggedBefore; i < count; ++i) {
+      if (const auto result = logFilter.next(logged->series[i])) filtered->append(*result);
+    }
+  }
+  loggedBefore = count;
+  loggedSince = since;
+  return true;
+}
+
+std::optional<double> CurveModel::Curve::last() const {
+  if (liveFilter.isEmpty()) return reader.last();
+  return live.empty() ? std::nullopt : std::optional(live.back().value);
+}
+
+QString CurveModel::Curve::unit() const {
+  return QString::fromStdString(liveFilter.unit(reader.unit().toStdString()));
 }
 
 bool CurveModel::update(const robotlink::StreamStore& store) {
   bool news = false;
   for (auto& curve : curves_) {
-    if (takeLive(*curve, store)) {
-      news = true;
-      curve->live.limit(kMaxBytes / curves_.size());
-    }
-    const std::size_t logged = curve->logged ? curve->logged->series.size() : 0;
-    news = news || logged != curve->loggedBefore;
-    curve->loggedBefore = logged;
+    news = curve->takeLive(store) || news;
+    news = curve->takeLogged() || news;
+    curve->live.limit(kMaxBytes / curves_.size());
   }
   if (news) Q_EMIT dataChanged(index(0, kValue), index(rowCount() - 1, kAtCursor));
   return news;
@@ -74,7 +113,8 @@ void CurveModel::setCursor(std::optional<double> time) {
 
 std::optional<double> CurveModel::Curve::valueAt(double time) const {
   std::optional<Series::Point> newest;
-  for (const Series* series : {logged ? &logged->series : nullptr, &live}) {
+  const auto log = ofLog();
+  for (const Series* series : {log.get(), &live}) {
     const std::size_t after = series == nullptr ? 0 : series->firstAfter(time);
     if (after == 0) continue;
     const Series::Point point = (*series)[after - 1];
@@ -85,7 +125,8 @@ std::optional<double> CurveModel::Curve::valueAt(double time) const {
 
 std::optional<std::pair<double, double>> CurveModel::Curve::times() const {
   std::optional<std::pair<double, double>> times;
-  for (const Series* series : {logged ? &logged->series : nullptr, &live}) {
+  const auto log = ofLog();
+  for (const Series* series : {log.get(), &live}) {
     if (series == nullptr || series->empty()) continue;
     const std::pair here(series->front().time, series->back().time);
     times =
@@ -129,7 +170,7 @@ int CurveModel::columnCount(const QModelIndex& parent) const {
 QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Curve& curve = *curves_[static_cast<std::size_t>(index.row())];
-  const auto last = curve.reader.last();
+  const auto last = curve.last();
   if (role == Qt::DecorationRole && index.column() == kName)
     return curveColor(curve.color, QGuiApplication::palette());
   if (role == Qt::TextAlignmentRole && (index.column() == kValue || index.column() == kAtCursor))
@@ -140,7 +181,7 @@ QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ForegroundRole && !last) return colorOf(Meaning::kMuted, QGuiApplication::palette());
   if (role != Qt::DisplayRole) return {};
   if (index.column() == kName) return curve.source().text();
-  if (index.column() == kUnit) return curve.reader.unit();
+  if (index.column() == kUnit) return curve.unit();
   if (index.column() == kAtCursor) {
     const auto value = cursor_ ? curve.valueAt(*cursor_) : std::nullopt;
     return value ? QString::number(*value, 'g', 5) : QString();

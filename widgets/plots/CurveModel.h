@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "robotlink/series/PointFilter.h"
 #include "robotlink/series/Series.h"
 #include "widgets/plots/LoggedCurve.h"
 #include "widgets/plots/PlotSource.h"
@@ -24,16 +25,26 @@ class CurveModel final : public QAbstractTableModel {
   static constexpr std::size_t kMaxBytes = 512U << 20U;
 
   struct Curve {
-    explicit Curve(PlotSource source) : reader(std::move(source)) {}
+    /// The filter of the source must be right.
+    explicit Curve(const PlotSource& source);
     const PlotSource& source() const { return reader.source(); }
+    /// The values of the log; null if it is not read.
+    std::shared_ptr<const robotlink::Series> ofLog() const;
     /// All that is known of the curve: of the log as a whole, or what the session published.
-    const robotlink::Series& points() const { return isLogged() ? logged->series : live; }
+    const robotlink::Series& points() const { return isLogged() ? *ofLog() : live; }
     /// Whether the log has the values that the session publishes, so that `live` adds nothing to them.
-    bool isLogged() const { return logged && !isRecomputed && !logged->series.empty(); }
+    bool isLogged() const { return logged && !isRecomputed && !ofLog()->empty(); }
     /// The newest value that is not later than a time; empty without one.
     std::optional<double> valueAt(double time) const;
     /// The times of the first and the last point; empty without points.
     std::optional<std::pair<double, double>> times() const;
+    /// The newest value that the session published, and the unit of the values; empty if not known.
+    std::optional<double> last() const;
+    QString unit() const;
+    /// Takes what is new of the log. True if there is something.
+    bool takeLogged();
+    /// The same of what the session published.
+    bool takeLive(const robotlink::StreamStore& store);
 
     /// Reads the values from the session's store.
     PlotReader reader;
@@ -41,12 +52,16 @@ class CurveModel final : public QAbstractTableModel {
     int color = 0;
     /// What the session published.
     robotlink::Series live;
-    /// The same of the whole log; null if it is not read.
+    /// The same of the whole log, before the filter; null if it is not read.
     std::shared_ptr<const LoggedCurve> logged;
+    /// What the filter makes of `logged`; unused without a filter.
+    std::shared_ptr<robotlink::Series> filtered = std::make_shared<robotlink::Series>();
+    robotlink::PointFilter liveFilter, logFilter;
     /// Whether the program computes anew what the log has, so that both are of interest.
     bool isRecomputed = false;
-    /// Number of points of `logged` at the last update().
+    /// The points of `logged` at the last update(): how many, and when they began.
     std::size_t loggedBefore = 0;
+    double loggedSince = 0;
     /// Whether its values belong to the axis on the right.
     bool isRight = false;
     /// The debug key of the source was requested.
@@ -54,7 +69,8 @@ class CurveModel final : public QAbstractTableModel {
   };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// Appends a curve. False if there is one of this source already, or the source has no stream.
+  /// Appends a curve. False if there is one of this source already, or the source has no stream or a wrong
+  /// filter.
   bool add(const PlotSource& source);
   void remove(int row);
   void clear();
@@ -76,9 +92,6 @@ class CurveModel final : public QAbstractTableModel {
  private:
   /// The lowest color index that no curve has.
   int freeColor() const;
-  /// Takes what the session has published of a curve. True if there is something new.
-  static bool takeLive(Curve& curve, const robotlink::StreamStore& store);
-
   std::vector<std::shared_ptr<Curve>> curves_;
   std::optional<double> cursor_;  ///< s; empty: the cursor is not over the plot
 };

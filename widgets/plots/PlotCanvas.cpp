@@ -215,8 +215,7 @@ void PlotCanvas::matchGraphs() {
     for (SeriesGraph* graph : {&logged, &live})
       graph->setValueAxis(curve->isRight ? plot_->yAxis2 : plot_->yAxis);
     logged.setPen(QPen(curve->isRecomputed ? pale : color, 1));
-    logged.setSeries(std::shared_ptr<const robotlink::Series>(
-        curve->logged, curve->logged ? &curve->logged->series : nullptr));
+    logged.setSeries(curve->ofLog());
     live.setPen(QPen(color, 1));
     live.setSeries(std::shared_ptr<const robotlink::Series>(curve, &curve->live));
     live.setGaps(robot == robots_.end() ? std::vector<robotlink::LineGap>() : robot->second.gaps);
@@ -280,7 +279,7 @@ void PlotCanvas::fitValues(QCPAxis& axis) {
   for (const auto& curve : curves_.curves()) {
     if (curve->isRight != (&axis == plot_->yAxis2)) continue;
     add(curve->live);
-    if (curve->logged) add(curve->logged->series);
+    if (const auto log = curve->ofLog()) add(*log);
   }
   if (all.isEmpty()) return;
   const double size = all.max - all.min, center = (all.min + all.max) / 2;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <set>
 
@@ -19,6 +20,8 @@ namespace widgets {
 namespace {
 
 constexpr char kPlotType[] = "robotcontrol.PlotValue";
+constexpr char kBeforeField[] = ": ";
+constexpr char kBeforeFilter[] = " | ";
 constexpr std::array kLeftOut{"foxglove.SceneUpdate",      "foxglove.ImageAnnotations",
                               "foxglove.RawImage",         "foxglove.Log",
                               "robotcontrol.KeyTable",     "robotcontrol.SolutionTable",
@@ -54,14 +57,23 @@ bool isOff(const robotcontrol::KeyTable::Key& key) {
 }  // namespace
 
 QString PlotSource::text() const {
-  const QString path = QString::fromStdString(stream);
-  return field.empty() ? path : QStringLiteral("%1: %2").arg(path, QString::fromStdString(field));
+  QString text = QString::fromStdString(stream);
+  if (!field.empty()) text += QLatin1String(kBeforeField) + QString::fromStdString(field);
+  if (!filter.empty()) text += QLatin1String(kBeforeFilter) + QString::fromStdString(filter);
+  return text;
 }
 
 PlotSource PlotSource::fromText(const QString& text) {
-  const int colon = text.indexOf(QStringLiteral(": "));
-  if (colon < 0) return {text.toStdString(), {}, {}};
-  return {text.left(colon).toStdString(), text.mid(colon + 2).toStdString(), {}};
+  const int bar = text.indexOf(QLatin1String(kBeforeFilter));
+  if (bar >= 0) {
+    PlotSource source = fromText(text.left(bar));
+    source.filter = text.mid(bar + static_cast<int>(std::strlen(kBeforeFilter))).trimmed().toStdString();
+    return source;
+  }
+  const int colon = text.indexOf(QLatin1String(kBeforeField));
+  if (colon < 0) return {text.toStdString(), {}};
+  return {text.left(colon).toStdString(),
+          text.mid(colon + static_cast<int>(std::strlen(kBeforeField))).toStdString()};
 }
 
 std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {

@@ -21,9 +21,13 @@ struct PlotSource {
   std::string field;
   /// Type of the stream's messages; empty if only the name of the source is known. Not compared.
   std::string type = {};
-  bool operator==(const PlotSource& other) const { return stream == other.stream && field == other.field; }
+  /// What is computed of the values, as robotlink::PointFilter parses it; empty: nothing.
+  std::string filter = {};
+  bool operator==(const PlotSource& other) const {
+    return stream == other.stream && field == other.field && filter == other.filter;
+  }
 
-  /// "red1/models/ball: position_in_robot.x"
+  /// "red1/models/ball: position_in_robot.x | derivative"
   QString text() const;
   /// The inverse of text(), without the type.
   static PlotSource fromText(const QString& text);

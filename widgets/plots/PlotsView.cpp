@@ -7,8 +7,10 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QToolButton>
@@ -169,6 +171,9 @@ void PlotsView::createViews() {
   showTree->setToolButtonStyle(Qt::ToolButtonTextOnly);
   top->addWidget(showTree);
   for (QAction* action : {add_, remove_, right_}) top->addWidget(makeButton(this, action));
+  top->addWidget(makeMenuButton(
+      this, {"plotsCompute", tr("Compute"), tr("Adds what is computed of the selected curves")},
+      createFilterMenu()));
   top->addSpacing(8);
   top->addWidget(window_);
   for (QAction* action : {follow_, pause_, fit_, undo_, redo_, link_, cursors_, wholeLog_})
@@ -283,6 +288,40 @@ std::vector<CurveModel::Curve*> PlotsView::selectedCurves() {
   for (const QModelIndex& row : legend_->selectionModel()->selectedRows())
     selected.push_back(curves_.curves()[static_cast<std::size_t>(row.row())].get());
   return selected;
+}
+
+QMenu* PlotsView::createFilterMenu() {
+  auto* menu = new QMenu(this);
+  for (const auto& kind : robotlink::PointFilter::kinds()) {
+    const QString name = QCoreApplication::translate("PointFilter", kind.name);
+    QAction* action = menu->addAction(kind.number == nullptr ? name : tr("%1…").arg(name));
+    action->setObjectName(QStringLiteral("plotsCompute-") + QLatin1String(kind.name));
+    connect(action, &QAction::triggered, this, [this, &kind] { addFiltered(kind); });
+  }
+  return menu;
+}
+
+void PlotsView::addFiltered(const robotlink::PointFilter::Kind& kind) {
+  const auto selected = selectedCurves();
+  if (selected.empty()) {
+    state_->setText(tr("Select a curve below the plot first."));
+    return;
+  }
+  QString step = QLatin1String(kind.name);
+  if (kind.number != nullptr) {
+    bool isChosen = false;
+    constexpr double kMost = 1e9;
+    constexpr int kDecimals = 4;
+    const double number = QInputDialog::getDouble(this, QCoreApplication::translate("PointFilter", kind.name),
+                                                  QCoreApplication::translate("PointFilter", kind.number),
+                                                  kind.usual, -kMost, kMost, kDecimals, &isChosen);
+    if (!isChosen) return;
+    step += QLatin1Char(' ') + QString::number(number, 'g', 12);
+  }
+  for (const CurveModel::Curve* curve : selected) {
+    const QString text = curve->source().text() + QStringLiteral(" | ") + step;
+    if (!addCurve(text)) state_->setText(tr("%1 cannot be added.").arg(text));
+  }
 }
 
 void PlotsView::changeAxis() {

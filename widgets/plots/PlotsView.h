@@ -10,6 +10,7 @@ class QAction;
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QSortFilterProxyModel;
 class QSplitter;
 class QTreeView;
@@ -34,7 +35,8 @@ class PlotsView final : public View {
 
   explicit PlotsView(ViewContext& context, QWidget* parent = nullptr);
   void setFileQuestion(FileQuestion question) { askForFile_ = std::move(question); }
-  /// Adds a curve by PlotSource::text(). Returns false if there is one already, or the text has no stream.
+  /// Adds a curve by PlotSource::text(). Returns false if there is one already, or the text has no stream or
+  /// a wrong filter.
   bool addCurve(const QString& source);
   /// Appends new points and redraws if something changed.
   void tick() override;
@@ -68,6 +70,10 @@ class PlotsView final : public View {
   void addSelected();
   /// The curves that are selected in the legend.
   std::vector<CurveModel::Curve*> selectedCurves();
+  /// A menu of what can be computed of the selected curves.
+  QMenu* createFilterMenu();
+  /// Adds curves of which this is computed of the selected ones.
+  void addFiltered(const robotlink::PointFilter::Kind& kind);
   /// Moves the selected curves to the axis on the right; if all are there, to the one on the left.
   void changeAxis();
   /// Shows the cursors and what is between them, or hides both.

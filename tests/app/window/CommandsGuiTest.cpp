@@ -119,6 +119,8 @@ class CommandsGuiTest : public WindowTest {
     const QString curve = QStringLiteral("\"simulation: time\"");
     QCOMPARE(run(QStringLiteral("plots.add ") + curve), QString());
     QCOMPARE(run(QStringLiteral("plots.add ") + curve), QStringLiteral("plots.add"));
+    QCOMPARE(run(QStringLiteral("plots.add \"simulation: time | average\"")),
+             QStringLiteral("filter.number"));
     QVERIFY(desk.window.docks().isOpen(QStringLiteral("plots")));
     auto* view = qobject_cast<widgets::PlotsView*>(
         desk.window.docks().docks(QStringLiteral("plots")).front()->widget());

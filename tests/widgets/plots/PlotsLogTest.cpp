@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QTreeView>
+#include <cmath>
 
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Modeling.pb.h"
@@ -89,6 +90,26 @@ class PlotsLogTest : public QObject {
     log.publish();
     log.tick(*view);
     QCOMPARE(curve.front().time, before + 5);
+  }
+
+  void theFilterOfACurveIsAppliedToTheWholeLogAlsoIfItMoves() {
+    LogOnDisk log;
+    auto view = log.openView<widgets::PlotsView>();
+    view->addCurve(QLatin1String(kBallX) + QStringLiteral(" | derivative"));
+    log.readAll(*view);
+    log.tick(*view);
+    const auto& curve =
+        *qobject_cast<CurveModel*>(child<QTreeView>(*view, "plotsLegend").model())->curves().front();
+    const auto check = [&](double begin) {
+      QCOMPARE(curve.points().size(), std::size_t{LogOnDisk::kFrames - 1});
+      QVERIFY(std::abs(curve.points().front().time - begin - 0.04) < 1e-9);
+      QVERIFY(std::abs(curve.points().back().value - 25) < 1e-6);
+    };
+    check(0);
+    log.status.mutable_logs(0)->set_offset(robotlink::fromSeconds(5).count());
+    log.publish();
+    log.tick(*view);
+    check(5);
   }
 
   void theWholeLogIsNotReadOnWish() {

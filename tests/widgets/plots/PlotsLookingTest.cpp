@@ -2,11 +2,14 @@
 #include "tests/widgets/plots/PlotBench.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QToolButton>
 #include <QTreeView>
 #include <cmath>
 
+#include "tests/widgets/DialogAnswer.h"
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
@@ -199,6 +202,44 @@ class PlotsLookingTest : public QObject {
     QCOMPARE(table.model()->index(1, CursorModel::kMean).data().toString(), QStringLiteral("0.25"));
     click(child<QToolButton>(*view, "plotsCursors"));
     QVERIFY(!table.isVisible());
+  }
+
+  void whatIsComputedOfACurveIsACurve() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    view->addCurve(QString::fromLatin1(kPlot));
+    for (int i = 0; i <= 10; ++i) pushPlot(bench, 0.5 * i, 3 * i);
+    picture(bench, *view);
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    const auto cell = [&](int row, int column) {
+      return legend.model()->index(row, column).data().toString();
+    };
+    child<QAction>(*view, "plotsCompute-derivative").trigger();
+    QCOMPARE(legend.model()->rowCount(), 1);
+    legend.setCurrentIndex(legend.model()->index(0, 0));
+    child<QAction>(*view, "plotsCompute-derivative").trigger();
+    DialogAnswer number([](QDialog& dialog) {
+      dialog.findChild<QDoubleSpinBox*>()->setValue(1.2);
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    });
+    child<QAction>(*view, "plotsCompute-median").trigger();
+    QVERIFY(number.asked());
+    QCOMPARE(cell(1, 0), QLatin1String(kPlot) + QStringLiteral(" | derivative"));
+    QCOMPARE(cell(1, 1), QStringLiteral("6"));
+    QCOMPARE(cell(1, 2), QStringLiteral("m/s"));
+    QCOMPARE(cell(2, 0), QLatin1String(kPlot) + QStringLiteral(" | median 1.2"));
+    QCOMPARE(cell(2, 1), QStringLiteral("27"));
+    QVERIFY(!view->addCurve(QLatin1String(kPlot) + QStringLiteral(" | derivative")));
+    QVERIFY(!view->addCurve(QLatin1String(kPlot) + QStringLiteral(" | nothing")));
+    auto again = bench.open<widgets::PlotsView>();
+    again->restoreState(view->saveState());
+    QCOMPARE(again->curves(), view->curves());
+    // What is computed begins anew when the clock goes back.
+    pushPlot(bench, 0.1, 7);
+    picture(bench, *view);
+    pushPlot(bench, 0.2, 8);
+    picture(bench, *view);
+    QCOMPARE(cell(1, 1), QStringLiteral("10"));
   }
 
   void aCurveHasItsAxisOnTheRight() {
