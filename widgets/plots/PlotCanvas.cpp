@@ -189,6 +189,7 @@ void PlotCanvas::applyTheme() {
     names_[i]->setBrush(base);
     names_[i]->setFont(font());
   }
+  markers_.remake();
   gaps_.clear();  // they are shaded again in other colors
   showGaps();
   matchGraphs();
@@ -317,6 +318,10 @@ void PlotCanvas::setMark(std::optional<double> time) {
   if (!time) return;
   mark_->point1->setCoords(*time, 0);
   mark_->point2->setCoords(*time, 1);
+}
+
+void PlotCanvas::setMarkers(std::vector<PlotMarker> markers) {
+  if (markers_.set(std::move(markers))) plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotCanvas::setCursorLine(std::optional<double> time) {

@@ -11,6 +11,7 @@
 
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/plots/PlotHistory.h"
+#include "widgets/plots/PlotMarkers.h"
 
 class QCPAxis;
 class QCPItemRect;
@@ -63,6 +64,8 @@ class PlotCanvas final : public QWidget {
   void setCursorLine(std::optional<double> time);
   /// Draws the two cursors at these times; empty: none.
   void setCursors(const std::optional<std::pair<double, double>>& times);
+  /// Marks what happened when.
+  void setMarkers(std::vector<PlotMarker> markers);
   /// Writes what is shown, at twice the resolution of the screen as PNG, or as SVG. False if the file cannot
   /// be written.
   bool savePng(const QString& file);
@@ -124,6 +127,7 @@ class PlotCanvas final : public QWidget {
   /// The two cursors, and their names.
   std::array<QCPItemStraightLine*, 2> lines_{};
   std::array<QCPItemText*, 2> names_{};
+  PlotMarkers markers_{*plot_};
   PlotHistory history_;
   /// What was shown before the user pressed a button or turned the wheel; empty once that is in the history.
   std::optional<PlotRanges> before_;

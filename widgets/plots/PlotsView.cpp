@@ -388,11 +388,25 @@ void PlotsView::followLogs() {
     dirty_ = dirty_ || isOther || curve->isRecomputed != isRecomputed;
     curve->isRecomputed = isRecomputed;
   }
+  if (isOther) showBookmarks(logs);
   logsVersion_ = logs.version();
   const QString text = logged.stateText();
   if (text == readingText_) return;
   readingText_ = text;
   state_->setText(text);
+}
+
+void PlotsView::showBookmarks(const OpenLogs& logs) {
+  std::vector<PlotMarker> markers;
+  for (const auto& log : logs.logs()) {
+    if (!log->bookmarks) continue;
+    for (const logplayer::Bookmark& bookmark : log->bookmarks->all()) {
+      markers.push_back({robotlink::seconds(bookmark.from + log->offset),
+                         robotlink::seconds(bookmark.to + log->offset),
+                         QString::fromStdString(bookmark.text)});
+    }
+  }
+  canvas_->setMarkers(std::move(markers));
 }
 
 void PlotsView::listSources() {
@@ -424,6 +438,17 @@ double PlotsView::shownTime() const {
   return robotlink::seconds(session().timeline().shown());
 }
 
+double PlotsView::followedEnd(double time, double length) const {
+  std::optional<std::pair<double, double>> log;
+  for (const auto& curve : curves_.curves()) {
+    if (!curve->isLogged()) continue;
+    const auto here = *curve->times();
+    log = log ? std::pair(std::min(log->first, here.first), std::max(log->second, here.second)) : here;
+  }
+  if (!log) return time;
+  return std::max(std::min(time + length / 2, log->second), std::max(time, log->first + length));
+}
+
 void PlotsView::tick() {
   listSources();
   requestMissing();
@@ -445,8 +470,12 @@ void PlotsView::tick() {
   if (!dirty_ || ticks_ >= kDrawn) return;
   dirty_ = false;
   drawnTime_ = time;
-  canvas_->setMark(live ? std::optional<double>() : time);
-  canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt(), session().remoteRobots());
+  const bool hasFuture = std::ranges::any_of(curves_.curves(), [&](const auto& curve) {
+    return curve->isLogged() && curve->times()->second > time;
+  });
+  canvas_->setMark(live && !hasFuture ? std::optional<double>() : time);
+  const double length = window_->currentData().toInt();
+  canvas_->refresh(follow_->isChecked(), followedEnd(time, length), length, session().remoteRobots());
 }
 
 }  // namespace widgets

@@ -18,6 +18,7 @@ class QTreeView;
 namespace widgets {
 
 class EmptyHint;
+class OpenLogs;
 class PlotCanvas;
 
 /// Plots of values over time: any plot value, and any number in the messages of any stream. Curves are added
@@ -82,6 +83,8 @@ class PlotsView final : public View {
   void followLink(const QObject* plot, double from, double to);
   /// Removes the curves that are selected in the legend.
   void removeSelected();
+  /// Marks the bookmarks of the open logs.
+  void showBookmarks(const OpenLogs& logs);
   /// Rebuilds the tree when the store's list of streams changed.
   void listSources();
   /// Requests the debug keys of curves whose source is not published, each once.
@@ -90,6 +93,8 @@ class PlotsView final : public View {
   void followLogs();
   /// Asks for a file with this suffix and saves to it.
   void exportAs(const QString& title, const QString& suffix);
+  /// The end of the time axis while following: the shown time, or half a window later if the log is known.
+  double followedEnd(double time, double length) const;
   /// The timeline's shown instant, in s.
   double shownTime() const;
   /// Name of the joint that "positions[1]" of a JointRequest refers to; empty for other sources.

@@ -80,6 +80,25 @@ class PlotsLogTest : public QObject {
     QCOMPARE(canvas.shownTimes(), std::pair(curve.front().time, curve.back().time));
   }
 
+  void whatFollowsThePlayHeadIsSeen() {
+    LogOnDisk log;
+    auto view = log.openView<widgets::PlotsView>();
+    view->addCurve(QLatin1String(kBallX));
+    const auto& curve = log.readAll(*view);
+    auto& canvas = *view->findChild<widgets::PlotCanvas*>();
+    child<QComboBox>(*view, "plotsWindow").setCurrentText(QStringLiteral("1 s"));
+    // The session's time is 1 s, the log ends at 2.36 s.
+    const QColor head = colorOf(Meaning::kBad, view->palette());
+    QVERIFY(countNear(picture(log, *view), head, 0) > 0);
+    QCOMPARE(canvas.shownTimes(), std::pair(0.5, 1.5));
+    child<QComboBox>(*view, "plotsWindow").setCurrentText(QStringLiteral("2 s"));
+    picture(log, *view);
+    QCOMPARE(canvas.shownTimes(), std::pair(0.0, 2.0));
+    log.session.timeline().show(at(2.2));
+    picture(log, *view);
+    QCOMPARE(canvas.shownTimes().second, curve.back().time);
+  }
+
   void theLogOfACurveMovesWithItsOffset() {
     LogOnDisk log;
     auto view = log.openView<widgets::PlotsView>();
@@ -110,6 +129,27 @@ class PlotsLogTest : public QObject {
     log.publish();
     log.tick(*view);
     check(5);
+  }
+
+  void bookmarksAreMarkedAsLongAsTheyAreThere() {
+    LogOnDisk log;
+    auto view = log.openView<widgets::PlotsView>();
+    view->addCurve(QLatin1String(kBallX));
+    log.readAll(*view);
+    child<QComboBox>(*view, "plotsWindow").setCurrentText(QStringLiteral("all"));
+    const QColor color = colorOf(Meaning::kNote, view->palette());
+    const int none = countNear(picture(log, *view), color, 0);
+    log.readings.at(log.file.string())->bookmarks.emplace(logplayer::Bookmarks::open(log.file));
+    log.tick(*view);
+    const auto id = log.logs().addBookmark(*log.logs().logs().front(), at(1), at(1), QStringLiteral("here"));
+    const int one = countNear(picture(log, *view), color, 0);
+    QVERIFY(one > none + 20);
+    log.logs().addBookmark(*log.logs().logs().front(), at(1.5), at(2), QStringLiteral("there"));
+    QVERIFY(countNear(picture(log, *view), color, 0) > one + 40);
+    log.logs().removeBookmark(*log.logs().logs().front(), id);
+    log.logs().undoStack().undo();
+    log.logs().undoStack().undo();
+    QCOMPARE(countNear(picture(log, *view), color, 0), one);
   }
 
   void theWholeLogIsNotReadOnWish() {
