@@ -2,14 +2,13 @@
 #include "robotlink/debugging/SolutionParameters.h"
 
 #include <google/protobuf/descriptor.h>
-#include <google/protobuf/io/tokenizer.h>
-#include <google/protobuf/text_format.h>
 
 #include <cmath>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Utf8.h"
+#include "robotlink/debugging/ParameterText.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/FieldValues.h"
 #include "robotlink/packages/Schema.h"
@@ -18,22 +17,6 @@ namespace robotlink {
 namespace {
 
 namespace pb = google::protobuf;
-
-class Collector final : public pb::io::ErrorCollector {
- public:
-  explicit Collector(std::string file) : file_(std::move(file)) {}
-  void AddError(int line, pb::io::ColumnNumber column, const std::string& message) override {
-    errors_.push_back({"parameters.text", message, {message}, {file_, line + 1, column + 1}});
-  }
-  void AddWarning(int line, pb::io::ColumnNumber column, const std::string& message) override {
-    AddError(line, column, message);
-  }
-  const Errors& errors() const { return errors_; }
-
- private:
-  std::string file_;
-  Errors errors_;
-};
 
 bool isSound(const pb::Message& message, const pb::FieldDescriptor& field);
 
@@ -86,7 +69,7 @@ SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> builtIn,
     : builtIn_(std::move(builtIn)), ranges_(std::move(ranges)) {
   if (builtIn_ == nullptr) return;
   message_ = copyOf(*builtIn_);
-  defaults_ = message_->SerializeAsString();
+  markSaved();
 }
 SolutionParameters::SolutionParameters(SolutionParameters&&) noexcept = default;
 SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept = default;
@@ -96,6 +79,7 @@ SolutionParameters SolutionParameters::clone() const {
   SolutionParameters result(builtIn_ ? copyOf(*builtIn_) : nullptr, ranges_);
   if (message_) result.message_->CopyFrom(*message_);
   result.defaults_ = defaults_;
+  result.file_ = file_;
   return result;
 }
 
@@ -106,26 +90,28 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
   const ParameterRules& rules = solution.parameterRules;
   SolutionParameters loaded(rules.builtIn ? rules.builtIn(robot) : newOf(*solution.parameters), rules.ranges);
   const auto file = folder / (solution.task + "." + solution.name + ".textproto");
+  if (!folder.empty()) loaded.file_ = file.string();
   std::error_code error;
   if (folder.empty() || !std::filesystem::exists(file, error)) return loaded;
   const auto text = readFile(file);
   if (!text) return tl::unexpected(Errors{text.error()});
   const auto message = newOf(*solution.parameters);
-  Collector collector(file.string());
-  pb::TextFormat::Parser parser;
-  parser.RecordErrorsTo(&collector);
-  const bool parsed = parser.ParseFromString(*text, message.get());
-  if (!collector.errors().empty()) return tl::unexpected(collector.errors());
-  const std::string unsound = firstUnsound(*message);
-  if (!parsed || !unsound.empty()) {
-    const std::string what = parsed ? "'" + unsound + "' is not a finite number, or not a text in UTF-8"
-                                    : "not readable as text of protobuf";
-    return tl::unexpected(Errors{{"parameters.value", what, {unsound}, {file.string(), 0, 0}}});
+  if (auto isRead = readParameterText(*text, file.string(), *message); !isRead)
+    return tl::unexpected(isRead.error());
+  if (const std::string unsound = firstUnsound(*message); !unsound.empty()) {
+    return tl::unexpected(Errors{{"parameters.value",
+                                  "'" + unsound + "' is not a finite number, or not a text in UTF-8",
+                                  {unsound},
+                                  {file.string(), 0, 0}}});
   }
   loaded.dropUnreasonable(*message);
   loaded.apply(*message);
-  loaded.defaults_ = loaded.message_->SerializeAsString();
+  loaded.markSaved();
   return loaded;
+}
+
+void SolutionParameters::markSaved() {
+  if (message_) defaults_ = message_->SerializeAsString();
 }
 
 void SolutionParameters::apply(const pb::Message& wanted) {
@@ -187,6 +173,16 @@ void SolutionParameters::describe(robotcontrol::ParameterValues& to) const {
   to.mutable_defaults()->set_type(to.value().type());
   to.mutable_defaults()->set_data(defaults_);
   to.set_descriptors(schemaOf(*message_->GetDescriptor()));
+  to.set_file(file_);
+  to.mutable_built_in()->set_type(to.value().type());
+  builtIn_->SerializeToString(to.mutable_built_in()->mutable_data());
+  for (const auto& [field, range] : ranges_) {
+    auto& limits = *to.add_limits();
+    limits.set_path(nameOf(*message_, field));
+    limits.set_minimum(range.minimum);
+    limits.set_maximum(range.maximum);
+    limits.set_above(range.above);
+  }
 }
 
 }  // namespace robotlink

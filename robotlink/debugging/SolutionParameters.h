@@ -49,7 +49,10 @@ class SolutionParameters {
   /// The same with a value from a log, which may be older than the rules: a number that makes no sense gets
   /// its built-in value.
   Result<void> restore(const robotcontrol::PackageCopy& value);
-  /// Writes the current value, its schema, and as the default the value when it was loaded.
+  /// Makes the current value the default, since it was written to the file.
+  void markSaved();
+  /// Writes the current value, its schema, its limits and where they are from; the default is the value when
+  /// it was loaded or saved.
   void describe(robotcontrol::ParameterValues& to) const;
 
  private:
@@ -67,8 +70,10 @@ class SolutionParameters {
   std::unique_ptr<google::protobuf::Message> builtIn_;
   std::map<ParameterField, ParameterRange> ranges_;
   std::unique_ptr<google::protobuf::Message> message_;
-  /// The value when it was loaded, serialized.
+  /// The value when it was loaded or saved, serialized.
   std::string defaults_;
+  /// Empty: there is no folder.
+  std::string file_;
 };
 
 }  // namespace robotlink

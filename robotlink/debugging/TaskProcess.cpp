@@ -393,6 +393,7 @@ void TaskProcess::Implementation::setParameters(const Request& request) {
   const auto found = parametersOf(details.task(), details.solution());
   if (!found) return answer(request, tl::unexpected(found.error()));
   auto done = found->second->set(details.value());
+  if (done && details.saved()) found->second->markSaved();
   // The new values go to everyone who displays them.
   if (done) done = publishParameters(details.task(), details.solution());
   answer(request, done);

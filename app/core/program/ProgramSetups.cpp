@@ -88,6 +88,12 @@ bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& tab
   return true;
 }
 
+/// The file that they are from means nothing where the log is read.
+void addParameters(ProgramSetup& setup, robotcontrol::ParameterValues values) {
+  values.clear_file();
+  *setup.add_parameters() = std::move(values);
+}
+
 /// Those that the setup does not know are of another program, which has begun later.
 bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& reported) {
   for (auto& values : *setup.mutable_parameters()) {
@@ -96,7 +102,7 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
     *values.mutable_value() = reported.value();
     return true;
   }
-  *setup.add_parameters() = reported;
+  addParameters(setup, reported);
   return true;
 }
 
@@ -129,7 +135,7 @@ ProgramSetup programSetup(const HostedRobot& robot, const HostedProgram& program
       chosen.erase(found);
   }
   assignChoices(setup, chosen);
-  for (auto& values : program.parameters()) *setup.add_parameters() = std::move(values);
+  for (auto& values : program.parameters()) addParameters(setup, std::move(values));
   setup.set_executor(files.executor);
   addOffered(setup, platform);
   addOffered(setup, program.debugProcess());

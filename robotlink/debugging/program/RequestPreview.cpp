@@ -77,7 +77,9 @@ std::string RequestPreview::setParameters(const Request& request) {
   if (!known) return known.error().text;
   const std::string solution = solutionOf(process, details.task(), details.solution());
   const auto entry = parameters_.try_emplace({details.task(), solution}, (*known)->clone()).first;
-  return reasonOf(entry->second.set(details.value()));
+  const auto done = entry->second.set(details.value());
+  if (done && details.saved()) entry->second.markSaved();
+  return reasonOf(done);
 }
 
 std::string RequestPreview::setColorTable(const Request& request) {

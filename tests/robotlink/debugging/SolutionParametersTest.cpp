@@ -108,6 +108,31 @@ TEST_F(SolutionParametersTest, whatIsSetReplacesAllAndTheRestIsBuiltIn) {
   EXPECT_EQ(moved.message(), address) << "solutions refer to it";
 }
 
+TEST_F(SolutionParametersTest, itSaysItsFileItsLimitsAndWhatIsBuiltIn) {
+  const auto parameters = load("pose_in_field { x: 3 }").value();
+  robotcontrol::ParameterValues described;
+  parameters.describe(described);
+  EXPECT_EQ(described.file(), (folder_ / "drive.straight.textproto").string());
+  ASSERT_EQ(described.limits_size(), 1);
+  EXPECT_EQ(described.limits(0).path(), "pose_in_field.x");
+  EXPECT_EQ(described.limits(0).minimum(), 1);
+  DriveGoal builtIn;
+  ASSERT_TRUE(builtIn.ParseFromString(described.built_in().data()));
+  EXPECT_EQ(builtIn.pose_in_field().x(), 2);
+}
+
+TEST_F(SolutionParametersTest, whatWasSavedIsTheDefault) {
+  auto parameters = load("pose_in_field { x: 3 }").value();
+  ASSERT_TRUE(parameters.set(goal(4)));
+  parameters.markSaved();
+  ASSERT_TRUE(parameters.set(goal(5)));
+  robotcontrol::ParameterValues described;
+  parameters.describe(described);
+  DriveGoal initial;
+  ASSERT_TRUE(initial.ParseFromString(described.defaults().data()));
+  EXPECT_EQ(initial.pose_in_field().x(), 4);
+}
+
 TEST_F(SolutionParametersTest, theDefaultIsWhatWasLoaded) {
   auto parameters = load("pose_in_field { x: 3 }").value();
   SolutionParameters copy = parameters.clone();
