@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/core/CommandValues.h"
+#include "app/core/LogSearchJob.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ShippedFiles.h"
 #include "robotcontrol/Requests.pb.h"
@@ -236,6 +237,16 @@ void addProgram(CommandTable& commands, const Logs& logs) {
 }
 
 }  // namespace
+
+void addLogSearch(CommandTable& commands, OpenPlatform& open, LogSearchJob& job) {
+  commands.attach("log.search", [logs = Logs(open), &job](const Values& values) -> Result<void> {
+    const auto status = logs.status();
+    if (!status) return tl::unexpected(status.error());
+    LogSearchJob::Plan plan{{}, text(values, 0), text(values, 1)};
+    for (const auto& log : (*status)->logs()) plan.logs.emplace_back(log.path());
+    return job.begin(std::move(plan));
+  });
+}
 
 void addLogCommands(CommandTable& commands, OpenPlatform& open) {
   const Logs logs(open);

@@ -28,6 +28,7 @@ Result<void> openChosen(OpenPlatform& open, const PlatformAdapter& adapter, cons
 CommandTable::Argument argumentOf(const PlatformField& field) {
   const Type type = field.kind == PlatformField::Kind::kFlag     ? Type::kBool
                     : field.kind == PlatformField::Kind::kNumber ? Type::kNumber
+                    : field.kind == PlatformField::Kind::kFile   ? Type::kFile
                                                                  : Type::kText;
   CommandTable::Argument argument{field.name, type, field.help};
   // What is left out is as in a form that nobody has filled in.
@@ -37,9 +38,9 @@ CommandTable::Argument argumentOf(const PlatformField& field) {
 
 /// The values of the choices of a form's argument.
 CommandTable::Offer offerOf(const PlatformAdapter& adapter) {
-  return [&adapter](std::size_t argument) {
+  return [&adapter](const std::vector<std::string>& before) {
     const PlatformForm form = formOf(adapter);
-    const auto& items = form.arguments()[argument]->items;
+    const auto& items = form.arguments()[before.size()]->items;
     std::vector<std::string> values;
     for (const PlatformField::Item& item : items ? items() : PlatformField::Items())
       values.push_back(item.value);
@@ -59,7 +60,7 @@ std::vector<CommandTable::Command> platformCommands() {
       commands.push_back({form.command, form.commandHelp, std::move(arguments)});
     }
     if (adapter.command == nullptr) continue;
-    commands.push_back({adapter.command, adapter.commandHelp, {{"source", Type::kText, adapter.sources}}});
+    commands.push_back({adapter.command, adapter.commandHelp, {{"source", Type::kFile, adapter.sources}}});
   }
   return commands;
 }

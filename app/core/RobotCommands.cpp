@@ -10,11 +10,12 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/session/KeyModes.h"
+#include "robotlink/session/RobotTables.h"
 
 namespace app {
 namespace {
 
-using robotcontrol::KeyMode;
 using robotcontrol::Request;
 using robotlink::CommandTable;
 using robotlink::Result;
@@ -38,28 +39,8 @@ Result<void> select(OpenPlatform& open, const std::string& name) {
   return {};
 }
 
-/// Reads the mode of a debug key: "off", "always", "n 3", "every 3" or "every-ms 40"; nothing if it is none
-/// of these.
-std::optional<KeyMode> modeOf(const std::string& words) {
-  const auto space = words.find(' ');
-  const std::string kind = words.substr(0, space);
-  KeyMode mode;
-  if (kind == "off" || kind == "always") {
-    mode.set_kind(kind == "off" ? KeyMode::OFF : KeyMode::ALWAYS);
-    return space == std::string::npos ? std::optional(mode) : std::nullopt;
-  }
-  const bool known = kind == "n" || kind == "every" || kind == "every-ms";
-  const std::string count = space == std::string::npos ? "" : words.substr(space + 1);
-  const bool digits = !count.empty() && count.size() < 8 &&
-                      std::ranges::all_of(count, [](char c) { return c >= '0' && c <= '9'; });
-  if (!known || !digits) return std::nullopt;
-  mode.set_kind(kind == "n" ? KeyMode::N_TIMES : kind == "every" ? KeyMode::EVERY_N : KeyMode::EVERY_MS);
-  mode.set_n(static_cast<std::uint32_t>(std::stoul(count)));
-  return mode;
-}
-
 Result<void> setKey(OpenPlatform& open, const Values& values) {
-  const auto mode = modeOf(text(values, 1));
+  const auto mode = robotlink::keyModeOf(text(values, 1));
   if (!mode) {
     return robotlink::failure("robot.key",
                               "a debug key's mode is off, always, 'n 3', 'every 3' or 'every-ms 40', not '" +
@@ -83,7 +64,9 @@ Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
 
 void addForAll(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.connect-now", [&open](const Values&) { return open.connectNow(); });
-  commands.attach("robot.select", [&open](const Values& values) { return select(open, text(values, 0)); });
+  commands.attach(
+      "robot.select", [&open](const Values& values) { return select(open, text(values, 0)); },
+      [&open](const auto&) { return open.session().robots(); });
   commands.attach("robot.stop", [&open](const Values& values) -> Result<void> {
     for (const std::string& robot : open.session().robots()) {
       Request request;
@@ -96,13 +79,24 @@ void addForAll(CommandTable& commands, OpenPlatform& open) {
 }
 
 void addForProgram(CommandTable& commands, OpenPlatform& open) {
-  commands.attach("robot.key", [&open](const Values& values) { return setKey(open, values); });
-  commands.attach("robot.solution", [&open](const Values& values) {
-    Request request;
-    request.mutable_select_solution()->set_task(text(values, 0));
-    request.mutable_select_solution()->set_solution(text(values, 1));
-    return ask(open, std::move(request));
-  });
+  commands.attach(
+      "robot.key", [&open](const Values& values) { return setKey(open, values); },
+      [&open](const auto& before) {
+        return before.empty() ? robotlink::keyNames(open.session())
+                              : std::vector<std::string>{"off", "always", "n 1", "every 10", "every-ms 100"};
+      });
+  commands.attach(
+      "robot.solution",
+      [&open](const Values& values) {
+        Request request;
+        request.mutable_select_solution()->set_task(text(values, 0));
+        request.mutable_select_solution()->set_solution(text(values, 1));
+        return ask(open, std::move(request));
+      },
+      [&open](const auto& before) {
+        return before.empty() ? robotlink::taskNames(open.session())
+                              : robotlink::solutionNames(open.session(), before.front());
+      });
   commands.attach("robot.color-table",
                   [&open](const Values& values) { return setColorTable(open, text(values, 0)); });
   commands.attach("robot.no-color-table", [&open](const Values&) {

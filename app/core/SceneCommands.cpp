@@ -51,7 +51,7 @@ Result<void> place(OpenPlatform& open, const Values& values) {
 void addSceneCommands(CommandTable& commands, OpenPlatform& open) {
   commands.attach(
       "scene.place", [&open](const Values& values) { return place(open, values); },
-      [&open](std::size_t argument) { return argument == 0 ? models(open) : std::vector<std::string>(); });
+      [&open](const auto& before) { return before.empty() ? models(open) : std::vector<std::string>(); });
 }
 
 }  // namespace app

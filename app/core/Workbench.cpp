@@ -21,7 +21,19 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addRobotCommands(commands_, *this);
   addRemoteCommands(commands_, *this);
   addLogCommands(commands_, *this);
+  addLogSearch(commands_, *this, logSearch_);
+  addJob([this] { return logSearch_.working(); });
   addRecordingCommands(commands_, *this);
+}
+
+robotlink::Result<bool> Workbench::working() const {
+  bool some = false;
+  for (const auto& job : jobs_) {
+    const auto isRunning = job();
+    if (!isRunning) return isRunning;
+    some = some || *isRunning;
+  }
+  return some;
 }
 
 }  // namespace app

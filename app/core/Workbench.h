@@ -2,7 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <utility>
+#include <vector>
 
+#include "app/core/LogSearchJob.h"
 #include "app/core/OpenPlatform.h"
 #include "robotlink/commands/CommandTable.h"
 
@@ -16,8 +20,15 @@ class Workbench : public OpenPlatform {
   explicit Workbench(std::filesystem::path userFolder);
 
   robotlink::CommandTable& commands() { return commands_; }
+  /// Adds a function that says whether something runs that a command has begun, beside what is opened, so
+  /// that scripts wait for it. It fails, once, with why that has failed.
+  void addJob(std::function<robotlink::Result<bool>()> isRunning) { jobs_.push_back(std::move(isRunning)); }
+  /// Whether one of them runs; fails, once, with why one has failed.
+  robotlink::Result<bool> working() const;
 
  private:
+  std::vector<std::function<robotlink::Result<bool>()>> jobs_;
+  LogSearchJob logSearch_;
   robotlink::CommandTable commands_;
 };
 

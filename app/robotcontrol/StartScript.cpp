@@ -21,7 +21,8 @@ robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench) {
   const auto opening = [&workbench]() -> robotlink::Result<bool> {
     const robotlink::Errors errors = workbench.takeOpeningErrors();
     if (!errors.empty()) return robotlink::failure("script.opening", robotlink::describe(errors));
-    return workbench.loading();
+    const auto working = workbench.working();
+    return working && !*working ? workbench.loading() : working;
   };
   return {workbench.commands(), workbench.session(), opening};
 }

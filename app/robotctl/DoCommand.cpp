@@ -51,6 +51,9 @@ int doIt(const DoArguments& arguments) {
   }
   auto workbench = robotlink::CommandConnection::connect(folder, arguments.pid);
   if (!workbench) return printErrors({workbench.error()});
+  std::error_code failed;
+  const auto here = std::filesystem::current_path(failed);
+  if (const auto done = workbench->useFolder(here); !failed && !done) return printErrors({done.error()});
   return arguments.lines.empty() ? runInput(*workbench) : runLines(*workbench, arguments.lines);
 }
 

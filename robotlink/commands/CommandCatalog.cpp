@@ -62,7 +62,7 @@ Rows robotRows() {
        {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}}},
       {"robot.color-table",
        "Sends a color table to the selected robot's program, which uses it from its next image on",
-       {{"file", Type::kText, "a color table: .c64, or another team's"}}},
+       {{"file", Type::kFile, "a color table: .c64, or another team's"}}},
       {"robot.no-color-table", "Switches the selected robot's program back to its built-in color table"},
       {"robot.goal",
        "Sends the selected robot to a place, if it has wheels",
@@ -120,7 +120,7 @@ Rows openedLogRows() {
   return {
       {"log.add",
        "Adds a log file to the timeline",
-       {{"file", Type::kText, "a log file"},
+       {{"file", Type::kFile, "a log file"},
         {"offset", Type::kNumber,
          "seconds to add to its times; 0: it starts with the first log unless their times overlap", 0.0}}},
       {"log.cancel", "Cancels opening a log, map or scene; what ran before continues"},
@@ -132,6 +132,11 @@ Rows openedLogRows() {
        "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
        {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
         {.name = "source", .choices = {"logged", "recomputed", "automatic"}}}},
+      {"log.search",
+       "Searches the whole of the open logs for where a condition is true, without playing them; fails if it "
+       "never is",
+       {{"expression", Type::kText, "models/ball.position.x > 1, or log.message =~ \"lost\""},
+        {"file", Type::kFile, "a .csv file with where it is", std::string()}}},
       {"log.layout",
        "Restarts the program on the log in another process layout, given by its path or the name of a "
        "shipped "
@@ -180,13 +185,13 @@ Rows recordingRows() {
       {"recording.start", "Starts recording into a new file in the folder for recordings"},
       {"recording.start-file",
        "Starts recording into a file",
-       {{"file", Type::kText, "a log file that does not exist yet"}}},
+       {{"file", Type::kFile, "a log file that does not exist yet"}}},
       {"recording.stop", "Ends the recording"},
       {"recording.toggle", "Starts recording into a new file, or ends the recording"},
       {"recording.save-last", "Saves the last seconds, which are kept in memory, to a new file"},
       {"recording.save-last-file",
        "Saves the last seconds, which are kept in memory, to a file",
-       {{"file", Type::kText, "a log file that does not exist yet"}}},
+       {{"file", Type::kFile, "a log file that does not exist yet"}}},
       {"recording.bookmark",
        "Marks the shown instant in the recording; without one, saves the last seconds with the mark",
        {{"text", Type::kText, "what happens there"}}},
@@ -205,7 +210,7 @@ Rows recordingRows() {
       {"recording.trigger",
        "Saves the last seconds when a message arrives on a stream; empty: never",
        {{"stream", Type::kText, "its path; * matches any text: red1/plots/ball-model/*"}}},
-      {"recording.folder", "Chooses the folder for new recordings", {{"folder", Type::kText, "its path"}}},
+      {"recording.folder", "Chooses the folder for new recordings", {{"folder", Type::kFile, "its path"}}},
   };
 }
 

@@ -2,6 +2,7 @@
 #include "robotlink/commands/CommandCompletion.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "robotlink/commands/CommandLine.h"
 
@@ -16,14 +17,33 @@ std::vector<std::string> namesOf(const CommandTable& commands) {
   return names;
 }
 
-std::vector<std::string> textsOf(const CommandTable::Command& command, std::size_t argument) {
+/// The files that a path can become. Hidden ones only if its name begins with a dot.
+std::vector<std::string> filesOf(const std::string& begun) {
+  constexpr std::size_t kMaxFiles = 500;
+  const std::string folder = begun.substr(0, begun.rfind('/') + 1);
+  std::vector<std::string> files;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator it(folder.empty() ? "." : folder, failed), end;
+       !failed && it != end && files.size() < kMaxFiles; it.increment(failed)) {
+    const std::string name = it->path().filename().string();
+    const std::string file = folder + name;
+    std::error_code ignored;
+    if (file.starts_with(begun) && (!name.starts_with('.') || file.substr(0, begun.size()) != folder))
+      files.push_back(it->is_directory(ignored) ? file + '/' : file);
+  }
+  return files;
+}
+
+std::vector<std::string> textsOf(const CommandTable::Command& command, const std::vector<std::string>& before,
+                                 const std::string& begun) {
+  const std::size_t argument = before.size();
   const CommandTable::Argument& wanted = command.arguments[argument];
   if (wanted.type == CommandTable::Type::kBool) return {"off", "on"};
   std::vector<std::string> texts = wanted.choices;
   if (command.offer) {
-    for (std::string& text : command.offer(argument)) texts.push_back(std::move(text));
+    for (std::string& text : command.offer(before)) texts.push_back(std::move(text));
   }
-  return texts;
+  return wanted.type == CommandTable::Type::kFile && texts.empty() ? filesOf(begun) : texts;
 }
 
 }  // namespace
@@ -47,7 +67,9 @@ Completion complete(const CommandTable& commands, const std::string& line, std::
     result.argument = typed.words.size() - 1;
     if (command == nullptr || result.argument >= command->arguments.size()) return result;
     result.command = command;
-    texts = textsOf(*command, result.argument);
+    std::vector<std::string> before;
+    for (std::size_t i = 1; i < typed.words.size(); ++i) before.push_back(typed.words[i].text);
+    texts = textsOf(*command, before, begun);
   }
   std::ranges::sort(texts);
   const auto [first, last] = std::ranges::unique(texts);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMaxClients = 8;
 constexpr std::string_view kBegin = "robotcontrol-", kEnd = ".sock";
-constexpr std::string_view kOk = "ok", kFailure = "failed ";
+constexpr std::string_view kOk = "ok", kFailure = "failed ", kFolder = "folder ";
 
 std::string inOneLine(const std::string& text) {
   std::string result;
@@ -176,7 +176,9 @@ bool CommandSocket::serve(Client& client, Instant now) {
     if (!client.isBusy) {
       const auto line = client.reader.next();
       if (!line) break;
-      client.run.runLines({}, *line);
+      const bool isFolder = line->starts_with(kFolder);
+      if (isFolder) client.run.setFolder(line->substr(kFolder.size()));
+      client.run.runLines({}, isFolder ? std::string() : *line);
       client.isBusy = true;
     }
     client.run.tick(now);
@@ -225,6 +227,10 @@ Result<void> CommandConnection::send(const std::string& line) {
   }
   // What the workbench has said of a line that is too long can still be read.
   return {};
+}
+
+Result<void> CommandConnection::useFolder(const std::filesystem::path& folder) {
+  return send(std::string(kFolder) + folder.string()).and_then([this] { return receive(); });
 }
 
 Result<void> CommandConnection::receive() {

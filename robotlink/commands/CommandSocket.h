@@ -15,7 +15,8 @@ namespace robotlink {
 ///
 /// A client sends lines, each of at most LineReader::kMaxLine bytes; each is answered, when it is done, with
 /// the line "ok", or "failed " and the reason, in which a line feed is "\n" and a backslash "\\". A client
-/// that closes its connection cancels what it waits for. One thread, that of the session; never blocks.
+/// that closes its connection cancels what it waits for. The line "folder PATH" sets to which folder files
+/// are relative. One thread, that of the session; never blocks.
 class CommandSocket {
  public:
   /// What the lines act on must outlive it.
@@ -53,6 +54,8 @@ class CommandConnection {
   CommandConnection& operator=(CommandConnection&&) = delete;
   ~CommandConnection();
 
+  /// Sets to which folder the files in the lines are relative: by default, that of the workbench.
+  Result<void> useFolder(const std::filesystem::path& folder);
   /// Sends a line; receive() waits until it is done. Fails if the workbench has ended, or if the line failed.
   Result<void> send(const std::string& line);
   Result<void> receive();

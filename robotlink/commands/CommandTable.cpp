@@ -27,7 +27,10 @@ using Values = CommandTable::Values;
 }
 
 const char* typeName(Type type) {
-  return type == Type::kBool ? "on or off" : type == Type::kNumber ? "number" : "text";
+  return type == Type::kBool     ? "on or off"
+         : type == Type::kNumber ? "number"
+         : type == Type::kFile   ? "file"
+                                 : "text";
 }
 
 std::string withArticle(Type type) {
@@ -207,14 +210,15 @@ Result<void> CommandTable::run(const std::string& name, const Values& arguments)
   const auto& wanted = (*command)->arguments;
   if (!countFits(**command, arguments.size())) return wrongCount(**command, arguments.size(), 0);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (typeOf(arguments[i]) != wanted[i].type)
+    const Type type = wanted[i].type == Type::kFile ? Type::kText : wanted[i].type;
+    if (typeOf(arguments[i]) != type)
       return wrongType(**command, wanted[i], withArticle(typeOf(arguments[i])), 0);
     if (!isChoice(wanted[i], arguments[i])) return wrongType(**command, wanted[i], inLine(arguments[i]), 0);
   }
   return runComplete(**command, arguments);
 }
 
-Result<void> CommandTable::runLine(const std::string& line) const {
+Result<void> CommandTable::runLine(const std::string& line, const std::filesystem::path& folder) const {
   const auto words = splitCommandLine(line);
   if (!words) return tl::unexpected(words.error());
   if (words->empty()) return {};
@@ -232,7 +236,9 @@ Result<void> CommandTable::runLine(const std::string& line) const {
   Values values;
   for (std::size_t i = 0; i < given; ++i) {
     const CommandWord& word = (*words)[i + 1];
-    const auto value = parseValue(wanted[i].type, word.text);
+    auto value = parseValue(wanted[i].type, word.text);
+    const bool isPath = wanted[i].type == Type::kFile && !word.text.empty();
+    if (isPath && word.text.find("://") == std::string::npos) value = (folder / word.text).string();
     if (!value || !isChoice(wanted[i], *value))
       return wrongType(**command, wanted[i], '"' + word.text + '"', word.column);
     values.push_back(*value);

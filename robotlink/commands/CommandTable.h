@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -19,10 +20,16 @@ namespace robotlink {
 /// that a command takes.
 class CommandTable {
  public:
-  /// The value of an argument; the alternatives have the order of Type.
+  /// The value of an argument; the alternatives have the order of Type, and paths are texts.
   using Value = std::variant<bool, double, std::string>;
   using Values = std::vector<Value>;
-  enum class Type : std::uint8_t { kBool, kNumber, kText };
+  enum class Type : std::uint8_t {
+    kBool,
+    kNumber,
+    kText,
+    /// A text that is the path of a file or folder, or a URL.
+    kFile
+  };
   /// The declaration of an argument.
   struct Argument {
     std::string name;
@@ -38,8 +45,8 @@ class CommandTable {
     bool isOptional() const { return initial.has_value() || mayBeMissing; }
   };
   using Handler = std::function<Result<void>(const Values&)>;
-  /// What the texts of an argument, which counts from 0, may be now: names of robots, views, keys.
-  using Offer = std::function<std::vector<std::string>(std::size_t argument)>;
+  /// What the text of the next argument may be now, after those before it: names of robots, views, keys.
+  using Offer = std::function<std::vector<std::string>(const std::vector<std::string>& before)>;
   /// A command and what it does.
   struct Command {
     /// A unique name: "simulation.speed".
@@ -76,8 +83,9 @@ class CommandTable {
   Result<void> run(const std::string& name, const Values& arguments = {}) const;
   /// Runs one line: `simulation.speed 2`, `robot.solution ball-percept "scan-lines"`. Texts may be quoted
   /// (see CommandLine.h); bools are on/off, true/false, yes/no or 1/0; an empty line or a # comment does
-  /// nothing. Errors about the line have the column, in bytes from 1, in Error::where.
-  Result<void> runLine(const std::string& line) const;
+  /// nothing. Files are relative to `folder`; to that of this program if it is empty. Errors about the line
+  /// have the column, in bytes from 1, in Error::where.
+  Result<void> runLine(const std::string& line, const std::filesystem::path& folder = {}) const;
 
  private:
   /// Finds a command; the error names the nearest, or those of the same group.

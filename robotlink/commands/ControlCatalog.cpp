@@ -30,6 +30,11 @@ Rows manualRows() {
       {"robot.motion",
        "Plays a key-frame motion of the robot that was taken over",
        {{"name", Type::kText, "as on the buttons of the motion view, or get-up"}}},
+  };
+}
+
+Rows parameterRows() {
+  return {
       {"robot.parameter",
        "Sets a parameter of a solution of the selected robot's program",
        {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
@@ -39,6 +44,41 @@ Rows manualRows() {
        "Resets a parameter of the selected robot's program to its default",
        {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
         {"path", Type::kText, "a parameter or a group of them; all if it is left out", std::string()}}},
+      {"parameters.reset",
+       "Resets all parameters of the selected robot's program to their defaults",
+       {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out",
+         std::string()}}},
+      {"parameters.save",
+       "Saves what was changed of the parameters to the files that the program reads at its start; their "
+       "comments stay",
+       {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out", std::string()},
+        {"file", Type::kFile, "another .textproto file, for robots elsewhere", std::string()}}},
+      {"parameters.sweep",
+       "Sets a parameter to one value after the other and measures a figure at each",
+       {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},
+        {"path", Type::kText, "as in the view of solutions: step.height"},
+        {"values", Type::kText, "a list 1,2,5 or a range from:to:step"},
+        {"figure", Type::kText, "an expression over streams: models/ball.position.x"},
+        {"seconds", Type::kNumber, "of the session's time, at each value"},
+        {"file", Type::kFile, "a .csv file with the result", std::string()}}},
+      {"parameters.stop-sweep", "Ends the sweep of a parameter, which gets its former value"},
+  };
+}
+
+Rows presetRows() {
+  const CommandTable::Argument preset{"name", Type::kText, "of a preset, or the path of its file"};
+  return {
+      {"preset.save",
+       "Saves what is chosen now as a preset: debug keys, solutions, parameters and views",
+       {{"name", Type::kText, "a new one or one to replace; a path is a file"},
+        {"parts", Type::kText, "some of keys,solutions,parameters,views, or all", std::string("all")}}},
+      {"preset.load", "Switches the selected robot and the window to a preset", {preset}},
+      {"preset.diff", "Fails with what differs between what is chosen now and a preset", {preset}},
+      {"preset.delete", "Deletes a preset", {{"name", Type::kText, "of the preset"}}},
+      {"preset.rename",
+       "Renames a preset",
+       {{"name", Type::kText, "of the preset"},
+        {"new-name", Type::kText, "letters, digits, spaces, - and _"}}},
   };
 }
 
@@ -51,7 +91,7 @@ Rows viewRows() {
       {"view.restore", "Shows all views again after one was maximized"},
       {"view.save",
        "Saves the contents of a view: its picture, points of plots, packets",
-       {view, {"file", Type::kText, ".png, for plots also .csv, for packets also .wire"}}},
+       {view, {"file", Type::kFile, ".png, for plots also .csv, for packets also .wire"}}},
       {"view.perspective", "Shows a perspective", {{"name", Type::kText, "Play, Log, or one of your own"}}},
       {"view.save-perspective",
        "Saves the arrangement of the views as a perspective",
@@ -82,7 +122,7 @@ Rows plotRows() {
 
 Rows controlCatalog() {
   Rows all = manualRows();
-  for (Rows& rows : std::vector<Rows>{viewRows(), plotRows()})
+  for (Rows& rows : std::vector<Rows>{parameterRows(), presetRows(), viewRows(), plotRows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

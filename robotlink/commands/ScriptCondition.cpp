@@ -6,6 +6,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/session/RobotTables.h"
 
 namespace robotlink {
 namespace {
@@ -14,8 +15,8 @@ const std::string kTimeStream = streams::kSimulation;
 
 }  // namespace
 
-ScriptCondition::ScriptCondition(Session& session, std::string expression)
-    : session_(session), text_(std::move(expression)) {
+ScriptCondition::ScriptCondition(Session& session, std::string expression, Observer observe)
+    : session_(session), text_(std::move(expression)), observe_(std::move(observe)) {
   listener_ = session_.addListener({.message = [this](const StreamMessage& message) { take(message); }});
   bind();
 }
@@ -48,7 +49,17 @@ void ScriptCondition::bind() {
     return;
   }
   const bool mayAppear = bound.error().id == "expression.stream" || bound.error().id == "expression.robot";
+  if (mayAppear) bound.error().text += hintFor(bound.error());
   (mayAppear ? missing_ : wrong_) = bound.error();
+}
+
+std::string ScriptCondition::hintFor(const Error& error) const {
+  if (error.arguments.empty()) return {};
+  std::string stream = error.arguments.front();
+  if (!robot_.empty() && stream.starts_with(robot_ + "/")) stream.erase(0, robot_.size() + 1);
+  const std::string key = "package/" + stream;
+  const auto known = keyNames(session_);
+  return std::ranges::find(known, key) == known.end() ? "" : "; robot.key " + key + " has it published";
 }
 
 void ScriptCondition::takeNewest() {
@@ -61,14 +72,16 @@ void ScriptCondition::takeNewest() {
 }
 
 void ScriptCondition::take(const StreamMessage& message) {
-  if (!bound_ || wrong_ || wasTrue_) return;
+  if (!bound_ || wrong_ || (wasTrue_ && !observe_)) return;
   const auto& streams = bound_->streams();
   const bool isUsed =
       message.path != kTimeStream && std::ranges::find(streams, message.path) != streams.end();
   if (!isUsed && !usesTime_) return;
   if (isUsed) takeValue(message.path, *message.value);
   takeTime(message.time);
-  wasTrue_ |= isTrue();
+  const auto value = bound_->value();
+  wasTrue_ |= value && *value != 0;
+  if (value && observe_) observe_(*value, message.time);
 }
 
 void ScriptCondition::takeTime(Instant time) {

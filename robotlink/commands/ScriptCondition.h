@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,10 @@ namespace robotlink {
 /// that calls Session::tick(); the session must outlive it.
 class ScriptCondition {
  public:
-  ScriptCondition(Session& session, std::string expression);
+  /// Gets each value that a message gives the expression, and the time of that message.
+  using Observer = std::function<void(double value, Instant time)>;
+  /// `observe` may be empty.
+  ScriptCondition(Session& session, std::string expression, Observer observe = {});
   ~ScriptCondition();
   ScriptCondition(const ScriptCondition&) = delete;
   ScriptCondition& operator=(const ScriptCondition&) = delete;
@@ -33,6 +37,8 @@ class ScriptCondition {
  private:
   /// Binds the expression to the streams that there are, if they have changed.
   void bind();
+  /// What can be done about a stream that is missing; empty if nobody knows.
+  std::string hintFor(const Error& error) const;
   /// Takes the newest messages of the history.
   void takeNewest();
   void take(const StreamMessage& message);
@@ -42,6 +48,7 @@ class ScriptCondition {
 
   Session& session_;
   std::string text_;
+  Observer observe_;
   std::uint64_t listener_ = 0;
   std::optional<BoundExpression> bound_;
   bool usesTime_ = false;

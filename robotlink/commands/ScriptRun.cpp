@@ -49,16 +49,27 @@ std::string withValues(std::string text, const std::string& values) {
 }  // namespace
 
 ScriptRun::ScriptRun(Workbench workbench) : workbench_(std::move(workbench)) {
-  listener_ =
-      workbench_.session.addListener({.request =
-                                          [this](const robotcontrol::Request& request) {
-                                            if (isListing_) unanswered_.insert(request.id());
-                                          },
-                                      .result =
-                                          [this](const robotcontrol::RequestResult& result) {
-                                            if (unanswered_.erase(result.id()) > 0 && !result.accepted())
-                                              refused_ = result.reason();
-                                          }});
+  listener_ = workbench_.session.addListener({.request =
+                                                  [this](const robotcontrol::Request& request) {
+                                                    if (isListing_) unanswered_.insert(request.id());
+                                                  },
+                                              .result = [this](const auto& result) { take(result); },
+                                              .handled =
+                                                  [this](const auto& result) {
+                                                    if (unanswered_.erase(result.id()) > 0)
+                                                      isListing_ = false;
+                                                  },
+                                              .refusal =
+                                                  [this](const std::string&, const std::string& reason) {
+                                                    if (isListing_ && !refused_) refused_ = reason;
+                                                  }});
+}
+
+/// What the answer makes the command ask next belongs to the command, too.
+void ScriptRun::take(const robotcontrol::RequestResult& result) {
+  if (!unanswered_.contains(result.id())) return;
+  if (!result.accepted()) refused_ = result.reason();
+  isListing_ = true;
 }
 
 ScriptRun::~ScriptRun() {
@@ -75,7 +86,7 @@ void ScriptRun::runFile(const std::filesystem::path& file) {
 
 void ScriptRun::runLines(const std::string& name, const std::string& lines) {
   failed_.reset();
-  push(name, {}, lines);
+  push(name, folder_, lines);
 }
 
 void ScriptRun::push(std::string name, std::filesystem::path folder, const std::string& text) {
@@ -194,7 +205,7 @@ Result<void> ScriptRun::beginCommand() {
   // What another user of the window opened before is not this line's.
   if (workbench_.opening) static_cast<void>(workbench_.opening());
   isListing_ = true;
-  auto done = workbench_.commands.runLine(line_.text);
+  auto done = workbench_.commands.runLine(line_.text, folder_);
   isListing_ = false;
   if (!done) return tl::unexpected(inLine(std::move(done.error()), line_));
   waits_ = Waits::kCommand;

@@ -17,6 +17,10 @@
 #include "robotlink/commands/ScriptReport.h"
 #include "robotlink/session/Session.h"
 
+namespace robotcontrol {
+class RequestResult;
+}
+
 namespace robotlink {
 
 class ScriptCondition;
@@ -46,6 +50,8 @@ class ScriptRun {
   /// Begins to run lines that are in no file; errors name them by `name`, or have no position if that is
   /// empty. Variables of earlier lines are kept.
   void runLines(const std::string& name, const std::string& lines);
+  /// Sets to which folder files of commands and of lines are relative: by default, that of this program.
+  void setFolder(std::filesystem::path folder) { folder_ = std::move(folder); }
 
   /// Runs what can be run now. `now` is real time from any zero.
   void tick(Instant now);
@@ -77,6 +83,7 @@ class ScriptRun {
   void beginNext(Instant now);
   Result<void> begin(const std::string& line, Instant now);
   Result<void> beginCommand();
+  void take(const robotcontrol::RequestResult& result);
   Result<void> check(const std::string& condition) const;
   /// Whether the line is done.
   Result<bool> isDone(Instant now);
@@ -92,6 +99,7 @@ class ScriptRun {
   std::vector<Source> sources_;
   std::map<std::string, std::string> variables_;
   std::vector<ScriptOutcome> outcomes_;
+  std::filesystem::path folder_;
   std::optional<Error> failed_;
 
   // The line that runs now.
@@ -102,7 +110,7 @@ class ScriptRun {
   /// In the session's time: when kTime began, and the newest that was seen.
   Instant timeBegan_, timeSeen_;
   std::unique_ptr<ScriptCondition> condition_;
-  /// Whether a command runs, whose requests are listed.
+  /// Whether a command runs, or the handler of an answer to it, whose requests are listed.
   bool isListing_ = false;
   std::set<std::uint64_t> unanswered_;
   /// Why a request was refused.

@@ -13,10 +13,11 @@ class KeyTable;
 
 namespace robotlink {
 
-/// Named sets of modes of debug keys that users save, one text file each (<folder>/<name>.keys.json, with a
-/// version), written as a whole or not at all. A preset is a KeyTable of which only names and modes count.
-/// Keys that are off are not saved, so applying a preset switches all other keys off. Keys that the program
-/// does not know (any more) are kept. One thread at a time.
+/// Named sets of modes of debug keys, as older versions saved them and as they are kept between runs
+/// (Presets.h has what users save now): one text file each (<folder>/<name>.keys.json, with a version),
+/// written as a whole or not at all. A preset is a KeyTable of which only names and modes count. Keys that
+/// are off are not saved, so applying a preset switches all other keys off. Keys that the program does not
+/// know (any more) are kept. One thread at a time.
 class KeyPresets {
  public:
   explicit KeyPresets(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -29,10 +30,10 @@ class KeyPresets {
   /// characters.
   Result<void> save(const std::string& name, const robotcontrol::KeyTable& keys) const;
   Result<void> remove(const std::string& name) const;
-
- private:
+  /// The file of a preset, which need not exist; fails if that can be no name.
   Result<std::filesystem::path> fileOf(const std::string& name) const;
 
+ private:
   std::filesystem::path folder_;
 };
 

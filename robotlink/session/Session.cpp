@@ -200,6 +200,9 @@ void Session::tick() {
     }
     auto handler = pending_->handlers.extract(result->id());
     if (!handler.empty() && handler.mapped()) handler.mapped()(*result);
+    for (const auto& [number, listener] : listeners_) {
+      if (listener.handled) listener.handled(*result);
+    }
   }
 }
 
@@ -253,6 +256,9 @@ void Session::await(std::uint64_t id, ResultHandler onResult) {
 }
 
 void Session::reportRefusal(const std::string& what, const std::string& reason) {
+  for (const auto& [number, listener] : listeners_) {
+    if (listener.refusal) listener.refusal(what, reason);
+  }
   if (refused_) refused_(what, reason);
 }
 

@@ -56,8 +56,11 @@ class Session {
   struct Listener {
     std::function<void(const StreamMessage&)> message = {};
     std::function<void(const robotcontrol::Request&)> request = {};
-    /// The result of a request, in tick(), before its own handler gets it.
+    /// The result of a request, in tick(), before its own handler gets it, and after.
     std::function<void(const robotcontrol::RequestResult&)> result = {};
+    std::function<void(const robotcontrol::RequestResult&)> handled = {};
+    /// What is passed to the refusal handler.
+    RefusalHandler refusal = {};
   };
 
   explicit Session(StreamStore::Limits limits = {});

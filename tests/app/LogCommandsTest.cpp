@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 
 #include <future>
+#include <thread>
 
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
+#include "tests/app/ShortLog.h"
 #include "tests/app/TickUntil.h"
 
 using namespace app;
@@ -158,4 +161,31 @@ TEST_F(LogCommandsTest, whatIsRefusedLaterArrivesAsAnError) {
   workbench.session().pushResult(result);
   workbench.tick();
   EXPECT_EQ(errors, "there is no log");
+}
+
+TEST_F(LogCommandsTest, theOpenLogsAreSearchedWithoutPlayingThem) {
+  const auto table = home / "found.csv";
+  EXPECT_EQ(run("log.search 'log.message =~ \"frame\"' " + table.string()),
+            "no log is open; open one first: log.open FILE");
+  const auto log = home / "short.mcap";
+  app::test::ShortLog::write(log);
+  auto status = std::make_shared<robotcontrol::ReplayStatus>();
+  status->add_logs()->set_path(log.string());
+  workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(10)), status});
+  workbench.tick();
+  const auto search = [&](const std::string& expression) {
+    const auto begun = workbench.commands().run("log.search", {expression, table.string()});
+    EXPECT_TRUE(begun) << begun.error().describe();
+    auto working = workbench.working();
+    while (working && *working) {
+      std::this_thread::yield();
+      working = workbench.working();
+    }
+    return working ? std::string() : working.error().id;
+  };
+  EXPECT_EQ(search("log.message =~ \"frame 4\""), "");
+  EXPECT_EQ(robotlink::readFile(table).value_or(""),
+            "log,robot,from,until,text\r\nshort.mcap,red1,4.600000,4.600000,frame 40\r\n");
+  EXPECT_EQ(search("log.message =~ \"nobody\""), "log.not-found");
+  EXPECT_EQ(search("no/such.field > 1"), "expression.stream");
 }

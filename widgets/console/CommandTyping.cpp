@@ -50,6 +50,7 @@ TypedCommand typedCommand(const CommandTable& commands, const QString& line, int
 TypedLine replaced(const TypedLine& typed, int from, const QString& text) {
   const QString rest = typed.line.mid(typed.cursor);
   const QString begin = typed.line.left(from) + text;
+  if (text.endsWith(QLatin1Char('/'))) return {begin + rest, begin.size()};  // a folder, whose files follow
   if (rest.startsWith(QLatin1Char(' '))) return {begin + rest, begin.size() + 1};
   return {begin + QLatin1Char(' ') + rest, begin.size() + 1};
 }

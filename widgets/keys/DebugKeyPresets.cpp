@@ -5,23 +5,36 @@
 #include <QLineEdit>
 #include <map>
 
-#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Resources.h"
-#include "robotlink/session/KeyPresets.h"
+#include "robotlink/session/KeyModes.h"
+#include "robotlink/session/Presets.h"
 #include "widgets/keys/DebugKeysView.h"
 
 namespace widgets {
+
+using robotlink::Preset;
+
 namespace {
 
 // Name of a shipped preset; unset for the user's own.
 constexpr int kShippedRole = Qt::UserRole;
 
-robotlink::KeyPresets presets() {
-  return robotlink::KeyPresets(robotlink::userDirectory() / "presets");
+robotlink::Presets presets() {
+  return robotlink::Presets(robotlink::userDirectory() / "presets");
 }
 
-robotlink::KeyPresets shippedPresets() {
-  return robotlink::KeyPresets(robotlink::resource("presets"));
+robotlink::Presets shippedPresets() {
+  return robotlink::Presets(robotlink::resource("presets"));
+}
+
+/// The names of those that have keys, or cannot be read.
+std::vector<std::string> namesIn(const robotlink::Presets& known) {
+  std::vector<std::string> names = known.names();
+  std::erase_if(names, [&](const std::string& name) {
+    const auto preset = known.load(name);
+    return preset && !preset->parts[Preset::kKeys];
+  });
+  return names;
 }
 
 }  // namespace
@@ -29,8 +42,8 @@ robotlink::KeyPresets shippedPresets() {
 void DebugKeysView::listPresets() {
   const QString name = presets_->currentText();
   presets_->clear();
-  for (const std::string& known : presets().names()) presets_->addItem(QString::fromStdString(known));
-  for (const std::string& known : shippedPresets().names()) {
+  for (const std::string& known : namesIn(presets())) presets_->addItem(QString::fromStdString(known));
+  for (const std::string& known : namesIn(shippedPresets())) {
     const QString shipped = QString::fromStdString(known);
     presets_->addItem(tr("%1 (shipped)").arg(shipped), shipped);
   }
@@ -53,7 +66,8 @@ void DebugKeysView::loadPreset(const QString& name) {
       shipped.isEmpty() ? presets().load(name.toStdString()) : shippedPresets().load(shipped.toStdString());
   if (!preset) return notify(QString::fromStdString(preset.error().describe()));
   std::map<std::string, KeyValue> wanted;
-  for (const auto& key : preset->keys()) wanted[key.name()] = keyValue(key.mode());
+  for (const auto& [key, mode] : preset->parts[Preset::kKeys].value_or(Preset::Values()))
+    wanted[key] = keyValue(*robotlink::keyModeOf(mode));
   const std::vector<KeyEntry> keys = model_.keys();
   for (const KeyEntry& key : keys) {
     const auto found = wanted.find(key.name);
@@ -64,13 +78,13 @@ void DebugKeysView::loadPreset(const QString& name) {
 }
 
 void DebugKeysView::savePreset() {
-  robotcontrol::KeyTable table;
+  Preset::Values keys;
   for (const KeyEntry& key : model_.keys()) {
     const KeyValue value = model_.shownValue(key);
     if (value.kind == KeyValue::Kind::kOff) continue;
-    auto& saved = *table.add_keys();
-    saved.set_name(key.name);
-    assign(*saved.mutable_mode(), value);
+    robotcontrol::KeyMode mode;
+    assign(mode, value);
+    keys[key.name] = robotlink::inWords(mode);
   }
   const QString name = presets_->currentText().trimmed();
   if (const QString shipped = shippedName(); name.isEmpty() || !shipped.isEmpty()) {
@@ -81,11 +95,13 @@ void DebugKeysView::savePreset() {
             ? tr("Type a name for the preset, then save.")
             : tr("%1 is a shipped preset and stays as it is. Type another name, then save.").arg(shipped));
   }
-  const auto saved = presets().save(name.toStdString(), table);
+  // What else is in a preset of this name stays.
+  Preset preset = presets().load(name.toStdString()).value_or(Preset());
+  preset.parts[Preset::kKeys] = keys;
+  const auto saved = presets().save(name.toStdString(), preset);
   listPresets();
-  notify(saved
-             ? tr("Saved the preset %1 (keys that are on: %2).").arg(name, QString::number(table.keys_size()))
-             : QString::fromStdString(saved.error().describe()));
+  notify(saved ? tr("Saved the preset %1 (keys that are on: %2).").arg(name, QString::number(keys.size()))
+               : QString::fromStdString(saved.error().describe()));
 }
 
 void DebugKeysView::removePreset() {

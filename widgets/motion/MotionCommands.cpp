@@ -62,7 +62,7 @@ void attachMotionCommands(ViewContext& context) {
   attach(
       "robot.motion",
       [](auto& steering, const Values& values) { return play(steering, std::get<std::string>(values[0])); },
-      [](std::size_t) { return motionNames(); });
+      [](const auto&) { return motionNames(); });
 }
 
 }  // namespace widgets

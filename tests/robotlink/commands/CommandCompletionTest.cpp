@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/TestFolder.h"
+
 using namespace robotlink;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -19,7 +21,7 @@ class CommandCompletionTest : public testing::Test {
   CommandCompletionTest() {
     table_.add({"robot.stop", "", {{"engaged", Type::kBool}}, nothing});
     table_.add({"robot.select", "", {{"robot"}, {"why", Type::kNumber}}});
-    table_.attach("robot.select", nothing, [](std::size_t) {
+    table_.attach("robot.select", nothing, [](const auto&) {
       return std::vector<std::string>{"red1", "blue 1", "red1"};
     });
     table_.add({"log.images", "", {{.name = "coding", .choices = {"png", "jpeg", "as-is"}}}, nothing});
@@ -58,4 +60,27 @@ TEST_F(CommandCompletionTest, theWordAtTheCursorIsReplaced) {
   EXPECT_EQ(argument.from, 18U);
   ASSERT_NE(argument.command, nullptr);
   EXPECT_EQ(argument.command->arguments[argument.argument].name, "why");
+}
+
+TEST_F(CommandCompletionTest, filesAndFoldersOfAPath) {
+  const TestFolder folder;
+  folder.write("a.log", "");
+  folder.write("b/c.log", "");
+  folder.write(".hidden", "");
+  table_.add({"log.open", "", {{"file", Type::kFile}}, nothing});
+  const std::string path = folder.path().string() + "/";
+  EXPECT_THAT(at("log.open " + path), ElementsAre(path + "a.log", path + "b/"));
+  EXPECT_THAT(at("log.open " + path + "b/"), ElementsAre(path + "b/c.log"));
+  EXPECT_THAT(at("log.open " + path + ".h"), ElementsAre(path + ".hidden"));
+  EXPECT_THAT(at("log.open " + path + "none/"), IsEmpty());
+}
+
+TEST_F(CommandCompletionTest, whatIsOfferedMayDependOnTheArgumentsBefore) {
+  table_.add({"set", "", {{"task"}, {"solution"}}});
+  table_.attach("set", nothing, [](const auto& before) {
+    return before.empty() ? std::vector<std::string>{"walk"}
+                          : std::vector<std::string>{before.front() + "-1"};
+  });
+  EXPECT_THAT(at("set "), ElementsAre("walk"));
+  EXPECT_THAT(at("set walk "), ElementsAre("walk-1"));
 }

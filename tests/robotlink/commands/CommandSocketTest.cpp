@@ -58,6 +58,19 @@ class CommandSocketTest : public testing::Test {
 
 }  // namespace
 
+TEST_F(CommandSocketTest, filesAreRelativeToTheFolderOfWhoeverSendsTheLine) {
+  commands_.add({"open", "Notes a file.", {{"file", CommandTable::Type::kFile}}, [this](const auto& values) {
+                   said_.push_back(std::get<std::string>(values[0]));
+                   return Result<void>();
+                 }});
+  auto connection = connected();
+  EXPECT_EQ(run(connection, "folder /home/a b"), "");
+  EXPECT_EQ(run(connection, "open c.log"), "");
+  EXPECT_EQ(run(connection, "open /d.log"), "");
+  EXPECT_EQ(run(connection, "open tcp://e"), "");
+  EXPECT_THAT(said_, ElementsAre("/home/a b/c.log", "/d.log", "tcp://e"));
+}
+
 TEST_F(CommandSocketTest, linesRunOneAfterTheOther) {
   CommandConnection connection = connected();
   EXPECT_EQ(run(connection, "say 'a b'"), "");

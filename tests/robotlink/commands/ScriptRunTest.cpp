@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/TestFolder.h"
@@ -97,6 +98,43 @@ TEST_F(ScriptRunTest, aRequestIsDoneWhenItIsAccepted) {
   EXPECT_THAT(said_, ElementsAre("done"));
   EXPECT_TRUE(run_.isIdle());
   EXPECT_EQ(failure(), "");
+}
+
+TEST_F(ScriptRunTest, whatAnAnswerMakesTheCommandAskIsWaitedForToo) {
+  commands_.add({"chain", "Asks, and then asks again.", {}, [this](const auto&) -> Result<void> {
+                   session_.request({}, [this](const auto&) { session_.request({}); });
+                   return {};
+                 }});
+  run("chain\nsay done");
+  answer(true);
+  tick();
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_THAT(said_, IsEmpty());
+  answer(true);
+  tick();
+  EXPECT_THAT(said_, ElementsAre("done"));
+}
+
+TEST_F(ScriptRunTest, whatTheHandlerOfAnAnswerReportsFailsTheLine) {
+  commands_.add({"read", "Asks, and cannot use the answer.", {}, [this](const auto&) -> Result<void> {
+                   session_.request({},
+                                    [this](const auto&) { session_.reportRefusal("read", "no such value"); });
+                   return {};
+                 }});
+  run("read\nsay never");
+  answer(true);
+  tick();
+  EXPECT_EQ(failure(), "a.script:1:1: refused: no such value");
+  EXPECT_THAT(said_, IsEmpty());
+}
+
+TEST_F(ScriptRunTest, aStreamThatAKeyPublishesIsNamedWithItsKey) {
+  auto keys = std::make_shared<robotcontrol::KeyTable>();
+  keys->add_keys()->set_name("package/models/ball");
+  push("red1/tables/keys", keys, 1s);
+  session_.tick();
+  run("assert models/ball.known");
+  EXPECT_THAT(failure(), HasSubstr("robot.key package/models/ball has it published"));
 }
 
 TEST_F(ScriptRunTest, aRefusalFailsTheLine) {

@@ -191,7 +191,7 @@ class MotionCommandsTest : public QObject {
   void motionsAreOfferedForCompletion() {
     CommandedRobot bench;
     const auto* command = bench.commands.find("robot.motion");
-    const auto names = command->offer(0);
+    const auto names = command->offer({});
     QVERIFY(std::find(names.begin(), names.end(), "get-up") != names.end());
     QVERIFY(names.size() > 3);
   }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robotlink/session/Session.h"
+
+namespace robotcontrol {
+class KeyTable;
+class SolutionTable;
+}  // namespace robotcontrol
+
+// What the selected robot's program has reported last of itself. Only in the thread that ticks the session,
+// whose next tick may destroy what is returned.
+namespace robotlink {
+
+/// Null if there is none.
+const robotcontrol::KeyTable* keyTable(Session& session);
+const robotcontrol::SolutionTable* solutionTable(Session& session);
+/// Their names, for lists and completion.
+std::vector<std::string> keyNames(Session& session);
+std::vector<std::string> taskNames(Session& session);
+std::vector<std::string> solutionNames(Session& session, const std::string& task);
+
+}  // namespace robotlink
