@@ -137,7 +137,7 @@ void MainWindow::createAppearanceMenu(QMenu& menu) {
 void MainWindow::createHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
   menu->setObjectName(QStringLiteral("helpMenu"));
-  menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
+  menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
       ->setObjectName(QStringLiteral("help.shortcuts"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
       ->setObjectName(QStringLiteral("help.about"));
@@ -175,7 +175,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::showShortcuts() {
-  ShortcutsDialog(*keys_, this).exec();
+  ShortcutsDialog(*shortcuts_, this).exec();
 }
 
 void MainWindow::showAbout() {

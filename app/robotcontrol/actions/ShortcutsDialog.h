@@ -2,44 +2,47 @@
 #pragma once
 
 #include <QDialog>
-#include <QKeySequence>
 #include <vector>
 
+#include "app/robotcontrol/actions/Shortcuts.h"
+
+class QKeySequenceEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
 class QTreeWidget;
 
 namespace app {
 
-class WindowKeys;
-
-/// A key and its effect.
-struct Shortcut {
-  QKeySequence key;
-  QString text;
-  /// Title of the view in which it works; empty: everywhere.
-  QString view;
-  /// The action or shortcut; null for a binding of WindowKeys.
-  const QObject* owner = nullptr;
-};
-
-/// All keys of a window and of the views that are open in it.
-std::vector<Shortcut> shortcutsOf(const QWidget& window, const WindowKeys& keys);
-
-/// Lists all keys, first those that work everywhere, then view by view, with a search field. It is never
-/// larger than the screen. GUI thread.
+/// Lists all keys, first those that work everywhere, then view by view, with a search field, and gives the
+/// current one another key. It is never larger than the screen. GUI thread; the shortcuts must outlive it.
 class ShortcutsDialog final : public QDialog {
   Q_OBJECT
  public:
-  ShortcutsDialog(const WindowKeys& keys, QWidget* window);
+  ShortcutsDialog(Shortcuts& shortcuts, QWidget* window);
 
  private:
-  /// Builds the list.
-  void fill(const std::vector<Shortcut>& shortcuts);
+  void createWidgets();
+  void connectSignals();
+  /// Builds the list; keeps the current row.
+  void fill();
   /// Shows only the entries that contain a text.
   void filter(const QString& text);
+  /// The current entry; null: a group, or nothing.
+  const Shortcut* current() const;
+  void showCurrent();
+  void report(const robotlink::Result<void>& done);
   /// Limits the size to that of the screen.
   void fitScreen();
 
+  Shortcuts& shortcuts_;
+  /// Those in the list; a row has its index.
+  std::vector<Shortcut> all_;
+  QLineEdit* search_ = nullptr;
   QTreeWidget* list_ = nullptr;
+  QKeySequenceEdit* key_ = nullptr;
+  QPushButton *assign_ = nullptr, *reset_ = nullptr, *resetAll_ = nullptr;
+  QLabel* state_ = nullptr;
 };
 
 }  // namespace app

@@ -75,6 +75,7 @@ WindowKeys::WindowKeys(QWidget& window) : QObject(&window), window_(window) {
 }
 
 void WindowKeys::add(Binding binding) {
+  binding.shipped = binding.key;
   bindings_.push_back(std::move(binding));
 }
 

@@ -33,6 +33,8 @@ class WindowKeys final : public QObject {
     bool inTextFields = false;
     /// Whether it runs repeatedly while the key is held down.
     bool repeats = false;
+    /// The key with which it was added.
+    QKeySequence shipped = {};
   };
 
   /// Becomes a child of the window and starts filtering events.
@@ -41,6 +43,8 @@ class WindowKeys final : public QObject {
   /// If several bindings have the same key, the first one that applies is used.
   void add(Binding binding);
   const std::vector<Binding>& bindings() const { return bindings_; }
+  /// Gives a binding another key; an empty one removes it.
+  void setKey(std::size_t binding, const QKeySequence& key) { bindings_[binding].key = key; }
   /// Moves the focus to the largest view, unless a view has it. Return in a field for a number does the same,
   /// within the field's view if it is in one: the keys that follow are meant for the content.
   void focusContent();

@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
+#include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -245,7 +246,7 @@ class KeysGuiTest : public WindowTest {
     KeysDesk desk(home_);
     desk.openLog();
     for (const widgets::ViewType& type : widgets::ViewRegistry::all()) desk.open(type.id);
-    const auto all = app::shortcutsOf(desk.window, desk.keys());
+    const auto all = desk.window.shortcuts().all();
     QVERIFY2(all.size() > 60, qPrintable(QString::number(all.size())));
     QStringList clashes;
     for (const app::Shortcut& a : all) {
@@ -272,7 +273,7 @@ class KeysGuiTest : public WindowTest {
 
   void theListOfKeysFitsTheScreenAndIsSearched() {
     KeysDesk desk(home_);
-    app::ShortcutsDialog dialog(desk.keys(), &desk.window);
+    app::ShortcutsDialog dialog(desk.window.shortcuts(), &desk.window);
     dialog.show();
     const QSize screen = desk.window.screen()->availableSize();
     QVERIFY(dialog.height() <= screen.height() && dialog.width() <= screen.width());
@@ -289,6 +290,63 @@ class KeysGuiTest : public WindowTest {
       shown += list.topLevelItem(0)->child(i)->isHidden() ? 0 : 1;
     QCOMPARE(shown, 1);
     QVERIFY(list.topLevelItem(1)->isHidden());
+  }
+
+  void aShortcutIsChangedRememberedAndReset() {
+    const auto keyOf = [](Desk& desk) { return desk.find<QAction>("help.commands").shortcut(); };
+    const QKeySequence shipped(QStringLiteral("Ctrl+P")), chosen(QStringLiteral("Ctrl+Alt+K"));
+    {
+      KeysDesk desk(home_);
+      app::ShortcutsDialog dialog(desk.window.shortcuts(), &desk.window);
+      dialog.show();
+      auto& list = child<QTreeWidget>(dialog, "shortcutsList");
+      list.setCurrentItem(
+          list.findItems(shipped.toString(), Qt::MatchExactly | Qt::MatchRecursive, 1).first());
+      child<QKeySequenceEdit>(dialog, "shortcutsKey").setKeySequence(QKeySequence(QStringLiteral("Ctrl+Z")));
+      click(child<QPushButton>(dialog, "shortcutsAssign"));
+      QVERIFY(child<QLabel>(dialog, "shortcutsState").text().contains(QStringLiteral("\"Undo\"")));
+      QCOMPARE(keyOf(desk), shipped);
+      child<QKeySequenceEdit>(dialog, "shortcutsKey").setKeySequence(chosen);
+      click(child<QPushButton>(dialog, "shortcutsAssign"));
+      QCOMPARE(keyOf(desk), chosen);
+      QCOMPARE(list.currentItem()->text(1), chosen.toString());
+      widgets::test::keepPicture(dialog, "shortcuts-edited");
+    }
+    {
+      KeysDesk desk(home_);
+      QCOMPARE(keyOf(desk), chosen);
+      app::ShortcutsDialog dialog(desk.window.shortcuts(), &desk.window);
+      dialog.show();
+      click(child<QPushButton>(dialog, "shortcutsResetAll"));
+      QCOMPARE(keyOf(desk), shipped);
+    }
+    KeysDesk desk(home_);
+    QCOMPARE(keyOf(desk), shipped);
+  }
+
+  void keysOfTheWindowAndOfViewsThatOpenLaterAreChangedToo() {
+    const auto find = [](Desk& desk, const QString& key, const QString& view) {
+      const auto all = desk.window.shortcuts().all();
+      const auto found = std::ranges::find_if(all, [&](const app::Shortcut& each) {
+        return each.shipped == QKeySequence(key) && each.view == view;
+      });
+      if (found == all.end()) qFatal("there is no such shortcut");
+      return *found;
+    };
+    const QString solutions = QStringLiteral("Solutions"), parameters = QStringLiteral("Ctrl+Shift+I");
+    const QKeySequence another(QStringLiteral("Ctrl+Alt+F9"));
+    KeysDesk desk(home_);
+    desk.open("solutions");
+    QVERIFY(desk.window.shortcuts().assign(find(desk, parameters, solutions), another));
+    desk.window.docks().closeAll();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    desk.open("solutions");
+    QCOMPARE(find(desk, parameters, solutions).key, another);
+    QVERIFY(desk.find<QAction>("solutionsParametersAction").toolTip().contains(another.toString()));
+    QVERIFY(desk.window.shortcuts().assign(find(desk, QStringLiteral("Ctrl+S"), QString()), {}));
+    QCOMPARE(find(desk, QStringLiteral("Ctrl+S"), QString()).key, QKeySequence());
+    QVERIFY(desk.window.shortcuts().resetAll());
+    QCOMPARE(find(desk, QStringLiteral("Ctrl+S"), QString()).key, QKeySequence(QStringLiteral("Ctrl+S")));
   }
 
   void undoTakesBackWhatWasEditedLast() {
