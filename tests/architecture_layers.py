@@ -63,7 +63,7 @@ ROOMS = {
         "color/samples", "color/space"],
     "app/core": ["program", "own", "spread", "platform", "recordings", "deploy", "pioneer", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
-    "app/robotcontrol": ["actions", "commands", "remote", "docks", "bars", "."],
+    "app/robotcontrol": ["actions", "commands", "presets", "remote", "docks", "bars", "."],
 }
 
 # Libraries whose headers only some targets may show or use.

@@ -19,6 +19,7 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
+#include "app/robotcontrol/actions/Shortcuts.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
@@ -40,6 +41,7 @@
 #include "widgets/console/CommandLog.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/motion/ManualSteering.h"
+#include "widgets/solutions/ParameterSweep.h"
 
 namespace app {
 namespace {
@@ -87,6 +89,8 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   createColors(userFolder);
   createKeys();
   attachCommands();
+  shortcuts_ = new Shortcuts(*keys_, userFolder / "shortcuts.json", *this);
+  if (shortcuts_->problem()) showErrors({*shortcuts_->problem()});
 }
 
 MainWindow::~MainWindow() {
@@ -240,6 +244,7 @@ void MainWindow::tick() {
   remoteLine_->refresh();
   tickDocks();
   widgets::manualSteering(context_).tick();
+  sweep_->tick(clock_.now());
   platforms_->tick();
   remote_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;

@@ -10,6 +10,7 @@
 
 #include "app/robotcontrol/Appearance.h"
 #include "app/robotcontrol/docks/Perspectives.h"
+#include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/View.h"
@@ -21,7 +22,9 @@ class CDockWidget;
 }
 namespace widgets {
 class EmptyHint;
-}
+class ParameterEdits;
+class ParameterSweep;
+}  // namespace widgets
 
 namespace app {
 
@@ -39,6 +42,7 @@ class RecordedBar;
 class RecordingToolBar;
 class RemoteLine;
 class RemoteMenus;
+class Shortcuts;
 class SimulationToolBar;
 class StatusLine;
 class UndoOrder;
@@ -72,6 +76,8 @@ class MainWindow : public QMainWindow {
   void forgetErrors(const std::string& id);
   /// The docks, for tests and pictures.
   ViewDocks& docks() { return *docks_; }
+  /// All keys, and those that the user has chosen.
+  Shortcuts& shortcuts() { return *shortcuts_; }
   /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples.
   void keep();
 
@@ -119,6 +125,8 @@ class MainWindow : public QMainWindow {
   void attachPerspectiveCommands();
   void attachPlotCommands();
   void createPalette();
+  void createPresets(widgets::ParameterEdits& parameters);
+  void createSweep(widgets::ParameterEdits& parameters);
   /// Brings a view to the front and opens it if needed. Fails if there is none of this name.
   robotlink::Result<ads::CDockWidget*> openView(const std::string& id);
   /// Writes a PNG file of a view, or of the "window".
@@ -203,8 +211,10 @@ class MainWindow : public QMainWindow {
   CommandActions* actions_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
   WindowKeys* keys_ = nullptr;
+  Shortcuts* shortcuts_ = nullptr;
   UndoOrder* undoOrder_ = nullptr;
   CommandPalette* palette_ = nullptr;
+  widgets::ParameterSweep* sweep_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
   /// Entries of the window menu that are enabled by tickDocks().
@@ -231,6 +241,7 @@ class MainWindow : public QMainWindow {
   std::string errorId_;
   QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;
+  const robotlink::SteadyClock clock_;
   /// Fires at about 30 Hz.
   QTimer tick_;
   /// Time since the last save.

@@ -2,6 +2,7 @@
 // MainWindow: commands about the window, its views and perspectives, and the palette.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
+#include <QJsonDocument>
 #include <QMenu>
 #include <QPointer>
 #include <algorithm>
@@ -14,6 +15,10 @@
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/presets/PresetActions.h"
+#include "app/robotcontrol/presets/PresetMenu.h"
+#include "app/robotcontrol/presets/SweepDialog.h"
+#include "robotlink/base/Resources.h"
 #include "widgets/WrittenPicture.h"
 #include "widgets/console/CommandLog.h"
 #include "widgets/motion/ManualSteering.h"
@@ -21,6 +26,7 @@
 #include "widgets/plots/PlotsView.h"
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
+#include "widgets/solutions/ParameterSweep.h"
 
 namespace app {
 namespace {
@@ -46,9 +52,9 @@ tl::unexpected<robotlink::Error> unknownView(const std::string& id) {
   return failure("view.unknown", "there is no view '" + id + "'", {}, {id});
 }
 
-std::vector<std::string> viewNames(std::size_t argument) {
+std::vector<std::string> viewNames(const std::vector<std::string>& before) {
   std::vector<std::string> names;
-  if (argument != 0) return names;
+  if (!before.empty()) return names;
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) names.emplace_back(type.id);
   return names;
 }
@@ -58,11 +64,48 @@ std::vector<std::string> viewNames(std::size_t argument) {
 void MainWindow::attachCommands() {
   auto& commands = workbench_.commands();
   widgets::attachMotionCommands(context_);
-  widgets::attachParameterCommands(commands, *new widgets::ParameterEdits(context_.session, this));
+  auto* parameters = new widgets::ParameterEdits(context_.session, this);
+  widgets::attachParameterCommands(commands, *parameters);
+  createPresets(*parameters);
+  createSweep(*parameters);
   if (commands.isAttached("view.show")) return;
   attachViewCommands();
   attachPerspectiveCommands();
   attachPlotCommands();
+}
+
+void MainWindow::createPresets(widgets::ParameterEdits& parameters) {
+  const auto now = [this]() -> robotlink::Preset::Values {
+    return {{"perspective", perspectives_.current().toStdString()},
+            {"layout", QJsonDocument(docks_->save()).toJson(QJsonDocument::Compact).toStdString()}};
+  };
+  const auto show = [this](const robotlink::Preset::Values& views) -> Result<void> {
+    const auto valueOf = [&](const char* name) {
+      const auto found = views.find(name);
+      return found == views.end() ? QString() : QString::fromStdString(found->second);
+    };
+    const QString perspective = valueOf("perspective");
+    if (perspectives_.names().contains(perspective)) showPerspective(perspective);
+    const QJsonObject layout = QJsonDocument::fromJson(valueOf("layout").toUtf8()).object();
+    if (!layout.isEmpty()) whenDocksRest([this, layout] { docks_->restore(layout); });
+    return {};
+  };
+  auto* presets = new PresetActions(workbench_.commands(), context_.session, parameters,
+                                    robotlink::userDirectory() / "presets", {now, show}, this);
+  findChild<QMenu*>(QStringLiteral("robotMenu"))->addMenu(new PresetMenu(*actions_, *presets, this));
+}
+
+void MainWindow::createSweep(widgets::ParameterEdits& parameters) {
+  sweep_ = new widgets::ParameterSweep(workbench_.commands(), context_.session, parameters, this);
+  widgets::attachSweepCommands(workbench_.commands(), *sweep_);
+  workbench_.addJob([sweep = QPointer(sweep_)] { return sweep ? sweep->working() : Result<bool>(false); });
+  QAction* action = findChild<QMenu*>(QStringLiteral("robotMenu"))->addAction(tr("S&weep a parameter…"));
+  action->setObjectName(QStringLiteral("parameters.sweep"));
+  connect(action, &QAction::triggered, this, [this, &parameters] {
+    auto* dialog = new SweepDialog(*sweep_, parameters, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  });
 }
 
 void MainWindow::attach(const char* name, WindowCommand run, robotlink::CommandTable::Offer offer) {
@@ -109,7 +152,7 @@ void MainWindow::attachViewCommands() {
 }
 
 void MainWindow::attachPerspectiveCommands() {
-  const auto names = [window = QPointer(this)](std::size_t) {
+  const auto names = [window = QPointer(this)](const auto&) {
     return window ? toStrings(window->perspectives_.names()) : std::vector<std::string>();
   };
   const auto attachForPerspective = [&](const char* name,
@@ -154,7 +197,7 @@ void MainWindow::attachPerspectiveCommands() {
 
 void MainWindow::attachPlotCommands() {
   const auto offers = [this](QStringList (widgets::PlotsView::*texts)() const) {
-    return [texts, window = QPointer(this)](std::size_t) {
+    return [texts, window = QPointer(this)](const auto&) {
       const auto* plots = window ? window->findView<widgets::PlotsView>("plots") : nullptr;
       return plots == nullptr ? std::vector<std::string>() : toStrings((plots->*texts)());
     };

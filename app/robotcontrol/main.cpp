@@ -22,6 +22,7 @@
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/StartScript.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/commands/CommandLine.h"
 #include "robotlink/commands/CommandSocket.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 
@@ -41,6 +42,7 @@ struct Arguments {
   app::FieldOptions platform;
   bool paused = false;
   std::string perspective;
+  std::string preset;
   std::string screenshot;
   double after = 5;
   std::vector<std::string> commands;
@@ -82,6 +84,9 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--perspective", arguments.perspective,
                  "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; "
                  "by default Drive for a map or a real robot, Log for logs");
+  app.add_option("--preset", arguments.preset,
+                 "The preset to load: debug keys, solutions, parameters and views that were saved under this "
+                 "name, or the path of its file");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
@@ -217,9 +222,12 @@ int run(const Arguments& arguments) {
   window.show();
   if (!load(workbench, arguments)) return kUsage;
   listenForCommands(socket, clock, window);
+  std::vector<std::string> commands = arguments.commands;
+  if (!arguments.preset.empty())
+    commands.insert(commands.begin(), "preset.load " + robotlink::quotedWord(arguments.preset));
   auto* script = new app::StartScript(workbench,
                                       {.startsSimulation = !arguments.paused && simulates(arguments),
-                                       .commands = arguments.commands,
+                                       .commands = commands,
                                        .script = arguments.script,
                                        .junit = arguments.junit},
                                       &window);

@@ -3,6 +3,7 @@
 
 #include <QPointer>
 #include <functional>
+#include <string_view>
 
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/solutions/ParameterEdits.h"
@@ -21,8 +22,10 @@ void attachParameterCommands(CommandTable& commands, ParameterEdits& edits) {
       if (guard) return run(*guard, values);
       return robotlink::failure("robot.closed", "the window that edited the parameters is closed");
     };
-    const auto offer = [guard = QPointer(&edits)](std::size_t argument) {
-      return argument == 0 && guard ? guard->solutions() : std::vector<std::string>();
+    const bool hasPath = std::string_view(name).starts_with("robot.");
+    const auto offer = [guard = QPointer(&edits), hasPath](const std::vector<std::string>& before) {
+      if (!guard || before.size() > (hasPath ? 1 : 0)) return std::vector<std::string>();
+      return before.empty() ? guard->solutions() : guard->paths(before.front());
     };
     commands.attach(name, act, offer);
   };
@@ -34,6 +37,11 @@ void attachParameterCommands(CommandTable& commands, ParameterEdits& edits) {
   });
   attach("robot.reset-parameter", [text](ParameterEdits& to, const Values& values) {
     return to.reset(text(values, 0), text(values, 1));
+  });
+  attach("parameters.reset",
+         [text](ParameterEdits& to, const Values& values) { return to.resetAll(text(values, 0)); });
+  attach("parameters.save", [text](ParameterEdits& to, const Values& values) {
+    return to.save(text(values, 0), text(values, 1));
   });
 }
 

@@ -9,8 +9,8 @@ namespace widgets {
 
 class ParameterEdits;
 
-/// Attaches the commands that set parameters of solutions ("robot.parameter", "robot.reset-parameter"). They
-/// fail when `edits` is gone. Does nothing if they are attached already.
+/// Attaches the commands that set, reset and save parameters of solutions ("robot.parameter", ...,
+/// "parameters.save"). They fail when `edits` is gone. Does nothing if they are attached already.
 void attachParameterCommands(robotlink::CommandTable& commands, ParameterEdits& edits);
 
 }  // namespace widgets

@@ -7,6 +7,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "widgets/Requests.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/solutions/ParameterFile.h"
 #include "widgets/solutions/ParameterModel.h"
 #include "widgets/solutions/SolutionModel.h"
 
@@ -34,6 +35,27 @@ QModelIndex indexOf(const ParameterModel& model, const QString& path, const QMod
     if (const QModelIndex below = indexOf(model, path, index); below.isValid()) return below;
   }
   return {};
+}
+
+/// The value of a row as set() takes it.
+std::string valueText(const QModelIndex& index) {
+  const QModelIndex value = index.siblingAtColumn(ParameterModel::kValue);
+  const QVariant checked = value.data(Qt::CheckStateRole);
+  if (!checked.isValid()) return value.data(Qt::EditRole).toString().toStdString();
+  return checked.toInt() == Qt::Checked ? "on" : "off";
+}
+
+/// Adds the values that differ from their defaults.
+void addChanges(const ParameterValues& values, ParameterEdits::Changes& changes) {
+  ParameterModel model;
+  if (!model.setParameters(values)) return;
+  QStringList paths;
+  collectPaths(model, {}, paths);
+  for (const QString& path : paths) {
+    const QModelIndex index = indexOf(model, path);
+    if (index.data(ParameterModel::kChangedRole).toBool())
+      changes[values.task() + "/" + values.solution() + " " + path.toStdString()] = valueText(index);
+  }
 }
 
 bool setValue(ParameterModel& model, const QModelIndex& index, const QString& value) {
@@ -80,11 +102,33 @@ Result<std::string> changed(const ParameterValues& values, const std::string& pa
 
 Result<void> ParameterEdits::set(const std::string& solution, const std::string& path,
                                  const std::string& value) {
-  return begin(solution, {{}, path, value});
+  return begin(solution, {Edit::What::kSet, {}, path, value});
 }
 
 Result<void> ParameterEdits::reset(const std::string& solution, const std::string& path) {
-  return begin(solution, {{}, path, std::nullopt});
+  return begin(solution, {Edit::What::kReset, {}, path});
+}
+
+Result<void> ParameterEdits::resetAll(const std::string& solution) {
+  return beginAll(solution, {Edit::What::kReset});
+}
+
+Result<void> ParameterEdits::save(const std::string& solution, const std::string& file) {
+  if (solution.empty() && !file.empty())
+    return failure("parameters.file", "one file takes the parameters of one solution; name that, too");
+  return beginAll(solution, {Edit::What::kSave, {}, file});
+}
+
+Result<void> ParameterEdits::beginAll(const std::string& solution, const Edit& edit) {
+  if (!solution.empty()) return begin(solution, edit);
+  const auto all = solutions();
+  if (all.empty())
+    return failure("parameters.none", "there is no robot that has reported solutions with parameters");
+  for (const std::string& each : all) {
+    if (each.find('/') == std::string::npos) continue;  // the active one, which is there by its name, too
+    if (auto begun = begin(each, edit); !begun) return begun;
+  }
+  return {};
 }
 
 std::vector<TaskEntry> ParameterEdits::tasks() const {
@@ -101,6 +145,72 @@ std::vector<std::string> ParameterEdits::solutions() const {
     }
   }
   return names;
+}
+
+void ParameterEdits::requestChanges(std::function<void(Result<Changes>)> done) {
+  struct Answers {
+    std::size_t missing = 0;
+    Result<Changes> changes;
+  };
+  const auto answers = std::make_shared<Answers>();
+  std::vector<Id> ids;
+  for (const std::string& each : solutions()) {
+    if (const auto id = find(each); id && each.find('/') != std::string::npos) ids.push_back(*id);
+  }
+  if (ids.empty()) return done(Changes());
+  answers->missing = ids.size();
+  for (const Id& id : ids) {
+    get(id, [id, answers, done](const ParameterValues* known, const robotcontrol::RequestResult& result) {
+      if (known == nullptr) {
+        answers->changes =
+            failure("robot.parameter", "parameters of " + std::get<1>(id) + ": " + result.reason());
+      } else if (answers->changes) {
+        addChanges(*known, *answers->changes);
+      }
+      if (--answers->missing == 0) done(std::move(answers->changes));
+    });
+  }
+}
+
+void ParameterEdits::requestValue(const std::string& solution, const std::string& path,
+                                  std::function<void(Result<std::string>)> done) {
+  const auto id = find(solution);
+  if (!id) return done(tl::unexpected(id.error()));
+  get(*id, [path, done = std::move(done)](const ParameterValues* known,
+                                          const robotcontrol::RequestResult& result) {
+    ParameterModel model;
+    if (known == nullptr || !model.setParameters(*known))
+      return done(failure("robot.parameter", "the robot did not report its parameters: " + result.reason()));
+    const QModelIndex index = indexOf(model, QString::fromStdString(path));
+    if (!index.isValid() || model.rowCount(index) > 0)
+      return done(failure("robot.parameter-unknown", "there is no parameter " + path, {}, {path}));
+    done(valueText(index));
+  });
+}
+
+void ParameterEdits::get(
+    const Id& id, std::function<void(const ParameterValues*, const robotcontrol::RequestResult&)> done) {
+  robotcontrol::Request request;
+  const auto& [robot, task, name] = id;
+  request.set_robot(robot);
+  request.mutable_get_parameters()->set_task(task);
+  request.mutable_get_parameters()->set_solution(name);
+  session_.request(std::move(request), [guard = QPointer(this), id,
+                                        done = std::move(done)](const robotcontrol::RequestResult& result) {
+    if (guard) done(result.accepted() ? guard->values(id) : nullptr, result);
+  });
+}
+
+std::vector<std::string> ParameterEdits::paths(const std::string& solution) const {
+  std::vector<std::string> result;
+  const auto id = find(solution);
+  const auto* known = id ? values(*id) : nullptr;
+  ParameterModel model;
+  if (known == nullptr || !model.setParameters(*known)) return result;
+  QStringList paths;
+  collectPaths(model, {}, paths);
+  for (const QString& path : paths) result.push_back(path.toStdString());
+  return result;
 }
 
 Result<ParameterEdits::Id> ParameterEdits::find(const std::string& solution) const {
@@ -139,43 +249,66 @@ Result<void> ParameterEdits::begin(const std::string& solution, Edit edit) {
   if (!id) return tl::unexpected(id.error());
   edit.id = *id;
   // What the robot said before shows wrong names and values at once.
-  if (const auto* known = values(*id); known != nullptr) {
-    if (auto result = changed(*known, edit.path, edit.value); !result) return tl::unexpected(result.error());
+  if (const auto* known = values(*id); known != nullptr && edit.what != Edit::What::kSave) {
+    const bool isReset = edit.what == Edit::What::kReset;
+    if (auto result = changed(*known, edit.path, isReset ? std::nullopt : std::optional(edit.value)); !result)
+      return tl::unexpected(result.error());
   }
-  robotcontrol::Request request;
-  const auto& [robot, task, name] = *id;
-  request.set_robot(robot);
-  request.mutable_get_parameters()->set_task(task);
-  request.mutable_get_parameters()->set_solution(name);
-  session_.request(std::move(request), [guard = QPointer(this),
-                                        edit = std::move(edit)](const robotcontrol::RequestResult& result) {
-    if (!guard) return;
+  get(*id, [this, edit = std::move(edit)](const ParameterValues*, const robotcontrol::RequestResult& result) {
     const auto done =
-        result.accepted() ? guard->finish(edit, result.id()) : failure("robot.parameter", result.reason());
-    if (!done)
-      guard->session_.reportRefusal("parameter " + edit.path + " of " + std::get<1>(edit.id),
-                                    done.error().describe());
+        result.accepted() ? finish(edit, result.id()) : failure("robot.parameter", result.reason());
+    if (done) return;
+    const std::string what = edit.path.empty() ? "parameters" : "parameter " + edit.path;
+    session_.reportRefusal(what + " of " + std::get<1>(edit.id), done.error().describe());
   });
   return {};
 }
 
-Result<void> ParameterEdits::finish(const Edit& edit, std::uint64_t asked) {
-  const auto* known = values(edit.id);
+Result<ParameterValues> ParameterEdits::current(const Id& id, std::uint64_t asked) const {
+  const auto* known = values(id);
   if (known == nullptr) return failure("robot.parameter", "the robot did not report its parameters");
-  ParameterValues base = *known;
-  const auto sent = sent_.find(edit.id);
-  if (sent != sent_.end() && sent->second.request > asked) base.mutable_value()->set_data(sent->second.value);
-  auto value = changed(base, edit.path, edit.value);
+  ParameterValues result = *known;
+  const auto sent = sent_.find(id);
+  if (sent != sent_.end() && sent->second.request > asked)
+    result.mutable_value()->set_data(sent->second.value);
+  return result;
+}
+
+Result<void> ParameterEdits::finish(const Edit& edit, std::uint64_t asked) {
+  const auto base = current(edit.id, asked);
+  if (!base) return tl::unexpected(base.error());
+  if (edit.what == Edit::What::kSave) return finishSave(edit, *base);
+  const bool isReset = edit.what == Edit::What::kReset;
+  auto value = changed(*base, edit.path, isReset ? std::nullopt : std::optional(edit.value));
   if (!value) return tl::unexpected(value.error());
+  if (isReset && *value == base->value().data()) return {};
   robotcontrol::Request request;
   const auto& [robot, task, solution] = edit.id;
   request.set_robot(robot);
   auto& set = *request.mutable_set_parameters();
   set.set_task(task);
   set.set_solution(solution);
-  set.mutable_value()->set_type(base.value().type());
+  set.mutable_value()->set_type(base->value().type());
   set.mutable_value()->set_data(*value);
   sent_[edit.id] = {session_.request(std::move(request)), std::move(*value)};
+  return {};
+}
+
+Result<void> ParameterEdits::finishSave(const Edit& edit, const ParameterValues& values) {
+  ParameterModel model;
+  if (!model.setParameters(values))
+    return failure("robot.parameter-type",
+                   "parameters of the type " + values.value().type() + " cannot be read here", {},
+                   {values.value().type()});
+  if (!edit.path.empty()) return saveParameters(model, edit.path);
+  if (!model.isChanged()) return {};
+  const std::string& robot = std::get<0>(edit.id);
+  const auto file = parameterFileHere(session_, robot, values);
+  if (!file) return tl::unexpected(file.error());
+  if (auto saved = saveParameters(model, *file); !saved) return saved;
+  robotcontrol::Request request = savedParameters(model, values);
+  request.set_robot(robot);
+  sent_[edit.id] = {session_.request(std::move(request)), model.value().toStdString()};
   return {};
 }
 

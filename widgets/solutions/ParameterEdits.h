@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace robotcontrol {
 class ParameterValues;
-}
+class RequestResult;
+}  // namespace robotcontrol
 namespace robotlink {
 class Session;
 }
@@ -22,7 +24,7 @@ namespace widgets {
 
 struct TaskEntry;
 
-/// Sets and resets single parameters of the selected robot's solutions, for commands; the panel of parameters
+/// Sets, resets and saves parameters of the selected robot's solutions, for commands; the panel of parameters
 /// edits whole messages. Requests the current values, changes one field as ParameterModel does, and sends the
 /// message back. Several edits of a solution may be on their way: each changes what the one before has sent.
 ///
@@ -39,17 +41,34 @@ class ParameterEdits final : public QObject {
   /// types it; bools are on or off.
   robotlink::Result<void> set(const std::string& solution, const std::string& path, const std::string& value);
   robotlink::Result<void> reset(const std::string& solution, const std::string& path);
+  /// Saves what was changed of a solution to the file that the program reads at its start, or to `file`. An
+  /// empty `solution` means all, which only their own files can take.
+  robotlink::Result<void> save(const std::string& solution, const std::string& file);
+  /// Resets all parameters of a solution, or of all if `solution` is empty.
+  robotlink::Result<void> resetAll(const std::string& solution);
+  /// Requests the values of all solutions, and calls `done` in a tick of the session with those that differ
+  /// from their defaults: "walking/gait step.height" -> "0.03". Fails if the robot does not report them.
+  using Changes = std::map<std::string, std::string>;
+  void requestChanges(std::function<void(robotlink::Result<Changes>)> done);
+  /// Requests a value, and calls `done` in a tick of the session with it as set() takes it. Fails if the
+  /// robot has no such parameter.
+  void requestValue(const std::string& solution, const std::string& path,
+                    std::function<void(robotlink::Result<std::string>)> done);
   /// What may be given as a solution: tasks, and their solutions that have parameters.
   std::vector<std::string> solutions() const;
+  /// The paths of the parameters of a solution, as far as the robot has reported them.
+  std::vector<std::string> paths(const std::string& solution) const;
 
  private:
   /// Robot, task, solution.
   using Id = std::tuple<std::string, std::string, std::string>;
   struct Edit {
-    Id id;
-    std::string path;
-    /// Unset: the default.
-    std::optional<std::string> value;
+    enum class What { kSet, kReset, kSave };
+    What what = What::kSet;
+    Id id = {};
+    /// A parameter; when saving, the file, or empty for the program's own.
+    std::string path = {};
+    std::string value = {};
   };
   /// The last message that was sent for a solution.
   struct Sent {
@@ -58,13 +77,21 @@ class ParameterEdits final : public QObject {
   };
 
   robotlink::Result<void> begin(const std::string& solution, Edit edit);
+  /// Requests the parameters of a solution; `done` gets them, which are null if the robot did not report any.
+  void get(
+      const Id& id,
+      std::function<void(const robotcontrol::ParameterValues*, const robotcontrol::RequestResult&)> done);
   /// What the selected robot reported last of its tasks.
   std::vector<TaskEntry> tasks() const;
   robotlink::Result<Id> find(const std::string& solution) const;
   /// What the robot said last; null: nothing.
   const robotcontrol::ParameterValues* values(const Id& id) const;
-  /// Sends the changed message; `asked` is the request for the values.
+  robotlink::Result<void> beginAll(const std::string& solution, const Edit& edit);
+  /// What the robot has, or will have when it has done what was sent; `asked` is the request for the values.
+  robotlink::Result<robotcontrol::ParameterValues> current(const Id& id, std::uint64_t asked) const;
+  /// Sends the changed message, or writes it to a file.
   robotlink::Result<void> finish(const Edit& edit, std::uint64_t asked);
+  robotlink::Result<void> finishSave(const Edit& edit, const robotcontrol::ParameterValues& values);
 
   robotlink::Session& session_;
   std::map<Id, Sent> sent_;

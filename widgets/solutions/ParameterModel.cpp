@@ -4,12 +4,15 @@
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/dynamic_message.h>
 
+#include <QBrush>
 #include <QFont>
 #include <QGuiApplication>
 #include <algorithm>
 #include <functional>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/ParameterRules.h"
+#include "robotlink/debugging/ParameterText.h"
 #include "widgets/Theme.h"
 #include "widgets/solutions/MessageFields.h"
 
@@ -31,6 +34,8 @@ struct ParameterModel::Values {
   google::protobuf::DynamicMessageFactory factory;
   std::unique_ptr<Message> now;
   std::unique_ptr<Message> standard;
+  std::unique_ptr<Message> builtIn;  // null: unknown
+  std::vector<robotcontrol::ParameterLimits> limits;
 
   const Message* prototype(const robotcontrol::ParameterValues& from) {
     const std::string& type = from.value().type();
@@ -78,6 +83,10 @@ bool haveEqualRows(const Message& one, const Message& other) {
   return oneSizes == otherSizes;
 }
 
+bool isNumber(const QVariant& value) {
+  return value.isValid() && value.type() != QVariant::Bool && value.type() != QVariant::String;
+}
+
 QString shown(const QVariant& value) {
   if (value.type() == QVariant::Double) return QString::number(value.toDouble(), 'g', 9);
   return value.toString();
@@ -111,6 +120,9 @@ bool ParameterModel::setParameters(const robotcontrol::ParameterValues& from) {
     return false;
   }
   if (!reported) values->standard->CopyFrom(*values->now);
+  values->builtIn.reset(from.has_built_in() ? prototype->New() : nullptr);
+  if (values->builtIn && !values->builtIn->ParseFromString(from.built_in().data())) values->builtIn.reset();
+  values->limits.assign(from.limits().begin(), from.limits().end());
   beginResetModel();
   root_ = std::make_unique<Node>();  // destroyed before the descriptors to which its paths point
   values_ = std::move(values);
@@ -124,6 +136,15 @@ QByteArray ParameterModel::value() const {
 }
 QByteArray ParameterModel::defaults() const {
   return values_ ? bytesOf(*values_->standard) : QByteArray();
+}
+bool ParameterModel::isChanged() const {
+  return values_ != nullptr && differs(*root_);
+}
+tl::expected<std::string, robotlink::Errors> ParameterModel::inFile(const std::optional<std::string>& text,
+                                                                    const std::string& file) const {
+  if (values_ == nullptr) return std::string();
+  if (!text) return robotlink::parameterText(*values_->now);
+  return robotlink::editedParameterText(*text, file, *values_->standard, *values_->now);
 }
 std::string ParameterModel::typeName() const {
   return values_ ? values_->now->GetTypeName() : std::string();
@@ -145,7 +166,7 @@ void ParameterModel::setValue(const QByteArray& value) {
   const std::function<void(const QModelIndex&)> notify = [&](const QModelIndex& parent) {
     const int rows = rowCount(parent);
     if (rows == 0) return;
-    Q_EMIT dataChanged(index(0, 0, parent), index(rows - 1, kDefault, parent));
+    Q_EMIT dataChanged(index(0, 0, parent), index(rows - 1, kColumns - 1, parent));
     for (int row = 0; row < rows; ++row) notify(index(row, 0, parent));
   };
   notify({});
@@ -189,6 +210,23 @@ bool ParameterModel::differs(const Node& node) const {
     return valueAt(*values_->now, node.path) != valueAt(*values_->standard, node.path);
   return std::any_of(node.children.begin(), node.children.end(),
                      [this](const auto& child) { return differs(*child); });
+}
+
+const robotcontrol::ParameterLimits* ParameterModel::limitsOf(const Node& node) const {
+  const auto found = std::ranges::find(values_->limits, pathText(node.path).toStdString(),
+                                       &robotcontrol::ParameterLimits::path);
+  return found == values_->limits.end() ? nullptr : &*found;
+}
+
+QString ParameterModel::toolTipOf(const Node& node) const {
+  QString text = QStringLiteral("%1: %2").arg(pathText(node.path), widgets::typeName(node.path));
+  if (const auto* limits = limitsOf(node)) {
+    const robotlink::ParameterRange range{limits->minimum(), limits->maximum(), limits->above()};
+    text += QStringLiteral(", ") + QString::fromStdString(range.describe());
+  }
+  if (node.children.empty() && differs(node))
+    text += QLatin1Char('\n') + tr("changed from %1").arg(shown(valueAt(*values_->standard, node.path)));
+  return text;
 }
 
 void ParameterModel::resetInto(const Node& node, Values& values) const {
@@ -235,6 +273,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (index.column() == kDefault) return shown(valueAt(*values_->standard, node.path));
+      if (index.column() == kBuiltIn)
+        return values_->builtIn ? shown(valueAt(*values_->builtIn, node.path)) : QVariant();
       if (index.column() == kValue) return value.type() == QVariant::Bool ? QVariant() : shown(value);
       return pathText({node.path.back()});
     case Qt::EditRole:
@@ -249,14 +289,27 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
     case kPathRole:
       return pathText(node.path);
     case Qt::ToolTipRole:
-      return QStringLiteral("%1: %2").arg(pathText(node.path), widgets::typeName(node.path));
+      return toolTipOf(node);
+    case kNumberRole:
+      return isNumber(value) ? value : QVariant();
+    case kMinimumRole:
+    case kMaximumRole: {
+      const auto* limits = limitsOf(node);
+      if (limits == nullptr) return {};
+      return role == kMinimumRole ? limits->minimum() : limits->maximum();
+    }
+    case Qt::BackgroundRole: {
+      if (index.column() != kValue || !node.children.empty() || !differs(node)) return {};
+      const QPalette palette = QGuiApplication::palette();
+      return QBrush(mixed(palette.color(QPalette::Base), colorOf(Meaning::kNote, palette), 0.25));
+    }
     case Qt::FontRole: {
       QFont font;
-      font.setBold(index.column() != kDefault && differs(node));
+      font.setBold(index.column() <= kValue && differs(node));
       return font;
     }
     case Qt::ForegroundRole:
-      return index.column() == kDefault ? colorOf(Meaning::kMuted, QGuiApplication::palette()) : QVariant();
+      return index.column() > kValue ? colorOf(Meaning::kMuted, QGuiApplication::palette()) : QVariant();
     default:
       return {};
   }
@@ -264,7 +317,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
 
 QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == kField ? tr("Parameter") : section == kValue ? tr("Value") : tr("Default");
+  const QString titles[kColumns] = {tr("Parameter"), tr("Value"), tr("In the file"), tr("Built in")};
+  return titles[section];
 }
 
 Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const {

@@ -3,10 +3,15 @@
 
 #include <QAbstractItemModel>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
+
+#include "robotlink/base/Error.h"
 
 namespace robotcontrol {
 class PackageCopy;
+class ParameterLimits;
 class ParameterValues;
 }  // namespace robotcontrol
 
@@ -19,8 +24,8 @@ namespace widgets {
 class ParameterModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
-  /// Name of the field, its value, its default.
-  enum Column { kField, kValue, kDefault, kColumns };
+  /// Name of the field, its value, its default, which the solution's file has, and what holds without one.
+  enum Column { kField, kValue, kDefault, kBuiltIn, kColumns };
   enum Role {
     /// QStringList: the names of an enumeration; empty for other types.
     kChoicesRole = Qt::UserRole + 1,
@@ -28,6 +33,11 @@ class ParameterModel final : public QAbstractItemModel {
     kChangedRole,
     /// QString: "walk.step_height".
     kPathRole,
+    /// A number as it is; invalid for other values.
+    kNumberRole,
+    /// double: the limits of a number; invalid if it has none. The maximum may be infinite.
+    kMinimumRole,
+    kMaximumRole,
   };
 
   explicit ParameterModel(QObject* parent = nullptr);
@@ -43,6 +53,12 @@ class ParameterModel final : public QAbstractItemModel {
   /// another number of elements than before.
   void setValue(const QByteArray& value);
   QByteArray defaults() const;
+  /// Whether a value differs from its default.
+  bool isChanged() const;
+  /// The text of a parameter file after what differs from the defaults was written into it; without a text,
+  /// that of a new file with all values. `file` is for errors only.
+  tl::expected<std::string, robotlink::Errors> inFile(const std::optional<std::string>& text,
+                                                      const std::string& file) const;
   /// Full name of the message's type; empty without parameters.
   std::string typeName() const;
   /// Emits edited() with the defaults of a row and of all below it; of all rows for an invalid index.
@@ -73,6 +89,9 @@ class ParameterModel final : public QAbstractItemModel {
   void addFields(Node& node);
   /// Whether the node, or one below it, differs from its default.
   bool differs(const Node& node) const;
+  /// Null: any value makes sense.
+  const robotcontrol::ParameterLimits* limitsOf(const Node& node) const;
+  QString toolTipOf(const Node& node) const;
   /// Writes the defaults of a node and of all below it into `values`.
   void resetInto(const Node& node, Values& values) const;
 

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QFileDialog>
 #include <QLabel>
 #include <QToolButton>
 #include <QTreeView>
@@ -16,6 +17,8 @@
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/solutions/ParameterDelegate.h"
+#include "widgets/solutions/ParameterFile.h"
+#include "widgets/solutions/ParameterSlider.h"
 
 namespace widgets {
 namespace {
@@ -59,6 +62,13 @@ void ParameterPanel::createActions() {
   refresh_ = makeAction(
       this, "refresh",
       {"parametersRefresh", tr("Read again"), tr("Requests the robot's values again"), tr("Shift+F5")});
+  save_ = makeAction(this, "save",
+                     {"parametersSave", tr("Save"),
+                      tr("Saves what was changed to the file that the program reads at its start; its "
+                         "comments stay")});
+  saveAs_ = makeAction(this, "export",
+                       {"parametersSaveAs", tr("Save to another file…"),
+                        tr("Saves the parameters to a file that you choose")});
 }
 
 void ParameterPanel::createViews() {
@@ -71,16 +81,18 @@ void ParameterPanel::createViews() {
   tree_->setItemDelegate(new ParameterDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
                          QAbstractItemView::AnyKeyPressed);
-  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(tree_);
   state_ = makeNote(this, "parametersState", tr("State of the parameters"));
   auto* top = new QHBoxLayout;
   top->addWidget(title_, 1);
-  for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_})
+  for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_, save_, saveAs_})
     top->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {}, 4);
   layout->addLayout(top);
   layout->addWidget(tree_, 1);
+  slider_ = new ParameterSlider(this);
+  layout->addWidget(slider_);
   layout->addWidget(state_);
 }
 
@@ -104,6 +116,47 @@ void ParameterPanel::connectSignals() {
   });
   connect(resetAll_, &QAction::triggered, this, [this] { model_.reset({}); });
   connect(refresh_, &QAction::triggered, this, &ParameterPanel::askForValues);
+  connect(save_, &QAction::triggered, this, &ParameterPanel::save);
+  connect(saveAs_, &QAction::triggered, this, &ParameterPanel::saveAs);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, slider_, &ParameterSlider::show);
+  connect(&model_, &QAbstractItemModel::modelReset, slider_,
+          [this] { slider_->show(tree_->currentIndex()); });
+  connect(&model_, &QAbstractItemModel::modelReset, this, &ParameterPanel::showChanges);
+  connect(&model_, &QAbstractItemModel::dataChanged, this, &ParameterPanel::showChanges);
+}
+
+void ParameterPanel::showChanges() {
+  save_->setEnabled(model_.isChanged());
+  saveAs_->setEnabled(model_.rowCount() > 0);
+}
+
+void ParameterPanel::save() {
+  const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(shown_.get());
+  if (values == nullptr) return;
+  const auto file = parameterFileHere(session_, robot_, *values);
+  if (file) return saveTo(*file, true);
+  showOutcome(*state_, QString::fromStdString(file.error().text), true);
+  saveAs();
+}
+
+void ParameterPanel::saveAs() {
+  const QString name = QString::fromStdString(task_ + "." + solution_ + ".textproto");
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Save parameters"), name, tr("Parameters (*.textproto)"));
+  if (!file.isEmpty()) saveTo(file.toStdString(), false);
+}
+
+void ParameterPanel::saveTo(const std::filesystem::path& file, bool own) {
+  if (const auto saved = saveParameters(model_, file); !saved)
+    return showOutcome(*state_, tr("Not saved: %1").arg(QString::fromStdString(saved.error().describe())),
+                       true);
+  const QString done = tr("Saved: %1").arg(QString::fromStdString(file.string()));
+  const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(shown_.get());
+  if (!own || values == nullptr) return showOutcome(*state_, done, false);
+  ask(session_, robot_, savedParameters(model_, *values), this,
+      [this, done, isShown = whetherShown()](bool accepted, const QString& reason) {
+        if (isShown()) showOutcome(*state_, accepted ? done : tr("Refused: %1").arg(reason), !accepted);
+      });
 }
 
 void ParameterPanel::show(const std::string& robot, const std::string& task, const std::string& solution,
@@ -118,6 +171,7 @@ void ParameterPanel::show(const std::string& robot, const std::string& task, con
   undoAction_->setEnabled(false);
   redoAction_->setEnabled(false);
   for (QAction* action : {reset_, resetAll_, refresh_}) action->setEnabled(!solution_.empty());
+  showChanges();
   title_->setText(solution.empty() ? tr("Parameters")
                                    : QStringLiteral("<b>%1</b> / %2")
                                          .arg(QString::fromStdString(task).toHtmlEscaped(),
@@ -157,7 +211,9 @@ void ParameterPanel::tick() {
     if (values == nullptr || values->task() != task_ || values->solution() != solution_) continue;
     const bool first = shown_ == nullptr;
     shown_ = message->value;
-    if (!first && values->value().type() == model_.typeName()) {
+    const bool isSaved =
+        values->has_defaults() && model_.defaults().toStdString() != values->defaults().data();
+    if (!first && values->value().type() == model_.typeName() && !isSaved) {
       // Setting only the values keeps the tree, the undo stack and an open editor.
       model_.setValue(QByteArray::fromStdString(values->value().data()));
     } else if (model_.setParameters(*values)) {

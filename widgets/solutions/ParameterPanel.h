@@ -3,6 +3,7 @@
 
 #include <QUndoStack>
 #include <QWidget>
+#include <filesystem>
 #include <functional>
 
 #include "robotlink/process/Link.h"
@@ -19,11 +20,13 @@ class Session;
 namespace widgets {
 
 class EmptyHint;
+class ParameterSlider;
 
 /// Edits the parameters of one solution of a robot. The panel requests the current values, shows them as a
 /// tree, and sends the whole message back when a value is entered. Every edit and every reset can be undone.
 /// If the robot refuses a value, the reason is shown, the former value is restored and the undo stack is
-/// cleared. GUI thread.
+/// cleared. What was changed can be saved to the solution's file, or to another one if that is elsewhere or
+/// cannot be written. GUI thread.
 class ParameterPanel final : public QWidget {
   Q_OBJECT
  public:
@@ -42,6 +45,13 @@ class ParameterPanel final : public QWidget {
   void createActions();
   void createViews();
   void connectSignals();
+  /// Saves to the solution's file, or asks for another one if there is none here.
+  void save();
+  void saveAs();
+  /// Writes a file; `own`: it is the one that the program reads, which is told so.
+  void saveTo(const std::filesystem::path& file, bool own);
+  /// Enables what can be done, and says what has changed.
+  void showChanges();
   /// Requests the parameters; they arrive as a ParameterValues message.
   void askForValues();
   /// Returns a function that says whether the same solution is still shown as now, for answers that come
@@ -63,6 +73,9 @@ class ParameterPanel final : public QWidget {
   QAction* reset_ = nullptr;
   QAction* resetAll_ = nullptr;
   QAction* refresh_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* saveAs_ = nullptr;
+  ParameterSlider* slider_ = nullptr;
   std::string robot_;
   std::string task_;
   std::string solution_;

@@ -125,7 +125,7 @@ class CommandsGuiTest : public WindowTest {
     auto* view = qobject_cast<widgets::PlotsView*>(
         desk.window.docks().docks(QStringLiteral("plots")).front()->widget());
     QVERIFY(view->curves().contains(QStringLiteral("simulation: time")));
-    const auto offered = desk.workbench.commands().find("plots.add")->offer(0);
+    const auto offered = desk.workbench.commands().find("plots.add")->offer({});
     QVERIFY(std::find(offered.begin(), offered.end(), "simulation: time") != offered.end());
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("points.csv"));

@@ -54,6 +54,17 @@ TEST_F(RobotcontrolScripts, keysAndSolutionsAreSwitched) {
   passes("keys.script");
 }
 
+TEST_F(RobotcontrolScripts, aParameterIsTunedKeptAndSwept) {
+  passes("tuning.script");
+  EXPECT_THAT(read("tuned.preset.json"), HasSubstr("\"ball-model/filtered memory\": \"3\""));
+  EXPECT_THAT(read("memory.csv"), HasSubstr("\n6,"));
+  // Another start does not know of it, unless it is told.
+  const std::string compare = folder_.write("compare.script", "preset.diff ./tuned.preset.json\n").string();
+  EXPECT_EQ(started(compare).wait(), 1);
+  StartedProgram again = started(compare, {"--preset", "./tuned.preset.json"});
+  EXPECT_EQ(again.wait(), 0) << again.errors();
+}
+
 TEST_F(RobotcontrolScripts, aRobotOnWheelsDrivesToAGoal) {
   passes("goal.script");
   EXPECT_THAT(read("goal.png"), StartsWith("\x89PNG"));

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/solutions/ParameterCommands.h"
 
+#include <algorithm>
+
+#include "robotcontrol/Modeling.pb.h"
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/commands/CommandCatalog.h"
+#include "tests/TestFolder.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/solutions/ParameterEdits.h"
+#include "widgets/solutions/ParameterSweep.h"
 
 namespace widgets::test {
 namespace {
@@ -62,9 +68,57 @@ struct ParameterRobot : Bench {
     value.ParseFromString(requests.back().set_parameters().value().data());
     return value;
   }
+  /// Answers with a file of this text that the program has read.
+  void answerWithFile(const std::string& text, double speed) {
+    file = folder.write("walking.gait.textproto", text);
+    auto values = gaitParameters(speed);
+    values.set_file(file.string());
+    push("red1/parameters/walking/gait", values, ++time);
+    answer(std::exchange(requests, {}).front(), true);
+    session.tick();
+  }
+  std::string textOfFile() const { return robotlink::readFile(file).value_or("there is none"); }
+
+  const TestFolder folder;
+  std::filesystem::path file;
   ParameterEdits edits{session};
   std::vector<std::string> refusals;
   double time = 1;
+};
+
+/// A robot that does what it is asked at once, and whose ball is at ten times the speed.
+struct SweptRobot : ParameterRobot {
+  SweptRobot() {
+    attachSweepCommands(commands, sweep);
+    session.setRemoteRobots({});
+  }
+  /// Half a second passes.
+  void step() {
+    time += 0.5;
+    for (const auto& request : std::exchange(requests, {})) {
+      if (request.has_set_parameters()) {
+        robotcontrol::SimulationStatus set;
+        set.ParseFromString(request.set_parameters().value().data());
+        speed = set.speed();
+        speeds.push_back(speed);
+      }
+      push("red1/parameters/walking/gait", gaitParameters(speed), time);
+      answer(request, true);
+    }
+    robotcontrol::BallModel ball;
+    ball.mutable_position_in_robot()->set_x(10 * speed);
+    push("red1/models/ball", ball, time);
+    session.tick();
+    sweep.tick(robotlink::Instant(robotlink::fromSeconds(time)));
+  }
+  /// Lets it run to its end.
+  void finish() {
+    for (int i = 0; i < 200 && sweep.isRunning(); ++i) step();
+    QVERIFY(!sweep.isRunning());
+  }
+  ParameterSweep sweep{commands, session, edits, nullptr};
+  double speed = 2;
+  std::vector<double> speeds;
 };
 
 }  // namespace
@@ -134,9 +188,122 @@ class ParameterCommandsTest : public QObject {
     QCOMPARE(robot.refusals, std::vector<std::string>{"parameter speed of walking: the process has failed"});
   }
 
+  void whatWasChangedIsSavedAndTheProgramIsTold() {
+    ParameterRobot robot;
+    QCOMPARE(robot.refusal("parameters.save walking"), std::string());
+    robot.answerWithFile("# Slow.\nspeed: 1  # m/s\n", 3.5);
+    QCOMPARE(robot.textOfFile(), std::string("# Slow.\nspeed: 3.5  # m/s\nscene: \"field\"\n"));
+    QVERIFY(robot.requests.back().set_parameters().saved());
+    QCOMPARE(robot.sent().speed(), 3.5);
+  }
+
+  void allAreSavedToTheirOwnFilesOnly() {
+    ParameterRobot robot;
+    QCOMPARE(robot.refusal("parameters.save '' a.textproto"), std::string("parameters.file"));
+    QCOMPARE(robot.refusal("parameters.save"), std::string());
+    QCOMPARE(robot.requests.size(), std::size_t{1});
+    robot.answerWithFile("", 3.5);
+    QCOMPARE(robot.textOfFile(), std::string("speed: 3.5\nscene: \"field\"\n"));
+  }
+
+  void aFileThatCannotBeUsedIsReportedAndStays() {
+    ParameterRobot robot;
+    QCOMPARE(robot.refusal("parameters.save walking"), std::string());
+    robot.answerWithFile("speed: fast\n", 3.5);
+    QCOMPARE(robot.textOfFile(), std::string("speed: fast\n"));
+    QCOMPARE(robot.refusals.size(), std::size_t{1});
+    QVERIFY(robot.refusals.front().find("walking.gait.textproto:1:") != std::string::npos);
+    QVERIFY(robot.requests.empty());
+  }
+
+  void parametersOfARobotElsewhereAreSavedToAFileHere() {
+    ParameterRobot robot;
+    robot.session.setRemoteRobots({{"red1", {.url = "ws://far:8765"}}});
+    QCOMPARE(robot.refusal("parameters.save walking"), std::string());
+    robot.answerWithFile("speed: 1\n", 3.5);
+    QVERIFY(robot.refusals.front().find("ws://far:8765") != std::string::npos);
+    QCOMPARE(robot.textOfFile(), std::string("speed: 1\n"));
+    const auto here = robot.folder / "here.textproto";
+    QCOMPARE(robot.refusal(("parameters.save walking " + here.string()).c_str()), std::string());
+    robot.answerAll(3.5);
+    QCOMPARE(robotlink::readFile(here).value_or(""), std::string("speed: 3.5\nscene: \"field\"\n"));
+    QVERIFY(robot.requests.empty());
+  }
+
+  void allParametersAreReset() {
+    ParameterRobot robot;
+    QCOMPARE(robot.refusal("parameters.reset"), std::string());
+    robot.answerAll(7);
+    QCOMPARE(robot.sent().speed(), 1.0);
+    QCOMPARE(robot.sent().scene(), std::string());
+  }
+
+  void pathsOfParametersAreOffered() {
+    ParameterRobot robot;
+    QCOMPARE(robot.refusal("robot.parameter walking speed 3"), std::string());
+    robot.answerAll();
+    const auto paths = robot.commands.find("robot.parameter")->offer({"walking"});
+    QVERIFY(std::ranges::find(paths, "speed") != paths.end());
+  }
+
+  void aSweepMeasuresAFigureAtEachValue() {
+    SweptRobot robot;
+    robot.step();
+    const auto file = robot.folder / "sweep.csv";
+    const std::string line = "parameters.sweep walking speed 1:2:0.5 'models/ball.position_in_robot.x' 1 ";
+    QCOMPARE(robot.refusal((line + file.string()).c_str()), std::string());
+    QVERIFY(robot.sweep.working().value());
+    QCOMPARE(robot.refusal((line + file.string()).c_str()), std::string("sweep.running"));
+    robot.finish();
+    QVERIFY(!robot.sweep.working().value());
+    QCOMPARE(robot.speeds, (std::vector<double>{1, 1.5, 2, 2}));
+    const auto& rows = robot.sweep.rows();
+    QCOMPARE(rows.size(), std::size_t{3});
+    QCOMPARE(rows[1].value, std::string("1.5"));
+    QCOMPARE(rows[1].mean, 15.0);
+    QCOMPARE(rows[1].count, std::size_t{2});  // two halves of the second that was asked for
+    QVERIFY(robotlink::readFile(file).value_or("").find("\n1.5," + std::to_string(rows[1].count) +
+                                                        ",15,0,15,15\n") != std::string::npos);
+  }
+
+  void aSweepThatFailsOrIsStoppedGivesTheFormerValueBack() {
+    SweptRobot robot;
+    robot.step();
+    QCOMPARE(robot.refusal("parameters.sweep walking speed 5,6 models/pose.robot_in_field.x 1"),
+             std::string());
+    robot.finish();
+    QCOMPARE(robot.sweep.working().error().id, std::string("sweep.nothing"));
+    QCOMPARE(robot.speeds, (std::vector<double>{5, 2}));
+    robot.speeds.clear();
+    QCOMPARE(robot.refusal("parameters.sweep walking speed 5,6 simulation.time 1"), std::string());
+    robot.step();
+    robot.step();
+    QCOMPARE(robot.refusal("parameters.stop-sweep"), std::string());
+    robot.finish();
+    QCOMPARE(robot.speeds.back(), 2.0);
+    QVERIFY(robot.sweep.rows().size() < 2);
+    QVERIFY(robot.sweep.working().has_value());
+  }
+
+  void aPlanThatCannotBeFailsAtOnce() {
+    SweptRobot robot;
+    QCOMPARE(robot.refusal("parameters.sweep flying speed 1 simulation.time 1"),
+             std::string("robot.task-unknown"));
+    QCOMPARE(robot.refusal("parameters.sweep walking speed 1 'a b' 1"), std::string("expression.syntax"));
+    for (const char* values : {"''", "1,,2", "1:2", "1:2:0", "2:1:1", "1:2:x", "0:1:1e-9"}) {
+      const std::string line = std::string("parameters.sweep walking speed ") + values + " simulation.time 1";
+      QCOMPARE(robot.refusal(line.c_str()), std::string("sweep.values"));
+    }
+    QCOMPARE(ParameterSweep::valuesIn("0.1:0.3:0.1").value(),
+             (std::vector<std::string>{"0.1", "0.2", "0.3"}));
+    QCOMPARE(ParameterSweep::valuesIn("3:1:-1").value(), (std::vector<std::string>{"3", "2", "1"}));
+    QCOMPARE(ParameterSweep::valuesIn("on,off").value(), (std::vector<std::string>{"on", "off"}));
+    QVERIFY(!robot.sweep.isRunning());
+  }
+
   void tasksAndSolutionsWithParametersAreOffered() {
     ParameterRobot robot;
-    QCOMPARE(robot.commands.find("robot.parameter")->offer(0),
+    QCOMPARE(robot.commands.find("robot.parameter")->offer({}),
              (std::vector<std::string>{"walking/gait", "walking"}));
   }
 };

@@ -4,9 +4,12 @@
 #include <QAbstractItemModelTester>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSlider>
 #include <QToolButton>
 #include <QTreeView>
 
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 #include "tests/widgets/Bench.h"
 #include "widgets/solutions/ParameterPanel.h"
 
@@ -61,6 +64,33 @@ robotcontrol::SimulationStatus sentParameters(const robotcontrol::Request& reque
   robotcontrol::SimulationStatus sent;
   sent.ParseFromString(request.set_parameters().value().data());
   return sent;
+}
+
+/// The same with limits and what is built in, from a file.
+robotcontrol::ParameterValues parametersIn(const std::filesystem::path& file, double speed,
+                                           double standard = 1) {
+  auto values = someParameters(speed, standard);
+  values.set_file(file.string());
+  robotcontrol::SimulationStatus builtIn;
+  builtIn.set_speed(0.5);
+  values.mutable_built_in()->set_data(builtIn.SerializeAsString());
+  auto& limits = *values.add_limits();
+  limits.set_path("speed");
+  limits.set_maximum(4);
+  return values;
+}
+
+/// Shows parameters in the panel of a view.
+QTreeView& openParameters(Bench& bench, widgets::SolutionsView& view,
+                          const robotcontrol::ParameterValues& values) {
+  bench.push("red1/tables/solutions", someTasks(), 1);
+  bench.tick(view);
+  click(child<QToolButton>(view, "solutionsParameters"));
+  auto& tree = child<QTreeView>(view, "solutionsTree");
+  clickCell(tree, find(tree, QStringLiteral("scan-lines")));
+  bench.push("red1/parameters/ball-percept/scan-lines", values, 2);
+  bench.tick(view);
+  return child<QTreeView>(view, "parametersTree");
 }
 
 }  // namespace
@@ -178,6 +208,46 @@ class SolutionsViewTest : public QObject {
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
     click(child<QToolButton>(*view, "parametersResetAll"));
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
+  }
+
+  void whatWasTunedIsShownAndSavedToItsFile() {
+    const TestFolder folder;
+    const auto file = folder.write("ball-percept.scan-lines.textproto", "speed: 1 # slow\n");
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    auto& fields = openParameters(bench, *view, parametersIn(file, 2));
+    const QModelIndex speed = find(fields, QStringLiteral("speed"), 1);
+    QVERIFY(speed.data(Qt::ToolTipRole).toString().contains(QStringLiteral("changed from 1")));
+    QVERIFY(speed.data(Qt::ToolTipRole).toString().contains(QStringLiteral("between 0 and 4")));
+    QVERIFY(speed.data(Qt::BackgroundRole).isValid());
+    QCOMPARE(find(fields, QStringLiteral("speed"), 3).data().toString(), QStringLiteral("0.5"));
+    keepPicture(*view, "parameters-tuned");
+    click(child<QToolButton>(*view, "parametersSave"));
+    QCOMPARE(robotlink::readFile(file).value_or(""), std::string("speed: 2 # slow\n"));
+    QVERIFY(bench.requests.back().set_parameters().saved());
+    bench.answer(true);
+    bench.push("red1/parameters/ball-percept/scan-lines", parametersIn(file, 2, 2), 3);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "parametersState").text().contains(QStringLiteral("Saved")));
+    QVERIFY(!child<QToolButton>(*view, "parametersSave").isEnabled());
+    QCOMPARE(find(fields, QStringLiteral("speed"), 2).data().toString(), QStringLiteral("2"));
+  }
+
+  void aSliderSetsANumberBetweenItsLimits() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    auto& fields = openParameters(bench, *view, parametersIn({}, 2));
+    auto& slider = child<QSlider>(*view, "parameterSlider");
+    QVERIFY(!slider.isVisible());
+    fields.setCurrentIndex(find(fields, QStringLiteral("speed")));
+    QVERIFY(slider.isVisible());
+    QCOMPARE(slider.value() * 2, slider.maximum());
+    QTest::keyClick(&slider, Qt::Key_End);
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 4.0);
+    click(child<QToolButton>(*view, "parametersUndo"));
+    QCOMPARE(slider.value() * 2, slider.maximum());
+    fields.setCurrentIndex(find(fields, QStringLiteral("running")));
+    QVERIFY(!slider.isVisible());
   }
 
   void theCurrentParameterIsResetAndAllAreReadAgain() {
