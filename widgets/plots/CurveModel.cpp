@@ -104,6 +104,12 @@ bool CurveModel::update(const robotlink::StreamStore& store) {
   return news;
 }
 
+void CurveModel::setOrigin(double seconds) {
+  if (origin_ == seconds) return;
+  origin_ = seconds;
+  Q_EMIT headerDataChanged(Qt::Horizontal, kAtCursor, kAtCursor);
+}
+
 void CurveModel::setCursor(std::optional<double> time) {
   if (cursor_ == time) return;
   cursor_ = time;
@@ -176,6 +182,9 @@ QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole && (index.column() == kValue || index.column() == kAtCursor))
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole) {
+    if (curve.logged && curve.logged->isCut)
+      return tr("%1: only the first values of the log are shown, the others need too much memory")
+          .arg(curve.source().text());
     return last ? curve.source().text() : tr("%1: no values yet").arg(curve.source().text());
   }
   if (role == Qt::ForegroundRole && !last) return colorOf(Meaning::kMuted, QGuiApplication::palette());
@@ -199,7 +208,7 @@ QVariant CurveModel::headerData(int section, Qt::Orientation orientation, int ro
     case kUnit:
       return tr("Unit");
     default:
-      return cursor_ ? tr("At %1 s").arg(*cursor_, 0, 'f', 3) : tr("At the cursor");
+      return cursor_ ? tr("At %1 s").arg(*cursor_ - origin_, 0, 'f', 3) : tr("At the cursor");
   }
 }
 

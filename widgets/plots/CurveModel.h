@@ -76,6 +76,8 @@ class CurveModel final : public QAbstractTableModel {
   void clear();
   /// Adds the points that arrived since the last call. True if there is something new to draw.
   bool update(const robotlink::StreamStore& store);
+  /// Sets the time that headers show as 0 s.
+  void setOrigin(double seconds);
   /// Time under the cursor in s; empty: the cursor is not over the plot.
   void setCursor(std::optional<double> time);
   /// The curves, in the order of the rows; what draws them shares them.
@@ -93,6 +95,7 @@ class CurveModel final : public QAbstractTableModel {
   /// The lowest color index that no curve has.
   int freeColor() const;
   std::vector<std::shared_ptr<Curve>> curves_;
+  double origin_ = 0;             ///< s
   std::optional<double> cursor_;  ///< s; empty: the cursor is not over the plot
 };
 

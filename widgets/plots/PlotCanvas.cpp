@@ -135,7 +135,7 @@ PlotRanges PlotCanvas::ranges() const {
   return {rangeOf(*plot_->xAxis), rangeOf(*plot_->yAxis), rangeOf(*plot_->yAxis2)};
 }
 
-bool PlotCanvas::show(const std::optional<PlotRanges>& ranges) {
+bool PlotCanvas::showRanges(const std::optional<PlotRanges>& ranges) {
   if (!ranges) return false;
   before_.reset();
   isWheeling_ = false;

@@ -52,8 +52,8 @@ class PlotCanvas final : public QWidget {
   void showTimes(double from, double to);
   PlotHistory& history() { return history_; }
   /// Shows what was shown before or after; false: there is nothing.
-  bool undo() { return show(history_.undo(ranges())); }
-  bool redo() { return show(history_.redo(ranges())); }
+  bool undo() { return showRanges(history_.undo(ranges())); }
+  bool redo() { return showRanges(history_.redo(ranges())); }
   /// What the axes show now.
   PlotRanges ranges() const;
   /// Sets the time that the axis labels as 0 s.
@@ -112,7 +112,7 @@ class PlotCanvas final : public QWidget {
   void prepareWheel(const QWheelEvent& event);
   /// Adds a step to the history if the user is about to change what is shown.
   void rangeChanged();
-  bool show(const std::optional<PlotRanges>& ranges);
+  bool showRanges(const std::optional<PlotRanges>& ranges);
 
   CurveModel& curves_;
   QCustomPlot* plot_;

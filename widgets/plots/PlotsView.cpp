@@ -453,7 +453,9 @@ void PlotsView::tick() {
   listSources();
   requestMissing();
   followLogs();
-  canvas_->setOrigin(robotlink::seconds(session().timeline().origin()));
+  const double origin = robotlink::seconds(session().timeline().origin());
+  canvas_->setOrigin(origin);
+  curves_.setOrigin(origin);
   const bool empty = curves_.rowCount() == 0;
   hint_->setHint(!empty ? QString()
                  : sources_.rowCount() == 0

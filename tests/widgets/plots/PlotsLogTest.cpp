@@ -152,6 +152,18 @@ class PlotsLogTest : public QObject {
     QCOMPARE(countNear(picture(log, *view), color, 0), one);
   }
 
+  void aLogWithTooManyValuesIsSaid() {
+    CurveModel curves;
+    QVERIFY(curves.add(PlotSource::fromText(QLatin1String(kBallX))));
+    auto logged = std::make_shared<LoggedCurve>();
+    logged->series.append({1, 2});
+    curves.curves().front()->logged = logged;
+    const auto toolTip = [&] { return curves.index(0, 0).data(Qt::ToolTipRole).toString(); };
+    QVERIFY(!toolTip().contains(QStringLiteral("memory")));
+    logged->isCut = true;
+    QVERIFY(toolTip().contains(QStringLiteral("memory")));
+  }
+
   void theWholeLogIsNotReadOnWish() {
     LogOnDisk log;
     auto view = log.openView<widgets::PlotsView>();

@@ -124,6 +124,18 @@ class PlotsViewTest : public QObject {
     const double value = legend(3).toDouble();
     QVERIFY2(value >= 3 && value <= 9 && value == std::floor(value), qPrintable(legend(3)));
     QVERIFY(from < value && value < to);
+    const auto time = [&] {
+      return child<QTreeView>(*view, "plotsLegend")
+          .model()
+          ->headerData(3, Qt::Horizontal)
+          .toString()
+          .section(QLatin1Char(' '), 1, 1)
+          .toDouble();
+    };
+    const double sinceZero = time();
+    bench.session.timeline().setOrigin(robotlink::Instant(std::chrono::seconds(2)));
+    bench.tick(*view);
+    QVERIFY(std::abs(sinceZero - 2 - time()) < 1e-6);
     QVERIFY(picture(bench, *view) != before);
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&plot, &leave);
