@@ -4,11 +4,12 @@
 #include <charconv>
 #include <filesystem>
 
-#include "app/core/pioneer/PioneerFeed.h"
-#include "app/core/pioneer/PioneerHeadless.h"
+#include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
+#include "app/core/real/RealFeed.h"
+#include "app/core/real/RealHeadless.h"
 #include "robotlink/arcos/stream/SerialPorts.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/config/RobotDescription.h"
@@ -34,12 +35,12 @@ bool isAddress(const std::string& source) {
 }
 
 Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
-  PioneerOptions options{.url = choices.sources.front()};
+  RealRobotOptions options = pioneerOptions(choices.sources.front());
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
     options.layout = layoutNamed(layout);
   options.map = textOf(choices.values, "map");
   options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
-  return PioneerFeed::opening(std::move(options));
+  return RealFeed::opening(std::move(options));
 }
 
 // ---- The form: an address, or its parts
@@ -116,7 +117,7 @@ void normalizeAddress(FormValues& values) {
 /// The layouts that the program of such a robot can run in.
 PlatformField::Items layoutItems() {
   PlatformField::Items items{{"of the robot", ""}};
-  const auto description = readRobot(PioneerOptions{}.kind);
+  const auto description = readRobot(pioneerOptions({}).kind);
   if (!description) return items;
   for (const auto& file : layoutsFor(**description))
     items.push_back({file.stem().string(), file.stem().string()});
@@ -227,8 +228,24 @@ PlatformForm pioneerForm() {
   return form;
 }
 
+constexpr char kMotors[] = "motors";
+
+HeadlessPlatform headlessPioneer() {
+  return headlessReal({.help = "a Pioneer: tcp://HOST[:PORT], serial://DEVICE[?baud=RATE]",
+                       .usage = "a robot's address: tcp://HOST:PORT or serial://DEVICE?baud=RATE",
+                       .robot = pioneerOptions({}).robot,
+                       .options = {{.name = kMotors,
+                                    .kind = Kind::kFlag,
+                                    .help = "Robots: switches the motors on as soon as it is connected",
+                                    .initial = false,
+                                    .option = "--motors"}},
+                       .robotOf = [](const std::string& url, const FormValues& values) {
+                         return pioneerOptions(url, flagOf(values, kMotors));
+                       }});
+}
+
 const PlatformRegistration kPioneerRegistration{
-    {.name = PioneerFeed::kAdapter,
+    {.name = kPioneerAdapter,
      .sources = "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
      .time = TimeKind::kReal,
      .opens = isAddress,

@@ -17,7 +17,7 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 PioneerPlatform::PioneerPlatform(const robotlink::Clock& clock, std::string robot,
                                  const robotlink::RobotDescription& description,
                                  PioneerDriver::Options options)
-    : Platform("platform", clock),
+    : RealPlatform("platform", clock),
       driver_(*this, std::move(robot), description, options),
       line_(options.address, clock) {}
 
@@ -66,6 +66,18 @@ void PioneerPlatform::actuate() {
   } else {
     line_.close();
   }
+}
+
+std::vector<RealPlatform::Figure> PioneerPlatform::connectionFigures() const {
+  const auto& statistics = driver_.session().statistics();
+  return {{"packets", statistics.packets},
+          {"standard_informations", statistics.information},
+          {"undecodable_packets", statistics.undecodable},
+          {"scans", statistics.scans},
+          {"connections", statistics.connections},
+          {"losses", statistics.losses},
+          {"round_trip_s", robotlink::seconds(statistics.roundTrip)},
+          {"longest_gap_s", robotlink::seconds(statistics.longestGap)}};
 }
 
 void PioneerPlatform::execute() {

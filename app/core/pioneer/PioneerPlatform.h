@@ -6,7 +6,7 @@
 
 #include "app/core/pioneer/PioneerDriver.h"
 #include "app/core/pioneer/PioneerLine.h"
-#include "robotlink/process/Platform.h"
+#include "app/core/real/RealPlatform.h"
 
 namespace app {
 
@@ -16,7 +16,7 @@ namespace app {
 /// The owner lets it run about a hundred frames per second, each of which processes what has arrived over the
 /// line. While it does, the robot's watchdog is kept from stopping the robot; if the workbench hangs, the
 /// robot stops. Clock and description must outlive it.
-class PioneerPlatform final : public robotlink::Platform {
+class PioneerPlatform final : public RealPlatform {
  public:
   /// `options.address` is the URL of the line. The connection is made by actuate().
   PioneerPlatform(const robotlink::Clock& clock, std::string robot,
@@ -35,8 +35,10 @@ class PioneerPlatform final : public robotlink::Platform {
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override {
     return driver_.control(details, clock().now());
   }
-  /// Ends the pause between two attempts to connect.
-  void connectNow() { driver_.connectNow(clock().now()); }
+  void connectNow() override { driver_.connectNow(clock().now()); }
+  bool isConnected() const override { return driver_.session().isConnected(); }
+  std::string connectionText() const override { return driver_.session().describe(); }
+  std::vector<Figure> connectionFigures() const override;
   const PioneerDriver& driver() const { return driver_; }
 
  protected:

@@ -78,15 +78,16 @@ struct HeadlessPlatform {
   /// ignored there.
   const char* optionsAreMine = nullptr;
   /// Prepares the run. Fails if the choices are wrong in themselves.
-  robotlink::Result<Run> (*prepare)(const HeadlessChoices& choices);
-  /// Prepares the same platform, with the same choices, for others to watch and steer; null: that is not
+  std::function<robotlink::Result<Run>(const HeadlessChoices& choices)> prepare;
+  /// Prepares the same platform, with the same choices, for others to watch and steer; unset: that is not
   /// possible.
-  robotlink::Result<HeadlessServing> (*prepareServing)(const HeadlessChoices& choices,
-                                                       const HeadlessConsole& console) = nullptr;
-  /// The file of the layout that these choices mean; null: programs of layouts cannot be run one by one.
-  std::filesystem::path (*layoutOf)(const HeadlessChoices& choices) = nullptr;
+  std::function<robotlink::Result<HeadlessServing>(const HeadlessChoices& choices,
+                                                   const HeadlessConsole& console)>
+      prepareServing = {};
+  /// The file of the layout that these choices mean; unset: programs of layouts cannot be run one by one.
+  std::function<std::filesystem::path(const HeadlessChoices& choices)> layoutOf = {};
   /// Prepares the run of one of the layout's programs that has neither the debug process nor the platform.
-  robotlink::Result<Run> (*prepareOther)(const HeadlessChoices& choices) = nullptr;
+  std::function<robotlink::Result<Run>(const HeadlessChoices& choices)> prepareOther = {};
 };
 
 /// How the platforms of all adapters run that can. The adapter comes first that is asked last, since it takes

@@ -5,9 +5,10 @@
 #include <memory>
 
 #include "app/core/body/BodyProgram.h"
-#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/RobotName.h"
+#include "app/core/real/RealFeed.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/run/ListenOptions.h"
@@ -20,7 +21,7 @@ constexpr std::chrono::milliseconds kBodyPeriod{5};
 
 struct PlatformArguments {
   std::string platform;
-  std::string robot = PioneerOptions{}.robot;
+  std::string robot = pioneerOptions({}).robot;
   std::uint64_t seed = 1;
   double seconds = 0;
   double watchdog = 0.5;
@@ -46,12 +47,12 @@ robotlink::Result<PlatformOpening> bodiesOf(const PlatformArguments& arguments,
     run.instead = BodyProgram::maker(std::move(options));
     return SimulationFeed::opening(run);
   }
-  if (adapter != nullptr && adapter->name == std::string_view(PioneerFeed::kAdapter)) {
+  if (adapter != nullptr && adapter->name == std::string_view(kPioneerAdapter)) {
     options.period = kBodyPeriod;
-    return PioneerFeed::opening({.url = arguments.platform,
-                                 .robot = arguments.robot,
-                                 .motorsOn = arguments.motors,
-                                 .instead = BodyProgram::maker(std::move(options))});
+    RealRobotOptions robot = pioneerOptions(arguments.platform, arguments.motors);
+    robot.robot = arguments.robot;
+    robot.instead = BodyProgram::maker(std::move(options));
+    return RealFeed::opening(std::move(robot));
   }
   return robotlink::failure("usage", arguments.platform +
                                          " has no body: a platform is a scene, a map, or a robot's address "

@@ -3,8 +3,9 @@
 // to the next.
 #include <gtest/gtest.h>
 
-#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/HostingMemory.h"
+#include "app/core/real/RealFeed.h"
 #include "app/core/replay/ReplayFeed.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "tests/app/body/BodyBench.h"
@@ -80,7 +81,9 @@ void expectRemembered(const PlatformOpening& opening, const std::string& robot) 
 
 TEST(HostingIsRemembered, ofAPioneer) {
   const ServedWorld world;
-  expectRemembered(PioneerFeed::opening({.url = world.url(), .own = ownOptions()}), "p3at1");
+  RealRobotOptions robot = pioneerOptions(world.url());
+  robot.own = ownOptions();
+  expectRemembered(RealFeed::opening(robot), "p3at1");
 }
 
 TEST(HostingIsRemembered, ofABodyElsewhere) {

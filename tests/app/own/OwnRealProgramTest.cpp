@@ -6,7 +6,7 @@
 #include <csignal>
 #include <mutex>
 
-#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/pioneer/PioneerOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Hosting.pb.h"
@@ -36,16 +36,17 @@ class OwnRealProgramTest : public testing::Test {
     playLayout(layout_, own);
   }
   void playLayout(const std::filesystem::path& layout, bool own = true) {
-    PioneerOptions options{.url = world_.url(), .layout = layout};
+    RealRobotOptions options = pioneerOptions(world_.url());
+    options.layout = layout;
     options.hosting.ownProcesses = own;
     options.own.executable = OWN_PROGRAM_CHILD;
     options.own.patience = 300ms;
     options.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one
-    auto run = PioneerRun::create(options, listeners());
+    auto run = RealRun::create(options, listeners());
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
   }
-  PioneerRun::Listeners listeners() {
+  RealRun::Listeners listeners() {
     return {.queue =
                 [this](const std::string& robot, const auto& queue) {
                   const std::lock_guard lock(mutex_);
@@ -71,7 +72,7 @@ class OwnRealProgramTest : public testing::Test {
       return happens();
     });
   }
-  bool isConnected() const { return run_->platform().driver().session().isConnected(); }
+  bool isConnected() const { return run_->platform().isConnected(); }
   int queues() {
     const std::lock_guard lock(mutex_);
     return queues_;
@@ -110,7 +111,7 @@ class OwnRealProgramTest : public testing::Test {
   int queues_ = 0;
   std::string troubles_;
   HostingStatus hosting_;
-  std::unique_ptr<PioneerRun> run_;
+  std::unique_ptr<RealRun> run_;
 };
 
 TEST_F(OwnRealProgramTest, itDrivesTheRobotAsAProgramInsideDoes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/real/RealRun.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <mutex>
 #include <set>
 
+#include "app/core/pioneer/PioneerOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Hosting.pb.h"
@@ -30,7 +31,7 @@ namespace {
 /// What the robot and its program told; from all threads.
 class RobotEars {
  public:
-  PioneerRun::Listeners listeners() {
+  RealRun::Listeners listeners() {
     return {[this](const std::string& robot, auto queue) {
               const std::lock_guard lock(mutex_);
               for (auto& message :
@@ -85,7 +86,7 @@ class PioneerRunTest : public testing::Test {
                               "processes:\n  - {name: debug, debug: true, period_ms: 16}\n";
   }
   void connect() {
-    auto run = PioneerRun::create({.url = world_.url(), .layout = layout_}, ears_.listeners());
+    auto run = RealRun::create(robot(), ears_.listeners());
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
     for (const char* package : {"drive/state", "range/sonar", "link/status", "link/packets"}) {
@@ -102,7 +103,12 @@ class PioneerRunTest : public testing::Test {
       return happens();
     });
   }
-  bool connected() const { return run_->platform().driver().session().isConnected(); }
+  RealRobotOptions robot() const {
+    RealRobotOptions options = pioneerOptions(world_.url());
+    options.layout = layout_;
+    return options;
+  }
+  bool connected() const { return run_->platform().isConnected(); }
   std::shared_ptr<const robotcontrol::DriveState> state() {
     return ears_.newest<robotcontrol::DriveState>("p3at1/drive/state");
   }
@@ -117,7 +123,7 @@ class PioneerRunTest : public testing::Test {
   RobotEars ears_;
   const TestFolder folder_;
   const std::filesystem::path layout_ = folder_ / "bare.yaml";
-  std::unique_ptr<PioneerRun> run_;
+  std::unique_ptr<RealRun> run_;
 };
 
 }  // namespace
@@ -204,7 +210,7 @@ TEST_F(PioneerRunTest, aProgramThatHangsIsNamedAndItsRobotStands) {
   listeners.hosting = [&](const std::string&, robotlink::Instant, const robotcontrol::HostingStatus& status) {
     said = status.text();
   };
-  auto run = PioneerRun::create({.url = world_.url(), .layout = layout_}, listeners);
+  auto run = RealRun::create(robot(), listeners);
   ASSERT_TRUE(run) << robotlink::describe(run.error());
   run_ = std::move(*run);
   EXPECT_TRUE(playUntil([&] { return said.find("pioneer-run-test (hang) of process stuck") != said.npos; }));
@@ -265,9 +271,11 @@ TEST_F(PioneerRunTest, whatAPersonChoseIsKeptByAnotherLayoutOrSaidToBeLost) {
 }
 
 TEST_F(PioneerRunTest, whatIsWrongWithItIsSaidBeforeAnythingRuns) {
-  auto run = PioneerRun::create({.url = "pigeon://home"}, {});
+  auto run = RealRun::create(pioneerOptions("pigeon://home"), {});
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().front().id, "url.bad");
-  run = PioneerRun::create({.url = world_.url(), .layout = layout_, .map = "no-such.map"}, {});
+  RealRobotOptions lost = robot();
+  lost.map = "no-such.map";
+  run = RealRun::create(lost, {});
   ASSERT_FALSE(run);
 }

@@ -6,7 +6,8 @@
 #include <set>
 
 #include "app/core/Workbench.h"
-#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/pioneer/PioneerOptions.h"
+#include "app/core/real/RealFeed.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -97,9 +98,11 @@ TEST(PlatformAdapter, aRobotGoesOnIfAnotherOneCannotBeOpened) {
   Workbench workbench(home.path());
   std::string errors;
   workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
-  workbench.open(PioneerFeed::opening({.url = world.url()}));
+  workbench.open(RealFeed::opening(pioneerOptions(world.url())));
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return !drivingOf(workbench).empty(); })) << errors;
-  workbench.open(PioneerFeed::opening({.url = "tcp://localhost:1", .layout = "no-such-layout.yaml"}));
+  RealRobotOptions lost = pioneerOptions("tcp://localhost:1");
+  lost.layout = "no-such-layout.yaml";
+  workbench.open(RealFeed::opening(lost));
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return !errors.empty(); }));
   EXPECT_EQ(workbench.loaded()->title, world.url());
   const auto publishedUntil = [&] { return workbench.session().timeline().newest(); };
@@ -112,7 +115,7 @@ TEST(PlatformAdapter, theFirstWordOfARobotIsThatItsPlatformWasSetUp) {
   const ServedWorld world;
   const TestFolder home;
   Workbench workbench(home.path());
-  workbench.open(PioneerFeed::opening({.url = world.url()}));
+  workbench.open(RealFeed::opening(pioneerOptions(world.url())));
   const auto texts = [&] {
     std::string all;
     const auto* stream = workbench.session().store().find("p3at1/log");
@@ -135,7 +138,7 @@ TEST(PlatformAdapter, whatAPersonChoseForARobotHoldsWhenItIsConnectedAgain) {
   std::string errors;
   workbench.onErrors([&](const robotlink::Errors& reported) { errors += robotlink::describe(reported); });
   const auto connect = [&] {
-    workbench.open(PioneerFeed::opening({.url = world.url()}));
+    workbench.open(RealFeed::opening(pioneerOptions(world.url())));
     return test::tickUntil(workbench, [&] {
       return !workbench.loading() && workbench.loaded() != nullptr && !drivingOf(workbench).empty();
     });

@@ -4,7 +4,8 @@
 
 #include <mutex>
 
-#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/pioneer/PioneerOptions.h"
+#include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
@@ -32,17 +33,17 @@ class SpreadPioneerTest : public testing::Test {
   }
   /// The program with the platform and the debug process.
   void startDrive() {
-    PioneerOptions options{.url = world_.url(), .layout = layoutNamed("pioneer-programs")};
+    RealRobotOptions options = pioneerOptions(world_.url(), true);
+    options.layout = layoutNamed("pioneer-programs");
     options.solutions = kSolutions;
-    options.motorsOn = true;
     options.spread = partOf("drive");
-    PioneerRun::Listeners listeners;
+    RealRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);
       for (const auto& result : robotlink::messagesOf(robot, *queue, {}).results)
         accepted_ = accepted_ || (result->id() == kGoalId && result->accepted());
     };
-    auto run = PioneerRun::create(options, listeners);
+    auto run = RealRun::create(options, listeners);
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
   }
@@ -95,7 +96,7 @@ class SpreadPioneerTest : public testing::Test {
   ServedWorld world_;
   std::mutex mutex_;  // protects what follows
   bool accepted_ = false;
-  std::unique_ptr<PioneerRun> run_;
+  std::unique_ptr<RealRun> run_;
   std::unique_ptr<OtherProgram> plan_;
 };
 

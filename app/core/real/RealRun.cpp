@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/pioneer/PioneerRun.h"
+#include "app/core/real/RealRun.h"
 
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RealHosting.h"
@@ -10,7 +10,6 @@
 #include "app/core/spread/SpreadProgram.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -21,72 +20,70 @@ namespace app {
 
 using robotlink::Errors;
 
-PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder)
+tl::expected<HostedRobot, Errors> hostedRobot(const RealRobotOptions& options) {
+  auto description = readRobot(options.kind);
+  if (!description) return tl::unexpected(description.error());
+  const auto use = readUse(options.kind);
+  if (!use) return tl::unexpected(use.error());
+  const std::filesystem::path fieldOfKind = fieldFile(use->field);
+  auto field = readField(fieldOfKind);
+  if (!field) return tl::unexpected(field.error());
+  HostedRobot robot{options.robot, use->teamOf(options.robot), *description, *field, nullptr, fieldOfKind};
+  if (options.map.empty()) return robot;
+  auto map = robotlink::GroundMap::load(options.map);
+  if (!map) return tl::unexpected(map.error());
+  robot.map = std::make_shared<const robotlink::GroundMap>(std::move(*map));
+  return robot;
+}
+
+RealRun::RealRun(RealRobotOptions options, Listeners listeners, logplayer::Recorder* recorder)
     : options_(std::move(options)),
       listeners_(std::move(listeners)),
       tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
 
-PioneerRun::~PioneerRun() {
+RealRun::~RealRun() {
   if (robot_) end();
   if (tap_) tap_->clear();
 }
 
-tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOptions options,
+tl::expected<std::unique_ptr<RealRun>, Errors> RealRun::create(RealRobotOptions options,
                                                                      Listeners listeners,
                                                                      logplayer::Recorder* recorder) {
-  const auto url = robotlink::arcos::parseUrl(options.url);
-  if (!url) return tl::unexpected(Errors{url.error()});
-  // Normalized, so that the same robot always has the same address.
-  options.url = robotlink::arcos::toString(*url);
-  auto run = std::unique_ptr<PioneerRun>(new PioneerRun(std::move(options), std::move(listeners), recorder));
+  auto run = std::unique_ptr<RealRun>(new RealRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;
 }
 
-Errors PioneerRun::load() {
+Errors RealRun::load() {
   if (Errors errors = describeRobot(); !errors.empty()) return errors;
   if (const auto plain = robotlink::readLayout(layout())) {
     Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
     if (!errors.empty()) return errors;
   }
-  auto platform = std::make_unique<PioneerPlatform>(
-      clock_, options_.robot, robot_->description(),
-      PioneerDriver::Options{.address = options_.url, .motorsOn = options_.motorsOn});
-  platform_ = platform.get();
+  auto platform = options_.platform(clock_, options_.robot, robot_->description());
+  if (!platform) return {platform.error()};
+  platform_ = platform->get();
   stopSwitch_ =
       std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
-  auto program = makeProgram(std::move(platform), layout());
+  auto program = makeProgram(std::move(*platform), layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();
   start(std::move(*program));
   return {};
 }
 
-Errors PioneerRun::describeRobot() {
-  auto description = readRobot(options_.kind);
-  if (!description) return description.error();
-  const auto use = readUse(options_.kind);
-  if (!use) return use.error();
-  const std::filesystem::path fieldOfKind = fieldFile(use->field);
-  auto field = readField(fieldOfKind);
-  if (!field) return field.error();
-  std::shared_ptr<const robotlink::GroundMap> map;
-  if (!options_.map.empty()) {
-    auto read = robotlink::GroundMap::load(options_.map);
-    if (!read) return read.error();
-    map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
-  }
-  robot_ = std::make_unique<RobotHost>(
-      HostedRobot{options_.robot, use->teamOf(options_.robot), *description, *field, map, fieldOfKind},
-      listeners_, tap_.get(), options_.overrides);
+Errors RealRun::describeRobot() {
+  auto robot = hostedRobot(options_);
+  if (!robot) return robot.error();
+  robot_ = std::make_unique<RobotHost>(std::move(*robot), listeners_, tap_.get(), options_.overrides);
   return {};
 }
 
-std::filesystem::path PioneerRun::layout() const {
+std::filesystem::path RealRun::layout() const {
   return !options_.layout.empty() ? options_.layout : layoutFile(robot_->description());
 }
 
-tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
+tl::expected<RobotHost::Candidate, Errors> RealRun::makeProgram(
     std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
@@ -104,19 +101,19 @@ tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
                        .maker = std::move(made)});
 }
 
-HostedProgram::Maker PioneerRun::maker() const {
+HostedProgram::Maker RealRun::maker() const {
   if (options_.instead || !options_.hosting.isOwn(options_.robot)) return options_.instead;
   OwnProgram::Options own = options_.own;
   own.threads = own.inRealTime = true;
   return OwnProgram::maker(own);
 }
 
-void PioneerRun::reportSpread(const std::string& text) const {
+void RealRun::reportSpread(const std::string& text) const {
   if (options_.spreadReport) return options_.spreadReport(text);
   if (listeners_.platform) listeners_.platform(options_.robot, clock_.now(), text);
 }
 
-void PioneerRun::start(RobotHost::Candidate program) {
+void RealRun::start(RobotHost::Candidate program) {
   robot_->adopt(std::move(program));
   executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
       .kind = ExecutorKind::kThreads,
@@ -129,7 +126,7 @@ void PioneerRun::start(RobotHost::Candidate program) {
   executor_->start();
 }
 
-void PioneerRun::stop() {
+void RealRun::stop() {
   // The robot must not go on as the program commanded last. Who begins another one ends this.
   if (executor_ && platform_ != nullptr) {
     platform_->setUnattended(true);
@@ -139,17 +136,17 @@ void PioneerRun::stop() {
   if (robot_) robot_->stop();
 }
 
-void PioneerRun::end() {
+void RealRun::end() {
   stop();
   if (stopSwitch_) stopSwitch_->forget();
   robot_->endPlatform();
 }
 
-bool PioneerRun::hasEnded() const {
+bool RealRun::hasEnded() const {
   return leftOver_.haveEnded();
 }
 
-void PioneerRun::step() {
+void RealRun::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
@@ -160,7 +157,7 @@ void PioneerRun::step() {
   if (tap_) tap_->endStep();
 }
 
-Errors PioneerRun::setLayout(const std::filesystem::path& file) {
+Errors RealRun::setLayout(const std::filesystem::path& file) {
   if (spread_) return {SpreadProgram::refusalOfLayout(file)};
   auto program = makeProgram(nullptr, file);
   if (!program) return program.error();
@@ -170,7 +167,7 @@ Errors PioneerRun::setLayout(const std::filesystem::path& file) {
   return {};
 }
 
-Errors PioneerRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
+Errors RealRun::hostProgram(const std::string& name, const robotcontrol::HostProgram& choice) {
   using robotcontrol::HostProgram;
   if (options_.instead)
     return {{"program.elsewhere", "the program of this robot runs elsewhere; only its body is here", {}, {}}};
@@ -191,7 +188,7 @@ Errors PioneerRun::hostProgram(const std::string& name, const robotcontrol::Host
   return {};
 }
 
-robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request) {
+robotlink::Result<void> RealRun::request(const robotcontrol::Request& request) {
   if (request.robot() == options_.robot) return robot_->request(request);
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
                             {request.robot()});

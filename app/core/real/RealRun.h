@@ -8,11 +8,11 @@
 #include <string>
 
 #include "app/core/own/OwnProgram.h"
-#include "app/core/pioneer/PioneerPlatform.h"
 #include "app/core/platform/HostingChoices.h"
 #include "app/core/platform/StopSwitch.h"
 #include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/RobotHost.h"
+#include "app/core/real/RealPlatform.h"
 #include "app/core/spread/SpreadOptions.h"
 
 namespace logplayer {
@@ -33,22 +33,28 @@ namespace app {
 class RecordingTap;
 class SpreadProgram;
 
-/// The robot at the other end of a line and the program that runs for it here. A plain value.
-struct PioneerOptions {
-  /// "tcp://localhost:8101" or "serial:///dev/ttyUSB0?baud=9600".
+/// A real robot and the program that runs for it here. A plain value.
+struct RealRobotOptions {
+  using Platform = robotlink::Result<std::unique_ptr<RealPlatform>>;
+
+  /// The name of its PlatformAdapter.
+  std::string adapter;
+  /// Where it is: "tcp://localhost:8101", "camera:///dev/video0". The same robot always has the same address.
   std::string url;
   /// The robot's name in the workbench.
-  std::string robot = "p3at1";
+  std::string robot;
   /// The kind of robot, whose description is resources/robots/<kind>.yaml.
-  std::string kind = "p3at";
+  std::string kind;
+  /// Makes its platform. Fails if the address is none; whether the robot can be reached does not matter.
+  std::function<Platform(const robotlink::Clock& clock, const std::string& robot,
+                         const robotlink::RobotDescription& description)>
+      platform;
   /// The file of the process layout; empty: that of its kind.
   std::filesystem::path layout = {};
   /// The file of the map by which it drives; empty if it knows none.
   std::filesystem::path map = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
-  /// Whether the motors are switched on when the robot is connected.
-  bool motorsOn = false;
   /// Whether the program runs in a process of the operating system of its own.
   HostingChoices hosting = {};
   /// How it is run there; always with threads, in real time.
@@ -64,23 +70,25 @@ struct PioneerOptions {
   ProgramOverrides overrides = {};
 };
 
-/// A Pioneer at the other end of a line together with its program, which runs here in real time: each process
-/// in a thread of its own, in this process of the operating system or in another one.
+/// Reads the description, the field and the map of a real robot.
+tl::expected<HostedRobot, robotlink::Errors> hostedRobot(const RealRobotOptions& options);
+
+/// A real robot together with its program, which runs here in real time: each process in a thread of its own,
+/// in this process of the operating system or in another one.
 ///
 /// The caller steps it about a hundred times per second. It is made as a whole or refused with all reasons. A
-/// robot that does not answer is no such reason: the line is opened again and again, and the stream
-/// link/status reports the progress. One thread at a time; listeners are called in the threads of the
+/// robot that does not answer is no such reason: its platform tries to connect again and again. One thread at a time; listeners are called in the threads of the
 /// processes.
-class PioneerRun {
+class RealRun {
  public:
   using Listeners = RobotHost::Listeners;
 
   /// The recorder gets everything that a log may contain and must outlive the run; null: nothing is recorded.
-  static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(
-      PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
+  static tl::expected<std::unique_ptr<RealRun>, robotlink::Errors> create(
+      RealRobotOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
   /// Ends the program and the connection. Waits for modules that do not return, unless end() was called and
   /// hasEnded() is true.
-  ~PioneerRun();
+  ~RealRun();
   /// Ends the program and the connection. Nothing else but hasEnded() may be called then.
   void end();
   /// Whether all modules of programs that were ended have returned. Any thread, after end().
@@ -105,18 +113,18 @@ class PioneerRun {
   /// Stops the robot from any thread; not null.
   std::shared_ptr<StopSwitch> stopSwitch() const { return stopSwitch_; }
 
-  const PioneerOptions& options() const { return options_; }
+  const RealRobotOptions& options() const { return options_; }
   /// The file of the layout in which the program runs.
   std::filesystem::path layout() const;
   const robotlink::Clock& clock() const { return clock_; }
-  const PioneerPlatform& platform() const { return *platform_; }
+  const RealPlatform& platform() const { return *platform_; }
   const HostedRobot& robot() const { return robot_->robot(); }
   ProgramOverrides overrides() const { return robot_->overrides(); }
   /// Null if the robot knows no map.
   std::shared_ptr<const robotlink::GroundMap> map() const { return robot().map; }
 
  private:
-  PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder);
+  RealRun(RealRobotOptions options, Listeners listeners, logplayer::Recorder* recorder);
   /// Makes and starts everything; to be called once.
   robotlink::Errors load();
   /// Reads description, field and map, and makes the host.
@@ -133,13 +141,13 @@ class PioneerRun {
   /// Passes a sentence about the other programs to the listener; any thread.
   void reportSpread(const std::string& text) const;
 
-  PioneerOptions options_;
+  RealRobotOptions options_;
   Listeners listeners_;
   robotlink::SteadyClock clock_;
   /// Null if nothing is recorded.
   std::unique_ptr<RecordingTap> tap_;
   /// Owned by robot_, or by a candidate before that is adopted.
-  PioneerPlatform* platform_ = nullptr;
+  RealPlatform* platform_ = nullptr;
   /// Null if all processes run in this program.
   std::unique_ptr<SpreadProgram> spread_;
   std::unique_ptr<RobotHost> robot_;

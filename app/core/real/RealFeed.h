@@ -5,29 +5,26 @@
 #include <memory>
 #include <string>
 
-#include "app/core/pioneer/PioneerRun.h"
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
+#include "app/core/real/RealRun.h"
 
 namespace app {
 
 class HostingMemory;
 
-/// A PioneerRun in the workbench: a platform in real time, stepped every 10 ms, that publishes to a session
+/// A RealRun in the workbench: a platform in real time, stepped every 10 ms, that publishes to a session
 /// what the robot and its program send. The run itself passes to the recorder what a log may contain. Session
 /// and recorder must outlive it.
-class PioneerFeed final : public PlatformFeed {
+class RealFeed final : public PlatformFeed {
  public:
-  /// The name of its PlatformAdapter.
-  static constexpr const char* kAdapter = "pioneer";
-
   /// Returns the opening of a robot for PlatformThread. The robot's overrides are those of the last time it
   /// was open.
-  static PlatformOpening opening(PioneerOptions options);
+  static PlatformOpening opening(RealRobotOptions options);
   /// Makes the run. Fails if the program cannot be run; whether the robot can be reached does not matter.
   /// `hosting` remembers what the user chooses; it may be null, otherwise it must outlive the feed.
-  static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(
-      PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+  static tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> create(
+      RealRobotOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
       HostingMemory* hosting = nullptr);
 
   void begin() override;
@@ -52,7 +49,7 @@ class PioneerFeed final : public PlatformFeed {
  private:
   using Clock = PacedThread::Clock;
 
-  PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder)
+  RealFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : gate_(session), recorder_(recorder) {}
   /// Publishes the overrides that the present program cannot fulfill as warnings, where describe() is not
   /// asked.
@@ -63,7 +60,7 @@ class PioneerFeed final : public PlatformFeed {
   /// Whether somebody reads that.
   bool isRead_ = true;
   logplayer::Recorder& recorder_;
-  std::unique_ptr<PioneerRun> run_;
+  std::unique_ptr<RealRun> run_;
   HostingMemory* hosting_ = nullptr;
   /// When the next step is due, and when the status was last published.
   Clock::time_point due_, lastStatus_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/real/RealFeed.h"
 
 #include "app/core/platform/HostingMemory.h"
 #include "app/core/platform/RobotPublishing.h"
@@ -9,49 +9,45 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kStep{10};
-constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
+constexpr std::chrono::milliseconds kRealStatusEvery{100};
 
 }  // namespace
 
-PlatformOpening PioneerFeed::opening(PioneerOptions options) {
-  // Addresses are normalized so that the same robot is recognized. An invalid one is refused by create().
-  if (const auto url = robotlink::arcos::parseUrl(options.url))
-    options.url = robotlink::arcos::toString(*url);
-  return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
-            PioneerOptions chosen = options;
+PlatformOpening RealFeed::opening(RealRobotOptions options) {
+  return {options.adapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
+            RealRobotOptions chosen = options;
             const auto before = context.overrides.find(chosen.robot);
             if (before != context.overrides.end()) chosen.overrides = before->second;
-            chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, kAdapter);
+            chosen.hosting = hostingAtOpening(chosen.hosting, context.hosting, chosen.adapter);
             return create(std::move(chosen), context.session, context.recorder, context.hosting);
           }};
 }
 
-tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
-    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> RealFeed::create(
+    RealRobotOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
     HostingMemory* hosting) {
-  auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
+  auto feed = std::unique_ptr<RealFeed>(new RealFeed(session, recorder));
   feed->hosting_ = hosting;
-  auto run = PioneerRun::create(std::move(options), listenersOf(feed->gate_), &recorder);
+  auto run = RealRun::create(std::move(options), listenersOf(feed->gate_), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
   return feed;
 }
 
-std::vector<std::string> PioneerFeed::end() {
+std::vector<std::string> RealFeed::end() {
   gate_.keepReports();
   run_->end();
   if (run_->hasEnded()) run_.reset();
   return gate_.keptReports();
 }
 
-void PioneerFeed::begin() {
+void RealFeed::begin() {
   gate_.open();
   due_ = Clock::now();
   if (const auto map = run_->map()) {
@@ -62,44 +58,44 @@ void PioneerFeed::begin() {
   publishStatus();
 }
 
-void PioneerFeed::step() {
+void RealFeed::step() {
   run_->step();
   const auto real = Clock::now();
   // Missed steps are not made up for.
   due_ = std::max(due_ + kStep, real);
-  if (isRead_ && real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
+  if (isRead_ && real - lastStatus_ >= kRealStatusEvery) publishStatus();
 }
 
-robotlink::Result<void> PioneerFeed::requestRobot(const robotcontrol::Request& request) {
+robotlink::Result<void> RealFeed::requestRobot(const robotcontrol::Request& request) {
   return run_->request(request);
 }
 
-std::map<std::string, ProgramOverrides> PioneerFeed::overrides() const {
+std::map<std::string, ProgramOverrides> RealFeed::overrides() const {
   return {{run_->options().robot, run_->overrides()}};
 }
 
-robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
+robotlink::Errors RealFeed::setLayout(const std::filesystem::path& file) {
   return run_->setLayout(file);
 }
 
-void PioneerFeed::publishLostOverrides() {
+void RealFeed::publishLostOverrides() {
   for (const std::string& lost : run_->lostChoices()) {
     gate_.publishText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
   }
 }
 
-robotlink::Result<void> PioneerFeed::requestSimulation(const robotcontrol::Request& request) {
+robotlink::Result<void> RealFeed::requestSimulation(const robotcontrol::Request& request) {
   if (!request.has_host_program()) return PlatformFeed::requestSimulation(request);
   const robotlink::Errors errors = run_->hostProgram(request.robot(), request.host_program());
   if (!errors.empty()) return tl::unexpected(errors.front());
-  rememberHosting(hosting_, kAdapter, request.host_program(), run_->options().hosting);
+  rememberHosting(hosting_, run_->options().adapter, request.host_program(), run_->options().hosting);
   publishLostOverrides();
   return {};
 }
 
-LoadedPlatform PioneerFeed::describe() const {
+LoadedPlatform RealFeed::describe() const {
   LoadedPlatform loaded;
-  loaded.adapter = kAdapter;
+  loaded.adapter = run_->options().adapter;
   loaded.time = TimeKind::kReal;
   loaded.sources = {run_->options().url};
   loaded.title = run_->options().url;
@@ -111,12 +107,12 @@ LoadedPlatform PioneerFeed::describe() const {
   return loaded;
 }
 
-void PioneerFeed::setDemand(const Demand& demand) {
+void RealFeed::setDemand(const Demand& demand) {
   gate_.setRead(demand.anything);
   if (!std::exchange(isRead_, demand.anything) && demand.anything) publishStatus();
 }
 
-void PioneerFeed::publishStatus() {
+void RealFeed::publishStatus() {
   lastStatus_ = Clock::now();
   const auto now = run_->clock().now();
   auto status = std::make_shared<robotcontrol::SimulationStatus>();
