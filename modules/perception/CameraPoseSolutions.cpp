@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "camera-pose": the pose of the camera when it took the image.
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -27,55 +28,33 @@ const RobotDrawingKey kViewKey{
     "camera-pose/view", "The camera, and the part of the ground that it sees (drawn around the robot)"};
 const PlotKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
 
-/// The common part of both solutions: the neck's joints, the package, and drawings.
+/// The common part of all solutions: the package, and drawings.
 class CameraPoseEstimator : public robotlink::Solution {
  public:
   explicit CameraPoseEstimator(robotlink::SolutionContext& context)
       : debug_(context.debug()),
-        joints_(context.input(robotlink::kJointStates)),
         image_(context.input(robotlink::kCameraImage)),
-        pose_(context.output(robotlink::kCameraPose)),
-        layout_(layoutOf(context.robot().description)) {}
+        pose_(context.output(robotlink::kCameraPose)) {}
 
   void execute() override {
-    if (!image_ || !image_.isNew() || !joints_) return;
-    positions_.assign(layout_.size(), 0);
-    for (int i = 0; i < joints_->joints_size() && i < static_cast<int>(layout_.size()); ++i)
-      positions_[static_cast<std::size_t>(i)] = joints_->joints(i).position();
-
-    const HeadAngles head = layout_.head(positions_);
-    const BodyTilt tilt = estimateTilt();
-    const robotlink::Pose3 camera =
-        tilt.bodyInRobot() * cameraInBody(RobotDimensions{}, {head.tilt, head.pan, head.roll});
-    const CameraView view =
-        CameraView::fromAngles(camera, horizontalAngle(), verticalAngle(), static_cast<int>(image_->width()),
-                               static_cast<int>(image_->height()));
+    if (!image_ || !image_.isNew()) return;
+    const auto view = estimate(static_cast<int>(image_->width()), static_cast<int>(image_->height()));
+    if (!view) return;
     auto package = std::make_shared<robotcontrol::CameraPose>();
     *package->mutable_timestamp() = image_->timestamp();
-    assign(*package, view);
+    assign(*package, *view);
     pose_.send(std::move(package));
-    draw(view, tilt);
+    draw(*view);
   }
 
  protected:
-  virtual BodyTilt estimateTilt() = 0;
-  virtual double horizontalAngle() const = 0;
-  virtual double verticalAngle() const = 0;
-  LegAngles leg(Leg leg) const { return layout_.leg(positions_, leg); }
+  /// The camera when it took the image of this size, pixels; empty if it is not known.
+  virtual std::optional<CameraView> estimate(int width, int height) = 0;
+
+  robotlink::DebugContext& debug_;
 
  private:
-  static JointLayout layoutOf(const robotlink::RobotDescription& description) {
-    auto layout = JointLayout::of(description.joints);
-    if (!layout) throw std::runtime_error(layout.error().describe());
-    return *std::move(layout);
-  }
-
-  void draw(const CameraView& view, const BodyTilt& tilt) {
-    if (debug_.on(kTiltKey)) {
-      debug_.plot(kTiltKey, "height", tilt.height, "m");
-      debug_.plot(kTiltKey, "pitch", tilt.pitch, "rad");
-      debug_.plot(kTiltKey, "roll", tilt.roll, "rad");
-    }
+  void draw(const CameraView& view) {
     if (debug_.on(kHorizonKey)) {
       const auto left = view.horizonRow(0), right = view.horizonRow(view.width);
       if (left && right)
@@ -98,18 +77,57 @@ class CameraPoseEstimator : public robotlink::Solution {
     }
   }
 
-  robotlink::DebugContext& debug_;
-  robotlink::Input<foxglove::JointStates> joints_;
   robotlink::Input<foxglove::RawImage> image_;
   robotlink::Output<robotcontrol::CameraPose> pose_;
+};
+
+/// The camera of a head: the neck's joints on a body that leans.
+class HeadCameraPose : public CameraPoseEstimator {
+ public:
+  explicit HeadCameraPose(robotlink::SolutionContext& context)
+      : CameraPoseEstimator(context),
+        joints_(context.input(robotlink::kJointStates)),
+        layout_(layoutOf(context.robot().description)) {}
+
+ protected:
+  virtual BodyTilt estimateTilt() = 0;
+  virtual double horizontalAngle() const = 0;
+  virtual double verticalAngle() const = 0;
+  LegAngles leg(Leg leg) const { return layout_.leg(positions_, leg); }
+
+ private:
+  static JointLayout layoutOf(const robotlink::RobotDescription& description) {
+    auto layout = JointLayout::of(description.joints);
+    if (!layout) throw std::runtime_error(layout.error().describe());
+    return *std::move(layout);
+  }
+
+  std::optional<CameraView> estimate(int width, int height) override {
+    if (!joints_) return std::nullopt;
+    positions_.assign(layout_.size(), 0);
+    for (int i = 0; i < joints_->joints_size() && i < static_cast<int>(layout_.size()); ++i)
+      positions_[static_cast<std::size_t>(i)] = joints_->joints(i).position();
+    const HeadAngles head = layout_.head(positions_);
+    const BodyTilt tilt = estimateTilt();
+    if (debug_.on(kTiltKey)) {
+      debug_.plot(kTiltKey, "height", tilt.height, "m");
+      debug_.plot(kTiltKey, "pitch", tilt.pitch, "rad");
+      debug_.plot(kTiltKey, "roll", tilt.roll, "rad");
+    }
+    const robotlink::Pose3 camera =
+        tilt.bodyInRobot() * cameraInBody(RobotDimensions{}, {head.tilt, head.pan, head.roll});
+    return CameraView::fromAngles(camera, horizontalAngle(), verticalAngle(), width, height);
+  }
+
+  robotlink::Input<foxglove::JointStates> joints_;
   JointLayout layout_;
   std::vector<double> positions_;
 };
 
-class KinematicCameraPose final : public CameraPoseEstimator {
+class KinematicCameraPose final : public HeadCameraPose {
  public:
   explicit KinematicCameraPose(robotlink::SolutionContext& context)
-      : CameraPoseEstimator(context),
+      : HeadCameraPose(context),
         parameters_(context.parameters<robotcontrol::KinematicCameraPoseParameters>()),
         body_(context.input(robotlink::kBodySensors)) {}
 
@@ -152,10 +170,10 @@ const robotlink::SolutionRegistration kKinematic =
         .keys({&kHorizonKey, &kViewKey, &kTiltKey})
         .parameters<robotcontrol::KinematicCameraPoseParameters>();
 
-class FixedStanceCameraPose final : public CameraPoseEstimator {
+class FixedStanceCameraPose final : public HeadCameraPose {
  public:
   explicit FixedStanceCameraPose(robotlink::SolutionContext& context)
-      : CameraPoseEstimator(context),
+      : HeadCameraPose(context),
         parameters_(context.parameters<robotcontrol::FixedStanceCameraPoseParameters>()) {}
 
  private:
@@ -175,6 +193,52 @@ const robotlink::SolutionRegistration kFixedStance =
         .yields(robotlink::kCameraPose)
         .keys({&kHorizonKey, &kViewKey, &kTiltKey})
         .parameters<robotcontrol::FixedStanceCameraPoseParameters>();
+
+class MountedCameraPose final : public CameraPoseEstimator {
+ public:
+  explicit MountedCameraPose(robotlink::SolutionContext& context)
+      : CameraPoseEstimator(context),
+        parameters_(context.parameters<robotcontrol::MountedCameraPoseParameters>()),
+        camera_(cameraOf(context.robot().description)) {}
+
+ private:
+  static robotlink::RobotDescription::Camera cameraOf(const robotlink::RobotDescription& description) {
+    if (!description.camera)
+      throw std::runtime_error("the robot's description has no camera at a fixed place");
+    return *description.camera;
+  }
+
+  std::optional<CameraView> estimate(int width, int height) override {
+    const Eigen::Matrix3d rotation = camera_.inRobot.rotation();
+    robotlink::Vector3 position = camera_.inRobot.translation();
+    if (parameters_.has_height()) position.z() = parameters_.height();
+    // Rotation = Rz(pan) Ry(tilt) Rx(roll), with a tilt downwards.
+    const double pan = std::atan2(rotation(1, 0), rotation(0, 0));
+    const double tilt = parameters_.has_tilt() ? parameters_.tilt() : std::asin(-rotation(2, 0));
+    const double roll =
+        parameters_.has_roll() ? parameters_.roll() : std::atan2(rotation(2, 1), rotation(2, 2));
+    const robotlink::Pose3 camera = Eigen::Translation3d(position) *
+                                    Eigen::AngleAxisd(pan, robotlink::Vector3::UnitZ()) *
+                                    Eigen::AngleAxisd(tilt, robotlink::Vector3::UnitY()) *
+                                    Eigen::AngleAxisd(roll, robotlink::Vector3::UnitX());
+    const double horizontal =
+        parameters_.has_horizontal_angle() ? parameters_.horizontal_angle() : camera_.horizontalAngle;
+    const double vertical = 2 * std::atan(std::tan(horizontal / 2) * height / width);
+    return CameraView::fromAngles(camera, horizontal, vertical, width, height);
+  }
+
+  const robotcontrol::MountedCameraPoseParameters& parameters_;
+  const robotlink::RobotDescription::Camera camera_;
+};
+
+const robotlink::SolutionRegistration kMounted =
+    robotlink::SolutionBuilder<MountedCameraPose>("camera-pose", "mounted",
+                                                  "The camera's place in the robot's description, as one on "
+                                                  "a tripod has it; height and angles can be tuned.")
+        .needs(robotlink::kCameraImage)
+        .yields(robotlink::kCameraPose)
+        .keys({&kHorizonKey, &kViewKey})
+        .parameters<robotcontrol::MountedCameraPoseParameters>();
 
 }  // namespace
 }  // namespace modules

@@ -29,9 +29,10 @@ PlatformOpening RealFeed::opening(RealRobotOptions options) {
           }};
 }
 
-tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> RealFeed::create(
-    RealRobotOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
-    HostingMemory* hosting) {
+tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> RealFeed::create(RealRobotOptions options,
+                                                                            robotlink::Session& session,
+                                                                            logplayer::Recorder& recorder,
+                                                                            HostingMemory* hosting) {
   auto feed = std::unique_ptr<RealFeed>(new RealFeed(session, recorder));
   feed->hosting_ = hosting;
   auto run = RealRun::create(std::move(options), listenersOf(feed->gate_), &recorder);

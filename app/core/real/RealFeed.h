@@ -23,9 +23,10 @@ class RealFeed final : public PlatformFeed {
   static PlatformOpening opening(RealRobotOptions options);
   /// Makes the run. Fails if the program cannot be run; whether the robot can be reached does not matter.
   /// `hosting` remembers what the user chooses; it may be null, otherwise it must outlive the feed.
-  static tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> create(
-      RealRobotOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
-      HostingMemory* hosting = nullptr);
+  static tl::expected<std::unique_ptr<RealFeed>, robotlink::Errors> create(RealRobotOptions options,
+                                                                           robotlink::Session& session,
+                                                                           logplayer::Recorder& recorder,
+                                                                           HostingMemory* hosting = nullptr);
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override { return due_; }

@@ -25,8 +25,7 @@ using nlohmann::json;
 using Kind = PlatformField::Kind;
 
 constexpr std::chrono::milliseconds kHeadlessStep{10};
-constexpr char kMap[] = "map", kRobot[] = "robot", kSeconds[] = "seconds",
-               kTexts[] = "texts", kOwn[] = "own";
+constexpr char kMap[] = "map", kRobot[] = "robot", kSeconds[] = "seconds", kTexts[] = "texts", kOwn[] = "own";
 
 RealRun::Listeners robotListeners(std::ostream& errors, bool texts) {
   RealRun::Listeners listeners;
@@ -88,8 +87,8 @@ std::string figuresText(const json& figures) {
 }
 
 tl::expected<HeadlessSummary, robotlink::Errors> runReal(const RealRobotOptions& options,
-                                                            const HeadlessChoices& choices,
-                                                            const HeadlessConsole& console) {
+                                                         const HeadlessChoices& choices,
+                                                         const HeadlessConsole& console) {
   const FormValues& values = choices.options.values;
   const auto recorder = choices.record.start();
   if (!recorder) return tl::unexpected(robotlink::Errors{recorder.error()});
@@ -127,7 +126,7 @@ RealRobotOptions robotOf(const RealHeadless& declared, const HeadlessChoices& ch
 
 robotlink::Result<HeadlessServing> prepareServedReal(const RealHeadless& declared,
                                                      const HeadlessChoices& choices,
-                                                        const HeadlessConsole& console) {
+                                                     const HeadlessConsole& console) {
   const FormValues& values = choices.options.values;
   RealRobotOptions options = robotOf(declared, choices);
   options.spreadReport = spreadReport(console);
@@ -137,7 +136,8 @@ robotlink::Result<HeadlessServing> prepareServedReal(const RealHeadless& declare
   return serving;
 }
 
-robotlink::Result<HeadlessPlatform::Run> prepareReal(const RealHeadless& declared, const HeadlessChoices& choices) {
+robotlink::Result<HeadlessPlatform::Run> prepareReal(const RealHeadless& declared,
+                                                     const HeadlessChoices& choices) {
   return [options = robotOf(declared, choices), choices](const HeadlessConsole& console) {
     RealRobotOptions reporting = options;
     reporting.spreadReport = spreadReport(console);
@@ -179,7 +179,8 @@ tl::expected<HeadlessSummary, robotlink::Errors> runOtherProgram(const RealRobot
   return HeadlessSummary{jsonOutput(figures), figuresText(figures), heard ? kDone : kFailed};
 }
 
-robotlink::Result<HeadlessPlatform::Run> prepareOtherProgram(const RealHeadless& declared, const HeadlessChoices& choices) {
+robotlink::Result<HeadlessPlatform::Run> prepareOtherProgram(const RealHeadless& declared,
+                                                             const HeadlessChoices& choices) {
   RealRobotOptions options = robotOf(declared, choices);
   options.layout = layoutOf(declared, choices);
   const double seconds = numberOf(choices.options.values, kSeconds);

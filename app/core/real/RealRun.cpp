@@ -46,9 +46,8 @@ RealRun::~RealRun() {
   if (tap_) tap_->clear();
 }
 
-tl::expected<std::unique_ptr<RealRun>, Errors> RealRun::create(RealRobotOptions options,
-                                                                     Listeners listeners,
-                                                                     logplayer::Recorder* recorder) {
+tl::expected<std::unique_ptr<RealRun>, Errors> RealRun::create(RealRobotOptions options, Listeners listeners,
+                                                               logplayer::Recorder* recorder) {
   auto run = std::unique_ptr<RealRun>(new RealRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;
@@ -83,8 +82,8 @@ std::filesystem::path RealRun::layout() const {
   return !options_.layout.empty() ? options_.layout : layoutFile(robot_->description());
 }
 
-tl::expected<RobotHost::Candidate, Errors> RealRun::makeProgram(
-    std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
+tl::expected<RobotHost::Candidate, Errors> RealRun::makeProgram(std::unique_ptr<robotlink::Platform> platform,
+                                                                const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
   HostedProgram::Maker made = maker();

@@ -77,8 +77,8 @@ tl::expected<HostedRobot, robotlink::Errors> hostedRobot(const RealRobotOptions&
 /// in this process of the operating system or in another one.
 ///
 /// The caller steps it about a hundred times per second. It is made as a whole or refused with all reasons. A
-/// robot that does not answer is no such reason: its platform tries to connect again and again. One thread at a time; listeners are called in the threads of the
-/// processes.
+/// robot that does not answer is no such reason: its platform tries to connect again and again. One thread at
+/// a time; listeners are called in the threads of the processes.
 class RealRun {
  public:
   using Listeners = RobotHost::Listeners;

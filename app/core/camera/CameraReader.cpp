@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/camera/CameraReader.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+namespace app {
+namespace {
+
+constexpr int kWaitMs = 100;
+constexpr std::chrono::seconds kRetryEvery{1};
+/// A camera that gives no image for this long is opened anew.
+constexpr int kMaxSilentWaits = 50;
+
+}  // namespace
+
+CameraReader::CameraReader(CameraAddress address, const robotlink::Clock& clock, VideoCalls& calls)
+    : address_(std::move(address)),
+      clock_(clock),
+      calls_(calls),
+      state_("opening " + address_.device),
+      thread_([this] { run(); }) {}
+
+CameraReader::~CameraReader() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  wakeUp_.notify_all();
+  thread_.join();
+}
+
+std::optional<CameraReader::Shot> CameraReader::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(newest_, std::nullopt);
+}
+
+std::string CameraReader::state() const {
+  const std::lock_guard lock(mutex_);
+  return state_;
+}
+
+CameraReader::Counts CameraReader::counts() const {
+  const std::lock_guard lock(mutex_);
+  return counts_;
+}
+
+void CameraReader::openNow() {
+  {
+    const std::lock_guard lock(mutex_);
+    now_ = true;
+  }
+  wakeUp_.notify_all();
+}
+
+void CameraReader::setState(std::string state) {
+  const std::lock_guard lock(mutex_);
+  state_ = std::move(state);
+}
+
+bool CameraReader::quits() const {
+  const std::lock_guard lock(mutex_);
+  return quit_;
+}
+
+bool CameraReader::pause() {
+  std::unique_lock lock(mutex_);
+  wakeUp_.wait_for(lock, kRetryEvery, [this] { return quit_ || now_; });
+  now_ = false;
+  return !quit_;
+}
+
+void CameraReader::run() {
+  do {
+    auto device = CameraDevice::open(address_, calls_);
+    if (!device) {
+      setState(device.error().text + "; it is tried again");
+      continue;
+    }
+    const CameraDevice::Mode& mode = (*device)->mode();
+    std::string text = fmt::format("{} takes images of {}x{} ({})", (*device)->title(), mode.width,
+                                   mode.height, mode.format);
+    if (mode.rate > 0) text += fmt::format(", {:.3g} a second", mode.rate);
+    setState(std::move(text));
+    {
+      const std::lock_guard lock(mutex_);
+      ++counts_.connections;
+    }
+    isOpen_ = true;
+    const robotlink::Error why = read(**device);
+    isOpen_ = false;
+    if (quits()) return;
+    const std::lock_guard lock(mutex_);
+    ++counts_.losses;
+    state_ = why.text + "; it is tried again";
+  } while (pause());
+}
+
+robotlink::Error CameraReader::read(CameraDevice& device) {
+  int silent = 0;
+  while (!quits()) {
+    auto image = device.next(kWaitMs);
+    const robotlink::Instant now = clock_.now();
+    if (!image && image.error().id != "camera.damaged") return image.error();
+    silent = image && !*image ? silent + 1 : 0;
+    if (silent > kMaxSilentWaits)
+      return {"camera.silent", address_.device + ": the camera gives no images", {}, {}};
+    const std::lock_guard lock(mutex_);
+    if (!image) {
+      ++counts_.damaged;
+    } else if (*image) {
+      ++counts_.images;
+      if (newest_) ++counts_.replaced;
+      newest_ = Shot{std::move(**image), now};
+    }
+  }
+  return {};
+}
+
+}  // namespace app

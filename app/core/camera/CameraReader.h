@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "app/core/camera/CameraDevice.h"
+#include "robotlink/base/Clock.h"
+
+namespace app {
+
+/// Reads a camera in a thread of its own: opens it, again and again where that fails or the camera was
+/// unplugged, and keeps the newest image. Any thread may call. Only the destructor may block, up to 0.1 s.
+/// Clock and calls must outlive it.
+class CameraReader {
+ public:
+  /// An image, and when it was read.
+  struct Shot {
+    robotlink::Image image;
+    robotlink::Instant time;
+  };
+  struct Counts {
+    /// Images that were read, that could not be decoded, and that were replaced by newer ones unread.
+    std::uint64_t images = 0, damaged = 0, replaced = 0;
+    /// How often the camera was opened, and lost after that.
+    std::uint64_t connections = 0, losses = 0;
+  };
+
+  CameraReader(CameraAddress address, const robotlink::Clock& clock, VideoCalls& calls);
+  ~CameraReader();
+  CameraReader(const CameraReader&) = delete;
+  CameraReader& operator=(const CameraReader&) = delete;
+
+  /// Removes and returns the newest image; empty if there is none since the last call.
+  std::optional<Shot> take();
+  bool isOpen() const { return isOpen_.load(); }
+  /// The state as a sentence without its period.
+  std::string state() const;
+  Counts counts() const;
+  /// Ends the pause between two attempts to open the camera.
+  void openNow();
+
+ private:
+  /// The thread's function.
+  void run();
+  /// Reads until the camera is gone or the thread is to end; returns why.
+  robotlink::Error read(CameraDevice& device);
+  void setState(std::string state);
+  /// Waits for the next attempt. Returns false if the thread is to end.
+  bool pause();
+  bool quits() const;
+
+  const CameraAddress address_;
+  const robotlink::Clock& clock_;
+  VideoCalls& calls_;
+  std::atomic<bool> isOpen_{false};
+  mutable std::mutex mutex_;  // protects what follows
+  std::condition_variable wakeUp_;
+  bool quit_ = false, now_ = false;
+  std::optional<Shot> newest_;
+  std::string state_;
+  Counts counts_;
+  /// The last member, since the thread uses the others.
+  std::thread thread_;
+};
+
+}  // namespace app
