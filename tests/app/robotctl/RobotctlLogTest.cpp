@@ -344,6 +344,21 @@ TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {
   EXPECT_EQ(log("export a.mcap --csv red1/none none.csv").status, 1);
 }
 
+TEST_F(RobotctlLog, theExampleInPythonPlotsValues) {
+  const auto plot = [&](const std::string& arguments) {
+    return runShell(folder_.path(), "ROBOTCTL=" ROBOTCTL " /usr/bin/python3 " ROBOTCONTROL_SOURCE_DIR
+                                    "/resources/examples/plot_log.py a.mcap " +
+                                        arguments + " --output plot.svg");
+  };
+  const Outcome plotted = plot("red1/models/ball.position_in_robot.x");
+  EXPECT_EQ(plotted.status, 0) << plotted.errors;
+  EXPECT_THAT(plotted.out, HasSubstr("red1/models/ball.position_in_robot.x: "));
+  EXPECT_THAT(textOf(folder_ / "plot.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(plot("red1/models/ball.size").errors, HasSubstr("has no numbers"));
+  EXPECT_THAT(plot("red1/models/ball").errors, HasSubstr("has no field"));
+  EXPECT_THAT(plot("'red1/models/ball.x[y'").errors, HasSubstr("cannot be read from \"[y\" on"));
+}
+
 TEST_P(RobotctlWholeLog, aLogOf2009IsDescribedImportedCutAndExported) {
   const bool real = GetParam() == "real";
   const auto data = game::dataOf(GetParam());

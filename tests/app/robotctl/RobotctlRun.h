@@ -24,10 +24,9 @@ inline std::string textOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Runs robotctl in a folder by a shell. The path of the program is the macro ROBOTCTL.
-inline RobotctlOutcome runRobotctl(const std::filesystem::path& folder, const std::string& arguments) {
-  const std::string command =
-      "cd '" + folder.string() + "' && " + ROBOTCTL + " " + arguments + " >.out 2>.errors";
+/// Runs a line of a shell in a folder.
+inline RobotctlOutcome runShell(const std::filesystem::path& folder, const std::string& line) {
+  const std::string command = "cd '" + folder.string() + "' && " + line + " >.out 2>.errors";
   RobotctlOutcome outcome;
   outcome.status = WEXITSTATUS(std::system(command.c_str()));
   outcome.out = textOf(folder / ".out");
@@ -35,4 +34,9 @@ inline RobotctlOutcome runRobotctl(const std::filesystem::path& folder, const st
   std::filesystem::remove(folder / ".out");
   std::filesystem::remove(folder / ".errors");
   return outcome;
+}
+
+/// Runs robotctl in a folder by a shell. The path of the program is the macro ROBOTCTL.
+inline RobotctlOutcome runRobotctl(const std::filesystem::path& folder, const std::string& arguments) {
+  return runShell(folder, ROBOTCTL + std::string(" ") + arguments);
 }
