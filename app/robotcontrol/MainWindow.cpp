@@ -21,6 +21,7 @@
 #include "app/robotcontrol/actions/PlatformMenus.h"
 #include "app/robotcontrol/actions/Shortcuts.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
+#include "app/robotcontrol/bars/LeftOpenBar.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/RemoteLine.h"
@@ -136,7 +137,10 @@ void MainWindow::createErrorBar() {
   layout->addWidget(errorText_, 1);
   layout->addWidget(dismiss, 0, Qt::AlignTop);
   errorBar_->hide();
-  static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, errorBar_);
+  auto* bars = static_cast<QVBoxLayout*>(centralWidget()->layout());
+  bars->insertWidget(0, errorBar_);
+  leftOpen_ = new LeftOpenBar(workbench_, *actions_, centralWidget());
+  bars->insertWidget(1, leftOpen_);
 }
 
 void MainWindow::connectSignals() {
@@ -170,6 +174,7 @@ void MainWindow::onLoaded() {
   toolBar_->showLoaded();
   simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
   showRobots();
+  leftOpen_->noticeOpened();
   if (!loaded->ended.empty()) showEnded(loaded->ended);
   showWhatBelongsTo(*loaded);
 }
@@ -266,6 +271,7 @@ void MainWindow::restoreWindow() {
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
+  leftOpen_->offer(window.value(QStringLiteral("open")).toObject());
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   const QByteArray toolBars = fromText(window.value(QStringLiteral("toolbars")));
   if (isToolBarState(toolBars)) restoreState(toolBars, kToolBars);
@@ -285,6 +291,8 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("appearance"), nameOf(appearance_)}};
   platforms_->memory().save(window);
   remote_->save(window);
+  // What a workbench that ends properly had open is nothing to be offered.
+  if (!isEnding_) window.insert(QStringLiteral("open"), LeftOpenBar::stateOf(workbench_));
   perspectives_.setWindow(window);
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }
@@ -296,6 +304,7 @@ void MainWindow::keep() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLoseColors()) return event->ignore();
+  isEnding_ = true;
   keep();
   tick_.stop();  // it would save a layout without the floating docks
   dockSpace_->hideFloats();

@@ -33,8 +33,10 @@ class CommandPalette;
 class DockSpace;
 class LayoutHistory;
 class LogOpening;
+class ManualWindow;
 class MaximizedView;
 class LogToolBar;
+class LeftOpenBar;
 class LogContentsBar;
 class OpeningBar;
 class PlatformMenus;
@@ -190,6 +192,9 @@ class MainWindow : public QMainWindow {
   void savePerspectiveAs();
   void setAppearance(Appearance appearance);
   void showShortcuts();
+  /// Shows the manual's page of the view that has the focus.
+  void showManual();
+  void reportProblem();
   void showAbout();
   /// Called when the workbench has loaded another platform.
   void onLoaded();
@@ -207,6 +212,8 @@ class MainWindow : public QMainWindow {
   /// The default perspective for what was loaded last; empty: nothing was loaded.
   QString beginning_;
   Appearance appearance_ = Appearance::kSystem;
+  /// Whether the window closes, so that nothing that is open was left so by a crash.
+  bool isEnding_ = false;
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
@@ -215,6 +222,8 @@ class MainWindow : public QMainWindow {
   UndoOrder* undoOrder_ = nullptr;
   CommandPalette* palette_ = nullptr;
   widgets::ParameterSweep* sweep_ = nullptr;
+  /// Null until it is shown for the first time.
+  ManualWindow* manual_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
   /// Entries of the window menu that are enabled by tickDocks().
@@ -231,6 +240,7 @@ class MainWindow : public QMainWindow {
   PlatformMenus* platforms_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
   RecordedBar* recordedBar_ = nullptr;
+  LeftOpenBar* leftOpen_ = nullptr;
   LogContentsBar* contentsBar_ = nullptr;
   StatusLine* status_ = nullptr;
   RemoteMenus* remote_ = nullptr;

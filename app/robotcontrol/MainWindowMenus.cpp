@@ -11,7 +11,9 @@
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
+#include "app/robotcontrol/actions/ManualWindow.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
+#include "app/robotcontrol/actions/ProblemReport.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
 #include "app/robotcontrol/bars/LightMenu.h"
@@ -21,7 +23,9 @@
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/docks/ViewMenu.h"
 #include "app/robotcontrol/remote/RemoteMenus.h"
+#include "robotlink/base/Resources.h"
 #include "widgets/Icon.h"
+#include "widgets/console/CommandLog.h"
 
 namespace app {
 void MainWindow::createMenus() {
@@ -137,10 +141,33 @@ void MainWindow::createAppearanceMenu(QMenu& menu) {
 void MainWindow::createHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
   menu->setObjectName(QStringLiteral("helpMenu"));
-  menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
+  QAction* manual = menu->addAction(tr("&Manual"), this, &MainWindow::showManual, QKeySequence::HelpContents);
+  manual->setObjectName(QStringLiteral("help.manual"));
+  manual->setToolTip(tr("The manual, at the page of the view that has the focus"));
+  manual->setShortcutContext(Qt::ApplicationShortcut);  // also in floating views
+  menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts,
+                  QKeySequence(QStringLiteral("Shift+F1")))
       ->setObjectName(QStringLiteral("help.shortcuts"));
+  menu->addAction(tr("&Report a problem…"), this, &MainWindow::reportProblem)
+      ->setObjectName(QStringLiteral("help.report"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
       ->setObjectName(QStringLiteral("help.about"));
+}
+
+void MainWindow::showManual() {
+  const QString page = manualPageOf(QApplication::focusWidget());
+  if (manual_ == nullptr)
+    manual_ = new ManualWindow(QString::fromStdString(robotlink::resource("manual").string()), this);
+  manual_->showPage(page);
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
+}
+
+void MainWindow::reportProblem() {
+  keepWindow();  // so that the report has how the window is arranged now
+  ProblemDialog(problemReport(workbench_, widgets::commandLog(context_), perspectives_.window()), this)
+      .exec();
 }
 
 void MainWindow::openLayout() {

@@ -305,7 +305,7 @@ class MenusGuiTest : public WindowTest {
         said += row->text(0);
       DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
     });
-    QTest::keyClick(&desk.window, Qt::Key_F1);
+    QTest::keyClick(&desk.window, Qt::Key_F1, Qt::ShiftModifier);
     QVERIFY(keys.asked());
     QCOMPARE(said, QStringLiteral("Start"));
     DialogAnswer about(read);
