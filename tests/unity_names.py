@@ -56,6 +56,7 @@ def declared(head):
 def first_declared(head):
     """(name, what makes it another thing) of the first, or None."""
     head = without_template(re.sub(r"\s+", " ", head).strip())
+    head = re.sub(r"\)(?: const| noexcept| override)+$", ")", head)
     if match := re.match(r", (\w+)$", head):  # the second of several variables with values in braces
         return match[1], "variable"
     if not re.match(r"[A-Za-z_\[:]", head) or head.startswith("using namespace"):

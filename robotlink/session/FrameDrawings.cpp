@@ -14,7 +14,7 @@ using robotcontrol::KeyMode;
 using robotcontrol::KeyTable;
 
 // The key table of that time; before the first table, the first one.
-const KeyTable* keyTable(const StreamStore& store, const std::string& robot, Instant time) {
+const KeyTable* keyTableAt(const StreamStore& store, const std::string& robot, Instant time) {
   const std::string path = robot + "/" + streams::kKeys;
   if (const auto* table = store.latestAs<KeyTable>(path, time)) return table;
   const auto* stream = store.find(path);
@@ -68,7 +68,7 @@ std::string drawingPrefix(const std::string& robot, DrawingKind kind) {
 std::vector<const StreamMessage*> currentDrawings(const StreamStore& store, const std::string& robot,
                                                   DrawingKind kind, Instant time) {
   const std::string prefix = drawingPrefix(robot, kind);
-  const KeyTable* table = keyTable(store, robot, time);
+  const KeyTable* table = keyTableAt(store, robot, time);
   std::vector<const StreamMessage*> current;
   for (const auto* stream : store.streams(prefix)) {
     const StreamMessage* drawing = store.latest(stream->path, time);

@@ -14,12 +14,12 @@
 namespace widgets {
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kParameterSteps = 1000;
 
 /// Rounds to three significant digits of a range: what a hand can choose.
 double rounded(double number, double range) {
   if (range <= 0) return number;
-  const double unit = std::pow(10, std::floor(std::log10(range / kSteps)));
+  const double unit = std::pow(10, std::floor(std::log10(range / kParameterSteps)));
   return std::round(number / unit) * unit;
 }
 
@@ -64,7 +64,7 @@ void ParameterSlider::show(const QModelIndex& index) {
   isWhole_ = value.type() != QVariant::Double;
   const double range = high_ - low_;
   const QSignalBlocker silent(slider_);
-  slider_->setRange(0, isWhole_ && range < kSteps ? static_cast<int>(range) : kSteps);
+  slider_->setRange(0, isWhole_ && range < kParameterSteps ? static_cast<int>(range) : kParameterSteps);
   slider_->setAccessibleName(index.data(ParameterModel::kPathRole).toString());
   following_ = connect(index_.model(), &QAbstractItemModel::dataChanged, this, [this] { follow(); });
   follow();
