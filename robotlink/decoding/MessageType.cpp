@@ -124,6 +124,12 @@ void MessageType::readRosDefinition(const MessageSchema& schema) {
     name_ = ros_->name();
 }
 
+std::string MessageType::expectedName(const std::string& schemaName, const std::string& messageEncoding) {
+  const bool isRos = messageEncoding == "cdr" || messageEncoding == "ros1";
+  const ros::KnownType* known = isRos ? ros::knownType(ros::protobufName(schemaName)) : nullptr;
+  return known != nullptr ? known->target()->full_name() : schemaName;
+}
+
 MessageType::~MessageType() = default;
 MessageType::MessageType(MessageType&&) noexcept = default;
 MessageType& MessageType::operator=(MessageType&&) noexcept = default;

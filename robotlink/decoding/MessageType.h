@@ -22,7 +22,7 @@ struct KnownType;
 struct MessageSchema {
   /// For protobuf the full name of the message type.
   std::string name;
-  /// The encoding of `data`: "protobuf", "jsonschema", "ros1msg", "ros2msg".
+  /// The encoding of `data`: "protobuf", "jsonschema", "ros1msg", "ros2msg", "ros2idl".
   std::string encoding;
   /// For protobuf a serialized FileDescriptorSet, otherwise text.
   std::string_view data;
@@ -39,6 +39,8 @@ class MessageType {
   using Sample = std::function<std::string()>;
   /// `schema` is null if the channel has none.
   MessageType(const MessageSchema* schema, const std::string& messageEncoding, const Sample& sample = {});
+  /// The name() that the type of a channel has if its messages can be decoded, without its schema's text.
+  static std::string expectedName(const std::string& schemaName, const std::string& messageEncoding);
   ~MessageType();
   MessageType(MessageType&&) noexcept;
   MessageType& operator=(MessageType&&) noexcept;

@@ -11,6 +11,7 @@
 #include "robotlink/packages/DynamicTypes.h"
 #include "robotlink/ros/Decoder.h"
 #include "robotlink/ros/Description.h"
+#include "robotlink/ros/IdlReader.h"
 #include "robotlink/ros/MsgReader.h"
 
 namespace robotlink::ros {
@@ -26,6 +27,7 @@ Result<Definitions> readDefinition(const std::string& name, std::string_view enc
                                    std::string_view text) {
   if (encoding == "ros1msg") return readMsg(name, text, Version::kRos1);
   if (encoding == "ros2msg") return readMsg(name, text, Version::kRos2);
+  if (encoding == "ros2idl" || encoding == "omgidl") return readIdl(name, text);
   return failure("ros.definition", "definitions in " + std::string(encoding) + " are not read", {},
                  {std::string(encoding)});
 }
@@ -130,6 +132,10 @@ const StructPlan* RosType::Implementation::plan(const std::string& structName) {
     plan.fields.push_back(step);
   }
   return &plan;
+}
+
+std::string protobufName(const std::string& name) {
+  return typeName(structKey(name), "");
 }
 
 RosType::RosType(std::unique_ptr<Implementation> implementation)

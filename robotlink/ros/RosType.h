@@ -12,6 +12,10 @@
 
 namespace robotlink::ros {
 
+/// The full name of the Protobuf type for one of ROS: "sensor_msgs.Image" for "sensor_msgs/msg/Image".
+/// RosType has another one if it is that of one of this program's types.
+std::string protobufName(const std::string& name);
+
 /// The type of the messages of a ROS topic: a Protobuf type built from their definition, so that everything
 /// that shows, plots, searches or exports Protobuf messages supports them, too. Times and durations become
 /// those of Protobuf, uint8[] becomes bytes, and constants in front of a field the names of its values.
@@ -20,8 +24,8 @@ namespace robotlink::ros {
 class RosType {
  public:
   /// `name` is the type's as the log or the server has it ("sensor_msgs/msg/Image"), `schemaEncoding` is
-  /// "ros1msg" or "ros2msg", `messageEncoding` "ros1" or "cdr". Fails if the definition has errors, or
-  /// if an encoding is none of these.
+  /// "ros1msg", "ros2msg", "ros2idl" or "omgidl", `messageEncoding` "ros1" or "cdr". Fails if the definition
+  /// has errors, or if an encoding is none of these.
   static Result<std::shared_ptr<const RosType>> of(const std::string& name, std::string_view schemaEncoding,
                                                    std::string_view definition,
                                                    std::string_view messageEncoding);

@@ -64,6 +64,11 @@ std::vector<std::string> fuzzSeeds() {
            "00010000 01000000 01 000000 02000000 03000000 01000000 02000000 6100"),
       seed("ros2msg\ncdr", "p/msg/M", "uint16 a\nE e\nint64[] n\n===\nMSG: p/E\n",
            "00060000 0102 00 00 00000001 0000000000000007"),
+      seed(
+          "ros2idl\ncdr", "p/msg/M",
+          "const long N = 2;\nmodule p { enum E { A, @value(7) B }; typedef float row[N];\n"
+          "module msg { struct P { row x; }; @nested struct M { sequence<P, 3> a; E e; string<8> s; }; }; };",
+          "00010000 01000000 0000003f 0000803f 07000000 02000000 6100"),
       seed("ros1msg\nros1", "p/M",
            "Header h\nduration[] d\nuint8[] data\nint8[] i\n===\nMSG: std_msgs/Header\n"
            "uint32 seq\ntime stamp\nstring frame_id",

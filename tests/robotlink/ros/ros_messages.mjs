@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes messages of ROS 1 and ROS 2 with the npm packages @foxglove/rosmsg, @foxglove/rosmsg-serialization and
-// @foxglove/rosmsg2-serialization.
+// Writes messages of ROS 1 and ROS 2 with the npm packages @foxglove/rosmsg, @foxglove/ros2idl-parser,
+// @foxglove/rosmsg-serialization and @foxglove/rosmsg2-serialization.
 //
 //   ros_messages.mjs           prints them, one JSON object a line: what they are, their bytes, their values
 //   ros_messages.mjs FOLDER    writes larger ones for the benchmark: NAME.type, NAME.msg, NAME.cdr; then prints how
@@ -15,9 +15,10 @@ import { join } from "node:path";
 const folder = process.env.ROBOTCONTROL_NODE_MODULES;
 const require = createRequire(folder ? join(folder, "/") : import.meta.url);
 const load = (name) => require(folder ? join(folder, name) : name);
-let parse, ros1, ros2;
+let parse, parseRos2idl, ros1, ros2;
 try {
   ({ parse } = load("@foxglove/rosmsg"));
+  ({ parseRos2idl } = load("@foxglove/ros2idl-parser"));
   ros1 = load("@foxglove/rosmsg-serialization");
   ros2 = load("@foxglove/rosmsg2-serialization");
 } catch (error) {
@@ -60,6 +61,22 @@ bool[] flags\nint8[] i8s\nuint8[3] u8s\nint16[2] i16s\nuint16[] u16s\nint32[] i3
 int64[] i64s\nuint64[2] u64s\nfloat32[] f32s\nfloat64[] f64s\nstring[] texts\nEmpty empty\nInner[2] inners
 time stamp\nduration[] durations${line}p/Empty\n${line}p/Inner\nuint8 a\nfloat64 b\nstring c`,
 };
+const idlFile = (name, body) => {
+  const [folder, type] = name.split("/msg/");
+  return `${"=".repeat(80)}\nIDL: ${name}\nmodule ${folder} {\n  module msg {\n${body.replace("TYPE", type)}  };\n};\n`;
+};
+const idl = idlFile("sensor_msgs/msg/Imu", `    typedef double double__9[9];
+    @verbatim (language="comment", text="About it; \\"all\\"" "of it")
+    struct TYPE {
+      std_msgs::msg::Header header; geometry_msgs::msg::Quaternion orientation;
+      @unit (value="rad^2") double__9 orientation_covariance;
+      geometry_msgs::msg::Vector3 angular_velocity; double__9 angular_velocity_covariance;
+      geometry_msgs::msg::Vector3 linear_acceleration; double__9 linear_acceleration_covariance;
+    };\n`) + idlFile("std_msgs/msg/Header", "struct TYPE { builtin_interfaces::msg::Time stamp; string frame_id; };\n")
+  + idlFile("builtin_interfaces/msg/Time", "struct TYPE { int32 sec; uint32 nanosec; };\n")
+  + idlFile("geometry_msgs/msg/Vector3", "struct TYPE { double x; double y; double z; };\n")
+  + idlFile("geometry_msgs/msg/Quaternion", `struct TYPE { @default (value=0.0) double x; double y; double z;
+      @default (value=1.0) double w; };\n`);
 const types = { imu: "sensor_msgs/Imu", laser: "sensor_msgs/LaserScan", joints: "sensor_msgs/JointState",
   transforms: "tf2_msgs/TFMessage", image: "sensor_msgs/Image", everything: "p/Everything" };
 
@@ -99,6 +116,11 @@ function printKnown() {
     console.log(JSON.stringify({ type: types[name].replace("/", "/msg/"), schemaEncoding: "ros2msg", encoding: "cdr",
       definition, bytes: Buffer.from(bytes).toString("hex"), value }, plain));
   }
+  // Their parser of IDL calls it so.
+  const { imu } = values(2, "nsec");
+  const bytes = new ros2.MessageWriter(parseRos2idl(idl)).writeMessage(imu);
+  console.log(JSON.stringify({ type: "sensor_msgs/msg/Imu", schemaEncoding: "ros2idl", encoding: "cdr", definition: idl,
+    bytes: Buffer.from(bytes).toString("hex"), value: imu }, plain));
   for (const [name, value] of Object.entries(values(2, "nsec"))) {
     const definition = withoutDefaults(definitions[name]) + header1;
     const bytes = new ros1.MessageWriter(parse(definition)).writeMessage(value);
