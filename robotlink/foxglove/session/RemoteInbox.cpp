@@ -37,7 +37,7 @@ bool isDecodable(const std::string& encoding) {
 RemoteChannel::RemoteChannel(const Channel& channel)
     : id(channel.id),
       topic(channel.topic),
-      type(channel.schemaName),
+      type(MessageType::expectedName(channel.schemaName, channel.encoding)),
       encoding(channel.encoding),
       isDecoded(isDecodable(encoding)) {}
 
@@ -46,9 +46,11 @@ std::vector<RemoteChannelPtr> RemoteInbox::add(const std::vector<Channel>& chann
   for (const Channel& channel : channels) {
     added.push_back(std::make_shared<RemoteChannel>(channel));
     const std::string& schema = channel.schemaEncoding;
-    types_.insert_or_assign(
-        channel.id,
-        Typed{added.back(), channel.schema, schema.empty() ? impliedSchema(channel.encoding) : schema, {}});
+    types_.insert_or_assign(channel.id, Typed{added.back(),
+                                              channel.schemaName,
+                                              channel.schema,
+                                              schema.empty() ? impliedSchema(channel.encoding) : schema,
+                                              {}});
   }
   return added;
 }
@@ -60,8 +62,8 @@ void RemoteInbox::remove(const std::vector<Channel>& channels) {
 PackagePtr RemoteInbox::decode(Typed& typed, std::string_view payload) const {
   const RemoteChannel& channel = *typed.channel;
   if (!typed.type) {
-    const MessageSchema schema{channel.type, typed.schemaEncoding, typed.schema};
-    const bool hasSchema = !typed.schema.empty() || !channel.type.empty();
+    const MessageSchema schema{typed.schemaName, typed.schemaEncoding, typed.schema};
+    const bool hasSchema = !typed.schema.empty() || !typed.schemaName.empty();
     typed.type.emplace(hasSchema ? &schema : nullptr, channel.encoding, [&] { return std::string(payload); });
     typed.schema = {};
     if (!typed.type->isDecoded()) typed.channel->isDecoded = false;

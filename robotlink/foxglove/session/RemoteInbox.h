@@ -21,6 +21,7 @@ struct RemoteChannel {
   explicit RemoteChannel(const Channel& channel);
 
   const std::uint64_t id;
+  /// `type`: what messages have that are decoded.
   const std::string topic, type, encoding;
   /// Whether its encoding is one that is decoded; false once its schema turned out to be invalid.
   std::atomic<bool> isDecoded;
@@ -62,7 +63,7 @@ class RemoteInbox {
  private:
   struct Typed {
     RemoteChannelPtr channel;
-    std::string schema, schemaEncoding;
+    std::string schemaName, schema, schemaEncoding;
     /// Made with the first message.
     std::optional<MessageType> type;
   };

@@ -431,7 +431,8 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseMessagesAreDecoded) {
                            {"/camera", "protobuf", "foxglove.RawImage", "", "protobuf"},
                            {"/cloud", "flatbuffer", "foxglove.PointCloud", "table", "flatbuffer"},
                            {"/scan/width", "cdr", "std_msgs/msg/UInt32", "uint32 data"},
-                           {"/old/width", "ros1", "std_msgs/UInt32", "uint32 data", "ros1msg"}});
+                           {"/old/width", "ros1", "std_msgs/UInt32", "uint32 data", "ros1msg"},
+                           {"/status", "ros1", "rosgraph_msgs/Log", "string msg", "ros1msg"}});
   Listener::Options listening;
   listening.address.port = 0;
   const auto listener = *Listener::open(server, listening);
@@ -465,6 +466,10 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseMessagesAreDecoded) {
   };
   EXPECT_TRUE(soon([&] { return shown("scan/width") == "data: 7" && shown("old/width") == "data: 8"; }))
       << shown("scan/width") << shown("old/width");
+  EXPECT_TRUE(soon([&] { return channels[6]->isWanted(); }));
+  channels[6]->publish(Instant(2s), std::string("\2\0\0\0hi", 6));
+  EXPECT_TRUE(soon([&] { return shown("log").find("\"hi\"") != std::string::npos; }))
+      << "texts of ROS are where all texts are: " << shown("log");
   // Images are switched on like debug keys.
   Request request;
   request.set_robot("foxglove_bridge");
@@ -473,7 +478,7 @@ TEST(SessionClientOfAForeignServer, isOneRobotWhoseMessagesAreDecoded) {
   client.request(request);
   EXPECT_TRUE(soon([&] { return channels[2]->isWanted(); }));
   const auto streams = client.streams();
-  ASSERT_EQ(streams.size(), 6U);
+  ASSERT_EQ(streams.size(), 7U);
   EXPECT_EQ(streams[2].encoding, "flatbuffer");
   EXPECT_FALSE(streams[2].isDecoded);
   EXPECT_TRUE(streams[0].isDecoded);
