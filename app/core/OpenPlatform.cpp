@@ -77,7 +77,7 @@ void OpenPlatform::addLog(const std::filesystem::path& file, robotlink::Duration
 robotlink::Result<void> OpenPlatform::connectNow() {
   if (!loaded_ || !loaded_->isReal())
     return robotlink::failure("robot.not-real",
-                              "no robot is connected over a line; choose Robot > Connect a Pioneer first");
+                              "no robot is connected over a line; choose Robot > Connect a Pioneer… first");
   platform_.connectNow();
   return {};
 }

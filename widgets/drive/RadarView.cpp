@@ -118,7 +118,9 @@ std::vector<WorldDrawing> RadarView::drawingsOf(const std::string& robot) const 
 
 QString RadarView::hint(const std::string& robot, bool reported) const {
   if (robot.empty())
-    return tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).");
+    return tr(
+        "No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect a "
+        "Pioneer…).");
   if (reported) return {};
   const QString name = QString::fromStdString(robot);
   const auto description = context().robots.find(robot);

@@ -25,7 +25,8 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : placeText("%1 has no map for localization: connect it with one (Robot > Connect, Map).")
+               : placeText(
+                     "%1 has no map for localization: connect it with one (Robot > Connect a Pioneer…, Map).")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())

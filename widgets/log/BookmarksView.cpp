@@ -116,7 +116,7 @@ void BookmarksView::tick() {
   hint_->setHint(logs_.logs().empty() ? tr("No log is open.")
                  : model_.rowCount() > 0
                      ? QString()
-                     : tr("There are no bookmarks. Press B to mark the moment that is shown."));
+                     : tr("There are no bookmarks. Press Ctrl+B to mark the moment that is shown."));
 }
 
 }  // namespace widgets

@@ -91,12 +91,12 @@ void PlotsView::createActions() {
   svg_ = makeAction(this, "export", {"plotsSvg", tr("Export SVG"), tr("Writes the drawing to a file")});
   copy_ = makeAction(this, "copy",
                      {"plotsCopy", tr("Copy picture"), tr("Copies the picture"), QKeySequence::Copy});
-  undo_ =
-      makeAction(this, "undo",
-                 {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"), QKeySequence::Undo});
-  redo_ = makeAction(
-      this, "redo",
-      {"plotsRedo", tr("Next view"), tr("Shows what was shown before going back"), QKeySequence::Redo});
+  undo_ = makeAction(this, "undo",
+                     {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"),
+                      QKeySequence(QStringLiteral("Alt+Left"))});
+  redo_ = makeAction(this, "redo",
+                     {"plotsRedo", tr("Next view"), tr("Shows what was shown before going back"),
+                      QKeySequence(QStringLiteral("Alt+Right"))});
   link_ = makeToggle(this, "lock",
                      {"plotsLink", tr("Link"), tr("Shows the same times as the other linked plots")});
   cursors_ = makeToggle(this, "select-area",

@@ -11,6 +11,8 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 #include "widgets/Controls.h"
 
@@ -118,9 +120,12 @@ void ManualWindow::filter(const QString& words) {
   };
   const auto first = pages_.find(QLatin1String(kFirst));
   if (first != pages_.end()) add(first->first, first->second);
-  for (const auto& [name, page] : pages_) {
-    if (name != QLatin1String(kFirst)) add(name, page);
+  std::vector<decltype(pages_)::const_iterator> others;
+  for (auto page = pages_.begin(); page != pages_.end(); ++page) {
+    if (page != first) others.push_back(page);
   }
+  std::ranges::sort(others, {}, [](const auto& page) { return page->second.title; });
+  for (const auto& page : others) add(page->first, page->second);
   followPage();
 }
 

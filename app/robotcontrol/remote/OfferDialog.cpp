@@ -35,9 +35,10 @@ OfferDialog::OfferDialog(robotlink::CommandTable& commands, const SessionOffer& 
   setObjectName(QStringLiteral("offerDialog"));
   setWindowTitle(tr("Offer this session"));
   auto* layout = new QVBoxLayout(this);
-  auto* what = new QLabel(tr("Others watch and steer what is open here: with RobotControl (Robot > Connect), "
-                             "robotctl watch, or any program that speaks the Foxglove WebSocket protocol."),
-                          this);
+  auto* what =
+      new QLabel(tr("Others watch and steer what is open here: with RobotControl (Robot > Connect…), "
+                    "robotctl watch, or any program that speaks the Foxglove WebSocket protocol."),
+                 this);
   what->setWordWrap(true);
   layout->addWidget(what);
   createFields();

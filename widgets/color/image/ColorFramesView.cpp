@@ -88,7 +88,7 @@ QWidget* ColorFramesView::createToolRow() {
   row->addStretch(1);
   stale_ = new QLabel(tr("⚠ The table has changed"), row->parentWidget());
   stale_->setObjectName(QStringLiteral("colorFramesStale"));
-  stale_->setToolTip(tr("These frames were found with an older table; search again (F5)"));
+  stale_->setToolTip(tr("These frames were found with an older table; search again (Ctrl+Shift+F)"));
   setMeaning(*stale_, Meaning::kWarning);
   row->addWidget(stale_);
   return row->parentWidget();

@@ -233,7 +233,7 @@ QString ColorQualityView::othersNote() const {
     const auto most = std::ranges::max_element(others.suspicious);
     const auto colorClass = static_cast<int>(most - others.suspicious.begin());
     text = tr("%1 %2 % of the pixels have the color of a thing where none can be, mostly %3 (%4 %); the view "
-              "Suspicious frames shows where.")
+              "Find frames shows where.")
                .arg(where, share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)),
                     share(*most));
   }
