@@ -183,9 +183,9 @@ TEST_F(LogCommandsTest, theOpenLogsAreSearchedWithoutPlayingThem) {
     }
     return working ? std::string() : working.error().id;
   };
-  EXPECT_EQ(search("log.message =~ \"frame 4\""), "");
+  EXPECT_EQ(search("planner/notes.message =~ \"frame 4\""), "");
   EXPECT_EQ(robotlink::readFile(table).value_or(""),
             "log,robot,from,until,text\r\nshort.mcap,red1,4.600000,4.600000,frame 40\r\n");
-  EXPECT_EQ(search("log.message =~ \"nobody\""), "log.not-found");
+  EXPECT_EQ(search("planner/notes.message =~ \"nobody\""), "log.not-found");
   EXPECT_EQ(search("no/such.field > 1"), "expression.stream");
 }
