@@ -2,6 +2,7 @@
 #include "robotlink/series/Series.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace robotlink {
@@ -56,7 +57,9 @@ Series::Extent Series::extentOfPoints(std::size_t begin, std::size_t end) const 
 
 Series::Extent Series::extentOfEntries(const Level& level, std::size_t begin, std::size_t end) const {
   Extent extent;
-  for (std::size_t i = begin; i < end; ++i) extent.add(level.at(i));
+  if (begin >= end) return extent;
+  auto entry = level.entries.begin() + static_cast<std::ptrdiff_t>(begin - level.first);
+  for (std::size_t i = begin; i < end; ++i) extent.add(*entry++);
   return extent;
 }
 
@@ -108,10 +111,16 @@ std::size_t Series::firstFromNear(std::size_t begin, std::size_t guess, double t
 std::vector<Series::Column> Series::columns(double from, double to, std::size_t count) const {
   std::vector<Column> columns;
   columns.reserve(count);
+  const double tolerance = (to - from) / static_cast<double>(count * kFan);
   std::size_t begin = firstFrom(from), width = 0;
   for (std::size_t i = 1; i <= count && begin < size(); ++i) {
     const double until = from + (to - from) * static_cast<double>(i) / static_cast<double>(count);
-    const std::size_t end = firstFromNear(begin, begin + width, until);
+    const std::size_t guess = begin + width;
+    // Nearly all of the time goes into reads of single points, which are far apart in memory.
+    const bool isNear = i < count && width >= kFan * kFan && guess < size() &&
+                        std::abs(timeAt(begin_ + guess) - until) <= tolerance;
+    std::size_t end = isNear ? guess : firstFromNear(begin, guess, until);
+    if (i < count && end - begin >= kFan * kFan) end -= (begin_ + end) % kFan;
     width = end - begin;
     if (width > 0) columns.push_back({begin, end, extent(begin, end)});
     begin = end;
