@@ -298,13 +298,13 @@ void MainWindow::keepWindow() {
 }
 
 void MainWindow::keep() {
+  isEnding_ = true;
   widgets::openLogs(context_).saveBookmarks();
   keepWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLoseColors()) return event->ignore();
-  isEnding_ = true;
   keep();
   tick_.stop();  // it would save a layout without the floating docks
   dockSpace_->hideFloats();

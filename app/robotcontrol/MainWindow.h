@@ -80,8 +80,11 @@ class MainWindow : public QMainWindow {
   ViewDocks& docks() { return *docks_; }
   /// All keys, and those that the user has chosen.
   Shortcuts& shortcuts() { return *shortcuts_; }
-  /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples.
+  /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples. To be
+  /// called before the program ends.
   void keep();
+  /// Saves what the user arranged and what is open, for the case of a crash; the timer calls it.
+  void keepWindow();
 
  Q_SIGNALS:
   /// The user closed the window, so that the program ends, together with floating docks and dialogs.
@@ -182,9 +185,8 @@ class MainWindow : public QMainWindow {
   void connectSignals();
   /// Updates everything that concerns logs and recordings.
   void tickLogs();
-  /// restoreWindow() and keepWindow() read and write the file with everything that the user arranged.
+  /// Reads the file with everything that the user arranged, which keepWindow() writes.
   void restoreWindow();
-  void keepWindow();
   /// The functions of menu entries.
   void openLayout();
   void loadColorTable();

@@ -2,27 +2,51 @@
 #include "app/robotcontrol/StartScript.h"
 
 #include <QTimerEvent>
+#include <chrono>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/core/Workbench.h"
 #include "app/core/platform/ExitStatus.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Printable.h"
+#include "robotlink/session/RobotTables.h"
 
 namespace app {
 namespace {
 
 constexpr int kScriptTickMs = 20;
+/// So long a program may take to report its tasks after it was opened; some, such as those of logs that are
+/// only watched, never do.
+constexpr std::chrono::seconds kTablesLimit(2);
+
+/// Whether something opens, or the selected robot's program has not reported its tasks yet: until then
+/// commands about these would be refused.
+class Opening {
+ public:
+  bool lasts(Workbench& workbench) {
+    const auto now = std::chrono::steady_clock::now();
+    if (workbench.loading() || !opened_) opened_ = now;
+    if (workbench.loading()) return true;
+    auto& session = workbench.session();
+    const bool isSilent = !session.selectedRobot().empty() && robotlink::solutionTable(session) == nullptr;
+    return isSilent && now - *opened_ < kTablesLimit;
+  }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> opened_;
+};
 
 }  // namespace
 
 robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench) {
-  const auto opening = [&workbench]() -> robotlink::Result<bool> {
+  const auto opening = [&workbench, state = std::make_shared<Opening>()]() -> robotlink::Result<bool> {
     const robotlink::Errors errors = workbench.takeOpeningErrors();
     if (!errors.empty()) return robotlink::failure("script.opening", robotlink::describe(errors));
     const auto working = workbench.working();
-    return working && !*working ? workbench.loading() : working;
+    return working && !*working ? state->lasts(workbench) : working;
   };
   return {workbench.commands(), workbench.session(), opening};
 }

@@ -302,7 +302,7 @@ TEST_F(RobotctlLog, aRobotsNameIsOneWord) {
 
 TEST_F(RobotctlLog, logsOfOtherProgramsAreReadAsFarAsTheyCanBe) {
   ASSERT_TRUE(logplayer::tests::writeForeignLog(folder_ / "foreign.mcap"));
-  EXPECT_THAT(log("info foreign.mcap").out, HasSubstr("cdr, not decoded"));
+  EXPECT_THAT(log("info foreign.mcap").out, HasSubstr("flatbuffer, not decoded"));
   EXPECT_THAT(log("export foreign.mcap --texts").out, HasSubstr("battery low"));
   const Outcome csv = log("export foreign.mcap --csv a/b/c -");
   EXPECT_EQ(csv.status, 3) << "a row lacks";

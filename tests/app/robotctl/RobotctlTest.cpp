@@ -302,7 +302,7 @@ TEST(Robotctl, commandsPrintsAllOfTheWorkbenchOneALine) {
   EXPECT_THAT(outcome.text,
               testing::HasSubstr("\nsimulation.light <brightness: number> [warmth: number = 0]  "));
   EXPECT_THAT(outcome.text, testing::HasSubstr("\nview.show <view: text>  "));
-  EXPECT_THAT(outcome.text, testing::HasSubstr("\nlog.open <source: text>  ")) << "of a kind of platform";
+  EXPECT_THAT(outcome.text, testing::HasSubstr("\nlog.open <source: file>  ")) << "of a kind of platform";
 }
 
 TEST(Robotctl, commandsPrintsJsonForPrograms) {

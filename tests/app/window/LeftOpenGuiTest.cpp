@@ -30,7 +30,7 @@ class LeftOpenGuiTest : public WindowTest {
       Desk desk(home_);
       QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
       scene = desk.workbench.loaded()->sources.front();
-      desk.window.keep();  // and it ends without being closed
+      desk.window.keepWindow();  // and it ends without being closed
     }
     EmptyDesk again(home_);
     QVERIFY(again.find<QWidget>(kBar).isVisible());
@@ -45,7 +45,7 @@ class LeftOpenGuiTest : public WindowTest {
     {
       Desk desk(home_);
       QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
-      desk.window.keep();
+      desk.window.keepWindow();
       QVERIFY(desk.window.close());
     }
     EmptyDesk again(home_);
@@ -56,7 +56,7 @@ class LeftOpenGuiTest : public WindowTest {
     {
       Desk desk(home_);
       QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
-      desk.window.keep();
+      desk.window.keepWindow();
     }
     Desk again(home_);
     QTRY_VERIFY_WITH_TIMEOUT(again.loaded(), kWaitMs);

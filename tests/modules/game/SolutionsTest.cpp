@@ -36,10 +36,12 @@ TEST(Solutions, haveDefaultsForAllTheirParameters) {
     if (solution.parameters == nullptr) continue;
     // Of the robot that it is for.
     const std::string name = solution.task + "." + solution.name + ".textproto";
-    const bool ofAibo = std::filesystem::exists(folder / "ers210" / name);
-    const std::filesystem::path file = folder / (ofAibo ? "ers210" : "p3at") / name;
+    std::filesystem::path file;
+    for (const char* robot : {"ers210", "p3at", "camera"}) {
+      if (std::filesystem::exists(folder / robot / name)) file = folder / robot / name;
+    }
     std::ifstream stream(file);
-    ASSERT_TRUE(stream) << file;
+    ASSERT_TRUE(stream) << name;
     std::stringstream text;
     text << stream.rdbuf();
     const std::unique_ptr<google::protobuf::Message> parameters(solution.parameters->New());
