@@ -10,6 +10,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/platform/ExitStatus.h"
+#include "app/core/platform/PlatformFeed.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Printable.h"
 #include "robotlink/session/RobotTables.h"
@@ -18,11 +19,11 @@ namespace app {
 namespace {
 
 constexpr int kScriptTickMs = 20;
-/// So long a program may take to report its tasks after it was opened; some, such as those of logs that are
-/// only watched, never do.
-constexpr std::chrono::seconds kTablesLimit(2);
+/// So long a program may take to report its tasks after it was opened, also on a busy machine; those of logs
+/// that are only watched never do.
+constexpr std::chrono::seconds kTablesLimit(10), kTablesLimitOfLogs(1);
 
-/// Whether something opens, or the selected robot's program has not reported its tasks yet: until then
+/// Whether something opens, or the selected robot's program has not reported all of its tasks yet: until then
 /// commands about these would be refused.
 class Opening {
  public:
@@ -30,9 +31,11 @@ class Opening {
     const auto now = std::chrono::steady_clock::now();
     if (workbench.loading() || !opened_) opened_ = now;
     if (workbench.loading()) return true;
-    auto& session = workbench.session();
-    const bool isSilent = !session.selectedRobot().empty() && robotlink::solutionTable(session) == nullptr;
-    return isSilent && now - *opened_ < kTablesLimit;
+    // Of robots elsewhere only what they show matters, and bodies have no program here.
+    const LoadedPlatform* loaded = workbench.loaded();
+    if (loaded == nullptr || loaded->robots.empty() || loaded->areBodies) return false;
+    return !robotlink::areTasksKnown(workbench.session()) &&
+           now - *opened_ < (loaded->isLogged() ? kTablesLimitOfLogs : kTablesLimit);
   }
 
  private:

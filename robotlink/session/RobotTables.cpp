@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/session/RobotTables.h"
 
+#include <algorithm>
+
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace robotlink {
@@ -20,6 +23,22 @@ const robotcontrol::KeyTable* keyTable(Session& session) {
 
 const robotcontrol::SolutionTable* solutionTable(Session& session) {
   return tableOf<robotcontrol::SolutionTable>(session, streams::kSolutions);
+}
+
+bool areTasksKnown(Session& session) {
+  const auto* processes = tableOf<robotcontrol::ProcessTable>(session, streams::kProcesses);
+  if (processes == nullptr || processes->processes().empty()) return false;
+  const auto* status =
+      session.store().latestAs<robotcontrol::SimulationStatus>(streams::kSimulation, Instant::max());
+  const bool isPaused = status == nullptr || !status->running();
+  const std::vector<std::string> known = taskNames(session);
+  return std::ranges::all_of(processes->processes(), [&](const auto& process) {
+    if (!process.state().starts_with("running") || process.tasks().empty()) return true;
+    return (isPaused || process.frames() > 0) &&
+           std::ranges::all_of(process.tasks(), [&](const std::string& task) {
+             return std::ranges::find(known, task) != known.end();
+           });
+  });
 }
 
 std::vector<std::string> keyNames(Session& session) {

@@ -18,6 +18,9 @@ namespace robotlink {
 /// Null if there is none.
 const robotcontrol::KeyTable* keyTable(Session& session);
 const robotcontrol::SolutionTable* solutionTable(Session& session);
+/// Whether the program has reported all tasks of the processes that it runs. They report one after the other,
+/// in their first frames, if the program is not paused.
+bool areTasksKnown(Session& session);
 /// Their names, for lists and completion.
 std::vector<std::string> keyNames(Session& session);
 std::vector<std::string> taskNames(Session& session);

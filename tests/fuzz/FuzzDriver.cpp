@@ -21,6 +21,10 @@
 //   NAME --only N                     run the input with this number alone
 //   NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
 //   NAME FILE...                      run files, such as those that libFuzzer left
+//
+// The seeds are those of the target and, if it has one, those of its corpus: corpus/NAME.txt beside its
+// CMakeLists.txt has inputs that libFuzzer found to be worth keeping, in hexadecimal digits, one a line
+// (packaging/fuzz.sh --keep).
 namespace {
 
 using Random = std::mt19937_64;
@@ -149,6 +153,26 @@ std::string inputOf(std::uint64_t number, const std::vector<std::string>& seeds)
   return input;
 }
 
+#ifdef FUZZ_CORPUS
+/// The bytes of a line of hexadecimal digits.
+std::string corpusInput(const std::string& line) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < line.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(line.substr(i, 2), nullptr, 16));
+  return bytes;
+}
+#endif
+
+/// The seeds of the target, then those of its corpus.
+std::vector<std::string> allSeeds() {
+  std::vector<std::string> seeds = fuzzSeeds();
+#ifdef FUZZ_CORPUS
+  std::ifstream corpus(FUZZ_CORPUS);
+  for (std::string line; std::getline(corpus, line);) seeds.push_back(corpusInput(line));
+#endif
+  return seeds;
+}
+
 void run(const std::string& input) {
   // Its own memory, exactly as large, so that the address sanitizer sees what is read behind it.
   const std::vector<std::uint8_t> bytes(input.begin(), input.end());
@@ -156,7 +180,7 @@ void run(const std::string& input) {
 }
 
 int runMany(double seconds, std::uint64_t inputs) {
-  const std::vector<std::string> seeds = fuzzSeeds();
+  const std::vector<std::string> seeds = allSeeds();
   if (seeds.empty()) {
     std::fputs("there are no seeds\n", stderr);
     return 1;
@@ -177,7 +201,7 @@ int runMany(double seconds, std::uint64_t inputs) {
 int writeSeeds(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   int number = 0;
-  for (const std::string& seed : fuzzSeeds()) {
+  for (const std::string& seed : allSeeds()) {
     std::ofstream file(folder / ("seed-" + std::to_string(number++)), std::ios::binary);
     file.write(seed.data(), static_cast<std::streamsize>(seed.size()));
     if (!file) return 1;
@@ -192,7 +216,7 @@ int runAsTold(const std::vector<std::string>& words) {
     return runMany(0, std::strtoull(words[1].c_str(), nullptr, 10));
   if (words.size() == 2 && words[0] == "--write-seeds") return writeSeeds(words[1]);
   if (words.size() == 2 && words[0] == "--only") {
-    run(inputOf(std::strtoull(words[1].c_str(), nullptr, 10), fuzzSeeds()));
+    run(inputOf(std::strtoull(words[1].c_str(), nullptr, 10), allSeeds()));
     return 0;
   }
   for (const std::string& name : words) {
