@@ -57,6 +57,8 @@ if(ROBOTCONTROL_UNITY)
     -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wno-subobject-linkage)
 endif()
 if(ROBOTCONTROL_SANITIZE)
+  # The compilers' own macros differ, and one of them is taken away below.
+  target_compile_definitions(robotcontrol_options INTERFACE ROBOTCONTROL_SANITIZED)
   target_compile_options(robotcontrol_options INTERFACE
     -fsanitize=${ROBOTCONTROL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(robotcontrol_options INTERFACE -fsanitize=${ROBOTCONTROL_SANITIZE})

@@ -40,7 +40,7 @@ void watchHost() {
 }
 
 void limitMemory(std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef ROBOTCONTROL_SANITIZED
   if (bytes == 0) return;
   const rlimit limit{bytes, bytes};
   ::setrlimit(RLIMIT_DATA, &limit);

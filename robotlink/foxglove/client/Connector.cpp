@@ -227,6 +227,11 @@ void ServerConnection<Stream>::upgrade() {
   const Connector::Options& options = thread_.options;
   socket_.auto_fragment(false);
   socket_.read_message_max(options.messageBytes);
+  // The server decides whether what it sends is compressed; what is sent to it is short.
+  websocket::permessage_deflate compression;
+  compression.client_enable = true;
+  socket_.set_option(compression);
+  socket_.compress(false);
   socket_.set_option(websocket::stream_base::decorator([&options](websocket::request_type& request) {
     request.set(http::field::sec_websocket_protocol, std::string(kSdkProtocol) + ", " + kWebSocketProtocol);
     request.set(http::field::user_agent, options.name);
@@ -413,6 +418,8 @@ void ConnectorThread::report() {
 
 void ConnectorThread::connect() {
   if (!tls) return failed(Failure::kRefused, tls.error().text);
+  if (const std::string why = whyNoToken(options.token); !why.empty())
+    return failed(Failure::kRefused, why, {ServerObjection::Kind::kToken});
   lookup_ = HostLookup::start(options.url.host);
   if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/foxglove/client/Refusals.h"
 
+#include <algorithm>
 #include <boost/asio/error.hpp>
 #include <boost/asio/ssl/error.hpp>
 
@@ -81,6 +82,13 @@ std::string whyClosed(const std::string& reason) {
 std::string whyTooLong(std::size_t maxBytes) {
   return "the robot sends messages of more than " + std::to_string(maxBytes >> 20U) +
          " MiB, which are not taken";
+}
+
+std::string whyNoToken(const std::string& token) {
+  const bool isWord = std::ranges::all_of(token, [](char c) { return c > ' ' && c <= '~'; });
+  return isWord
+             ? ""
+             : "the token is one word, without spaces and line breaks; give the one that the robot printed";
 }
 
 std::string whyTooLongForThem() {

@@ -8,6 +8,8 @@ namespace robotlink::websocket {
 
 // Why there is no connection, as sentences that say what to do.
 
+/// The token cannot be one of a robot; empty: it may be, or none was given.
+std::string whyNoToken(const std::string& token);
 /// TCP could not be connected.
 std::string whyNotReached(const boost::system::error_code& error);
 /// Encryption could not be agreed on.

@@ -37,6 +37,9 @@ struct ListenerOptions {
   /// What the system may hold of data that it has not sent, per client; the rest waits where newer messages
   /// replace it.
   int unsentBytes = 16 << 10;
+  /// Clients of other machines that can (permessage-deflate) are sent all but images compressed. On loopback
+  /// that only costs time; this is for tests.
+  bool compressesLoopback = false;
   /// For all these times and for budgets; the server's if there is none.
   std::shared_ptr<const Clock> clock = {};
 };

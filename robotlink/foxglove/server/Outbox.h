@@ -37,6 +37,8 @@ struct Outgoing {
   std::array<std::uint8_t, kMessageHeadSize> head{};
   std::size_t headSize = 0;
   SharedBytes payload;
+  /// Whether it gets smaller by compression; images do not.
+  bool isCompressible = true;
   /// Whether another message waited when this one was taken.
   bool hasMore = false;
 

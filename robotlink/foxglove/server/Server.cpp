@@ -99,7 +99,7 @@ void Server::publish(ServerChannel& channel, Instant time, SharedBytes payload) 
 void Server::push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
                   const SharedBytes& payload) {
   if (!to.client->closing.empty()) return;
-  Outgoing message{FrameKind::kBinary, {}, kMessageHeadSize, payload};
+  Outgoing message{FrameKind::kBinary, {}, kMessageHeadSize, payload, channel.setup().isCompressible};
   message.head[0] = 1;  // the opcode of MessageData
   storeNumber(message.head.data() + 1, to.subscription);
   storeNumber(message.head.data() + 5, static_cast<std::uint64_t>(time.time_since_epoch().count()));

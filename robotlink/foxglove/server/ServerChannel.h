@@ -23,6 +23,8 @@ struct ChannelSetup {
   /// Whether new subscribers get the newest message at once. It is kept for them, so it must be published
   /// without subscribers, too.
   bool latched = false;
+  /// Whether its messages get smaller by compression; images do not, or take too long.
+  bool isCompressible = true;
 };
 
 /// A channel of a server, shared by the server and whoever publishes. All functions may be called from any

@@ -35,6 +35,8 @@ class StreamConnection final : public Connection,
                                public std::enable_shared_from_this<StreamConnection<Stream>> {
  public:
   static constexpr std::size_t kFrameBytes = 16U << 10U;
+  /// Messages from this size on are compressed, where messages are.
+  static constexpr std::size_t kCompressedBytes = 128;
   static constexpr bool kIsTls = !std::is_same_v<Stream, ListenerSocket>;
 
   /// `layer` is what the stream is made of.
@@ -89,6 +91,7 @@ class StreamConnection final : public Connection,
   void onRead(error_code error, std::size_t bytes);
   void send();
   void cork(bool isOn);
+  void offerCompression();
   void onSent(error_code error, std::size_t bytes);
   void noteHeard() {
     heardAt_ = port_.now();
@@ -186,6 +189,7 @@ void StreamConnection<Stream>::upgrade(const std::string& protocol) {
   socket_.auto_fragment(true);
   socket_.write_buffer_bytes(kFrameBytes);
   socket_.read_message_max(port_.options.messageBytes);
+  offerCompression();
   socket_.set_option(
       beast::websocket::stream_base::decorator([protocol](beast::websocket::response_type& response) {
         response.set(http::field::sec_websocket_protocol, protocol);
@@ -194,6 +198,22 @@ void StreamConnection<Stream>::upgrade(const std::string& protocol) {
   // Valid as long as the socket, which is this object's.
   socket_.control_callback([this](beast::websocket::frame_type, beast::string_view) { noteHeard(); });
   socket_.async_accept(parser_.get(), handler(&StreamConnection::onOpen));
+}
+
+/// A robot's messages repeat names, and its channels repeat schemas, so that narrow lines carry several times
+/// as much.
+template <typename Stream>
+void StreamConnection<Stream>::offerCompression() {
+  error_code error;
+  const auto address = asio::ip::make_address(machine_, error);
+  const bool isLoopback = !error && address.is_loopback();
+  if (isLoopback && !port_.options.compressesLoopback) return;
+  beast::websocket::permessage_deflate compression;
+  compression.server_enable = true;
+  compression.compLevel = 4;
+  compression.memLevel = 8;
+  compression.msg_size_threshold = kCompressedBytes;
+  socket_.set_option(compression);
 }
 
 template <typename Stream>
@@ -248,6 +268,7 @@ void StreamConnection<Stream>::send() {
     return;
   }
   socket_.binary(sending_->kind == FrameKind::kBinary);
+  socket_.compress(sending_->isCompressible);
   const std::array<asio::const_buffer, 2> parts{asio::buffer(sending_->head.data(), sending_->headSize),
                                                 asio::buffer(*sending_->payload)};
   socket_.async_write(parts, handler(&StreamConnection::onSent));

@@ -60,12 +60,15 @@ constexpr std::array kStreamTypes{StreamType{streams::kImageDrawings, "foxglove.
 constexpr std::array kCompleteTypes{"foxglove.Log", "foxglove.Event", "robotcontrol.PlotValue",
                                     "robotcontrol.Request", "robotcontrol.LinkPackets"};
 
+constexpr std::array kImageTypes{"foxglove.RawImage", "foxglove.CompressedImage", "foxglove.CompressedVideo"};
+
 ChannelSetup setupOf(const std::string& path, const Descriptor& type) {
   ChannelSetup setup{path, "protobuf", type.full_name(), schemaOf(type)};
   setup.latched = isLatched(path, type.full_name());
   const bool complete =
       setup.latched || std::ranges::find(kCompleteTypes, type.full_name()) != kCompleteTypes.end();
   setup.delivery = complete ? Delivery::kComplete : Delivery::kLatest;
+  setup.isCompressible = std::ranges::find(kImageTypes, type.full_name()) == kImageTypes.end();
   return setup;
 }
 

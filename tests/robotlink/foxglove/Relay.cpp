@@ -2,6 +2,7 @@
 #include "tests/robotlink/foxglove/Relay.h"
 
 #include <array>
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -127,6 +128,7 @@ struct Relay::Implementation {
       }
       if (state == State::kSilent) connection->isDead = true;
       if (connection->isDead) return;
+      carried += size;
       const Duration time =
           line.bytesPerSecond > 0 ? fromSeconds(static_cast<double>(size) / line.bytesPerSecond) : Duration();
       way.free = std::max(way.free, steady_clock::now()) + time;
@@ -161,6 +163,7 @@ struct Relay::Implementation {
   asio::io_context context{1};
   tcp::acceptor acceptor{context};
   std::set<ConnectionPtr> connections;
+  std::atomic<std::size_t> carried{0};
   std::thread thread;
 };
 
@@ -171,6 +174,10 @@ Relay::~Relay() = default;
 
 std::uint16_t Relay::port() const {
   return implementation_->acceptor.local_endpoint().port();
+}
+
+std::size_t Relay::carriedBytes() const {
+  return implementation_->carried;
 }
 
 void Relay::set(State state) {

@@ -34,6 +34,8 @@ class Relay {
 
   std::uint16_t port() const;
   void set(State state);
+  /// Both ways.
+  std::size_t carriedBytes() const;
 
  private:
   struct Implementation;

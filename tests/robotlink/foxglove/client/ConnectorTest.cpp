@@ -120,6 +120,15 @@ TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
   EXPECT_TRUE(reaches(Phase::kConnected));
 }
 
+TEST_F(ConnectorTest, aTokenOfSeveralLinesIsNotSent) {
+  listen("secret");
+  options_.token = "Whoever\nsecret";
+  connect();
+  EXPECT_TRUE(reaches(Phase::kRefused));
+  EXPECT_THAT(reason(), HasSubstr("without spaces and line breaks"));
+  EXPECT_EQ(client_->state().objection.kind, ServerObjection::Kind::kToken);
+}
+
 TEST_F(ConnectorTest, aServerWithTooManyClientsIsNamedAsLongAsItRefuses) {
   limits_.clients = 0;
   listen();
