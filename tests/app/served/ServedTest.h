@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -33,21 +34,22 @@ class ServedTest : public testing::Test {
     }
     return message;
   }
-  /// The next message of a type.
-  template <typename Message>
-  Message expect() {
-    while (true) {
-      const auto message = hear();
-      if (const auto* found = std::get_if<Message>(&message)) return *found;
-    }
-  }
   /// The next message of a type for which a condition holds.
   template <typename Message, typename Condition>
   Message expect(Condition condition) {
-    while (true) {
-      const Message message = expect<Message>();
-      if (condition(message)) return message;
+    // Others may come for ever.
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (std::chrono::steady_clock::now() < deadline) {
+      const auto message = hear();
+      const auto* found = std::get_if<Message>(&message);
+      if (found != nullptr && condition(*found)) return *found;
     }
+    throw std::runtime_error("among the messages of 30 s was none that was expected");
+  }
+  /// The next message of a type.
+  template <typename Message>
+  Message expect() {
+    return expect<Message>([](const Message&) { return true; });
   }
 
   ServedHall hall_;
