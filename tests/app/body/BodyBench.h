@@ -56,6 +56,7 @@ class BodyDesk {
 
   template <typename Condition>
   bool soon(Condition condition) {
+    if (!feed_) return false;
     return eventually([&] {
       feed_->step();
       session_.tick();
