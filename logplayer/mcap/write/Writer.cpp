@@ -414,7 +414,7 @@ Result<void> Writer::close() {
       self.takeBack(self.shared.builder);
       self.sink.forgive();
     }
-    if (self.finish()) static_cast<void>(self.sink.sync());
+    if (self.finish() && self.options.sync) static_cast<void>(self.sink.sync());
   }
   if (self.sink.error()) return tl::unexpected(*self.sink.error());
   return {};

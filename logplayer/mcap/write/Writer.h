@@ -30,6 +30,8 @@ class Writer {
     int level = 0;
     /// Whether CRCs are computed.
     bool crc = true;
+    /// Whether close() blocks until the file is on the disk; not for files that do not outlive the program.
+    bool sync = true;
     /// Uncompressed size at which a chunk is written.
     std::size_t chunkBytes = 1U << 20U;
     /// Real time after which an open chunk is written.
@@ -74,7 +76,7 @@ class Writer {
   robotlink::Result<void> attach(const Attachment& attachment);
   /// Writes the open chunk, then a metadata record.
   robotlink::Result<void> addMetadata(const Metadata& metadata);
-  /// Writes summary and footer, and calls fsync. Idempotent.
+  /// Writes summary and footer, and calls fsync unless Options::sync is off. Idempotent.
   robotlink::Result<void> close();
 
   /// The numbers of records so far.
