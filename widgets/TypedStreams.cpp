@@ -61,7 +61,9 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
   }
   const std::uint64_t added = stream.count - count_;
   if (added == 0) return news;
-  for (auto at = stream.messages.rbegin(); at != stream.messages.rend(); ++at) {
+  // What is only there because somebody looks back at it is not new.
+  const auto end = stream.messages.rend() - static_cast<std::ptrdiff_t>(stream.lookedAt);
+  for (auto at = stream.messages.rbegin(); at != end; ++at) {
     const auto& message = *at;
     if (news.messages.size() == added) break;
     if (!seen(message)) news.messages.push_back(&message);

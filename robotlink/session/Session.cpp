@@ -181,7 +181,7 @@ void Session::tick() {
   }
   if (restarted) {
     store_.clear();
-    timeline_.goLive();
+    history_.goLive();
   }
   const auto add = [this](StreamMessage& message) {
     for (const auto& [number, listener] : listeners_) {
@@ -194,6 +194,7 @@ void Session::tick() {
     for (StreamMessage& message : batch.messages) add(message);
   }
   timeline_.setNewest(store_.newest());
+  history_.tick();
   for (const ResultPtr& result : results) {
     for (const auto& [number, listener] : listeners_) {
       if (listener.result) listener.result(*result);

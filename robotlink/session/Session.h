@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "robotlink/session/History.h"
 #include "robotlink/session/RemoteRobot.h"
 #include "robotlink/session/StreamStore.h"
 #include "robotlink/session/Timeline.h"
@@ -95,6 +96,9 @@ class Session {
   void tick();
   StreamStore& store() { return store_; }
   Timeline& timeline() { return timeline_; }
+  const Timeline& timeline() const { return timeline_; }
+  /// Looks back while the robots continue: pauses the timeline and moves it.
+  History& history() { return history_; }
   /// The number of messages that were dropped because tick() was late or because they were invalid, plus
   /// those that the robots' own queues and the store dropped.
   std::uint64_t dropped() const;
@@ -133,9 +137,10 @@ class Session {
   void await(std::uint64_t id, ResultHandler onResult);
 
   StreamStore store_;
-  // Shared with producers; its own mutex protects it. Everything else belongs to the GUI's thread.
   Timeline timeline_;
-  /// What was pushed since the last tick.
+  History history_{store_, timeline_};
+  /// What was pushed since the last tick. Shared with producers; its own mutex protects it. Everything else
+  /// belongs to the GUI's thread.
   std::unique_ptr<Inbox> inbox_;
   /// Result handlers of requests that have no result yet.
   std::unique_ptr<Pending> pending_;

@@ -4,6 +4,9 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
 
 #include "robotlink/session/LatchedMessages.h"
 
@@ -12,6 +15,8 @@ namespace {
 
 constexpr Duration kRateWindow = std::chrono::seconds(1);
 constexpr Duration kSweepPeriod = std::chrono::milliseconds(100);
+/// Beyond the limit, this share of it is dropped at once.
+constexpr std::size_t kDropShare = 32;
 
 bool earlier(Instant time, const StreamMessage& message) {
   return time < message.time;
@@ -78,17 +83,38 @@ void StreamStore::insert(Stream& stream, StreamMessage message) {
   bytes_ += message.bytes;
   stream.bytes += message.bytes;
   ++stream.count;
-  const auto at = std::upper_bound(stream.messages.begin(), stream.messages.end(), message.time, earlier);
+  const auto recent = stream.messages.begin() + static_cast<std::ptrdiff_t>(stream.lookedAt);
+  const auto at = std::upper_bound(recent, stream.messages.end(), message.time, earlier);
   stream.messages.insert(at, std::move(message));
 }
 
-void StreamStore::popFront(Stream& stream) {
-  bytes_ -= stream.messages.front().bytes;
-  stream.bytes -= stream.messages.front().bytes;
-  stream.messages.pop_front();
+void StreamStore::dropOldest(Stream& stream, std::size_t count, std::vector<StreamMessage>& dropped) {
+  const auto begin = stream.messages.begin() + static_cast<std::ptrdiff_t>(stream.lookedAt);
+  const auto end = begin + static_cast<std::ptrdiff_t>(count);
+  if (archive_) dropped.insert(dropped.end(), begin, end);
+  // What is looked at includes what was the newest message at its begin.
+  const auto isLookedAt = [this](const StreamMessage& message, const StreamMessage& following) {
+    return looked_ && message.time <= looked_->to && following.time > looked_->from;
+  };
+  auto kept = begin;
+  for (auto at = begin; at != end; ++at) {
+    if (isLookedAt(*at, *std::next(at))) {
+      lookedBytes_ += at->bytes;
+      if (kept != at) *kept = std::move(*at);
+      ++kept;
+    } else {
+      bytes_ -= at->bytes;
+      stream.bytes -= at->bytes;
+    }
+  }
+  stream.lookedAt += static_cast<std::size_t>(kept - begin);
+  stream.messages.erase(kept, end);
 }
 
 void StreamStore::forgetAfter(Instant time) {
+  lookAway();
+  horizon_ = std::min(horizon_, time);
+  if (archive_) archive_->forgetAfter(time);
   for (auto& [path, stream] : streams_) {
     auto& messages = stream.messages;
     StreamMessage kept;
@@ -112,30 +138,107 @@ void StreamStore::forgetAfter(Instant time) {
 void StreamStore::forgetOld() {
   // Often enough for rates; all streams are checked, even those without new messages.
   if (newest_ - swept_ >= kSweepPeriod || newest_ < swept_) sweep();
-  while (bytes_ > limits_.bytes) {
-    Stream* oldest = nullptr;
-    for (auto& [path, stream] : streams_) {
-      if (stream.messages.size() < 2) continue;
-      if (!oldest || stream.messages.front().time < oldest->messages.front().time) oldest = &stream;
-    }
-    if (!oldest) return;
-    popFront(*oldest);
+  // Not one by one, since all streams have to be looked through, and since the archive gets them together.
+  if (bytes_ - lookedBytes_ > limits_.bytes) drop(Instant::min(), limits_.bytes - limits_.bytes / kDropShare);
+}
+
+void StreamStore::drop(Instant until, std::size_t bytes) {
+  // A message holds until the next one of its stream, whose time decides when it is dropped. That also keeps
+  // the newest message of each stream.
+  struct Next {
+    Instant time;
+    Stream* stream;
+    std::size_t dropped;
+  };
+  const auto later = [](const Next& a, const Next& b) { return a.time > b.time; };
+  std::vector<Next> next;
+  for (auto& [path, stream] : streams_) {
+    if (stream.messages.size() > stream.lookedAt + 1)
+      next.push_back({stream.messages[stream.lookedAt + 1].time, &stream, 0});
   }
+  std::make_heap(next.begin(), next.end(), later);
+  std::size_t remaining = bytes_ - lookedBytes_;
+  std::vector<Next> ended;
+  const Instant before = horizon_;
+  while (!next.empty() && (next.front().time <= until || remaining > bytes)) {
+    std::pop_heap(next.begin(), next.end(), later);
+    Next& oldest = next.back();
+    const auto& messages = oldest.stream->messages;
+    horizon_ = std::max(horizon_, oldest.time);
+    remaining -= messages[oldest.stream->lookedAt + oldest.dropped].bytes;
+    ++oldest.dropped;
+    const std::size_t following = oldest.stream->lookedAt + oldest.dropped + 1;
+    if (following < messages.size()) {
+      oldest.time = messages[following].time;
+      std::push_heap(next.begin(), next.end(), later);
+    } else {
+      ended.push_back(oldest);
+      next.pop_back();
+    }
+  }
+  std::vector<StreamMessage> dropped;
+  for (const auto& those : {next, ended}) {
+    for (const Next& each : those) dropOldest(*each.stream, each.dropped, dropped);
+  }
+  if (archive_ && !dropped.empty()) archive_->add(std::move(dropped), {before, horizon_});
 }
 
 void StreamStore::sweep() {
-  const Instant oldest = newest_ - limits_.age;
   swept_ = newest_;
-  for (auto& [path, stream] : streams_) {
-    // What a silent stream published last is kept for good.
-    while (stream.messages.size() > 1 && stream.messages.front().time < oldest) popFront(stream);
-    stream.rate = rateOf(stream, newest_);
+  if (limits_.age < kNoLimit) drop(newest_ - limits_.age, std::numeric_limits<std::size_t>::max());
+  for (auto& [path, stream] : streams_) stream.rate = rateOf(stream, newest_);
+}
+
+void StreamStore::setBytes(std::size_t bytes) {
+  limits_.bytes = bytes;
+  forgetOld();
+}
+
+bool StreamStore::has(Instant time) const {
+  return time >= horizon_ || (looked_ && looked_->from <= time && time <= looked_->to);
+}
+
+void StreamStore::lookAt(Stretch stretch) {
+  lookAway();
+  looked_ = {std::max(stretch.from, horizon_), stretch.to};
+}
+
+void StreamStore::lookAt(Stretch stretch, std::vector<StreamMessage> messages) {
+  lookAway();
+  looked_ = stretch;
+  for (StreamMessage& message : messages) {
+    const auto found = streams_.find(message.path);
+    if (found == streams_.end()) continue;
+    Stream& stream = found->second;
+    if (message.bytes == 0) message.bytes = sizeOf(message);
+    bytes_ += message.bytes;
+    stream.bytes += message.bytes;
+    lookedBytes_ += message.bytes;
+    const auto at = stream.messages.begin() + static_cast<std::ptrdiff_t>(stream.lookedAt);
+    stream.messages.insert(at, std::move(message));
+    ++stream.lookedAt;
   }
+}
+
+void StreamStore::lookAway() {
+  looked_.reset();
+  if (lookedBytes_ == 0) return;
+  for (auto& [path, stream] : streams_) {
+    for (; stream.lookedAt > 0; --stream.lookedAt) {
+      bytes_ -= stream.messages.front().bytes;
+      stream.bytes -= stream.messages.front().bytes;
+      stream.messages.pop_front();
+    }
+  }
+  lookedBytes_ = 0;
 }
 
 void StreamStore::clear() {
   streams_.clear();
-  bytes_ = 0;
+  bytes_ = lookedBytes_ = 0;
+  looked_.reset();
+  horizon_ = Instant::min();
+  if (archive_) archive_->clear();
   ++listVersion_;
   ++generation_;
   newest_ = swept_ = Instant{};

@@ -4,15 +4,22 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "robotlink/session/HistoryArchive.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace robotlink {
 
-/// The bounded history of all streams of a session. Messages are never copied: views share them. The newest
-/// message of each stream is always kept, so that what changes rarely (tables, transforms) is never lost.
+/// The bounded history of all streams of a session. Messages are never copied: views share them. Up to
+/// horizon() it is complete: of each stream it has the newest message at that instant, however old, and all
+/// later ones, so that what changes rarely (tables, transforms) is never lost.
+///
+/// What exceeds the limits is dropped, oldest first, into the archive if there is one. A stretch of time that
+/// is looked at stays among the messages of its streams, beside what the limits allow; between it and the
+/// horizon there may be a gap, see has().
 ///
 /// Used by one thread, the GUI's; producers push to Session. The messages of one process in one stream arrive
 /// in order of time (several processes may write to one stream, such as the log; their messages are merged by
@@ -24,11 +31,13 @@ namespace robotlink {
 /// and counted. Pointers to messages and streams are valid until the next add() or clear().
 class StreamStore {
  public:
+  /// Longer than any program runs.
+  static constexpr Duration kNoLimit = std::chrono::hours(24 * 3650);
   /// What is older or exceeds these limits is dropped, oldest first.
   struct Limits {
     // In the platform's time, before the newest message.
-    Duration age = std::chrono::seconds(60);
-    std::size_t bytes = 512U << 20U;
+    Duration age = kNoLimit;
+    std::size_t bytes = std::size_t{1} << 30U;
     // How many paths may exist at once.
     std::size_t streams = 10'000;
   };
@@ -44,6 +53,8 @@ class StreamStore {
     std::uint64_t count = 0;
     /// Memory held by `messages`.
     std::uint64_t bytes = 0;
+    /// How many of `messages`, at their front, are there only because they are looked at.
+    std::size_t lookedAt = 0;
     /// Messages per second, over the last second of the platform's time; updated every 0.1 s of it.
     double rate = 0;
     /// Time of the first message after the start or a reset.
@@ -57,6 +68,25 @@ class StreamStore {
   void add(StreamMessage message);
   /// Drops everything and increments generation().
   void clear();
+
+  /// Where dropped messages go; null: nowhere. It must outlive the store's use.
+  void setArchive(HistoryArchive* archive) { archive_ = archive; }
+  /// Changes how many bytes are kept; drops what exceeds them.
+  void setBytes(std::size_t bytes);
+  const Limits& limits() const { return limits_; }
+  /// The instant from which on the history is complete; Instant::min() if nothing was dropped yet.
+  Instant horizon() const { return horizon_; }
+  /// Whether the messages of an instant are here: it is not before the horizon, or it is looked at.
+  bool has(Instant time) const;
+  /// What is looked at; unset: nothing.
+  const std::optional<Stretch>& lookedAt() const { return looked_; }
+  /// Looks at a stretch that is not before the horizon: its messages stay from now on.
+  void lookAt(Stretch stretch);
+  /// Looks at a stretch that was dropped: its messages are among those of their streams again. `messages` are
+  /// in order of time and begin with the newest of each stream at the stretch's begin.
+  void lookAt(Stretch stretch, std::vector<StreamMessage> messages);
+  /// Drops what was only there because it was looked at.
+  void lookAway();
 
   /// Increases with every clear(): values derived from an earlier generation are obsolete.
   std::uint64_t generation() const { return generation_; }
@@ -85,7 +115,11 @@ class StreamStore {
  private:
   Stream* streamFor(const StreamMessage& message);
   void insert(Stream& stream, StreamMessage message);
-  void popFront(Stream& stream);
+  /// Drops messages that another one of their stream follows not later than `until`, and then the oldest
+  /// while they hold more than `bytes`.
+  void drop(Instant until, std::size_t bytes);
+  /// Drops the oldest messages of a stream that are not looked at, this many, and adds them to `dropped`.
+  void dropOldest(Stream& stream, std::size_t count, std::vector<StreamMessage>& dropped);
   /// Drops messages later than `time` after the platform's clock was set back.
   void forgetAfter(Instant time);
   void forgetOld();
@@ -94,7 +128,12 @@ class StreamStore {
 
   Limits limits_;
   std::map<std::string, Stream> streams_;
+  HistoryArchive* archive_ = nullptr;
+  Instant horizon_ = Instant::min();
+  std::optional<Stretch> looked_;
+  /// Of all messages, and of those that are there only because they are looked at.
   std::size_t bytes_ = 0;
+  std::size_t lookedBytes_ = 0;
   std::uint64_t listVersion_ = 0;
   std::uint64_t generation_ = 0;
   std::uint64_t refused_ = 0;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/History.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/LatchedMessages.h"
+
+namespace robotlink {
+namespace {
+
+/// Closer to the begin of what is in the store, more is read.
+constexpr Duration kMargin = std::chrono::seconds(2);
+
+/// The earliest message in memory; latched ones may be older than anything else.
+Instant oldestIn(const StreamStore& store) {
+  Instant oldest = store.newest();
+  for (const auto* stream : store.streams()) {
+    if (!stream->messages.empty() && !isLatched(stream->path, stream->type))
+      oldest = std::min(oldest, stream->messages.front().time);
+  }
+  return oldest;
+}
+
+}  // namespace
+
+void History::setArchive(std::unique_ptr<HistoryArchive> archive) {
+  archive_ = std::move(archive);
+  store_.setArchive(archive_.get());
+  reading_.reset();
+  requested_.reset();
+  steps_ = {};
+}
+
+void History::pause() {
+  if (timeline_.live()) timeline_.show(timeline_.newest());
+  keepAround();
+}
+
+void History::goLive() {
+  timeline_.goLive();
+  store_.lookAway();
+  reading_.reset();
+  requested_.reset();
+  steps_ = {};
+}
+
+void History::show(Instant time) {
+  steps_ = {};
+  const std::vector<Stretch> all = kept();
+  time = std::clamp(time, all.front().from, all.back().to);
+  for (auto at = all.begin(); at != all.end(); ++at) {
+    if (time > at->to && time < std::next(at)->from) time = std::next(at)->from;
+  }
+  if (store_.has(time) || !archive_) {
+    reading_.reset();
+    timeline_.show(time);
+    return keepAround();
+  }
+  timeline_.show(timeline_.shown());
+  reading_ = time;
+  requested_ = time;
+  archive_->request(time);
+}
+
+Result<void> History::step(const std::string& stream, int count) {
+  if (store_.find(stream) == nullptr) {
+    return failure("history.stream", "nothing was received on " + stream + "; switch its debug key on", {},
+                   {stream});
+  }
+  if (!reading_) show(timeline_.shown());
+  steps_ = {stream, count, timeline_.shown()};
+  doSteps();
+  return {};
+}
+
+Result<void> History::stepFrames(const std::string& robot, int count) {
+  const StreamStore::Stream* slowest = nullptr;
+  const auto rate = [this](const StreamStore::Stream& stream) {
+    return static_cast<double>(stream.count) / seconds(store_.newest() - stream.since + Duration(1));
+  };
+  for (const auto* stream : store_.streams(robot + "/" + streams::kFrames)) {
+    if (slowest == nullptr || rate(*stream) < rate(*slowest)) slowest = stream;
+  }
+  if (slowest != nullptr) return step(slowest->path, count);
+  return failure("history.frames",
+                 robot.empty() ? "there is no robot whose frames could be stepped"
+                               : "the program of " + robot + " has not executed a frame yet",
+                 {}, {robot});
+}
+
+std::optional<History::Step> History::stepped(const std::string& stream, Instant from, bool forward) const {
+  const auto& messages = store_.find(stream)->messages;
+  const auto& looked = store_.lookedAt();
+  if (!forward) {
+    const auto at = std::ranges::lower_bound(messages, from, {}, &StreamMessage::time);
+    if (at != messages.begin()) return Step{std::prev(at)->time};
+    const Instant begin = looked ? std::min(looked->from, store_.horizon()) : store_.horizon();
+    if (begin <= kept().front().from) return std::nullopt;
+    return Step{begin - Duration(1), true};
+  }
+  const auto at = std::ranges::upper_bound(messages, from, {}, &StreamMessage::time);
+  // Between what is looked at and the horizon there may be more.
+  const bool isGap = looked && looked->to < store_.horizon() && from < store_.horizon();
+  if (isGap && at - messages.begin() >= static_cast<std::ptrdiff_t>(store_.find(stream)->lookedAt))
+    return Step{looked->to + Duration(1), true};
+  return at == messages.end() ? std::nullopt : std::optional(Step{at->time});
+}
+
+void History::doSteps() {
+  if (reading_ || steps_.count == 0 || store_.find(steps_.stream) == nullptr) return;
+  Steps rest = std::exchange(steps_, {});
+  Instant at = rest.from;
+  while (rest.count != 0 && store_.has(at)) {
+    const bool forward = rest.count > 0;
+    const auto next = stepped(rest.stream, rest.from, forward);
+    if (!next) break;
+    at = next->at;
+    if (next->isUnknown) break;
+    rest.from = at;
+    rest.count += forward ? -1 : 1;
+  }
+  show(at);
+  if (reading_) steps_ = rest;
+}
+
+Duration History::behind() const {
+  return timeline_.live() ? Duration(0) : std::max(Duration(0), timeline_.newest() - chosen());
+}
+
+std::vector<Stretch> History::kept() const {
+  const Instant newest = store_.newest();
+  const Instant from = store_.horizon() == Instant::min() ? oldestIn(store_) : store_.horizon();
+  std::vector<Stretch> all{{std::min(from, newest), newest}};
+  const auto archived = archive_ ? archive_->stretch() : std::nullopt;
+  if (!archived) return all;
+  if (archived->to < from) {
+    all.insert(all.begin(), *archived);
+  } else {
+    all.front().from = std::min(from, archived->from);
+  }
+  return all;
+}
+
+void History::take() {
+  auto part = archive_ ? archive_->take() : std::nullopt;
+  if (!part || !requested_ || part->at != *requested_) return;
+  requested_.reset();
+  // It was forgotten meanwhile.
+  if (part->messages.empty()) return goLive();
+  store_.lookAt(part->stretch, std::move(part->messages));
+  if (!reading_) return;
+  timeline_.show(*std::exchange(reading_, std::nullopt));
+  doSteps();
+}
+
+void History::keepAround() {
+  const Instant shown = timeline_.shown();
+  const auto& looked = store_.lookedAt();
+  if (!looked || shown < looked->from || shown > looked->to) {
+    // What the timeline shows must be there, unless it was told so by others.
+    if (!store_.has(shown)) return;
+    store_.lookAt({shown - kBefore, shown + kBehind});
+  }
+  if (!archive_ || requested_) return;
+  const auto archived = archive_->stretch();
+  if (!archived || looked->from <= archived->from || shown - looked->from >= kMargin || shown > archived->to)
+    return;
+  requested_ = shown;
+  archive_->request(shown);
+}
+
+void History::tick() {
+  // The platform was reset, and what is shown is yet to come.
+  const bool wasReset = store_.newest() < std::exchange(newest_, store_.newest());
+  if (timeline_.live()) {
+    if (store_.lookedAt() || reading_) goLive();
+    return;
+  }
+  if (wasReset && chosen() > store_.newest()) return goLive();
+  take();
+  if (!reading_) keepAround();
+}
+
+}  // namespace robotlink

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/session/HistoryArchive.h"
+#include "robotlink/session/StreamStore.h"
+#include "robotlink/session/Timeline.h"
+
+namespace robotlink {
+
+/// Looking back in a session while its robots continue: decides which instant the timeline shows, and sees to
+/// it that its messages are in the store: they stay there, or are read from the archive first. Until they
+/// are read, the timeline shows what it showed before, so that all views show one instant, completely.
+///
+/// In the thread that ticks the session.
+class History {
+ public:
+  /// How much before and behind the shown instant is in the store, too, for trails and for small steps.
+  static constexpr Duration kBefore = std::chrono::seconds(5);
+  static constexpr Duration kBehind = std::chrono::seconds(2);
+
+  /// Both must outlive it.
+  History(StreamStore& store, Timeline& timeline) : store_(store), timeline_(timeline) {}
+  ~History() { setArchive(nullptr); }
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
+
+  /// Keeps what is dropped from memory from now on; null: nowhere. What was archived before is forgotten.
+  void setArchive(std::unique_ptr<HistoryArchive> archive);
+  /// Null if there is none.
+  HistoryArchive* archive() { return archive_.get(); }
+
+  /// Shows the newest instant from now on, however the robots continue.
+  void pause();
+  /// Follows the newest instant again.
+  void goLive();
+  /// Pauses at an instant; the nearest one that can be shown if it was dropped or is yet to come.
+  void show(Instant time);
+  /// Pauses at the message of a stream that is `count` messages behind the shown instant; negative: before.
+  /// At the ends of the history it stays there. Fails if there is no such stream.
+  Result<void> step(const std::string& stream, int count);
+  /// The same by the frames of the robot's process that has the fewest a second, which is the one that looks
+  /// at images if there is one.
+  Result<void> stepFrames(const std::string& robot, int count);
+
+  /// The instant that was chosen last: the one that is shown, or the one that is being read.
+  Instant chosen() const { return reading_.value_or(timeline_.shown()); }
+  /// Whether the chosen instant is being read, and is not shown yet.
+  bool isReading() const { return reading_.has_value(); }
+  /// How far the chosen instant is behind the newest one; zero while live.
+  Duration behind() const;
+  /// What can be shown, in order of time; between these stretches messages were dropped.
+  std::vector<Stretch> kept() const;
+
+  /// Called by the session in each tick.
+  void tick();
+
+ private:
+  struct Steps {
+    std::string stream;
+    int count = 0;
+    /// Where they go on.
+    Instant from = {};
+  };
+  /// Takes what was read.
+  void take();
+  /// Steps as far as the messages are in the store.
+  void doSteps();
+  struct Step {
+    Instant at;
+    /// Whether it is only the next place about which nothing is known yet, rather than a message.
+    bool isUnknown = false;
+  };
+  /// Where the next step leads; unset: there is no more message.
+  std::optional<Step> stepped(const std::string& stream, Instant from, bool forward) const;
+  /// Looks at what is around the shown instant, and requests what is missing there.
+  void keepAround();
+
+  StreamStore& store_;
+  Timeline& timeline_;
+  std::unique_ptr<HistoryArchive> archive_;
+  /// The chosen instant while it is read.
+  std::optional<Instant> reading_;
+  /// The instant around which more was requested.
+  std::optional<Instant> requested_;
+  /// The newest instant at the last tick.
+  Instant newest_;
+  /// What remains to be stepped when the chosen instant was read.
+  Steps steps_;
+};
+
+}  // namespace robotlink

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/session/StreamMessage.h"
+
+namespace robotlink {
+
+/// A stretch of a session's time, both ends included.
+struct Stretch {
+  Instant from, to;
+  bool operator==(const Stretch&) const = default;
+};
+
+/// Where a session's history puts messages that no longer fit into memory, and from where they are read again
+/// when they are looked at. All functions return at once; reading and writing is done elsewhere. Called by
+/// one thread, the session's.
+class HistoryArchive {
+ public:
+  /// A stretch that was read.
+  struct Part {
+    /// The instant that was requested, which is within the stretch.
+    Instant at;
+    Stretch stretch;
+    /// In order of time: the newest of each stream at the stretch's begin, and all within it.
+    std::vector<StreamMessage> messages;
+  };
+
+  virtual ~HistoryArchive() = default;
+
+  /// Adds messages in any order; those of one stream are in order of time and follow the ones that were
+  /// added before. They are all that held in `held` and no longer do at its end, since one that followed on
+  /// their stream holds instead. Its begin is the end of what was added before, or Instant::min().
+  virtual void add(std::vector<StreamMessage> messages, Stretch held) = 0;
+  /// Drops what is later than `time`, because the platform's clock was set back; may drop more.
+  virtual void forgetAfter(Instant time) = 0;
+  virtual void clear() = 0;
+  /// Requests the messages around an instant; replaces a request that was not served.
+  virtual void request(Instant at) = 0;
+  /// The last part that was read since the last call.
+  virtual std::optional<Part> take() = 0;
+
+  /// Changes how many bytes may be taken where the messages are; the oldest go beyond it. With 0 nothing is
+  /// added any more. After a problem, adding begins again.
+  virtual void setLimit(std::uint64_t bytes) = 0;
+  virtual std::uint64_t limit() const = 0;
+
+  /// What can be read; unset: nothing.
+  virtual std::optional<Stretch> stretch() const = 0;
+  /// What the messages take where they are, in bytes.
+  virtual std::uint64_t bytes() const = 0;
+  /// Each stream's share of the messages, in bytes of memory that they took.
+  virtual std::map<std::string, std::uint64_t> shares() const = 0;
+  /// Why nothing more is added, once.
+  virtual std::optional<Error> takeProblem() = 0;
+};
+
+}  // namespace robotlink
