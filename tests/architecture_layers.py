@@ -56,7 +56,7 @@ ROOMS = {
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
     "logplayer/mcap": [".", "read", "write"],
-    "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", ".", "edit"],
+    "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
     "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
         "log", "color", "drive", "messages", "console", "plots", "data", "scene", "timeline", "color/image", "color/quality",

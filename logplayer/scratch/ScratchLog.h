@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "logplayer/scratch/ScratchFolder.h"
+#include "logplayer/scratch/ScratchSegment.h"
+#include "robotlink/base/Worker.h"
+
+namespace logplayer {
+
+/// The history of a session on disk: what no longer fits into memory, as log files in a temporary folder, of
+/// which the oldest are removed. It is written and read in a thread of its own; messages are in memory until
+/// they were written, and are shared.
+///
+/// If the disk is full, or too slow, that is a problem once, and nothing more is added; what was written can
+/// still be read.
+class ScratchLog final : public robotlink::HistoryArchive {
+ public:
+  struct Options {
+    /// How much the files may take; the oldest is removed beyond it. 0: nothing is added.
+    std::uint64_t bytes = std::uint64_t{4} << 30U;
+    /// How much stays free on the disk, for others.
+    std::uint64_t reserve = std::uint64_t{1} << 30U;
+    /// How much may wait in memory until it was written, beside what was added last.
+    std::uint64_t waiting = std::uint64_t{256} << 20U;
+  };
+
+  /// Nothing is on disk before something was added.
+  explicit ScratchLog(Options options);
+  ~ScratchLog() override;
+
+  void add(std::vector<robotlink::StreamMessage> messages, robotlink::Stretch held) override;
+  void forgetAfter(robotlink::Instant time) override;
+  void clear() override;
+  void request(robotlink::Instant at) override;
+  std::optional<Part> take() override { return worker_.take(); }
+  void setLimit(std::uint64_t bytes) override;
+  std::uint64_t limit() const override;
+  std::optional<robotlink::Stretch> stretch() const override;
+  std::uint64_t bytes() const override;
+  std::map<std::string, std::uint64_t> shares() const override;
+  std::optional<robotlink::Error> takeProblem() override;
+
+  /// Blocks until all that was added is written and all that was requested is read.
+  void finish() { worker_.finish(); }
+  /// The folder with the files; empty before there is one.
+  std::filesystem::path folder() const;
+
+ private:
+  struct Entry {
+    /// Used by the thread only, but for what never changes.
+    std::shared_ptr<ScratchSegment> segment;
+    /// What is complete with it.
+    robotlink::Stretch held;
+    /// Memory of its messages until they are written, and the size of the file since then.
+    std::uint64_t waiting = 0, written = 0;
+  };
+
+  /// Writes and reads until nothing is left to do; in the thread.
+  void work();
+  /// Returns whether there was something to write.
+  bool writeNext();
+  robotlink::Result<std::uint64_t> write(ScratchSegment& segment);
+  Part read(robotlink::Instant at, const std::deque<Entry>& entries) const;
+  /// Removes all. Call it with the mutex locked.
+  void drop();
+  /// Removes the oldest files beyond the limit. Call it with the mutex locked.
+  void trim();
+  /// Reports a problem, and drops what was not written. Call it with the mutex locked.
+  void stop(const std::string& why);
+
+  const Options options_;
+  /// Used by the thread only; unset until something is written.
+  std::optional<ScratchFolder> folder_;
+  std::uint64_t files_ = 0;
+  /// Protects everything below but the thread.
+  mutable std::mutex mutex_;
+  std::uint64_t limit_;
+  std::filesystem::path path_;
+  std::deque<Entry> entries_;
+  std::optional<robotlink::Instant> requested_;
+  std::optional<robotlink::Error> problem_;
+  bool isStopped_ = false;
+  robotlink::Worker<std::monostate, Part> worker_;
+};
+
+}  // namespace logplayer
