@@ -16,6 +16,7 @@ namespace app {
 
 OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
     : userFolder_(std::move(userFolder)),
+      history_(session_, userFolder_ / "history.json"),
       recording_(userFolder_),
       limits_(userFolder_ / "links.json"),
       remote_(session_, recording_.recorder(), limits_),
@@ -23,6 +24,7 @@ OpenPlatform::OpenPlatform(std::filesystem::path userFolder)
       hosting_(userFolder_ / "hosting.json"),
       platform_(session_, recording_.recorder(), &hosting_, &limits_) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
+  history_.setLive(true);
   // What is refused is among the notes of remote_.
   offer_.onSteerElsewhere(
       [this](const std::string& robot, bool giveUp) { static_cast<void>(remote_.steer(robot, giveUp)); });
@@ -174,6 +176,7 @@ void OpenPlatform::take(const robotcontrol::Request& request) {
 void OpenPlatform::tick() {
   for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) report(warnings);
+  if (auto problem = history_.takeProblem()) report({*std::move(problem)});
   if (const auto saved = hosting_.save(); !saved) report({saved.error()});
   if (const auto saved = limits_.save(); !saved) report({saved.error()});
   if (!loading()) bodyQuestion_.follow();
@@ -229,6 +232,7 @@ void OpenPlatform::apply(Outcome outcome) {
   }
   std::set<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.insert(name);
+  history_.setLive(loaded_->time != TimeKind::kLogged);
   remote_.setPlatform(loaded_->time ? std::optional(robots) : std::nullopt);
   listRobots();
   if (offer_.isOffered()) publishPrograms(session_, *loaded_);

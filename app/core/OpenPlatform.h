@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/HistoryKeeper.h"
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
 #include "app/core/body/BodyQuestion.h"
@@ -38,6 +39,7 @@ class OpenPlatform {
 
   robotlink::Session& session() { return session_; }
   Recording& recording() { return recording_; }
+  HistoryKeeper& history() { return history_; }
   const RemoteRobots& remote() const { return remote_; }
   const SessionOffer& offer() const { return offer_; }
   SessionOffer& offer() { return offer_; }
@@ -147,6 +149,7 @@ class OpenPlatform {
 
   std::filesystem::path userFolder_;
   robotlink::Session session_;
+  HistoryKeeper history_;
   Recording recording_;
   /// From the platform's thread. Unbounded: each outcome belongs to one of openings_, and there are no more
   /// than a person has begun.

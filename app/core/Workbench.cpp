@@ -10,6 +10,7 @@
 #include "app/core/RobotCommands.h"
 #include "app/core/SceneCommands.h"
 #include "app/core/SimulationCommands.h"
+#include "app/core/TimelineCommands.h"
 
 namespace app {
 
@@ -24,6 +25,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addLogSearch(commands_, *this, logSearch_);
   addJob([this] { return logSearch_.working(); });
   addRecordingCommands(commands_, *this);
+  addTimelineCommands(commands_, *this);
 }
 
 robotlink::Result<bool> Workbench::working() const {

@@ -180,6 +180,29 @@ Rows playedLogRows() {
   };
 }
 
+Rows timelineRows() {
+  return {
+      {"timeline.pause", "Pauses what all views show, while the robots continue"},
+      {"timeline.live", "Shows what the robots send now again"},
+      {"timeline.seek",
+       "Shows an earlier instant in all views, while the robots continue",
+       {{"time", Type::kNumber, "seconds; negative: before now"}}},
+      {"timeline.step",
+       "Steps what all views show by frames of the selected robot, while the robots continue",
+       {{"count", Type::kNumber, "how many; negative: backward", 1.0}}},
+      {"timeline.step-message",
+       "Steps what all views show by messages of a stream, while the robots continue",
+       {{"stream", Type::kText, "its path: red1/camera/image"},
+        {"count", Type::kNumber, "how many; negative: backward", 1.0}}},
+      {"timeline.memory",
+       "Sets how much of what robots have sent is kept in memory; it is remembered",
+       {{"mib", Type::kNumber, "MiB, 64 or more"}}},
+      {"timeline.disk",
+       "Sets how much of what robots have sent before is kept on disk; it is remembered",
+       {{"mib", Type::kNumber, "MiB; 0: nothing"}}},
+  };
+}
+
 Rows recordingRows() {
   return {
       {"recording.start", "Starts recording into a new file in the folder for recordings"},
@@ -220,7 +243,7 @@ Rows commandCatalog() {
   Rows all;
   for (Rows& rows :
        std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(), playedLogRows(),
-                         recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
+                         timelineRows(), recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
     std::ranges::move(rows, std::back_inserter(all));
   return all;
 }
