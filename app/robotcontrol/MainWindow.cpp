@@ -21,6 +21,7 @@
 #include "app/robotcontrol/actions/PlatformMenus.h"
 #include "app/robotcontrol/actions/Shortcuts.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
+#include "app/robotcontrol/bars/HistoryLine.h"
 #include "app/robotcontrol/bars/LeftOpenBar.h"
 #include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
@@ -113,6 +114,7 @@ void MainWindow::createActions() {
   addAction(toolBar_->stopAction());
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
+  history_ = new HistoryLine(workbench_, *actions_, *statusBar());
   remote_ = new RemoteMenus(workbench_, *actions_, this);
   remoteLine_ = new RemoteLine(workbench_, *actions_, *statusBar());
   connect(remoteLine_, &RemoteLine::connectionsClicked, remote_, &RemoteMenus::showConnect);
@@ -246,6 +248,7 @@ void MainWindow::tick() {
   tickLogs();
   widgets::colorFiles(context_).tick();
   status_->refresh();
+  history_->refresh();
   remoteLine_->refresh();
   tickDocks();
   widgets::manualSteering(context_).tick();

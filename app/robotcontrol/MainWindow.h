@@ -31,6 +31,7 @@ namespace app {
 class CommandActions;
 class CommandPalette;
 class DockSpace;
+class HistoryLine;
 class LayoutHistory;
 class LogOpening;
 class ManualWindow;
@@ -245,6 +246,7 @@ class MainWindow : public QMainWindow {
   LeftOpenBar* leftOpen_ = nullptr;
   LogContentsBar* contentsBar_ = nullptr;
   StatusLine* status_ = nullptr;
+  HistoryLine* history_ = nullptr;
   RemoteMenus* remote_ = nullptr;
   RemoteLine* remoteLine_ = nullptr;
   QWidget* errorBar_ = nullptr;

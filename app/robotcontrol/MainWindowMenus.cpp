@@ -16,6 +16,7 @@
 #include "app/robotcontrol/actions/ProblemReport.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
+#include "app/robotcontrol/bars/HistoryLine.h"
 #include "app/robotcontrol/bars/LightMenu.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
@@ -76,6 +77,7 @@ void MainWindow::createRobotMenus() {
   remote_->addOffer(*robot);
   robot->addSeparator();
   robot->addAction(toolBar_->stopAction());
+  robot->addMenu(history_->menu());
   robot->addSeparator();
   QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));

@@ -372,6 +372,30 @@ class TimeLineTest : public QObject {
     QCOMPARE(spots.canvas().layout().lanes.size(), lanes - 4);
   }
 
+  void twoLogsAreAlignedByAnEventThatIsInBoth() {
+    LogBench bench;
+    bench.openLog(kFile);
+    bench.openLog("/logs/other.mcap", 5);
+    auto view = bench.openView<TimeLineView>({1000, 600});
+    Spots spots(*view);
+    const auto choose = [&](int band, double seconds, const char* action) {
+      const QPoint where(spots.x(seconds), spots.lane(Kind::kHeader, {}, band).center().y());
+      QContextMenuEvent event(QContextMenuEvent::Mouse, where, spots.viewport().mapToGlobal(where));
+      QApplication::sendEvent(&spots.viewport(), &event);
+      auto& menu = *view->findChildren<QMenu*>(QStringLiteral("timeLineMenu")).back();
+      auto* entry = menu.findChild<QAction*>(QLatin1String(action));
+      if (entry != nullptr) entry->trigger();
+      menu.close();
+      return entry != nullptr;
+    };
+    QVERIFY(!choose(1, 25, "alignEvent"));
+    QVERIFY(choose(0, 20, "markEvent"));
+    QVERIFY(!choose(0, 20, "alignEvent"));
+    QVERIFY(choose(1, 28, "alignEvent"));
+    QCOMPARE(bench.asked().offsets(0).log(), std::string("/logs/other.mcap"));
+    QVERIFY(isAbout(bench.asked().offsets(0).offset(), 5 - 8, 0.1));
+  }
+
   void severalLogsHaveABandEachWhoseOffsetIsDraggedOrTyped() {
     LogBench bench;
     bench.openLog(kFile);
@@ -462,11 +486,13 @@ class TimeLineTest : public QObject {
     QCOMPARE(colorAt(5), colorAt(15));
     const QString tip = toolTipAt(spots.viewport(), {spots.x(10), lane.center().y()});
     QVERIFY2(tip.contains(QStringLiteral("nothing is heard of the robot")), qPrintable(tip));
-    QVERIFY(toolTipAt(spots.viewport(), {spots.x(5), lane.center().y()}) == QStringLiteral("red1"));
-    // There is no log whose play head could be moved.
+    QVERIFY(toolTipAt(spots.viewport(), {spots.x(5), lane.center().y()})
+                .contains(QStringLiteral("show it in all")));
+    // There is no log whose play head could be moved, but the history of the robot.
     QTest::mouseClick(&spots.viewport(), Qt::LeftButton, {}, {spots.x(5), lane.center().y()});
     bench.tick(*view);
     QVERIFY(bench.requests.empty());
+    QVERIFY(std::abs(robotlink::seconds(bench.session.timeline().shown() - at(5))) < 0.1);
     keepPicture(*view, "time-line-gaps");
     // One that lasts reaches up to now.
     bench.session.setRemoteRobots(

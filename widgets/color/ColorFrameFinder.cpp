@@ -141,10 +141,10 @@ void ColorFrameFinder::show(int row) {
   const robotlink::Instant time = model_.row(row).time;
   Q_EMIT bench_.followWanted();
   if (searched_.logged) {
-    bench_.session().timeline().goLive();
+    bench_.session().history().goLive();
     openLogs(context_).replay().jumpTo(time);
   } else {
-    bench_.session().timeline().show(time);
+    bench_.session().history().show(time);
   }
 }
 

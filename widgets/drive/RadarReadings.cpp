@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "foxglove/Ranging.pb.h"
@@ -60,9 +61,9 @@ void addSonar(RadarReadings& readings, const StreamStore& store, const std::stri
   if (stream == nullptr) return;
   const auto now = odometryAt(store, robot, shown);
   std::set<int> seen;
-  for (auto at = stream->messages.rbegin(); at != stream->messages.rend(); ++at) {
+  const auto after = std::ranges::upper_bound(stream->messages, shown, {}, &robotlink::StreamMessage::time);
+  for (auto at = std::make_reverse_iterator(after); at != stream->messages.rend(); ++at) {
     const auto& message = *at;
-    if (message.time > shown) continue;
     if (shown - message.time > memory) break;
     const auto* sonar = dynamic_cast<const robotcontrol::SonarReadings*>(message.value.get());
     if (sonar == nullptr) continue;

@@ -120,10 +120,10 @@ void DebugKeysView::connectSignals() {
 
 void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
-  const auto tables =
-      latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
-  const auto subscribers =
-      latestTable(session().store(), robot, robotlink::streams::kSubscribers, session().timeline().shown());
+  // What is switched here acts on the robot now, whatever instant the data views show.
+  const auto now = session().timeline().newest();
+  const auto tables = latestTable(session().store(), robot, robotlink::streams::kKeys, now);
+  const auto subscribers = latestTable(session().store(), robot, robotlink::streams::kSubscribers, now);
   auto values = valuesOf(tables);
   for (auto& value : valuesOf(subscribers)) values.push_back(std::move(value));
   if (robot == robot_ && values == shown_) return;

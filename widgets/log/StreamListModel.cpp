@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "robotlink/session/Session.h"
 #include "widgets/log/LogOverview.h"
 
 namespace widgets {
@@ -27,6 +28,18 @@ std::vector<StreamRow> StreamListModel::rowsOf(const std::string& log, const Log
   return rows;
 }
 
+std::vector<StreamRow> StreamListModel::rowsOf(robotlink::Session& session) {
+  const auto* archive = session.history().archive();
+  const auto onDisk = archive != nullptr ? archive->shares() : std::map<std::string, std::uint64_t>();
+  std::vector<StreamRow> rows;
+  for (const auto* stream : session.store().streams()) {
+    const auto found = onDisk.find(stream->path);
+    const std::uint64_t before = found != onDisk.end() ? found->second : 0;
+    rows.push_back({{}, stream->path, stream->type, stream->count, stream->bytes + before, stream->rate});
+  }
+  return rows;
+}
+
 void StreamListModel::setRows(std::vector<StreamRow> rows) {
   if (rows == rows_) return;
   replaceRows(std::move(rows),
@@ -38,7 +51,8 @@ QVariant StreamListModel::data(const QModelIndex& index, int role) const {
   const StreamRow& at = row(index.row());
   const bool isNumber = index.column() >= kCount && index.column() <= kRate;
   if (role == Qt::TextAlignmentRole && isNumber) return kNumberAlignment;
-  if (role == Qt::CheckStateRole && index.column() == kPath) return at.shown ? Qt::Checked : Qt::Unchecked;
+  if (role == Qt::CheckStateRole && index.column() == kPath && !at.log.empty())
+    return at.shown ? Qt::Checked : Qt::Unchecked;
   if (role == kFilterRole) return QString::fromStdString(at.path + ' ' + at.type);
   if (role == Qt::FontRole && at.stepped) {
     QFont font;
@@ -78,7 +92,8 @@ bool StreamListModel::setData(const QModelIndex& index, const QVariant& value, i
 
 Qt::ItemFlags StreamListModel::flags(const QModelIndex& index) const {
   const auto flags = QAbstractTableModel::flags(index);
-  return index.column() == kPath ? flags | Qt::ItemIsUserCheckable : flags;
+  const bool hasCheck = index.isValid() && index.column() == kPath && !row(index.row()).log.empty();
+  return hasCheck ? flags | Qt::ItemIsUserCheckable : flags;
 }
 
 }  // namespace widgets

@@ -7,17 +7,22 @@
 
 #include "widgets/RowModel.h"
 
+namespace robotlink {
+class Session;
+}
+
 namespace widgets {
 
 struct LogOverview;
 
-/// A stream of a log.
+/// A stream of a log, or of what is kept of live robots.
 struct StreamRow {
-  /// Path of the log.
+  /// Path of the log; empty for a live robot, whose streams have no row in the timeline.
   std::string log;
   /// Path and schema of the stream.
   std::string path, type;
-  /// Number of messages, and the sum of their sizes (0: not counted yet).
+  /// Number of messages, and the sum of their sizes (0: not counted yet); of a live robot, the memory and
+  /// the part of the disk's files that they take.
   std::uint64_t count = 0, bytes = 0;
   /// Hz; 0: unknown.
   double rate = 0;
@@ -44,6 +49,8 @@ class StreamListModel final : public RowModel<StreamRow> {
   explicit StreamListModel(QObject* parent = nullptr);
   /// Replaces the rows. Selections survive unless streams were added or removed.
   void setRows(std::vector<StreamRow> rows);
+  /// The rows of what is kept of live robots.
+  static std::vector<StreamRow> rowsOf(robotlink::Session& session);
   /// The rows of one log; `hidden` are the paths of streams without a row in the timeline.
   static std::vector<StreamRow> rowsOf(const std::string& log, const LogOverview& overview,
                                        const std::set<std::string>& hidden);

@@ -18,7 +18,7 @@ namespace {
 
 const ViewRegistration kStreamsViewRegistration{
     {"log-streams", QT_TRANSLATE_NOOP("View", "Streams"),
-     QT_TRANSLATE_NOOP("View", "Lists the streams of the open logs with count, size, rate and schema."),
+     QT_TRANSLATE_NOOP("View", "Lists the streams of logs or live robots with count, size, rate and schema."),
      "streams", false, create<StreamsView>}};
 
 }  // namespace
@@ -76,7 +76,26 @@ void StreamsView::connectSignals() {
   connect(&logs_.replay(), &ReplayControl::steppedStreamChanged, this, [this] { shownVersion_ = 0; });
 }
 
+void StreamsView::showLive() {
+  // As often as rates can be read.
+  constexpr int kEvery = 15;
+  if (ticks_++ % kEvery != 0) return;
+  model_.setRows(StreamListModel::rowsOf(session()));
+  table_->setColumnHidden(StreamListModel::kLog, true);
+  hint_->setHint(
+      model_.rowCount() > 0
+          ? QString()
+          : tr("Nothing is open.\nStart a simulation, connect to a robot, or open a log with File > "
+               "Open log…"));
+  showSummary();
+}
+
 void StreamsView::tick() {
+  if (logs_.logs().empty()) {
+    shownVersion_ = 0;
+    return showLive();
+  }
+  ticks_ = 0;
   if (shownVersion_ == logs_.version()) return;
   shownVersion_ = logs_.version();
   std::vector<StreamRow> rows;
@@ -88,10 +107,7 @@ void StreamsView::tick() {
   }
   model_.setRows(std::move(rows));
   table_->setColumnHidden(StreamListModel::kLog, logs_.logs().size() < 2);
-  hint_->setHint(
-      logs_.logs().empty()
-          ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
-          : QString());
+  hint_->setHint({});
   showSummary();
 }
 

@@ -13,8 +13,9 @@ namespace widgets {
 
 class EmptyHint;
 
-/// The streams of the open logs with number of messages, size, rate and schema. A check box gives a stream a
-/// row in the timeline; a double click or Enter makes its messages those that are stepped.
+/// The streams of the open logs, or of live robots, with number of messages, size, rate and schema. In a log,
+/// a check box gives a stream a row in the timeline; a double click or Enter makes its messages those that
+/// are stepped.
 ///
 /// Registered as "log-streams". GUI thread.
 class StreamsView final : public View {
@@ -27,6 +28,8 @@ class StreamsView final : public View {
  private:
   void createViews();
   void connectSignals();
+  /// Lists what is kept of live robots, and each stream's share of it.
+  void showLive();
   /// Updates the line with the totals.
   void showSummary();
 
@@ -39,6 +42,7 @@ class StreamsView final : public View {
   EmptyHint* hint_ = nullptr;
   /// OpenLogs::version() of what is shown.
   std::uint64_t shownVersion_ = 0;
+  int ticks_ = 0;
 };
 
 }  // namespace widgets

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/motion/MeasuredSpeed.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "foxglove/Geometry.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -41,9 +43,9 @@ std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const st
   if (stream == nullptr) return {};
   std::optional<robotlink::Pose2> after, before;
   robotlink::Instant afterTime, beforeTime;
-  for (auto at = stream->messages.rbegin(); at != stream->messages.rend(); ++at) {
+  const auto later = std::ranges::upper_bound(stream->messages, time, {}, &robotlink::StreamMessage::time);
+  for (auto at = std::make_reverse_iterator(later); at != stream->messages.rend(); ++at) {
     const auto& message = *at;
-    if (message.time > time) continue;
     const auto pose = poseOf(message, robot);
     if (!pose) continue;
     if (!after) {

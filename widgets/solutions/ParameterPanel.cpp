@@ -205,7 +205,7 @@ std::function<bool()> ParameterPanel::whetherShown() const {
 void ParameterPanel::tick() {
   if (solution_.empty()) return;
   for (const auto* message :
-       latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues", session_.timeline().shown())) {
+       latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues", session_.timeline().newest())) {
     if (message == nullptr || message->value == shown_) continue;
     const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(message->value.get());
     if (values == nullptr || values->task() != task_ || values->solution() != solution_) continue;

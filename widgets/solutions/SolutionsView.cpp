@@ -90,8 +90,9 @@ void SolutionsView::connectSignals() {
 
 void SolutionsView::tick() {
   const std::string& robot = session().selectedRobot();
+  // What is switched here acts on the robot now, whatever instant the data views show.
   const auto tables =
-      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().shown());
+      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
   auto values = valuesOf(tables);
   if (robot != robot_ || values != shown_) {
     const int before = robot == robot_ ? model_.rowCount() : 0;

@@ -27,8 +27,9 @@ bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLine
     };
     return x.title == y.title && x.offset == y.offset && x.showsOffset == y.showsOffset &&
            x.collapsed == y.collapsed && x.log == y.log && x.streams == y.streams &&
-           x.bookmarks == y.bookmarks && x.gaps == y.gaps && x.hasImages == y.hasImages &&
-           x.imageAspect == y.imageAspect && x.thumbnails.size() == y.thumbnails.size() &&
+           x.bookmarks == y.bookmarks && x.gaps == y.gaps && x.kept == y.kept && x.inMemory == y.inMemory &&
+           x.hasImages == y.hasImages && x.imageAspect == y.imageAspect &&
+           x.thumbnails.size() == y.thumbnails.size() &&
            std::equal(x.thumbnails.begin(), x.thumbnails.end(), y.thumbnails.begin(), sameImage);
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
@@ -101,6 +102,10 @@ void TimeLineCanvas::setSteppedStream(int band, const std::string& path) {
 void TimeLineCanvas::setFollow(bool on) {
   follow_ = on;
   if (on) keepShownInSight();
+}
+
+void TimeLineCanvas::setScrubsEverywhere(bool on) {
+  scrubsEverywhere_ = on;
 }
 
 void TimeLineCanvas::chooseBookmark(int band, std::uint64_t id) {

@@ -43,6 +43,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void setSteppedStream(int band, const std::string& path);
   /// Whether the play head is kept in sight.
   void setFollow(bool on);
+  /// Whether the play head can be dragged everywhere, since there are no ranges to be selected.
+  void setScrubsEverywhere(bool on);
   /// Marks a bookmark as the chosen one.
   void chooseBookmark(int band, std::uint64_t id);
 
@@ -56,6 +58,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void showRange(robotlink::Instant from, robotlink::Instant to);
   /// Opens an editor for a bookmark's text.
   void editBookmark(int band, std::uint64_t id);
+  /// The time of the nearest message in the row at a point of the viewport, else of the point.
+  robotlink::Instant snappedTimeAt(const QPointF& point) const;
   /// Times of the visible thumbnails that are missing, in the log's own times.
   std::vector<robotlink::Instant> missingThumbnails(int band) const;
 
@@ -121,8 +125,6 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   /// Scrolls by a page if the play head is not visible.
   void keepShownInSight();
   robotlink::Instant timeAt(const QPointF& point) const;
-  /// The time of the nearest message in the row at a point, else of the point.
-  robotlink::Instant snappedTimeAt(const QPointF& point) const;
   /// What a press at a point would begin.
   Hit hitAt(const QPointF& point, Qt::KeyboardModifiers modifiers) const;
   /// Id of the bookmark at a point of a lane; 0: none.
@@ -142,6 +144,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   QString timeToolTip(robotlink::Instant time) const;
   /// About the gap of a robot's line at a point; empty if there is none.
   QString gapToolTip(const TimeLineBand& of, const QPointF& point) const;
+  /// Where the messages of a live robot are at a point.
+  QString keptToolTip(const TimeLineBand& of, const QPointF& point) const;
   /// Text of the warnings and errors near a time.
   QString saidNear(const TimeLineBand& of, robotlink::Instant time) const;
   QString bookmarkToolTip(const TimeLineBand& of, const logplayer::Bookmark& bookmark) const;
@@ -159,6 +163,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   /// Whether all logs are kept fitted; until the user zooms or pans.
   bool fitted_ = true;
   bool follow_ = true;
+  bool scrubsEverywhere_ = false;
   /// What is being dragged.
   Hit held_;
   /// Whether the mouse has moved since the press.

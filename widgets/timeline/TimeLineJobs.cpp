@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMenu>
 
 #include "widgets/log/LogBars.h"
 #include "widgets/log/LogJobs.h"
@@ -106,6 +107,28 @@ void TimeLineView::exportTexts() {
     job_->start(tr("Exporting %1").arg(QFileInfo(file).fileName()),
                 exportTextsOf(path, range, file.toStdString()));
   });
+}
+
+void TimeLineView::addAligning(QMenu& menu, int band, robotlink::Instant time) {
+  const auto* log = logAt(band);
+  if (log == nullptr || logs_.logs().size() < 2) return;
+  const auto nameOf = [](const std::string& path) {
+    return QFileInfo(QString::fromStdString(path)).fileName();
+  };
+  menu.addSeparator();
+  menu.addAction(tr("Mark this event of %1, to find it in another log").arg(nameOf(log->path)), this,
+                 [this, path = log->path, own = time - log->offset] {
+                   marked_ = {path, own};
+                 })
+      ->setObjectName(QStringLiteral("markEvent"));
+  const auto* other = marked_ ? logs_.find(marked_->first) : nullptr;
+  if (other == nullptr || other == log) return;
+  const robotlink::Instant meant = marked_->second + other->offset;
+  menu.addAction(tr("This is the marked event of %1: align").arg(nameOf(other->path)), this,
+                 [this, path = log->path, offset = log->offset + (meant - time)] {
+                   logs_.replay().setOffset(path, offset);
+                 })
+      ->setObjectName(QStringLiteral("alignEvent"));
 }
 
 void TimeLineView::repair(const QString& path) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "logplayer/bookmarks/Bookmarks.h"
+#include "robotlink/session/HistoryArchive.h"
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/log/LogOverview.h"
 #include "widgets/log/TimeScale.h"
@@ -18,7 +19,7 @@
 // Contents, look and geometry of a timeline: plain values and pure functions, shared by painting and mouse.
 namespace widgets {
 
-/// One log of a timeline, or the history of a robot elsewhere. Times are the log's own; `offset` is added to
+/// One log of a timeline, or the history of a live robot. Times are the log's own; `offset` is added to
 /// them.
 struct TimeLineBand {
   /// Name of the log.
@@ -35,6 +36,10 @@ struct TimeLineBand {
   std::vector<logplayer::Bookmark> bookmarks;
   /// Whether there is a lane with thumbnails.
   bool hasImages = false;
+  /// What is kept of a live robot's messages, in order of time, of which what is before `inMemory` is on
+  /// disk; between these stretches messages were dropped. Empty for a log.
+  std::vector<robotlink::Stretch> kept;
+  robotlink::Instant inMemory{};
   /// Width by height of the images.
   double imageAspect = 4.0 / 3;
   /// By the times for which they were requested.

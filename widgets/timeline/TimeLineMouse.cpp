@@ -60,6 +60,7 @@ TimeLineCanvas::Hit TimeLineCanvas::hitAt(const QPointF& point, Qt::KeyboardModi
                         offsetRect(lane->rect, look_).contains(point);
     return {offset ? Drag::kOffset : Drag::kNone, lane != nullptr ? lane->band : -1};
   }
+  if (scrubsEverywhere_) return {Drag::kScrub};
   if ((modifiers & Qt::ShiftModifier) != 0) return {Drag::kSelect};
   if (lane != nullptr && lane->kind == Kind::kHeader) {
     if (const auto id = bookmarkAt(*lane, point); id != 0) return {Drag::kBookmark, lane->band, id};
@@ -326,6 +327,7 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const TimeLineLayout all = layout();
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
+    if (scrubsEverywhere_) return tr("Drag: show an earlier instant in all views. Wheel: zoom.");
     return tr("%1<br>Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.")
         .arg(timeToolTip(timeAt(point)));
   }
@@ -338,7 +340,8 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
     }
     if (const QString gap = point.x() < look_.gutter ? QString() : gapToolTip(of, point); !gap.isEmpty())
       return gap;
-    if (of.log == nullptr) return of.title.toHtmlEscaped();
+    if (of.log == nullptr)
+      return point.x() < look_.gutter ? of.title.toHtmlEscaped() : keptToolTip(of, point);
     if (point.x() >= look_.gutter) return tr("Double click: add a bookmark here. Drag: select a range.");
     if (of.showsOffset && offsetRect(lane->rect, look_).contains(point)) {
       return tr("Offset of this log's times. Drag it, or double click and type.");
@@ -372,6 +375,16 @@ QString TimeLineCanvas::gapToolTip(const TimeLineBand& of, const QPointF& point)
              reason.isEmpty() ? QStringLiteral(".") : QStringLiteral(": ") + reason);
   }
   return {};
+}
+
+QString TimeLineCanvas::keptToolTip(const TimeLineBand& of, const QPointF& point) const {
+  const Instant time = timeAt(point);
+  const QString what = tr("%1 s").arg(timeText(time - look_.origin));
+  const auto at = std::ranges::find_if(
+      of.kept, [&](const robotlink::Stretch& stretch) { return stretch.from <= time && time <= stretch.to; });
+  if (at == of.kept.end()) return tr("%1: no longer kept. The context menu sets how much is.").arg(what);
+  return time < of.inMemory ? tr("%1, on disk. Click or drag: show it in all views.").arg(what)
+                            : tr("%1. Click or drag: show it in all views.").arg(what);
 }
 
 QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {

@@ -110,10 +110,30 @@ void paintGaps(const Canvas& canvas, const TimeLineBand& band, const QRectF& plo
   }
 }
 
+/// Shows what is kept of a live robot's messages: in memory, on disk, or no longer.
+void paintKept(const Canvas& canvas, const TimeLineBand& band, const QRectF& plot) {
+  if (band.kept.empty()) return;
+  QPainter& painter = canvas.painter;
+  const auto fill = [&](Instant from, Instant to, const QBrush& brush) {
+    const double left = std::max(plot.left(), canvas.look.scale.x(from));
+    const double right = std::min(plot.right(), canvas.look.scale.x(to));
+    if (right > left) painter.fillRect(QRectF(left, plot.top() + 3, right - left, plot.height() - 6), brush);
+  };
+  fill(canvas.look.begin, canvas.look.end,
+       QBrush(mixed(canvas.base(), canvas.text(), 0.35), Qt::BDiagPattern));
+  const QColor color = curveColor(0, canvas.palette);
+  for (const robotlink::Stretch& kept : band.kept) {
+    fill(kept.from, kept.to, canvas.base());
+    fill(kept.from, std::min(kept.to, band.inMemory), mixed(canvas.base(), color, 0.25));
+    fill(std::max(kept.from, band.inMemory), kept.to, mixed(canvas.base(), color, 0.5));
+  }
+}
+
 /// Names a band; those of logs can be collapsed.
 void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lane) {
   QPainter& painter = canvas.painter;
   painter.fillRect(lane.rect, mixed(canvas.base(), canvas.text(), 0.06));
+  paintKept(canvas, band, canvas.plot(lane.rect));
   paintGaps(canvas, band, canvas.plot(lane.rect));
   const QPointF middle = collapseRect(lane.rect).center();
   QPainterPath triangle;

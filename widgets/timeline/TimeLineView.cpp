@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of TimeLineView that shows logs and connects controls. TimeLineJobs.cpp has the actions on ranges
-// and files.
+// and files, TimeLineHistory.cpp what concerns live robots.
 #include "widgets/timeline/TimeLineView.h"
 
 #include <QAction>
@@ -30,7 +30,7 @@ const ViewRegistration kTimeLineViewRegistration{
     {"time-line", QT_TRANSLATE_NOOP("View", "Timeline"),
      QT_TRANSLATE_NOOP("View",
                        "Shows logs over time: images, messages, warnings, bookmarks; lets you jump, select, "
-                       "cut and export."),
+                       "cut and export. Of live robots, lets you look back while they continue."),
      "time-line", false, create<TimeLineView>}};
 
 QString withKey(const QString& text, ReplayKey key) {
@@ -43,6 +43,7 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
     : View(context, parent), logs_(openLogs(context)) {
   setObjectName(QStringLiteral("timeLineView"));
   createActions();
+  createHistoryActions();
   createRangeActions();
   createViews();
   connectSignals();
@@ -95,6 +96,9 @@ QWidget* TimeLineView::createBar() {
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(4, 2, 4, 2);
   layout->setSpacing(2);
+  for (QAction* action : {back_, pause_, on_}) history_.push_back(makeButton(bar, action));
+  history_.push_back(makeLabeledButton(bar, live_));
+  for (QToolButton* button : history_) layout->addWidget(button);
   for (QAction* action : {bookmark_, undo_, redo_}) layout->addWidget(makeButton(bar, action));
   layout->addSpacing(10);
   for (QAction* action : {zoomOut_, zoomIn_, fit_, follow_}) layout->addWidget(makeButton(bar, action));
@@ -138,8 +142,8 @@ void TimeLineView::connectSignals() {
   connect(loop_, &QAction::triggered, this, &TimeLineView::loopRange);
   connect(cut_, &QAction::triggered, this, &TimeLineView::cut);
   connect(clear_, &QAction::triggered, this, [&replay] { replay.clearRange(); });
-  connect(canvas_, &TimeLineCanvas::jumpWanted, this, [&replay](Instant time) {
-    if (replay.open()) replay.jumpTo(time);
+  connect(canvas_, &TimeLineCanvas::jumpWanted, this, [this, &replay](Instant time) {
+    replay.open() ? replay.jumpTo(time) : session().history().show(time);
   });
   connect(canvas_, &TimeLineCanvas::rangeWanted, this, [&replay](Instant from, Instant to) {
     if (replay.open()) replay.setRange(from, to);
@@ -228,16 +232,19 @@ void TimeLineView::tick() {
   job_->tick();
   const bool open = logs_.replay().open();
   hint_->setHint(
-      open || !session().remoteRobots().empty()
+      open || hasHistory()
           ? QString()
-          : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
-  showBands();
-  if (open)
-    canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
-  else
-    showHistory();
+          : tr("Nothing is open.\nStart a simulation, connect to a robot, or open a log with File > "
+               "Open log…"));
   canvas_->setOrigin(session().timeline().origin());
-  canvas_->setShown(open ? logs_.replay().shown() : session().timeline().shown());
+  if (open) {
+    canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
+    canvas_->setShown(logs_.replay().shown());
+  } else {
+    showHistory();
+  }
+  showBands();
+  showHistoryActions();
   canvas_->setRange(logs_.replay().range());
   showSteppedStream();
   showRange();
@@ -248,7 +255,7 @@ void TimeLineView::tick() {
   redo_->setEnabled(logs_.undoStack().canRedo());
   const auto* current = logs_.current();
   bookmark_->setEnabled(current != nullptr && current->bookmarks.has_value());
-  for (QAction* action : {zoomIn_, zoomOut_, fit_}) action->setEnabled(open);
+  for (QAction* action : {zoomIn_, zoomOut_, fit_}) action->setEnabled(open || hasHistory());
 }
 
 void TimeLineView::showBands() {
@@ -273,33 +280,8 @@ void TimeLineView::showBands() {
     }
     bands.push_back(std::move(band));
   }
-  if (bands.empty()) bands = historyBands();
+  if (bands.empty() && hasHistory()) bands = historyBands();
   canvas_->setBands(std::move(bands));
-}
-
-/// Without a log: robots elsewhere, and when nothing was received from them.
-std::vector<TimeLineBand> TimeLineView::historyBands() const {
-  std::vector<TimeLineBand> bands;
-  for (const auto& [robot, remote] : session().remoteRobots()) {
-    TimeLineBand& band = bands.emplace_back();
-    band.title = QString::fromStdString(robot);
-    band.gaps = remote.gaps;
-  }
-  return bands;
-}
-
-/// As far back as the session remembers, but no more than what it has.
-void TimeLineView::showHistory() {
-  if (session().remoteRobots().empty()) return canvas_->setExtent({}, {});
-  constexpr robotlink::Duration kLongest = std::chrono::minutes(1);
-  const Instant newest = session().timeline().newest();
-  Instant oldest = newest;
-  for (const auto* stream : session().store().streams()) {
-    if (!stream->messages.empty() && stream->messages.size() > 1)
-      oldest = std::min(oldest, stream->messages.front().time);
-  }
-  canvas_->setShown(session().timeline().shown());
-  canvas_->setExtent(std::max(oldest, newest - kLongest), newest);
 }
 
 void TimeLineView::showRange() {
@@ -358,6 +340,7 @@ void TimeLineView::wantThumbnails() {
 
 void TimeLineView::keyPressEvent(QKeyEvent* event) {
   const auto key = replayKey(*event);
+  if (key && hasHistory()) return pressInHistory(*key, *event);
   if (!key || !logs_.replay().open()) return View::keyPressEvent(event);
   if (*key == ReplayKey::kBookmark) {
     bookmark_->trigger();
@@ -367,10 +350,14 @@ void TimeLineView::keyPressEvent(QKeyEvent* event) {
 }
 
 void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
-  if (!logs_.replay().open()) return;
+  if (!logs_.replay().open() && !hasHistory()) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("timeLineMenu"));
+  if (hasHistory()) {
+    fillHistoryMenu(*menu);
+    return menu->popup(event->globalPos());
+  }
   const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
   const TimeLineLayout all = canvas_->layout();
   const auto* stream = all.laneAt(at);
@@ -390,6 +377,7 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
       if (auto* log = logAt(band)) logs_.setHidden(*log, path, true);
     });
   }
+  if (stream != nullptr) addAligning(*menu, stream->band, canvas_->snappedTimeAt(at));
   menu->popup(event->globalPos());
 }
 

@@ -4,9 +4,11 @@
 #include <functional>
 #include <optional>
 
+#include "robotlink/commands/CommandTable.h"
 #include "widgets/View.h"
 #include "widgets/log/LogJob.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/log/ReplayKeys.h"
 
 class QAction;
 class QComboBox;
@@ -23,7 +25,8 @@ class TimeLineCanvas;
 struct TimeLineBand;
 
 /// The replay's logs over time: images, messages, warnings and errors, bookmarks, the play head, and a range
-/// that can be played in a loop, cut into a new log or exported. Long operations run as a LogJob with
+/// that can be played in a loop, cut into a new log or exported. Without a log, what is kept of live robots,
+/// to look back while they continue. Long operations run as a LogJob with
 /// progress and cancel. TimeLineJobs.cpp defines what starts them.
 ///
 /// Registered as "time-line". GUI thread.
@@ -53,8 +56,23 @@ class TimeLineView final : public View {
   OpenLogs::Log* logAt(int band);
   /// Passes the logs to the canvas.
   void showBands();
+
+  // TimeLineHistory.cpp: live robots, to look back while they continue.
+  /// Whether there are robots, and no log.
+  bool hasHistory() const;
+  void createHistoryActions();
+  /// A band for each robot, with what is kept of its messages.
   std::vector<TimeLineBand> historyBands() const;
+  /// Passes the extent of the history to the canvas.
   void showHistory();
+  void showHistoryActions();
+  void pressInHistory(ReplayKey key, QKeyEvent& event);
+  void fillHistoryMenu(QMenu& menu);
+  /// Asks how much is to be kept.
+  void askForLimits();
+  /// Runs a command; a failure is shown.
+  void run(const char* command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
+
   /// Passes the range to the canvas and enables its actions.
   void showRange();
   /// Fills the combo box of the streams of images.
@@ -75,6 +93,8 @@ class TimeLineView final : public View {
   void exportImages();
   void exportTable();
   void exportTexts();
+  /// Aligns two logs by an event that is in both: it is marked in one, and found again in the other.
+  void addAligning(QMenu& menu, int band, robotlink::Instant time);
   /// Starts the repair of a log (its path).
   void repair(const QString& log);
   /// The range in a log's own times; unset: none.
@@ -98,6 +118,17 @@ class TimeLineView final : public View {
   LogDamageBar* damage_ = nullptr;
   QComboBox* images_ = nullptr;
   QLabel* range_ = nullptr;
+  /// An event of a log (its path), in the log's own time, by which another one is aligned.
+  std::optional<std::pair<std::string, robotlink::Instant>> marked_;
+  QAction* pause_ = nullptr;
+  QAction* back_ = nullptr;
+  QAction* on_ = nullptr;
+  QAction* live_ = nullptr;
+  /// The buttons of these, hidden while a log is open.
+  std::vector<QToolButton*> history_;
+  /// The earliest instant of the session, by its restarts; what was dropped since is shown as such.
+  std::pair<std::uint64_t, robotlink::Instant> earliest_{~std::uint64_t{0}, {}};
+  int ticks_ = 0;
   QAction* bookmark_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;

@@ -137,7 +137,7 @@ void ColorFramesView::connectSignals() {
   connect(search_, &QAction::triggered, this, &ColorFramesView::search);
   connect(cancel_, &QAction::triggered, &finder_, &ColorFrameFinder::cancel);
   connect(live_, &QAction::triggered, this, [this] {
-    session().timeline().goLive();
+    session().history().goLive();
     tick();
   });
   connect(classMenu_, &QMenu::aboutToShow, this, &ColorFramesView::listClasses);

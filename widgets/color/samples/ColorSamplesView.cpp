@@ -278,7 +278,7 @@ void ColorSamplesView::showImage(const colortool::SampleImage& image) {
     replay.jumpTo(*time);
   } else if (time && !replay.open() && *time <= newest) {
     Q_EMIT bench_.frameWanted(nullptr);
-    session().timeline().show(*time);
+    session().history().show(*time);
   } else {
     Q_EMIT bench_.failed(tr("The image %1 is not here: it was not collected, and its time is not on the "
                             "timeline. Open its log to see it.")
