@@ -2,7 +2,6 @@
 // Export of messages as CSV and JSON lines.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
-#include <google/protobuf/util/json_util.h>
 
 #include <cmath>
 #include <iterator>
@@ -12,9 +11,9 @@
 
 #include "logplayer/base/Plural.h"
 #include "logplayer/export/ExportPass.h"
+#include "logplayer/export/JsonLine.h"
 #include "logplayer/export/LogExport.h"
 #include "logplayer/export/MessageTable.h"
-#include "robotlink/decoding/JsonText.h"
 
 namespace logplayer {
 namespace {
@@ -136,27 +135,6 @@ class CsvTable {
   std::size_t width_ = 0;
 };
 
-Result<std::string> jsonLine(const LogFile& log, const StreamMessage& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.preserve_proto_field_names = true;
-  // Unset fields are left out if the type distinguishes them.
-  options.always_print_primitive_fields =
-      message.value->GetDescriptor()->file()->syntax() == google::protobuf::FileDescriptor::SYNTAX_PROTO3;
-  std::string value;
-  // This fails, for example, for a timestamp after the year 9999.
-  if (isUndecoded(log, message) ||
-      !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
-    return robotlink::failure("export.json", "it has no JSON");
-  }
-  std::string line =
-      "{\"stream\":" + robotlink::jsonText(message.path) + ",\"log_time\":" + timeText(message.time);
-  if (!message.process.empty()) line += ",\"process\":" + robotlink::jsonText(message.process);
-  if (message.frame > 0) line += ",\"frame\":" + std::to_string(message.frame);
-  line += ",\"type\":" + robotlink::jsonText(message.value->GetDescriptor()->full_name()) +
-          ",\"message\":" + value + "}\n";
-  return line;
-}
-
 }  // namespace
 
 Result<ExportReport> writeCsv(const std::shared_ptr<LogFile>& log, const std::string& streams,
@@ -185,10 +163,10 @@ Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const s
   std::map<std::string, std::uint64_t> failed;
   const auto done =
       forEachMessage(log, *paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
-        const auto line = jsonLine(*log, message);
-        if (line) {
+        const auto line = isUndecoded(*log, message) ? "" : jsonLine(message).value_or("");
+        if (!line.empty()) {
           ++report.written;
-          return logplayer::put(out, *line);
+          return logplayer::put(out, line);
         }
         ++failed[message.path];
         return {};

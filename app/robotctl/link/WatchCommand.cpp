@@ -16,6 +16,8 @@
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/link/LinkOptions.h"
 #include "app/robotctl/link/StreamList.h"
+#include "logplayer/base/RecordedStreams.h"
+#include "logplayer/export/JsonLine.h"
 #include "logplayer/export/MessageTable.h"
 #include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/session/SessionClient.h"
@@ -30,7 +32,7 @@ using WallClock = std::chrono::steady_clock;
 struct WatchArguments {
   LinkOptions link;
   RecordOptions record;
-  std::string csv;
+  std::string csv, jsonLines;
   std::optional<double> seconds;
   LinkLimits limits;
   bool asJson = false, asJpeg = false, asPng = false, asRaw = false;
@@ -40,6 +42,11 @@ constexpr std::chrono::milliseconds kWatchTick{10};
 constexpr std::chrono::seconds kWatchInterval{1};
 /// Nobody scrolls back here.
 constexpr robotlink::StreamStore::Limits kWatchHistory{std::chrono::seconds(1), 64U << 20U};
+
+/// What other programs read stays as it is; a terminal must not obey it.
+std::string shownLines(const std::string& lines) {
+  return ::isatty(STDOUT_FILENO) == 1 ? robotlink::printableLines(lines) : lines;
+}
 
 /// Prints messages of one stream as lines of a table, whose columns are those of the first message.
 class CsvPrinter {
@@ -51,33 +58,47 @@ class CsvPrinter {
       table_.learn(*message.value);
       auto columns = table_.columns();
       columns.insert(columns.begin(), "time");
-      std::cout << shown(logplayer::csvLine(columns));
+      std::cout << shownLines(logplayer::csvLine(columns));
     }
     if (type != type_) return;
     auto row = table_.row(*message.value);
     const auto time = message.time.time_since_epoch();
     constexpr std::int64_t kNanos = 1'000'000'000;
     row.insert(row.begin(), logplayer::secondsText(time.count() / kNanos, time.count() % kNanos));
-    std::cout << shown(logplayer::csvLine(row)) << std::flush;
+    std::cout << shownLines(logplayer::csvLine(row)) << std::flush;
   }
 
  private:
-  /// What other programs read stays as it is.
-  static std::string shown(const std::string& line) {
-    return ::isatty(STDOUT_FILENO) == 1 ? robotlink::printableLines(line) : line;
-  }
-
   std::string type_;
   logplayer::MessageTable table_;
+};
+
+/// Prints messages of the streams that a selection has, as they come, each as a JSON object on a line of its
+/// own.
+class JsonPrinter {
+ public:
+  explicit JsonPrinter(const robotcontrol::StreamSelection& selection)
+      : streams_{{selection.include().begin(), selection.include().end()},
+                 {selection.exclude().begin(), selection.exclude().end()}} {}
+
+  bool prints(const std::string& path) const { return streams_.has(path); }
+  void print(const robotlink::StreamMessage& message) {
+    const auto line = logplayer::jsonLine(message);
+    if (line) std::cout << shownLines(*line) << std::flush;
+  }
+
+ private:
+  logplayer::StreamFilter streams_;
 };
 
 /// Watches one server until the time is over or the user interrupts.
 class Watch {
  public:
-  Watch(const WatchArguments& arguments, robotlink::websocket::Connector::Options connection,
-        logplayer::Recorder* recorder)
+  Watch(const WatchArguments& arguments, const std::optional<robotcontrol::StreamSelection>& asJsonLines,
+        robotlink::websocket::Connector::Options connection, logplayer::Recorder* recorder)
       : arguments_(arguments),
         recorder_(recorder),
+        json_(asJsonLines ? std::make_optional<JsonPrinter>(*asJsonLines) : std::nullopt),
         session_(kWatchHistory),
         client_(session_, optionsFor(std::move(connection))) {
     LinkLimits limits = arguments.limits;
@@ -113,17 +134,20 @@ class Watch {
     SessionClient::Options options;
     options.connection = std::move(connection);
     options.alsoWanted = [this](const std::string& path) {
-      return path == arguments_.csv || (recorder_ != nullptr && recorder_->wants(path));
+      return path == arguments_.csv || (json_ && json_->prints(path)) ||
+             (recorder_ != nullptr && recorder_->wants(path));
     };
     options.convert = decodedImage;
     options.passed = [this](const robotlink::StreamMessage& message) {
       if (recorder_ != nullptr) recorder_->add({message});
       if (!arguments_.csv.empty() && message.path == arguments_.csv) csv_.print(message);
+      if (json_ && json_->prints(message.path)) json_->print(message);
     };
     return options;
   }
+  bool printsMessages() const { return !arguments_.csv.empty() || json_; }
   bool isInteractive() const {
-    return !arguments_.asJson && arguments_.csv.empty() && ::isatty(STDOUT_FILENO) == 1;
+    return !arguments_.asJson && !printsMessages() && ::isatty(STDOUT_FILENO) == 1;
   }
   std::string title() const {
     std::string robots;
@@ -144,7 +168,7 @@ class Watch {
     list_.update(client_.streams(), seconds);
     if (arguments_.asJson)
       std::cout << list_.json(toString(client_.url()), client_.robots(), client_.stateText());
-    else if (arguments_.csv.empty() && !isInteractive())
+    else if (!printsMessages() && !isInteractive())
       std::cout << title() << list_.text();
     if (!arguments_.csv.empty() && !list_.has(arguments_.csv) && wasConnected_)
       return printErrors({{"watch.stream",
@@ -158,6 +182,7 @@ class Watch {
   const WatchArguments& arguments_;
   logplayer::Recorder* recorder_;
   CsvPrinter csv_;
+  std::optional<JsonPrinter> json_;
   StreamList list_;
   std::string told_;
   bool wasConnected_ = false;
@@ -171,13 +196,22 @@ int watch(const WatchArguments& arguments) {
     printErrors({connection.error()});
     return kUsage;
   }
+  std::optional<robotcontrol::StreamSelection> asJsonLines;
+  if (!arguments.jsonLines.empty()) {
+    auto selection = logplayer::readSelection(arguments.jsonLines);
+    if (!selection) {
+      printErrors({selection.error()});
+      return kUsage;
+    }
+    asJsonLines = *std::move(selection);
+  }
   auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
   const Interrupt interrupt;
-  int status = Watch(arguments, *std::move(connection), recorder->get()).run();
+  int status = Watch(arguments, asJsonLines, *std::move(connection), recorder->get()).run();
   if (*recorder == nullptr) return status;
-  const ExitStatus recorded =
-      finishRecording(**recorder, arguments.csv.empty() && !arguments.asJson ? std::cout : std::cerr);
+  const bool isForPeople = arguments.csv.empty() && arguments.jsonLines.empty() && !arguments.asJson;
+  const ExitStatus recorded = finishRecording(**recorder, isForPeople ? std::cout : std::cerr);
   return status == kDone ? recorded : status;
 }
 
@@ -189,8 +223,16 @@ void addWatchCommand(CLI::App& app, int& status) {
       "watch", "Lists the streams of a robot at the other end of a link, with their rates; records them");
   arguments->link.addTo(*command);
   arguments->record.addTo(*command);
-  command->add_option("--csv", arguments->csv, "Prints the messages of this stream as a table instead")
-      ->type_name("STREAM");
+  auto* csv =
+      command->add_option("--csv", arguments->csv, "Prints the messages of this stream as a table instead")
+          ->type_name("STREAM");
+  command
+      ->add_option(
+          "--json-lines", arguments->jsonLines,
+          "Prints messages instead, each as a JSON object on a line of its own: comma-separated streams, "
+          "* matches any text, - excludes (red1/models/*,-*/log)")
+      ->type_name("STREAMS")
+      ->excludes(csv);
   command->add_option("--seconds", arguments->seconds, "Ends after so long; otherwise with Ctrl-C")
       ->check(CLI::PositiveNumber);
   command

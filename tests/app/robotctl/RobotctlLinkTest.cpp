@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include "foxglove/Robot.pb.h"
@@ -123,6 +125,26 @@ TEST_F(OfferedRobot, watchPrintsAStreamAsATable) {
   const auto wrong = robotctl("watch", "--seconds 0.7 --csv red1/balls");
   EXPECT_EQ(wrong.status, 1);
   EXPECT_THAT(wrong.errors, HasSubstr("there is no stream 'red1/balls'"));
+}
+
+TEST_F(OfferedRobot, watchPrintsMessagesAsJsonForOtherPrograms) {
+  const auto outcome = robotctl("watch", "--seconds 0.7 --json-lines 'red1/models/*,red1/log'");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  std::istringstream lines(outcome.out);
+  std::set<std::string> streams;
+  double before = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const json message = json::parse(line);
+    streams.insert(message["stream"]);
+    if (message["stream"] != "red1/models/ball") continue;
+    EXPECT_TRUE(message["message"]["position_in_robot"]["x"].is_number()) << line;
+    EXPECT_GT(message["log_time"], before);
+    before = message["log_time"];
+  }
+  EXPECT_THAT(streams, testing::Contains("red1/models/ball"));
+  for (const std::string& stream : streams)
+    EXPECT_TRUE(stream.starts_with("red1/models/") || stream == "red1/log");
+  EXPECT_EQ(robotctl("watch", "--json-lines a,,").status, 2);
 }
 
 TEST_F(OfferedRobot, requestSaysWhetherItWasAccepted) {
