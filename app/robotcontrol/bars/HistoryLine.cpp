@@ -81,6 +81,10 @@ void HistoryLine::refresh() {
   const QString text = live                            ? tr("live")
                        : session.history().isReading() ? tr("%1 s behind, reading…").arg(behind, 0, 'f', 1)
                                                        : tr("%1 s behind live").arg(behind, 0, 'f', 1);
+  QPalette colors = button_->parentWidget()->palette();
+  colors.setColor(QPalette::ButtonText,
+                  widgets::colorOf(live ? widgets::Meaning::kMuted : widgets::Meaning::kWarning, colors));
+  if (button_->palette() != colors) button_->setPalette(colors);
   if (button_->text() == text) return;
   button_->setText(text);
   button_->setIcon(widgets::icon(live ? "pause" : "play"));
@@ -88,10 +92,6 @@ void HistoryLine::refresh() {
   button_->setToolTip(live ? tr("Pauses what all views show, while the robots continue (Ctrl+Space)")
                            : tr("Returns to what happens now (Ctrl+Space).\nThe robots continue: what you "
                                 "switch, tune or steer acts on them as they are now."));
-  QPalette colors = button_->parentWidget()->palette();
-  colors.setColor(QPalette::ButtonText,
-                  widgets::colorOf(live ? widgets::Meaning::kMuted : widgets::Meaning::kWarning, colors));
-  if (button_->palette() != colors) button_->setPalette(colors);
 }
 
 }  // namespace app
