@@ -20,14 +20,15 @@ namespace {
 
 /// The fields of DebugMessage that hold contents, by their types.
 const std::map<const Descriptor*, const FieldDescriptor*>& contentFields() {
-  static const auto kFields = [] {
-    std::map<const Descriptor*, const FieldDescriptor*> fields;
+  // Never destroyed: debug processes run on while another one calls exit().
+  static const auto* const kFields = [] {
+    auto* fields = new std::map<const Descriptor*, const FieldDescriptor*>;
     const auto* content = DebugMessage::descriptor()->FindOneofByName("content");
     for (int i = 0; i < content->field_count(); ++i)
-      fields[content->field(i)->message_type()] = content->field(i);
+      fields->emplace(content->field(i)->message_type(), content->field(i));
     return fields;
   }();
-  return kFields;
+  return *kFields;
 }
 
 void setContent(DebugMessage& to, const Message& content) {

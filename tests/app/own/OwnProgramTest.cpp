@@ -290,13 +290,20 @@ TEST_F(OwnThreadsProgramTest, itRunsAndPublishesThere) {
   }
 }
 
-TEST_F(OwnThreadsProgramTest, aCrashEndsOnlyThatProgramUntilItIsStartedAgain) {
+TEST_F(OwnThreadsProgramTest, aCrashEndsOnlyThatProgram) {
   play("segfault");
   ASSERT_TRUE(run_) << robotlink::describe(errors_);
   ASSERT_TRUE(stepsUntil([this] { return state() == HostingStatus::ENDED; }));
   EXPECT_THAT(status().text(), HasSubstr("(signal SIGSEGV) in trouble (segfault) of process worker"));
   EXPECT_THAT(status().stack(), HasSubstr("robotlink::TaskRunner::execute()")) << "of its thread";
   EXPECT_TRUE(worldGoesOn());
+}
+
+TEST_F(OwnThreadsProgramTest, aProgramThatEndedIsStartedAgain) {
+  play("none");
+  ASSERT_TRUE(run_) << robotlink::describe(errors_);
+  ASSERT_EQ(::kill(static_cast<pid_t>(status().pid()), SIGKILL), 0);
+  ASSERT_TRUE(stepsUntil([this] { return state() == HostingStatus::ENDED; }));
   HostProgram again;
   again.set_start_again(true);
   ASSERT_EQ(robotlink::describe(run_->hostProgram(first_, again)), "");

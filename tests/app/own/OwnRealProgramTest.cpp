@@ -137,7 +137,7 @@ TEST_F(OwnRealProgramTest, itDrivesTheRobotAsAProgramInsideDoes) {
   }));
 }
 
-TEST_F(OwnRealProgramTest, aCrashEndsOnlyTheProgramAndItIsStartedAgain) {
+TEST_F(OwnRealProgramTest, aCrashEndsOnlyTheProgram) {
   play("segfault");
   ASSERT_TRUE(onlyTheProgramEnds());
   EXPECT_THAT(hosting_.text(), HasSubstr("segmentation fault"));
@@ -146,6 +146,13 @@ TEST_F(OwnRealProgramTest, aCrashEndsOnlyTheProgramAndItIsStartedAgain) {
   auto tables = request();
   tables.mutable_send_tables();
   EXPECT_FALSE(run_->request(tables));
+}
+
+TEST_F(OwnRealProgramTest, aProgramThatEndedIsStartedAgain) {
+  play("none");
+  ASSERT_TRUE(playUntil([&] { return queues() > 0; }));
+  ASSERT_EQ(::kill(static_cast<pid_t>(hosting_.pid()), SIGKILL), 0);
+  ASSERT_TRUE(onlyTheProgramEnds());
   HostProgram again;
   again.set_start_again(true);
   choose(again);
