@@ -8,45 +8,45 @@ using testing::ElementsAre;
 
 namespace {
 
-bool isBefore(const std::string& a, const std::string& b) {
+bool wordPrecedes(const std::string& a, const std::string& b) {
   return a < b;
 }
 
 /// As programs have them: it exists until the end.
-Registry<std::string>& words() {
-  static Registry<std::string> registry(isBefore);
+Registry<std::string>& wordRegistry() {
+  static Registry<std::string> registry(wordPrecedes);
   return registry;
 }
 
-void add(const std::string& word, const std::string& problem = {}) {
-  words().add(word, "word " + word, problem);
+void addWord(const std::string& word, const std::string& problem = {}) {
+  wordRegistry().add(word, "word " + word, problem);
 }
 
 TEST(RegistrationsTest, entriesAreInTheirOrderAndWhatATrialAddsIsUndoneUnlessKept) {
-  add("pear");
-  add("apple");
-  EXPECT_THAT(words().all(), ElementsAre("apple", "pear"));
+  addWord("pear");
+  addWord("apple");
+  EXPECT_THAT(wordRegistry().all(), ElementsAre("apple", "pear"));
   {
     RegistrationTrial trial;
-    add("fig");
-    EXPECT_THAT(words().all(), ElementsAre("apple", "fig", "pear"));
+    addWord("fig");
+    EXPECT_THAT(wordRegistry().all(), ElementsAre("apple", "fig", "pear"));
   }
-  EXPECT_THAT(words().all(), ElementsAre("apple", "pear"));
+  EXPECT_THAT(wordRegistry().all(), ElementsAre("apple", "pear"));
   {
     RegistrationTrial trial;
-    add("plum");
+    addWord("plum");
     trial.keep();
   }
-  EXPECT_THAT(words().all(), ElementsAre("apple", "pear", "plum"));
+  EXPECT_THAT(wordRegistry().all(), ElementsAre("apple", "pear", "plum"));
 }
 
 TEST(RegistrationsTest, aTrialNotesWhatIsRefusedInsteadOfEndingTheProgram) {
   RegistrationTrial trial;
   EXPECT_EQ(RegistrationTrial::problem(), "");
-  add("kiwi", "there is one already");
-  add("lime", "it is sour");
+  addWord("kiwi", "there is one already");
+  addWord("lime", "it is sour");
   EXPECT_EQ(RegistrationTrial::problem(), "word kiwi: there is one already; word lime: it is sour");
-  EXPECT_THAT(words().all(), testing::Not(testing::Contains("kiwi")));
+  EXPECT_THAT(wordRegistry().all(), testing::Not(testing::Contains("kiwi")));
 }
 
 TEST(RegistrationsTest, aRegistryThatBeginsInATrialIsEmptyAfterIt) {
@@ -62,11 +62,11 @@ TEST(RegistrationsTest, aRegistryThatBeginsInATrialIsEmptyAfterIt) {
 }
 
 TEST(RegistrationsDeathTest, outsideOfATrialWhatIsRefusedEndsTheProgram) {
-  EXPECT_DEATH(add("kiwi", "there is one already"), "word kiwi: there is one already");
+  EXPECT_DEATH(addWord("kiwi", "there is one already"), "word kiwi: there is one already");
   EXPECT_DEATH(
       {
         Registrations::seal();
-        add("date");
+        addWord("date");
       },
       "word date: registered after programs were opened");
 }
