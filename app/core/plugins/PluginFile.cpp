@@ -45,8 +45,8 @@ std::string problemOfFile(const std::filesystem::path& file) {
   if (!std::ifstream(file)) return "this file cannot be read; check its permissions";
   const std::string built = interfaceOf(file);
   if (built.empty())
-    return "this is no plug-in of RobotControl: it was not built with ROBOTCONTROL_PLUGIN "
-           "(robotlink/base/Plugin.h)";
+    return "this is no plug-in of RobotControl; remove it from the folder of plug-ins, or ask its author for "
+           "one";
   if (built == ROBOTCONTROL_PLUGIN_INTERFACE) return {};
   return "it was built for the '" + built +
          "', but this is the '" ROBOTCONTROL_PLUGIN_INTERFACE
