@@ -24,6 +24,7 @@ PluginsDialog::PluginsDialog(QWidget* parent) : QDialog(parent) {
   table_->setHorizontalHeaderLabels(
       {tr("Plug-in"), tr("Version"), tr("What it does, or why it is not in use")});
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // reasons may be long
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -63,12 +64,11 @@ void PluginsDialog::fillTable() {
                                    : tr("Not loaded: %1").arg(QString::fromStdString(plugin.problem))};
     for (int column = 0; column < 3; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
-      item->setToolTip(file);
+      item->setToolTip(column == 2 ? texts[column] : file);
       table_->setItem(row, column, item);
     }
   }
   table_->resizeColumnsToContents();
-  table_->resizeRowsToContents();
 }
 
 }  // namespace app
