@@ -21,6 +21,9 @@ if(NOT ROBOTCONTROL_SANITIZE)
   endif()
 endif()
 
+# moc reads headers only, and need not wait until what they belong to can be linked.
+set(CMAKE_AUTOGEN_ORIGIN_DEPENDS OFF)
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
@@ -35,13 +38,39 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
 endif()
 option(ROBOTCONTROL_WERROR "Warnings are errors" ${ROBOTCONTROL_WERROR_DEFAULT})
 # So many sources at a time: enough that their common headers are read seldom. Those who edit choose fewer (CONTRIBUTING.md).
-set(ROBOTCONTROL_UNITY_BATCH 48 CACHE STRING "How many sources a unity build compiles at a time")
+set(ROBOTCONTROL_UNITY_BATCH 60 CACHE STRING "How many sources a unity build compiles at a time at most")
 
 # robotcontrol_unity(TARGET): in unity builds the target's sources are compiled together, as if they were one file. So names
 # in anonymous namespaces have to be unique in a target. A source that needs flags of its own is compiled by itself.
 function(robotcontrol_unity target)
-  set_target_properties(${target} PROPERTIES
-    UNITY_BUILD ${ROBOTCONTROL_UNITY} UNITY_BUILD_BATCH_SIZE ${ROBOTCONTROL_UNITY_BATCH})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROBOTCONTROL_UNITY})
+  # Later folders may add sources.
+  cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY [[${PROJECT_SOURCE_DIR}]] CALL robotcontrol_even_batches [[${target}]])")
+endfunction()
+
+# robotcontrol_even_batches(TARGET): as few batches as the limit allows, all of the same size, so that none is waited for.
+function(robotcontrol_even_batches target)
+  get_target_property(sources ${target} SOURCES)
+  set(count 0)
+  foreach(source IN LISTS sources)
+    get_source_file_property(alone ${source} TARGET_DIRECTORY ${target} SKIP_UNITY_BUILD_INCLUSION)
+    if(NOT alone)
+      math(EXPR count "${count} + 1")
+    endif()
+  endforeach()
+  set(limit ${ROBOTCONTROL_UNITY_BATCH})
+  math(EXPR size "${count}")
+  if(limit GREATER 0 AND count GREATER limit)
+    math(EXPR batches "(${count} + ${limit} - 1) / ${limit}")
+    math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()
+
+# robotcontrol_no_loops(TARGET): for what waits for people, files and lines: wiring, dialogs, commands. A little optimization is
+# enough there, and takes two thirds of the time to compile.
+function(robotcontrol_no_loops target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 add_library(robotcontrol_options INTERFACE)
@@ -93,9 +122,6 @@ function(robotcontrol_installed name kind)
   set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")
   # Calls inside of a library are as direct as in a program.
   target_link_options(${name} PRIVATE -Wl,-Bsymbolic-functions)
-  if(NOT ROBOTCONTROL_SANITIZE)
-    target_link_options(${name} PRIVATE -Wl,-z,defs)  # it names all libraries that it uses
-  endif()
   target_compile_features(${name} INTERFACE cxx_std_20)
   set_property(GLOBAL APPEND PROPERTY ROBOTCONTROL_${kind}_LIBRARIES ${name})
 endfunction()
@@ -117,6 +143,9 @@ function(robotcontrol_library name)
   add_library(${name} ${kind} ${ARG_SOURCES})
   robotcontrol_unity(${name})
   target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:robotcontrol_options> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if(kind STREQUAL SHARED AND NOT ROBOTCONTROL_SANITIZE)
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # it names all libraries that it uses
+  endif()
   if(kind STREQUAL SHARED AND ARG_INTERNAL)
     robotcontrol_installed(${name} INTERNAL)
   elseif(kind STREQUAL SHARED)
@@ -128,20 +157,42 @@ function(robotcontrol_library name)
   endif()
 endfunction()
 
-# robotcontrol_schemas(NAME LIBS lib... SCHEMAS file...): Protocol Buffers that are compiled to C++. Generated code has the sanitizers'
-# flags of everything else, but no warnings of its own.
+# robotcontrol_schemas(NAME [FLAT] SOURCES file.proto... IMPORT folder... [USES name]): messages of Protocol Buffers. What protoc
+# makes of them is compiled as one source; the names that all of its sources have are made unique for that. FLAT: headers are
+# included without the folders that the files lie in. USES: other schemas, whose files these import.
 function(robotcontrol_schemas name)
-  cmake_parse_arguments(ARG "" "" "LIBS;SCHEMAS" ${ARGN})
-  add_library(${name} SHARED ${ARG_SCHEMAS})
-  protobuf_generate(TARGET ${name} LANGUAGE cpp
-    IMPORT_DIRS ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/robotlink/packages)
+  cmake_parse_arguments(ARG "FLAT" "USES" "SOURCES;IMPORT" ${ARGN})
+  set(flat)
+  if(ARG_FLAT)
+    set(flat APPEND_PATH)
+  endif()
+  add_library(${name} SHARED ${ARG_SOURCES})
+  protobuf_generate(TARGET ${name} LANGUAGE cpp IMPORT_DIRS ${ARG_IMPORT} OUT_VAR generated ${flat})
+  add_custom_target(${name}_code DEPENDS ${generated})
   target_include_directories(${name} SYSTEM PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>)
-  target_link_libraries(${name} PUBLIC protobuf::libprotobuf ${ARG_LIBS})
+  target_link_libraries(${name} PUBLIC protobuf::libprotobuf)
+  if(ARG_USES)
+    # To link them would be to wait for all of them before protoc runs.
+    target_include_directories(${name} SYSTEM PRIVATE $<TARGET_PROPERTY:${ARG_USES},INTERFACE_SYSTEM_INCLUDE_DIRECTORIES>)
+    target_link_libraries(${name} INTERFACE ${ARG_USES})
+    add_dependencies(${name} ${ARG_USES}_code)
+  endif()
+  # Generated code: the sanitizers' flags of everything else, but no warnings of its own.
   if(ROBOTCONTROL_SANITIZE)
     target_compile_options(${name} PRIVATE -fsanitize=${ROBOTCONTROL_SANITIZE} -U__SANITIZE_THREAD__)
     target_link_options(${name} PRIVATE -fsanitize=${ROBOTCONTROL_SANITIZE})
   endif()
   robotcontrol_installed(${name} PUBLIC)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${ROBOTCONTROL_UNITY} UNITY_BUILD_BATCH_SIZE 0 UNITY_BUILD_UNIQUE_ID SCHEMA_ID
+    UNITY_BUILD_CODE_BEFORE_INCLUDE "#include <google/protobuf/generated_message_reflection.h>
+#define SCHEMA_JOINED(name, id) name##id
+#define SCHEMA_UNIQUE(name, id) SCHEMA_JOINED(name, id)
+#define schemas SCHEMA_UNIQUE(schemas_, SCHEMA_ID)
+#define file_default_instances SCHEMA_UNIQUE(file_default_instances_, SCHEMA_ID)"
+    UNITY_BUILD_CODE_AFTER_INCLUDE "#undef schemas
+#undef file_default_instances
+#undef SCHEMA_UNIQUE
+#undef SCHEMA_JOINED")
 endfunction()
 
 # Tests run for a moment and are compiled for minutes: without optimization that takes three quarters of the time. Those that

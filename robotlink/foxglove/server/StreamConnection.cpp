@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/foxglove/server/StreamConnection.h"
+
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 
-#include "robotlink/foxglove/server/StreamConnection.h"
-
 namespace robotlink::websocket {
+
+ConnectionPtr makePlainConnection(ListenerPort& port, ListenerSocket socket, bool isRefused) {
+  return std::make_shared<StreamConnection<ListenerSocket>>(port, isRefused, std::move(socket));
+}
 
 ConnectionPtr makeTlsConnection(ListenerPort& port, ListenerSocket socket, asio::ssl::context& tls) {
   using Secured = StreamConnection<beast::ssl_stream<ListenerSocket>>;
