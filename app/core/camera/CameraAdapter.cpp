@@ -23,8 +23,8 @@ Result<PlatformOpening> openCamera(const PlatformChoices& choices) {
   if (const auto address = parseCameraAddress(url); !address) return tl::unexpected(address.error());
   RealRobotOptions options = cameraOptions(std::move(url));
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
-    options.layout = layoutNamed(layout);
-  options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
+    options.program.layout = layoutNamed(layout);
+  options.program.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
   return RealFeed::opening(std::move(options));
 }
 
