@@ -211,7 +211,7 @@ TEST_F(OwnRealProgramTest, aProgramThatReturnsLateGoesOn) {
   play("very-late");
   ASSERT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::NOT_ANSWERING; }));
   EXPECT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::RUNNING; }));
-  EXPECT_THAT(hosting_.text(), HasSubstr("has returned and goes on"));
+  EXPECT_THAT(hosting_.text(), HasSubstr("has returned and continues"));
   EXPECT_FALSE(run_->platform().unattended());
 }
 
