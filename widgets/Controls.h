@@ -48,11 +48,11 @@ void describe(QWidget& widget, const ControlText& text);
 /// Creates an action of `owner`, named as describe() names a widget. `icon` is a name for widgets::icon().
 /// The shortcut works while the focus is anywhere within `owner`.
 QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
-/// The same for something that is on or off; `on`: how it begins.
+/// Creates an action for something that is on or off; `on`: how it begins.
 QAction* makeToggle(QWidget* owner, const char* icon, const ControlText& text, bool on = false);
 /// Returns a flat button that triggers the action.
 QToolButton* makeButton(QWidget* parent, QAction* action);
-/// The same with the action's text beside the icon.
+/// Returns a flat button with the action's text beside the icon.
 QToolButton* makeLabeledButton(QWidget* parent, QAction* action);
 /// Returns a flat button with the text that opens a menu.
 QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu);
