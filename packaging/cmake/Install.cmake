@@ -4,6 +4,7 @@
 include_guard()
 include(GNUInstallDirs)
 
+include(PluginPackage)
 install(TARGETS robotctl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS robotcontrol_video LIBRARY DESTINATION lib/robotcontrol)  # beside the programs' folder, wherever that is
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/ DESTINATION ${CMAKE_INSTALL_DATADIR}/robotcontrol)

@@ -79,27 +79,66 @@ if(ROBOTCONTROL_SANITIZE)
   endif()
 endif()
 
-# robotcontrol_library(NAME [OBJECT] SOURCES file... [PUBLIC lib...] [PRIVATE lib...] [MOC])
-# One folder's target. OBJECT is for folders that register solutions or views: a linker drops members
-# of a static library that nobody names. MOC is for those with QObjects.
+# Programs share the libraries with their plug-ins, which find them beside their own folder, as programs do.
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/robotcontrol)
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../lib/robotcontrol")
+set(ROBOTCONTROL_LIBRARY_KIND SHARED)
+if(ROBOTCONTROL_ARCOS_ONLY)
+  set(ROBOTCONTROL_LIBRARY_KIND STATIC)  # becomes the one archive of the client library
+endif()
+
+# robotcontrol_installed(TARGET PUBLIC|INTERNAL): a shared library that is installed with the programs; a PUBLIC one belongs to the
+# package RobotControl, with which plug-ins are built (PluginPackage.cmake).
+function(robotcontrol_installed name kind)
+  set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")
+  # Calls inside of a library are as direct as in a program.
+  target_link_options(${name} PRIVATE -Wl,-Bsymbolic-functions)
+  target_compile_features(${name} INTERFACE cxx_std_20)
+  set_property(GLOBAL APPEND PROPERTY ROBOTCONTROL_${kind}_LIBRARIES ${name})
+endfunction()
+
+# robotcontrol_library(NAME [OBJECT] [INTERNAL] SOURCES file... [PUBLIC lib...] [PRIVATE lib...] [MOC])
+# One folder's target, a shared library; plug-ins cannot use an INTERNAL one. OBJECT is for folders of solutions and adapters, which only programs have: a linker may drop
+# a library of which nobody names anything. MOC is for those with QObjects.
 function(robotcontrol_library name)
-  cmake_parse_arguments(ARG "OBJECT;MOC" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  set(kind STATIC)
+  cmake_parse_arguments(ARG "OBJECT;INTERNAL;MOC" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(kind ${ROBOTCONTROL_LIBRARY_KIND})
   if(ARG_OBJECT)
     set(kind OBJECT)
   endif()
   if(NOT ARG_SOURCES)
     add_library(${name} INTERFACE)
-    target_link_libraries(${name} INTERFACE robotcontrol_options ${ARG_PUBLIC})
+    target_link_libraries(${name} INTERFACE $<BUILD_INTERFACE:robotcontrol_options> ${ARG_PUBLIC})
     return()
   endif()
   add_library(${name} ${kind} ${ARG_SOURCES})
   robotcontrol_unity(${name})
-  target_link_libraries(${name} PUBLIC robotcontrol_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:robotcontrol_options> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if(kind STREQUAL SHARED AND ARG_INTERNAL)
+    robotcontrol_installed(${name} INTERNAL)
+  elseif(kind STREQUAL SHARED)
+    robotcontrol_installed(${name} PUBLIC)
+  endif()
   if(ARG_MOC)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
-    target_compile_definitions(${name} PUBLIC QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII)
+    target_compile_definitions(${name} PUBLIC $<BUILD_INTERFACE:QT_NO_KEYWORDS> $<BUILD_INTERFACE:QT_NO_CAST_FROM_ASCII>)
   endif()
+endfunction()
+
+# robotcontrol_schemas(NAME LIBS lib... SCHEMAS file...): Protocol Buffers that are compiled to C++. Generated code has the sanitizers'
+# flags of everything else, but no warnings of its own.
+function(robotcontrol_schemas name)
+  cmake_parse_arguments(ARG "" "" "LIBS;SCHEMAS" ${ARGN})
+  add_library(${name} SHARED ${ARG_SCHEMAS})
+  protobuf_generate(TARGET ${name} LANGUAGE cpp
+    IMPORT_DIRS ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/robotlink/packages)
+  target_include_directories(${name} SYSTEM PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}>)
+  target_link_libraries(${name} PUBLIC protobuf::libprotobuf ${ARG_LIBS})
+  if(ROBOTCONTROL_SANITIZE)
+    target_compile_options(${name} PRIVATE -fsanitize=${ROBOTCONTROL_SANITIZE} -U__SANITIZE_THREAD__)
+    target_link_options(${name} PRIVATE -fsanitize=${ROBOTCONTROL_SANITIZE})
+  endif()
+  robotcontrol_installed(${name} PUBLIC)
 endfunction()
 
 # Tests run for a moment and are compiled for minutes: without optimization that takes three quarters of the time. Those that
