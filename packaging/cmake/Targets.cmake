@@ -93,6 +93,9 @@ function(robotcontrol_installed name kind)
   set_target_properties(${name} PROPERTIES DEFINE_SYMBOL "")
   # Calls inside of a library are as direct as in a program.
   target_link_options(${name} PRIVATE -Wl,-Bsymbolic-functions)
+  if(NOT ROBOTCONTROL_SANITIZE)
+    target_link_options(${name} PRIVATE -Wl,-z,defs)  # it names all libraries that it uses
+  endif()
   target_compile_features(${name} INTERFACE cxx_std_20)
   set_property(GLOBAL APPEND PROPERTY ROBOTCONTROL_${kind}_LIBRARIES ${name})
 endfunction()

@@ -38,7 +38,7 @@ TEST(PluginsTest, whatAPluginRegistersIsThere) {
   EXPECT_THAT(commands.runLine("good.check 13").error().text,
               HasSubstr("good.check has failed: 13 is unlucky"));
 
-  const robotlink::test::TestFolder folder;
+  const TestFolder folder;
   const auto log = folder.write("some.test-log", "");
   EXPECT_TRUE(logplayer::canImport(log));
   EXPECT_THAT(logplayer::importLog(log, folder / "out.mcap", {}).error().text,
@@ -61,7 +61,7 @@ TEST(PluginsTest, aNameThatIsTakenFailsThePluginAsAWhole) {
 }
 
 TEST(PluginsTest, whatIsNoPluginOrOfAnotherVersionIsNotExecuted) {
-  const robotlink::test::TestFolder folder;
+  const TestFolder folder;
   EXPECT_EQ(loadPlugin(folder / "missing.so").problem, "there is no such file");
   EXPECT_EQ(loadPlugin(folder.path()).problem, "there is no such file");
   EXPECT_THAT(loadPlugin(folder.write("empty.so", "")).problem, HasSubstr("is no plug-in"));
