@@ -2,15 +2,20 @@
 #include "widgets/Controls.h"
 
 #include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QShortcut>
+#include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
 #include <QTreeView>
+#include <algorithm>
 
 #include "widgets/Icon.h"
 
@@ -151,8 +156,26 @@ QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {
   return field;
 }
 
+QLineEdit* makeFilterField(QWidget* parent, const ControlText& text, QSortFilterProxyModel& filtered,
+                           QAbstractItemModel& source) {
+  filtered.setSourceModel(&source);
+  filtered.setFilterCaseSensitivity(Qt::CaseInsensitive);
+  QLineEdit* search = makeSearchField(parent, text);
+  QObject::connect(search, &QLineEdit::textChanged, &filtered, &QSortFilterProxyModel::setFilterFixedString);
+  return search;
+}
+
 int textWidth(const QWidget& widget, const QString& text) {
   return widget.fontMetrics().horizontalAdvance(text) + 14;
+}
+
+QTreeView* makeTree(QWidget* parent, const ControlText& text, QAbstractItemModel* model) {
+  auto* tree = new QTreeView(parent);
+  styleTree(*tree);
+  describe(*tree, text);
+  tree->setToolTip({});
+  tree->setModel(model);
+  return tree;
 }
 
 QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model) {
@@ -166,6 +189,35 @@ QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemMod
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
   return table;
+}
+
+QTableView* makeEventTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model) {
+  auto* table = makeTable(parent, text, model);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table->verticalHeader()->setDefaultSectionSize(parent->fontMetrics().height() + 4);
+  table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  return table;
+}
+
+void followEnd(QTableView& table, QAction& follow) {
+  const QScrollBar* bar = table.verticalScrollBar();
+  QObject::connect(bar, &QScrollBar::actionTriggered, &follow,
+                   [bar, &follow] { follow.setChecked(bar->sliderPosition() >= bar->maximum()); });
+}
+
+void copyRows(const QTableView& table, const RowTexts& texts) {
+  QModelIndexList rows = table.selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  QStringList lines;
+  for (const QModelIndex& row : rows) lines << texts(row).join(QLatin1Char('\t'));
+  if (!lines.isEmpty()) QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+QStringList firstTexts(const QModelIndex& row, int columns) {
+  QStringList texts;
+  for (int column = 0; column < columns; ++column) texts << row.siblingAtColumn(column).data().toString();
+  return texts;
 }
 
 void styleTree(QTreeView& tree) {

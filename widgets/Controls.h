@@ -4,6 +4,8 @@
 #include <QKeySequence>
 #include <QMargins>
 #include <QString>
+#include <QStringList>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 
@@ -15,6 +17,8 @@ class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QMenu;
+class QModelIndex;
+class QSortFilterProxyModel;
 class QSplitter;
 class QTableView;
 class QToolButton;
@@ -44,11 +48,11 @@ void describe(QWidget& widget, const ControlText& text);
 /// Creates an action of `owner`, named as describe() names a widget. `icon` is a name for widgets::icon().
 /// The shortcut works while the focus is anywhere within `owner`.
 QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
-/// The same for something that is on or off; `on`: how it begins.
+/// Creates an action for something that is on or off; `on`: how it begins.
 QAction* makeToggle(QWidget* owner, const char* icon, const ControlText& text, bool on = false);
 /// Returns a flat button that triggers the action.
 QToolButton* makeButton(QWidget* parent, QAction* action);
-/// The same with the action's text beside the icon.
+/// Returns a flat button with the action's text beside the icon.
 QToolButton* makeLabeledButton(QWidget* parent, QAction* action);
 /// Returns a flat button with the text that opens a menu.
 QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu);
@@ -82,13 +86,30 @@ void setMeaning(QLabel& label, std::optional<Meaning> meaning);
 void showOutcome(QLabel& label, const QString& text, bool bad);
 /// Creates a search field with an icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);
+/// Creates a search field that filters a model of rows while the user types, whatever their case.
+QLineEdit* makeFilterField(QWidget* parent, const ControlText& text, QSortFilterProxyModel& filtered,
+                           QAbstractItemModel& source);
 /// Width in pixels that a column needs for this text, in the widget's font.
 int textWidth(const QWidget& widget, const QString& text);
 /// Applies the look that all trees share: alternating rows of equal height, no focus frame, no editing on a
 /// single click.
 void styleTree(QTreeView& tree);
+/// Creates a tree with that look. `text` has no tool tip: items have theirs.
+QTreeView* makeTree(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
 /// Creates a table with the look that all tables share: alternating rows as high as a line, which are
 /// selected as a whole; no grid, no row numbers, nothing in bold. `text` has no tool tip: cells have theirs.
 QTableView* makeTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
+/// Creates a table of what happens one after the other, with rows as low as possible. Tab leaves it.
+QTableView* makeEventTable(QWidget* parent, const ControlText& text, QAbstractItemModel* model);
+/// Unchecks `follow` when the user scrolls away from the table's end to read, and checks it again when the
+/// end is reached.
+void followEnd(QTableView& table, QAction& follow);
+/// Returns the texts of a row's cells for copyRows().
+using RowTexts = std::function<QStringList(const QModelIndex& row)>;
+/// Copies the selected rows to the clipboard, in their order, a line each with tabs between the texts.
+/// Without a selection the clipboard keeps what it has.
+void copyRows(const QTableView& table, const RowTexts& texts);
+/// The texts of the first columns of a row.
+QStringList firstTexts(const QModelIndex& row, int columns);
 
 }  // namespace widgets

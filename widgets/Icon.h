@@ -12,7 +12,7 @@ namespace widgets {
 /// without being reloaded; colors that the file sets explicitly (stop, warning) are kept. Scales to every
 /// size without blur. If the file is missing the icon paints nothing. GUI thread.
 QIcon icon(const QString& name);
-/// The same for a Latin-1 literal.
+/// Loads an icon by a Latin-1 literal.
 inline QIcon icon(const char* name) {
   return icon(QString::fromLatin1(name));
 }

@@ -88,8 +88,8 @@ class View : public QWidget {
   /// Adds an entry to the saved state. `restore` gets an undefined value if a state has no such entry.
   /// Entries are restored in the order in which they were added.
   void keep(const char* name, Save save, Restore restore);
-  /// The same for a control, which must live as long as the view. Where a state has no such entry the control
-  /// gets what it has now.
+  /// Adds the state of a control, which must live as long as the view. Where a state has no such entry the
+  /// control gets what it has now.
   void keep(const char* name, QAction* toggle);
   void keep(const char* name, QLineEdit* text);
   /// By the index of the entry, which must mean the same in all versions.

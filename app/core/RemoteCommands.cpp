@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RemoteCommands.h"
 
-#include <string>
-
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 

@@ -82,94 +82,161 @@ void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodie
        }});
 }
 
+/// A platform that is served, with all that clients are offered beside its streams.
+class Service {
+ public:
+  using Interrupted = std::function<bool()>;
+
+  /// What is passed in must outlive it.
+  Service(const ServeOptions& options, logplayer::Recorder& recorder, std::ostream& out)
+      : options_(options),
+        out_(out),
+        platform_(session_, recorder),
+        server_(
+            session_, {}, [this](const std::string& sentence) { report(sentence); }, options.steering),
+        tables_(session_, ResourceFolder(options.resources)),
+        restarts_(session_, platform_) {
+    session_.setRequestSink([this](const Request& request) { platform_.request(request); });
+    session_.setRefusalHandler(
+        [this](const auto& what, const auto& reason) { reportOnce(what + ": " + reason); });
+    if (options.bodies) takeCommands(server_, options.bodies);
+    if (options.texts)
+      session_.addListener({[&out](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
+    if (!options.recordings.empty())
+      recordings_.emplace(server_.server(), RecordingFolder(options.recordings), recorder);
+    if (!options.resources.empty()) offerDeploying();
+    server_.setImageEncoders(imageEncoders());
+  }
+
+  /// Serves until the user interrupts it, or until the time of the options is over.
+  robotlink::Errors run(PlatformOpening opening, const Interrupted& interrupted) {
+    if (auto listening = listen(); !listening) return {listening.error()};
+    const auto loaded = open(std::move(opening), interrupted);
+    if (!loaded) return {};
+    if (!*loaded) return loaded->error();
+    begin(**loaded);
+    while (!interrupted()) {
+      tick();
+      const bool isAlone = server_.server()->clients().empty();
+      followDemand(isAlone);
+      if (isOver()) break;
+      if (restarts_.takeChanged()) announcer_->update(robotsToAnnounce(session_));
+      std::this_thread::sleep_for(isAlone ? kIdleTick : kTick);
+    }
+    return {};
+  }
+
+ private:
+  /// Prints a sentence, a part of which is what clients, robots and files say.
+  void report(const std::string& sentence) { out_ << robotlink::printable(sentence) + "\n" << std::flush; }
+  /// What clients subscribe to is asked for again and again.
+  void reportOnce(const std::string& refusal) {
+    if (refusals_.size() < kMaxRefusals && refusals_.insert(refusal).second) report(refusal);
+  }
+  void offerDeploying();
+  robotlink::Result<void> listen();
+  /// Opens the platform, and waits for that. Nothing if it was interrupted meanwhile.
+  std::optional<Loaded> open(PlatformOpening opening, const Interrupted& interrupted);
+  /// Starts the platform, and says where it is offered.
+  void begin(const LoadedPlatform& loaded);
+  void tick();
+  /// Tells the platform what of it is read.
+  void followDemand(bool isAlone);
+  bool isOver();
+
+  const ServeOptions& options_;
+  std::ostream& out_;
+  /// Those that were printed.
+  std::set<std::string> refusals_;
+  robotlink::Session session_{kHistory};
+  PlatformThread platform_;
+  SessionServer server_;
+  std::optional<RecordingServices> recordings_;
+  DeployedTables tables_;
+  ServedRestarts restarts_;
+  std::optional<DeployServices> deploying_;
+  std::optional<ListenAccess> access_;
+  std::unique_ptr<Listener> listener_;
+  std::optional<RobotAnnouncer> announcer_;
+  /// When the time of the options is over; unset before the platform has a time.
+  std::optional<robotlink::Instant> end_;
+  PlatformFeed::Demand demand_;
+};
+
+void Service::offerDeploying() {
+  deploying_.emplace(
+      server_.server(), ResourceFolder(options_.resources),
+      [this](const std::string& path) {
+        tables_.noteWritten(path);
+        restarts_.programs().noteWritten(path);
+      },
+      DeployServices::Programs{[this] { return restarts_.programs().programs(); },
+                               [this](const auto& robot, const auto& layout, auto done) {
+                                 restarts_.ask(robot, layout, std::move(done));
+                               }});
+}
+
+robotlink::Result<void> Service::listen() {
+  auto access = listenAccess(options_.address, options_.access);
+  if (!access) return tl::unexpected(access.error());
+  auto listener = Listener::open(server_.server(), access->listening);
+  if (!listener) return tl::unexpected(listener.error());
+  access_ = std::move(*access);
+  listener_ = std::move(*listener);
+  for (const std::string& note : access_->notes) out_ << note << std::endl;
+  return {};
+}
+
+std::optional<Loaded> Service::open(PlatformOpening opening, const Interrupted& interrupted) {
+  const auto result = std::make_shared<std::promise<Loaded>>();
+  auto loaded = result->get_future();
+  platform_.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
+  while (loaded.wait_for(kTick) != std::future_status::ready) {
+    tick();
+    if (interrupted()) return std::nullopt;
+  }
+  return loaded.get();
+}
+
+void Service::begin(const LoadedPlatform& loaded) {
+  std::vector<std::string> robots;
+  for (const auto& [name, robot] : loaded.robots) robots.push_back(name);
+  session_.setRobots(robots);
+  publishPrograms(session_, loaded);
+  restarts_.setLoaded(loaded);
+  if (!options_.resources.empty()) tables_.begin();
+  if (!loaded.isReal()) session_.request(startOf(loaded, options_.speed));
+  tick();  // who connects at once finds everything
+  announcer_.emplace(listener_->address(), *access_);
+  announcer_->update(robotsToAnnounce(session_));
+  out_ << offerOf(loaded, access_->scheme(), *listener_) << std::endl;
+}
+
+void Service::tick() {
+  for (const auto& error : tables_.tick()) report(error.describe());
+  restarts_.tick();
+  session_.tick();
+  server_.tick();
+}
+
+void Service::followDemand(bool isAlone) {
+  const PlatformFeed::Demand wanted{!isAlone || options_.seconds,
+                                    server_.isWanted(robotlink::streams::kTransforms)};
+  if (std::exchange(demand_, wanted) != wanted) platform_.setDemand(wanted);
+}
+
+bool Service::isOver() {
+  const robotlink::Instant now = session_.store().newest();
+  if (options_.seconds && !end_ && now != robotlink::Instant())
+    end_ = now + robotlink::fromSeconds(*options_.seconds);
+  return end_ && now >= *end_;
+}
+
 }  // namespace
 
 robotlink::Errors serve(PlatformOpening opening, const ServeOptions& options, logplayer::Recorder& recorder,
                         const std::function<bool()>& interrupted, std::ostream& out) {
-  robotlink::Session session(kHistory);
-  PlatformThread platform(session, recorder);
-  session.setRequestSink([&](const Request& request) { platform.request(request); });
-  // A part of it is what clients, robots and files say.
-  const auto report = [&](const std::string& sentence) {
-    out << robotlink::printable(sentence) + "\n" << std::flush;
-  };
-  session.setRefusalHandler(
-      [&, told = std::set<std::string>()](const std::string& what, const std::string& reason) mutable {
-        // What clients subscribe to is asked for again and again.
-        if (told.size() < kMaxRefusals && told.insert(what + ": " + reason).second)
-          report(what + ": " + reason);
-      });
-  SessionServer server(session, {}, report, options.steering);
-  if (options.bodies) takeCommands(server, options.bodies);
-  if (options.texts)
-    session.addListener({[&](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
-  std::optional<RecordingServices> recordings;
-  if (!options.recordings.empty())
-    recordings.emplace(server.server(), RecordingFolder(options.recordings), recorder);
-  DeployedTables tables(session, ResourceFolder(options.resources));
-  ServedRestarts restarts(session, platform);
-  std::optional<DeployServices> deploying;
-  if (!options.resources.empty())
-    deploying.emplace(
-        server.server(), ResourceFolder(options.resources),
-        [&](const std::string& path) {
-          tables.noteWritten(path);
-          restarts.programs().noteWritten(path);
-        },
-        DeployServices::Programs{[&] { return restarts.programs().programs(); },
-                                 [&](const auto& robot, const auto& layout, auto done) {
-                                   restarts.ask(robot, layout, std::move(done));
-                                 }});
-  const auto access = listenAccess(options.address, options.access);
-  if (!access) return {access.error()};
-  server.setImageEncoders(imageEncoders());
-  auto listener = Listener::open(server.server(), access->listening);
-  if (!listener) return {listener.error()};
-  for (const std::string& note : access->notes) out << note << std::endl;
-
-  const auto result = std::make_shared<std::promise<Loaded>>();
-  auto loaded = result->get_future();
-  platform.open(std::move(opening), {}, [result](const Loaded& outcome) { result->set_value(outcome); });
-  const auto tick = [&] {
-    for (const auto& error : tables.tick()) report(error.describe());
-    restarts.tick();
-    session.tick();
-    server.tick();
-  };
-  while (loaded.wait_for(kTick) != std::future_status::ready) {
-    tick();
-    if (interrupted()) return {};
-  }
-  const Loaded outcome = loaded.get();
-  if (!outcome) return outcome.error();
-  std::vector<std::string> robots;
-  for (const auto& [name, robot] : outcome->robots) robots.push_back(name);
-  session.setRobots(robots);
-  publishPrograms(session, *outcome);
-  restarts.setLoaded(*outcome);
-  if (!options.resources.empty()) tables.begin();
-  if (!outcome->isReal()) session.request(startOf(*outcome, options.speed));
-  tick();  // who connects at once finds everything
-  RobotAnnouncer announcer((*listener)->address(), *access);
-  announcer.update(robotsToAnnounce(session));
-  out << offerOf(*outcome, access->scheme(), **listener) << std::endl;
-
-  std::optional<robotlink::Instant> end;
-  PlatformFeed::Demand demand;
-  while (!interrupted()) {
-    tick();
-    const bool isAlone = server.server()->clients().empty();
-    const PlatformFeed::Demand wanted{!isAlone || options.seconds,
-                                      server.isWanted(robotlink::streams::kTransforms)};
-    if (std::exchange(demand, wanted) != wanted) platform.setDemand(wanted);
-    const robotlink::Instant now = session.store().newest();
-    if (options.seconds && !end && now != robotlink::Instant())
-      end = now + robotlink::fromSeconds(*options.seconds);
-    if (end && now >= *end) break;
-    if (restarts.takeChanged()) announcer.update(robotsToAnnounce(session));
-    std::this_thread::sleep_for(isAlone ? kIdleTick : kTick);
-  }
-  return {};
+  return Service(options, recorder, out).run(std::move(opening), interrupted);
 }
 
 }  // namespace app

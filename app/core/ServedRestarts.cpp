@@ -8,7 +8,6 @@
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/RobotDescription.h"
-#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 
 namespace app {

@@ -100,7 +100,7 @@ class MainWindow : public QMainWindow {
   bool event(QEvent* event) override;
   /// Handles keys that views have ignored: those that play a log.
   void keyPressEvent(QKeyEvent* event) override;
-  /// The same for keys in floating windows.
+  /// Handles those keys in floating windows, which are windows of their own.
   bool eventFilter(QObject* watched, QEvent* event) override;
   /// dragEnterEvent() and dropEvent() accept files, see LogOpening::drop(); with Ctrl, logs are added to the
   /// open ones.

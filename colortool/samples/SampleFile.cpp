@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/TextParts.h"
 
 namespace colortool {
 namespace {
@@ -397,9 +398,7 @@ Result<ReadSamples> parseSamples(std::string_view text, const std::string& file)
   Reader reader(file);
   int number = 0;
   while (!text.empty() || number == 0) {
-    const auto end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = robotlink::takeLine(text);
     if (++number == 1) {
       if (auto begun = reader.begin(line); !begun) return tl::unexpected(begun.error());
     } else if (line.find_first_not_of(" \t\r") != std::string_view::npos) {

@@ -2,7 +2,6 @@
 #include "colortool/samples/Samples.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/TextParts.h"
 
 namespace colortool {
 
@@ -121,11 +122,7 @@ class StrokeListParser {
 tl::expected<std::vector<DiscStroke>, Errors> parseStrokeList(std::string_view text,
                                                               const std::string& file) {
   StrokeListParser parser(file);
-  for (std::size_t begin = 0; begin < text.size() && parser.goesOn();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    parser.line(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  while (!text.empty() && parser.goesOn()) parser.line(robotlink::takeLine(text));
   return parser.result();
 }
 

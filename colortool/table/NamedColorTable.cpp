@@ -12,6 +12,7 @@
 
 #include "colortool/image/ClassPresets.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/TextParts.h"
 
 namespace colortool {
 
@@ -114,11 +115,7 @@ std::string colorClassesText(const ColorClasses& classes) {
 
 tl::expected<ColorClasses, Errors> parseColorClasses(std::string_view text, const std::string& file) {
   NamedTableParser parser(file);
-  for (std::size_t begin = 0; begin < text.size() && parser.goesOn();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    parser.line(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  while (!text.empty() && parser.goesOn()) parser.line(robotlink::takeLine(text));
   return parser.result();
 }
 

@@ -2,8 +2,6 @@
 #include "colortool/table/PaletteTable.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 

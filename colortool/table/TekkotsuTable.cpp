@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "colortool/image/ClassPresets.h"
+#include "robotlink/base/TextParts.h"
 
 namespace colortool {
 
@@ -170,11 +171,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
 
 tl::expected<ColorClasses, Errors> parseTekkotsuColors(std::string_view text, const std::string& file) {
   ColorsParser parser(file);
-  for (std::size_t begin = 0; begin < text.size() && parser.goesOn();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    parser.line(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  while (!text.empty() && parser.goesOn()) parser.line(robotlink::takeLine(text));
   return parser.result();
 }
 

@@ -3,14 +3,13 @@
 #include "logplayer/pictures/PictureFrames.h"
 
 #include <algorithm>
-#include <cctype>
-#include <span>
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
 #include "logplayer/images/PictureFile.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
+#include "robotlink/base/NaturalOrder.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace logplayer {
@@ -21,18 +20,6 @@ namespace {
 
 constexpr std::size_t kMaxFile = 256U << 20U;
 
-bool isDigit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The digits at a place, without leading zeros; moves the place behind them.
-std::string_view numberAt(const std::string& text, std::size_t& at) {
-  while (at < text.size() && text[at] == '0') ++at;
-  const std::size_t begin = at;
-  while (at < text.size() && isDigit(text[at])) ++at;
-  return std::string_view(text).substr(begin, at - begin);
-}
-
 }  // namespace
 
 bool isPictureFolder(const std::filesystem::path& folder) {
@@ -40,26 +27,11 @@ bool isPictureFolder(const std::filesystem::path& folder) {
   return std::filesystem::is_directory(folder, error) && pictureFiles({folder}).has_value();
 }
 
-bool isNaturallyBefore(const std::string& a, const std::string& b) {
-  std::size_t i = 0, k = 0;
-  while (i < a.size() && k < b.size()) {
-    if (isDigit(a[i]) && isDigit(b[k])) {
-      const std::string_view left = numberAt(a, i), right = numberAt(b, k);
-      if (left.size() != right.size()) return left.size() < right.size();
-      if (left != right) return left < right;
-    } else {
-      if (a[i] != b[k]) return a[i] < b[k];
-      ++i, ++k;
-    }
-  }
-  return i < a.size() || k < b.size() ? k < b.size() : a < b;
-}
-
 Result<PictureFrames> PictureFrames::open(const std::filesystem::path& folder) {
   auto files = pictureFiles({folder});
   if (!files) return tl::unexpected(files.error());
   std::ranges::sort(*files, [](const auto& a, const auto& b) {
-    return isNaturallyBefore(a.filename().string(), b.filename().string());
+    return robotlink::comesNaturallyBefore(a.filename().string(), b.filename().string());
   });
   return PictureFrames(std::move(*files));
 }

@@ -31,7 +31,4 @@ class PictureFrames final : public FrameSource {
 /// Whether this is a folder with at least one picture.
 bool isPictureFolder(const std::filesystem::path& folder);
 
-/// Whether `a` comes before `b` where numbers in names count by their value.
-bool isNaturallyBefore(const std::string& a, const std::string& b);
-
 }  // namespace logplayer

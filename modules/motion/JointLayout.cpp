@@ -59,13 +59,6 @@ LegAngles JointLayout::leg(std::span<const double> positions, Leg leg) const {
   return {positions[joints[0]], positions[joints[1]], positions[joints[2]]};
 }
 
-void JointLayout::setHead(std::span<double> positions, const HeadAngles& angles) const {
-  positions[head_[0]] = angles.tilt;
-  positions[head_[1]] = angles.pan;
-  positions[head_[2]] = angles.roll;
-  positions[head_[3]] = angles.mouth;
-}
-
 HeadAngles JointLayout::head(std::span<const double> positions) const {
   return {positions[head_[0]], positions[head_[1]], positions[head_[2]], positions[head_[3]]};
 }

@@ -33,7 +33,6 @@ class JointLayout {
   // Access to the joints of a leg or of the head in a list of positions, rad.
   void setLeg(std::span<double> positions, Leg leg, const LegAngles& angles) const;
   LegAngles leg(std::span<const double> positions, Leg leg) const;
-  void setHead(std::span<double> positions, const HeadAngles& angles) const;
   HeadAngles head(std::span<const double> positions) const;
   /// Indices of tilt, pan, roll, mouth.
   const std::array<std::size_t, 4>& headJoints() const { return head_; }

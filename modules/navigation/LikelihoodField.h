@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "modules/navigation/DistanceMap.h"
@@ -24,7 +23,6 @@ class LikelihoodField {
   /// The logarithm of the likelihood at a place in the map, m; 0 is the best.
   float logLikelihood(float x, float y) const { return logarithms_[nearness(x, y)]; }
   /// The distance to the nearest wall, m; at most 2.5, which is also the value outside the map.
-  double distance(float x, float y) const { return kStep * nearness(x, y); }
 
  private:
   /// The resolution of distances, m.

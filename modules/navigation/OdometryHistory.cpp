@@ -2,7 +2,6 @@
 #include "modules/navigation/OdometryHistory.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace modules {
 

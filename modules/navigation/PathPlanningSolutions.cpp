@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "path-planning": how the robot gets to the goal that the user has set.
-#include <cmath>
 #include <optional>
 
 #include "NavigationParameters.pb.h"

@@ -2,7 +2,6 @@
 #include "robotlink/arcos/StateDecoder.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace robotlink::arcos {
 namespace {

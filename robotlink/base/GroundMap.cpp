@@ -9,6 +9,7 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/base/Utf8.h"
 
 namespace robotlink {
@@ -75,9 +76,7 @@ class Parser {
   tl::expected<GroundMap, Errors> parse() {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     while (!text_.empty() && !stopped_) {
-      const std::size_t end = std::min(text_.find('\n'), text_.size());
-      std::string_view line = text_.substr(0, end);
-      text_.remove_prefix(std::min(end + 1, text_.size()));
+      std::string_view line = takeLine(text_);
       ++line_;
       while (!line.empty() && (line.back() == '\r' || isSpace(line.back()))) line.remove_suffix(1);
       column_ = 1;

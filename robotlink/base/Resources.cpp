@@ -2,7 +2,6 @@
 #include "robotlink/base/Resources.h"
 
 #include <cstdlib>
-#include <string_view>
 
 namespace robotlink {
 namespace fs = std::filesystem;

@@ -7,6 +7,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/TextParts.h"
 #include "robotlink/commands/ScriptCondition.h"
 
 namespace robotlink {
@@ -16,14 +17,9 @@ namespace {
 constexpr Duration kPatience = std::chrono::seconds(30);
 constexpr std::size_t kMaxFile = 1U << 20U;
 
-std::vector<std::string> linesOf(const std::string& text) {
+std::vector<std::string> linesOf(std::string_view text) {
   std::vector<std::string> lines;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
+  while (!text.empty()) lines.emplace_back(takeLine(text));
   return lines;
 }
 

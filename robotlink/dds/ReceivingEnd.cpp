@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "robotlink/dds/PackageTypes.h"
+#include "robotlink/packages/ParsedMessage.h"
 
 namespace robotlink::dds {
 namespace {
@@ -29,13 +30,9 @@ const pb::Descriptor* typeOf(const robotlink_wire_Package& sample) {
 }
 
 PackagePtr parsed(const robotlink_wire_Package& sample) {
-  const pb::Descriptor* type = typeOf(sample);
-  const pb::Message* prototype =
-      type == nullptr ? nullptr : pb::MessageFactory::generated_factory()->GetPrototype(type);
-  if (prototype == nullptr) return nullptr;
-  const std::shared_ptr<pb::Message> package(prototype->New());
-  return package->ParseFromArray(sample.data._buffer, static_cast<int>(sample.data._length)) ? package
-                                                                                             : nullptr;
+  if (sample.type == nullptr) return nullptr;
+  return parsedMessage(sample.type,
+                       {reinterpret_cast<const char*>(sample.data._buffer), sample.data._length});
 }
 
 }  // namespace

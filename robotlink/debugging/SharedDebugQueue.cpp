@@ -7,6 +7,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/ParsedMessage.h"
 
 namespace robotlink {
 
@@ -51,20 +52,9 @@ std::optional<Instant> timeOf(const DebugMessage& message) {
   return instant(stamp);
 }
 
-/// Null if the type is unknown or the bytes do not fit.
-PackagePtr parsedPackage(const robotcontrol::PackageCopy& copy) {
-  const auto* descriptor =
-      google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(copy.type());
-  const Message* prototype =
-      descriptor ? google::protobuf::MessageFactory::generated_factory()->GetPrototype(descriptor) : nullptr;
-  if (prototype == nullptr) return nullptr;
-  const std::shared_ptr<Message> package(prototype->New());
-  return package->ParseFromString(copy.data()) ? package : nullptr;
-}
-
 PackagePtr takeContent(DebugMessage& from) {
   if (from.has_package()) {
-    if (PackagePtr package = parsedPackage(from.package())) return package;
+    if (PackagePtr package = parsedMessage(from.package().type(), from.package().data())) return package;
   }
   const auto* content = DebugMessage::descriptor()->FindOneofByName("content");
   const FieldDescriptor* field = from.GetReflection()->GetOneofFieldDescriptor(from, content);

@@ -6,6 +6,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/TextParts.h"
 
 namespace robotlink {
 namespace {
@@ -62,14 +63,12 @@ class Reader {
   tl::expected<MotionFile, Errors> read(std::string_view text) {
     int labels = 0;
     while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
       if (++line_ > kMaxMotionLines) {
         fail(1, "motion.too-many-lines",
              "a motion has at most " + std::to_string(kMaxMotionLines) + " lines");
         break;
       }
-      readLine(text.substr(0, end));
-      text.remove_prefix(std::min(end + 1, text.size()));
+      readLine(takeLine(text));
       if (!motion_.lines.empty() && std::holds_alternative<MotionLabel>(motion_.lines.back().statement) &&
           motion_.lines.back().number == line_ && ++labels > kMaxMotionLabels) {
         fail(1, "motion.too-many-labels",

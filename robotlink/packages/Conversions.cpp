@@ -4,7 +4,6 @@
 #include <google/protobuf/timestamp.pb.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include "foxglove/Geometry.pb.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/world/ModelGeometry.h"

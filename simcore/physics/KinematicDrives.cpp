@@ -2,7 +2,6 @@
 #include "simcore/physics/KinematicDrives.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/Step.h"

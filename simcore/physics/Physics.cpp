@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"

@@ -3,7 +3,6 @@
 // Each call has a byte for its service and two for the length of its argument.
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <thread>
 

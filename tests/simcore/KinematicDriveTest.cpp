@@ -2,8 +2,6 @@
 // How the Pioneer is moved by its odometry alone.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/simcore/DriveScenes.h"
 
 namespace simcore {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 namespace simcore {
 namespace fs = std::filesystem;
 

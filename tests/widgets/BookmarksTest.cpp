@@ -5,7 +5,6 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
-#include <fstream>
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/base/LogWriter.h"

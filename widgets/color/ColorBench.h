@@ -112,7 +112,7 @@ class ColorBench final : public QObject {
   std::vector<robotlink::Rgb> classColors() const;
   /// Sets the table to compare with, numbered by the classes of the samples; null: none.
   void setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name);
-  /// The same for a table of any classes; classes are matched by their names.
+  /// Sets a table of any classes to compare with; classes are matched by their names.
   void setReference(ReferenceTable reference);
   /// The reference table renumbered to the samples' classes, also after these change; its other classes count
   /// as none. Null: there is no reference.

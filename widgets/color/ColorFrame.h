@@ -47,7 +47,7 @@ class ColorFrame {
   const colortool::SampleImage& place() const { return place_; }
   /// "red1/camera/image  12.340 s", or the name of the file.
   QString title() const;
-  /// The same as short as possible: "12.340 s", or the name of the file.
+  /// The name of the frame as short as possible: "12.340 s", or the name of the file.
   QString label() const;
   /// The colors of all pixels, computed on the first call (about 4 ns per pixel). Thread-safe.
   const colortool::ColorImage& colors() const;

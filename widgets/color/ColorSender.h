@@ -72,7 +72,7 @@ class ColorSender final : public QObject {
   std::uint64_t expected_ = 0;
   /// Number of the last request, so that late replies are ignored.
   std::uint64_t asked_ = 0;
-  /// That table.
+  /// The table that was sent last.
   std::shared_ptr<const colortool::ColorTable> sent_;
   /// Ends the wait for a reply.
   QTimer patience_;

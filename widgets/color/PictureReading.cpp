@@ -25,10 +25,9 @@ Result<PictureReading::Read> PictureReading::readAll(const std::vector<std::file
   const auto files = logplayer::pictureFiles(filesOrFolders);
   if (!files) return tl::unexpected(files.error());
   Read read;
-  std::size_t bytes = 0, done = 0;
+  std::size_t bytes = 0;
   for (const auto& file : *files) {
     if (stop.stop_requested()) break;
-    progress_ = static_cast<double>(done++) / static_cast<double>(files->size());
     if (bytes > mostBytes_) {
       ++read.leftOut;
       continue;

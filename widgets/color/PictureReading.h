@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,7 +30,6 @@ class PictureReading {
                  std::size_t mostBytes);
 
   /// 0 to 1.
-  double progress() const { return progress_; }
   /// The result, once, when everything is read; an error if nothing could be read.
   std::optional<robotlink::Result<Read>> take() { return worker_.take(); }
 
@@ -42,7 +40,6 @@ class PictureReading {
   const std::string camera_;
   const std::size_t mostBytes_;
   /// Written by the thread.
-  std::atomic<double> progress_{0};
   /// Its job: files or folders.
   robotlink::Worker<std::vector<std::filesystem::path>, robotlink::Result<Read>> worker_;
 };

@@ -137,7 +137,7 @@ class DataModel final : public QAbstractItemModel {
   void remove(DataNode& parent, int from);
   /// Brings the listed rows below a row up to date.
   void refresh(DataNode& node);
-  /// The same for a list, which may have grown or shrunk.
+  /// Brings the elements of a list up to date, which may have grown or shrunk.
   void refreshList(DataNode& list, int count);
   void announce(const DataNode& parent);
 

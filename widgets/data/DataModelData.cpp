@@ -5,7 +5,6 @@
 #include <QBuffer>
 #include <QGuiApplication>
 #include <QMimeData>
-#include <cmath>
 
 #include "widgets/Theme.h"
 #include "widgets/data/DataModel.h"

@@ -29,9 +29,9 @@ struct DataNode {
   DataNode* parent = nullptr;
   /// Index in the parent's children.
   int row = 0;
-  /// Of a robot its name, empty for streams of no robot; of a stream its whole path.
+  /// The name of a robot, empty for the streams of no robot; the whole path of a stream.
   std::string name = {};
-  /// Of fields, ranges and elements. The stream's message keeps it alive.
+  /// The field of rows that are fields, ranges or elements. The stream's message keeps it alive.
   const google::protobuf::FieldDescriptor* field = nullptr;
   /// Index of an element; of a range that of its first one.
   int first = 0;
@@ -92,7 +92,7 @@ QString labelOf(const DataNode& node);
 /// Whether two values differ. Timestamps do not count, since they differ in any two messages.
 bool areDifferent(const google::protobuf::Message& a, const google::protobuf::Message& b);
 bool areDifferent(const FieldPlace& a, const FieldPlace& b);
-/// The same for elements of two lists, from `first`.
+/// Whether any of `count` elements of two lists differ, from the element `first` on.
 bool areDifferent(const FieldPlace& a, const FieldPlace& b, int first, int count);
 
 }  // namespace widgets

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/NaturalOrder.h"
 #include "robotlink/debugging/Streams.h"
-#include "widgets/NaturalOrder.h"
 #include "widgets/TypedStreams.h"
 
 namespace widgets {
@@ -37,11 +37,12 @@ void DataStreams::list(const robotlink::StreamStore& store) {
       tables_[robot] = keyTable(store, robot);
       addKeys(store, robot, streams);
     }
-    std::ranges::sort(streams, comesNaturallyBefore, &DataStream::path);
+    std::ranges::sort(streams, robotlink::comesNaturallyBefore, &DataStream::path);
     robots_.emplace_back(robot, std::move(streams));
   }
   std::ranges::sort(robots_, [](const auto& a, const auto& b) {
-    return a.first.empty() != b.first.empty() ? b.first.empty() : comesNaturallyBefore(a.first, b.first);
+    return a.first.empty() != b.first.empty() ? b.first.empty()
+                                              : robotlink::comesNaturallyBefore(a.first, b.first);
   });
 }
 

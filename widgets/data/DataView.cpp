@@ -96,10 +96,7 @@ void DataView::createActions() {
 }
 
 void DataView::createTree() {
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"dataTree", tr("Data of all streams"), {}});
-  tree_->setModel(&model_);
+  tree_ = makeTree(this, {"dataTree", tr("Data of all streams"), {}}, &model_);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setDragEnabled(true);
   tree_->setDragDropMode(QAbstractItemView::DragOnly);

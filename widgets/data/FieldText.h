@@ -43,7 +43,7 @@ enum class Precision : std::uint8_t {
 };
 /// A value: enumerations by name, bytes by their length, times readable. Empty for messages and lists.
 QString valueText(const FieldPlace& place, Precision precision = Precision::kShort);
-/// The same as a number: enumerations by number, times in s; empty for texts, bytes, messages and lists.
+/// A value as a number: enumerations by number, times in s; empty for texts, bytes, messages and lists.
 std::optional<double> numberOf(const FieldPlace& place);
 /// The first plain fields of a message: "x 0.5, y -1".
 QString summaryText(const google::protobuf::Message& message);

@@ -4,7 +4,6 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QTreeView>
-#include <algorithm>
 
 #include "widgets/data/DataModel.h"
 

@@ -22,11 +22,9 @@ DrawingsPanel::DrawingsPanel(DrawingsModel& model, QWidget* parent) : QWidget(pa
 
 void DrawingsPanel::createViews() {
   filtered_ = new QSortFilterProxyModel(this);
-  filtered_->setSourceModel(&model_);
-  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  auto* search = makeSearchField(
-      this, {"drawingsSearch", tr("Search drawings"), tr("Shows only drawings whose name contains this")});
-  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+  auto* search = makeFilterField(
+      this, {"drawingsSearch", tr("Search drawings"), tr("Shows only drawings whose name contains this")},
+      *filtered_, model_);
 
   list_ = new QListView(this);
   describe(*list_, {"drawingsList", tr("Drawings"),

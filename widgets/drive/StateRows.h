@@ -32,7 +32,7 @@ class StateRows final : public QGroupBox {
   /// Sets a text. An empty one is shown as a dash, or hides a text over the whole width. `name` must be that
   /// of a row.
   void set(const char* name, const QString& text) { set(name, text, Meaning::kMuted, false); }
-  /// The same in the color of a meaning.
+  /// Sets a text in the color of a meaning.
   void set(const char* name, const QString& text, Meaning meaning) { set(name, text, meaning, true); }
   /// Whether the values are outdated: then all are gray, whatever they mean.
   void setStale(bool stale);

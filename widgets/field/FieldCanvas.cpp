@@ -15,6 +15,7 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/field/MapPainter.h"
+#include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -251,18 +252,8 @@ void FieldCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void FieldCanvas::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return panBy({kPanStep, 0});
-    case Qt::Key_Right:
-      return panBy({-kPanStep, 0});
-    case Qt::Key_Up:
-      return panBy({0, kPanStep});
-    case Qt::Key_Down:
-      return panBy({0, -kPanStep});
-    default:
-      QWidget::keyPressEvent(event);
-  }
+  const auto pan = panOfKey(*event, kPanStep);
+  pan ? panBy(*pan) : QWidget::keyPressEvent(event);
 }
 
 void FieldCanvas::leaveEvent(QEvent*) {

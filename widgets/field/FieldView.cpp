@@ -11,7 +11,6 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
-#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/BaseSilence.h"

@@ -16,7 +16,7 @@ namespace widgets {
 /// What is painted of the paths and goals of robots on wheels, and of a goal that is being chosen or was just
 /// sent. A plain value; meters in the field's frame.
 struct GoalFigures {
-  /// One for each robot that has a goal.
+  /// A figure for each robot that has a goal.
   std::vector<DriveAim> aims;
   /// The goal that is being chosen or was just sent; unset if there is none.
   std::optional<GoalSender::Aim> wanted;

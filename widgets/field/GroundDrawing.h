@@ -21,7 +21,7 @@ struct WorldDrawing;
 void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
                     const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
 
-/// The same for several drawings, lowest first; old ones are faded.
+/// Paints several drawings from above, the lowest first; old ones are faded.
 void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
                     const QTransform& fieldToWidget);
 

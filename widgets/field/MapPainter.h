@@ -40,7 +40,6 @@ class MapGround {
  public:
   explicit MapGround(std::shared_ptr<const robotcontrol::GroundMap> map);
   const robotcontrol::GroundMap& map() const { return *map_; }
-  const std::shared_ptr<const robotcontrol::GroundMap>& shared() const { return map_; }
   /// See mapExtent().
   const QRectF& extent() const { return extent_; }
   /// Fills the whole widget. `widget`: its size in logical pixels; `ratio`: device pixels per logical pixel;

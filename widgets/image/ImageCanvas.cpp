@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/Theme.h"
+#include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -110,19 +111,8 @@ void ImageCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void ImageCanvas::keyPressEvent(QKeyEvent* event) {
-  constexpr double kStep = 24;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return panBy({kStep, 0});
-    case Qt::Key_Right:
-      return panBy({-kStep, 0});
-    case Qt::Key_Up:
-      return panBy({0, kStep});
-    case Qt::Key_Down:
-      return panBy({0, -kStep});
-    default:
-      QWidget::keyPressEvent(event);
-  }
+  const auto pan = panOfKey(*event, 24);
+  pan ? panBy(*pan) : QWidget::keyPressEvent(event);
 }
 
 void ImageCanvas::leaveEvent(QEvent*) {

@@ -6,7 +6,6 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <algorithm>
-#include <cmath>
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"

@@ -67,11 +67,8 @@ void DebugKeysView::createViews() {
   presets_->setInsertPolicy(QComboBox::NoInsert);
   presets_->lineEdit()->setObjectName(QStringLiteral("keysPresetName"));
   presets_->lineEdit()->setPlaceholderText(tr("Preset"));
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"keysTree", tr("Debug keys"), {}});
   filter_->setSourceModel(&model_);
-  tree_->setModel(filter_);
+  tree_ = makeTree(this, {"keysTree", tr("Debug keys"), {}}, filter_);
   tree_->setItemDelegate(new KeyDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   auto* fit = new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber});

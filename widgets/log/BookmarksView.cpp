@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QBoxLayout>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
 #include <QTableView>
@@ -46,13 +45,11 @@ void BookmarksView::createActions() {
 }
 
 void BookmarksView::createViews() {
-  auto* search = makeSearchField(
-      this, {"bookmarksSearch", tr("Search bookmarks"), tr("Shows only bookmarks whose text contains this")});
-  filtered_->setSourceModel(&model_);
+  auto* search = makeFilterField(
+      this, {"bookmarksSearch", tr("Search bookmarks"), tr("Shows only bookmarks whose text contains this")},
+      *filtered_, model_);
   filtered_->setFilterKeyColumn(BookmarkModel::kText);
-  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(BookmarkModel::kSortRole);
-  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
   table_ =
       makeTable(this, {"bookmarksTable", tr("Bookmarks"), tr("Enter jumps to a bookmark, F2 edits its text")},
                 filtered_);

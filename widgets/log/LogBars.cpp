@@ -86,7 +86,6 @@ void LogJobBar::tick() {
   if (!outcome) return;
   job_.reset();
   showOutcome(*outcome);
-  Q_EMIT ended();
 }
 
 void LogJobBar::showOutcome(const LogJob::Outcome& outcome) {

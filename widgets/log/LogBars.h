@@ -33,8 +33,6 @@ class LogJobBar final : public QWidget {
  Q_SIGNALS:
   /// The user wants to open the log that the job has written.
   void openWanted(const QString& file);
-  /// The job has ended, for whatever reason.
-  void ended();
 
  private:
   /// Replaces the progress by the outcome.

@@ -10,26 +10,7 @@
 namespace widgets {
 
 LogModel::LogModel(std::size_t capacity, QObject* parent)
-    : TitledModel({tr("Time [s]"), tr("Level"), tr("Robot"), tr("Source"), tr("Text")}, parent),
-      capacity_(capacity) {}
-
-void LogModel::append(std::vector<LogEntry> entries) {
-  if (entries.size() > capacity_)
-    entries.erase(entries.begin(), entries.end() - static_cast<std::ptrdiff_t>(capacity_));
-  if (entries.empty()) return;
-  const std::size_t wanted = entries_.size() + entries.size();
-  if (wanted > capacity_) {
-    const std::size_t spare = std::max(wanted - capacity_, capacity_ / 100);
-    const std::size_t removed = std::min(entries_.size(), spare);
-    beginRemoveRows({}, 0, static_cast<int>(removed) - 1);
-    entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(removed));
-    endRemoveRows();
-  }
-  const int first = static_cast<int>(entries_.size());
-  beginInsertRows({}, first, first + static_cast<int>(entries.size()) - 1);
-  std::move(entries.begin(), entries.end(), std::back_inserter(entries_));
-  endInsertRows();
-}
+    : TimedModel({tr("Time [s]"), tr("Level"), tr("Robot"), tr("Source"), tr("Text")}, capacity, parent) {}
 
 void LogModel::insert(std::vector<LogEntry> entries) {
   const auto earlier = [](const LogEntry& one, const LogEntry& other) { return one.time < other.time; };
@@ -39,9 +20,7 @@ void LogModel::insert(std::vector<LogEntry> entries) {
   for (LogEntry& entry : entries) {
     if (entries_.size() >= capacity_) {
       if (earlier(entry, entries_.front())) continue;
-      beginRemoveRows({}, 0, 0);
-      entries_.erase(entries_.begin());
-      endRemoveRows();
+      removeFirst(1);
     }
     const auto at = std::upper_bound(entries_.begin(), entries_.end(), entry, earlier);
     const int row = static_cast<int>(at - entries_.begin());
@@ -57,12 +36,6 @@ void LogModel::setShown(robotlink::Instant time) {
   if (from != to) Q_EMIT dataChanged(index(from + 1, 0), index(to, kColumns - 1), {Qt::ForegroundRole});
 }
 
-void LogModel::clear() {
-  beginResetModel();
-  entries_.clear();
-  endResetModel();
-}
-
 void LogModel::removePublished() {
   if (std::none_of(entries_.begin(), entries_.end(), [](const LogEntry& said) { return said.logged; }))
     return clear();
@@ -72,13 +45,6 @@ void LogModel::removePublished() {
     entries_.erase(entries_.begin() + row);
     endRemoveRows();
   }
-}
-
-int LogModel::rowAt(robotlink::Instant time) const {
-  const auto later = std::upper_bound(
-      entries_.begin(), entries_.end(), time,
-      [](robotlink::Instant instant, const LogEntry& entry) { return instant < entry.time; });
-  return static_cast<int>(later - entries_.begin()) - 1;
 }
 
 QString LogModel::levelName(LogEntry::Level level) {
@@ -97,15 +63,6 @@ QString LogModel::levelName(LogEntry::Level level) {
       break;
   }
   return tr("message");
-}
-
-void LogModel::setOrigin(robotlink::Instant time) {
-  if (std::exchange(origin_, time) == time || entries_.empty()) return;
-  Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
-}
-
-int LogModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
 QVariant LogModel::data(const QModelIndex& index, int role) const {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <deque>
-
-#include "robotlink/base/Clock.h"
-
-#include "widgets/TitledModel.h"
+#include "widgets/TimedModel.h"
 
 namespace widgets {
 
@@ -23,10 +19,8 @@ struct LogEntry {
   bool logged = false;
 };
 
-/// The text messages of all robots as a table, sorted by time. Memory is bounded: beyond `capacity` rows the
-/// oldest are removed, a hundredth of the capacity at a time, so that a full table costs no more than an
-/// empty one. GUI thread.
-class LogModel final : public TitledModel {
+/// The text messages of all robots as a table, sorted by time. GUI thread.
+class LogModel final : public TimedModel<LogEntry> {
   Q_OBJECT
  public:
   /// Time in s, level, robot, source, text.
@@ -37,32 +31,20 @@ class LogModel final : public TitledModel {
   /// `capacity`: the largest number of rows.
   explicit LogModel(std::size_t capacity = 100'000, QObject* parent = nullptr);
 
-  /// Appends messages that are not earlier than those in the table, as one insertion.
-  void append(std::vector<LogEntry> entries);
   /// Inserts each message by its time, behind those of the same time. Messages that are later than all others
   /// are appended as one insertion; otherwise each one is an insertion, and once the table is full the
   /// remaining ones are dropped.
   void insert(std::vector<LogEntry> entries);
   /// Rows later than this are muted: an open log contains them, but the replay has not reached them.
   void setShown(robotlink::Instant time);
-  void clear();
   /// Removes the messages that no open log contains.
   void removePublished();
-  const LogEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
-  /// The last row not later than `time`; -1 if there is none.
-  int rowAt(robotlink::Instant time) const;
   /// "warning"; translated.
   static QString levelName(LogEntry::Level level);
-  /// The instant shown as 0 s.
-  void setOrigin(robotlink::Instant time);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
 
  private:
-  std::size_t capacity_;
-  std::deque<LogEntry> entries_;
-  robotlink::Instant origin_;
   /// See setShown(); by default nothing is muted.
   robotlink::Instant shown_ = robotlink::Instant::max();
 };

@@ -152,12 +152,6 @@ void ReplayControl::sendJump() {
                    });
 }
 
-void ReplayControl::setSpeed(double speed) {
-  ControlReplay control;
-  control.set_speed(speed);
-  send(std::move(control));
-}
-
 void ReplayControl::setLoop(bool on) {
   ControlReplay control;
   control.set_loop(on);

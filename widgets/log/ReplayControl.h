@@ -57,8 +57,6 @@ class ReplayControl final : public QObject {
   /// Moves the play head; clamped to [begin(), end()].
   void jumpTo(robotlink::Instant time);
   void jumpBy(robotlink::Duration by) { jumpTo(shown() + by); }
-  /// 1 is real time.
-  void setSpeed(double speed);
   void setLoop(bool on);
   /// Selects a range, for loops, cuts and exports; the ends may be swapped.
   void setRange(robotlink::Instant from, robotlink::Instant to);

@@ -2,7 +2,6 @@
 #include "widgets/log/ReplayPackagesView.h"
 
 #include <QBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
@@ -35,13 +34,11 @@ ReplayPackagesView::ReplayPackagesView(ViewContext& context, QWidget* parent)
 }
 
 void ReplayPackagesView::createViews() {
-  auto* search = makeSearchField(
-      this, {"packagesSearch", tr("Search packages"), tr("Shows only packages whose name contains this")});
-  filtered_->setSourceModel(&model_);
+  auto* search = makeFilterField(
+      this, {"packagesSearch", tr("Search packages"), tr("Shows only packages whose name contains this")},
+      *filtered_, model_);
   filtered_->setFilterKeyColumn(ReplayPackageModel::kPackage);
-  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(ReplayPackageModel::kSortRole);
-  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
   table_ = makeTable(this,
                      {"packagesTable", tr("Packages of the replay"),
                       tr("F2 or a double click chooses where a package comes from")},

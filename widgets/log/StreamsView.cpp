@@ -11,7 +11,6 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/HeaderState.h"
 
 namespace widgets {
 namespace {
@@ -33,13 +32,12 @@ StreamsView::StreamsView(ViewContext& context, QWidget* parent)
 }
 
 void StreamsView::createViews() {
-  auto* search = makeSearchField(this, {"streamsSearch", tr("Search streams"),
-                                        tr("Shows only streams whose path or schema contains this")});
-  filtered_->setSourceModel(&model_);
+  auto* search = makeFilterField(
+      this,
+      {"streamsSearch", tr("Search streams"), tr("Shows only streams whose path or schema contains this")},
+      *filtered_, model_);
   filtered_->setFilterRole(StreamListModel::kFilterRole);
-  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(StreamListModel::kSortRole);
-  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
 
   table_ = makeTable(this,
                      {"streamsTable", tr("Streams of the logs"),

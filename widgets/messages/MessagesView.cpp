@@ -2,14 +2,11 @@
 #include "widgets/messages/MessagesView.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QBoxLayout>
-#include <QClipboard>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
@@ -20,8 +17,6 @@
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/HeaderState.h"
-#include "widgets/Theme.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/messages/LevelDelegate.h"
 #include "widgets/messages/LogFilter.h"
@@ -133,12 +128,8 @@ QWidget* MessagesView::createBar() {
 
 void MessagesView::createViews() {
   filter_->setSourceModel(&model_);
-  table_ = makeTable(this, {"messagesTable", tr("Messages"), {}}, filter_);
+  table_ = makeEventTable(this, {"messagesTable", tr("Messages"), {}}, filter_);
   table_->setItemDelegateForColumn(LogModel::kLevel, new LevelDelegate(table_));
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kName, ColumnKind::kName,
                           ColumnKind::kText});
   hint_ = new EmptyHint(table_);
@@ -172,7 +163,9 @@ void MessagesView::connectSignals() {
   connect(search_, &QLineEdit::returnPressed, this, [this] { find(1); });
   connect(next_, &QAction::triggered, this, [this] { find(1); });
   connect(previous_, &QAction::triggered, this, [this] { find(-1); });
-  connect(copy_, &QAction::triggered, this, &MessagesView::copy);
+  connect(copy_, &QAction::triggered, this, [this] {
+    copyRows(*table_, [](const QModelIndex& row) { return firstTexts(row, LogModel::kColumns); });
+  });
   connect(clear_, &QAction::triggered, this, [this] {
     model_.clear();
     showState();
@@ -184,11 +177,7 @@ void MessagesView::connectSignals() {
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (logs_.replay().open()) logs_.replay().jumpTo(model_.entry(filter_->mapToSource(index).row()).time);
   });
-  // Scrolling up ends following, since the user wants to read; scrolling to the end resumes it.
-  connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
-    const QScrollBar* bar = table_->verticalScrollBar();
-    follow_->setChecked(bar->sliderPosition() >= bar->maximum());
-  });
+  followEnd(*table_, *follow_);
 }
 
 void MessagesView::tick() {
@@ -300,19 +289,6 @@ void MessagesView::find(int step) {
     return showState();
   }
   state_->setText(tr("“%1” was not found").arg(text));
-}
-
-void MessagesView::copy() {
-  QModelIndexList rows = table_->selectionModel()->selectedRows();
-  std::sort(rows.begin(), rows.end());
-  QStringList lines;
-  for (const QModelIndex& row : rows) {
-    QStringList cells;
-    for (int column = 0; column < LogModel::kColumns; ++column)
-      cells << row.siblingAtColumn(column).data().toString();
-    lines << cells.join(QLatin1Char('\t'));
-  }
-  if (!lines.isEmpty()) QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
 }
 
 void MessagesView::showState() {

@@ -54,8 +54,6 @@ class MessagesView final : public View {
   void setPattern();
   /// Selects the next match of the search; `step` is 1 (down), -1 (up) or 0 (from the current row on).
   void find(int step);
-  /// Copies the selected rows to the clipboard, cells separated by tabs.
-  void copy();
   /// Updates the count of messages and the hint of an empty table.
   void showState();
   /// The row with filters, search and buttons.

@@ -2,23 +2,18 @@
 #include "widgets/packets/PacketInspector.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QBoxLayout>
-#include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
-#include <QScrollBar>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
-#include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
@@ -129,11 +124,7 @@ QWidget* PacketInspector::createFileBar() {
 
 void PacketInspector::createTable() {
   filter_->setSourceModel(&live_);
-  table_ = makeTable(this, {"packetsTable", tr("Packets"), {}}, filter_);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_ = makeEventTable(this, {"packetsTable", tr("Packets"), {}}, filter_);
   new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kText,
                           ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
@@ -166,11 +157,7 @@ void PacketInspector::connectSignals() {
   connect(follow_, &QAction::toggled, this, [this](bool on) {
     if (on) table_->scrollToBottom();
   });
-  // Scrolling up ends following, since the user wants to read; scrolling to the end resumes it.
-  connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
-    const QScrollBar* bar = table_->verticalScrollBar();
-    follow_->setChecked(bar->sliderPosition() >= bar->maximum());
-  });
+  followEnd(*table_, *follow_);
   connect(table_, &QTableView::clicked, this, [this] { follow_->setChecked(false); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &PacketInspector::showDetails);
@@ -285,17 +272,10 @@ void PacketInspector::send(const std::vector<std::string>& packets) {
 }
 
 void PacketInspector::copy() {
-  QModelIndexList rows = table_->selectionModel()->selectedRows();
-  std::sort(rows.begin(), rows.end());
-  QStringList lines;
-  for (const QModelIndex& row : rows) {
-    QStringList cells;
-    for (int column = 0; column < PacketModel::kBytes; ++column)
-      cells << row.siblingAtColumn(column).data().toString();
-    cells << hexText(shownModel().entry(filter_->mapToSource(row).row()).bytes);
-    lines << cells.join(QLatin1Char('\t'));
-  }
-  if (!lines.isEmpty()) QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+  copyRows(*table_, [this](const QModelIndex& row) {
+    const PacketEntry& packet = shownModel().entry(filter_->mapToSource(row).row());
+    return firstTexts(row, PacketModel::kBytes) << hexText(packet.bytes);
+  });
 }
 
 bool PacketInspector::saveConversation(const QString& file) {

@@ -29,7 +29,6 @@ class PacketReplayBar final : public QWidget {
   /// The robot refused the packets: stops the replay and shows the reason.
   void fail(const QString& reason);
   /// Whether a replay is in progress.
-  bool running() const { return replay_.state() != ConversationReplay::State::kIdle; }
 
  Q_SIGNALS:
   /// These packets shall be sent to the robot, in this order.

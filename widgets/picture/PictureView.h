@@ -30,7 +30,7 @@ class PictureView : public View {
  public:
   /// Writes the picture as PNG. False, with a message box that names the file, if that fails.
   bool savePicture(const QString& file);
-  /// The same without a message box.
+  /// Writes the picture as PNG, without a message box.
   robotlink::Result<void> saveTo(const QString& file) override;
 
  protected:
@@ -71,7 +71,7 @@ class PictureView : public View {
   QString timeText(robotlink::Instant time) const;
   /// Appends a label that takes the room that is left in a row, aligned to the right, and is cut there.
   static QLabel* addWideLabel(QHBoxLayout* row, const char* name, const QString& text);
-  /// The same in a font in which numbers do not waver.
+  /// Appends such a label in a font in which all digits are equally wide.
   static QLabel* addFiguresLabel(QHBoxLayout* row, const char* name, const QString& text);
 
   QAction* copyAction() const { return copy_; }

@@ -10,10 +10,10 @@
 #include <set>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/NaturalOrder.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/expressions/NumericFields.h"
-#include "widgets/NaturalOrder.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
@@ -96,7 +96,7 @@ std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
     for (const std::string& field : robotlink::numericFields(*described))
       sources.push_back({path, field, type});
   }
-  std::ranges::stable_sort(sources, comesNaturallyBefore, &PlotSource::stream);
+  std::ranges::stable_sort(sources, robotlink::comesNaturallyBefore, &PlotSource::stream);
   return sources;
 }
 

@@ -25,7 +25,7 @@ struct ProcessGraph {
     quint64 count = 0;
     /// At inputs: packages since the start that were replaced by newer ones before they were read.
     quint64 missed = 0;
-    /// The same per second, Hz.
+    /// Packages a second that were replaced in this way, Hz.
     double missedRate = 0;
     /// At inputs: the process is meant to read every package and does not: it waits for this package and for
     /// no slower one, and still misses some. A process that reads only the newest package, or has a longer

@@ -12,6 +12,7 @@
 
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
+#include "widgets/picture/PanKeys.h"
 
 namespace widgets {
 
@@ -111,7 +112,7 @@ void ProcessGraphWidget::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void ProcessGraphWidget::keyPressEvent(QKeyEvent* event) {
-  constexpr double kStep = 40;
+  if (const auto step = panOfKey(*event, 40)) return pan(*step);
   switch (event->key()) {
     case Qt::Key_F:
       return fit();
@@ -119,14 +120,6 @@ void ProcessGraphWidget::keyPressEvent(QKeyEvent* event) {
       return zoom(1.2);
     case Qt::Key_Minus:
       return zoom(1 / 1.2);
-    case Qt::Key_Left:
-      return pan({kStep, 0});
-    case Qt::Key_Right:
-      return pan({-kStep, 0});
-    case Qt::Key_Up:
-      return pan({0, kStep});
-    case Qt::Key_Down:
-      return pan({0, -kStep});
     default:
       QWidget::keyPressEvent(event);
   }

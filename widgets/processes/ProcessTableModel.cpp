@@ -2,7 +2,6 @@
 #include "widgets/processes/ProcessTableModel.h"
 
 #include <QGuiApplication>
-#include <algorithm>
 
 #include "widgets/Theme.h"
 

@@ -13,7 +13,6 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
-#include "widgets/SplitterState.h"
 #include "widgets/processes/HostingBar.h"
 #include "widgets/processes/ProcessGraphWidget.h"
 #include "widgets/processes/TableGraph.h"

@@ -15,7 +15,6 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/HeaderState.h"
 #include "widgets/Requests.h"
 #include "widgets/processes/BarDelegate.h"
 

@@ -79,7 +79,6 @@ void SceneCanvas::setCamera(const SceneCamera& camera) {
   camera_ = camera;
   overview_.reset();
   request();
-  Q_EMIT cameraMoved();
 }
 
 void SceneCanvas::setOverview(const SceneBox& box) {
@@ -137,7 +136,6 @@ void SceneCanvas::takePicture() {
   auto picture = thread_->take();
   if (picture) shown_ = std::move(*picture);
   update();
-  if (picture) Q_EMIT pictureShown();
 }
 
 QImage SceneCanvas::rendered() const {

@@ -60,10 +60,6 @@ class SceneCanvas final : public QWidget {
   QSize sizeHint() const override { return {640, 480}; }
 
  Q_SIGNALS:
-  /// A new picture is shown.
-  void pictureShown();
-  /// camera() changed.
-  void cameraMoved();
   /// The user drags a model; positions are meters in the field's frame, in the horizontal plane through the
   /// point that was grabbed; turning is in rad, counterclockwise.
   void dragStarted(const QString& model, double x, double y);

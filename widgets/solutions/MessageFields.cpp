@@ -30,53 +30,31 @@ QVariant enumName(const google::protobuf::EnumValueDescriptor* value) {
   return value == nullptr ? QString() : QString::fromStdString(value->name());
 }
 
-QVariant singleValue(const Message& message, const FieldDescriptor* field) {
-  const Reflection& r = *message.GetReflection();
+/// `element` is negative for fields that are no lists.
+QVariant valueOf(const Message& message, const FieldDescriptor* field, int element) {
+  const auto get = [&](auto single, auto repeated) {
+    const Reflection& r = *message.GetReflection();
+    return element < 0 ? (r.*single)(message, field) : (r.*repeated)(message, field, element);
+  };
   switch (field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
-      return r.GetDouble(message, field);
+      return get(&Reflection::GetDouble, &Reflection::GetRepeatedDouble);
     case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(r.GetFloat(message, field));
+      return static_cast<double>(get(&Reflection::GetFloat, &Reflection::GetRepeatedFloat));
     case FieldDescriptor::CPPTYPE_BOOL:
-      return r.GetBool(message, field);
+      return get(&Reflection::GetBool, &Reflection::GetRepeatedBool);
     case FieldDescriptor::CPPTYPE_INT32:
-      return r.GetInt32(message, field);
+      return get(&Reflection::GetInt32, &Reflection::GetRepeatedInt32);
     case FieldDescriptor::CPPTYPE_UINT32:
-      return r.GetUInt32(message, field);
+      return get(&Reflection::GetUInt32, &Reflection::GetRepeatedUInt32);
     case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<qlonglong>(r.GetInt64(message, field));
+      return static_cast<qlonglong>(get(&Reflection::GetInt64, &Reflection::GetRepeatedInt64));
     case FieldDescriptor::CPPTYPE_UINT64:
-      return static_cast<qulonglong>(r.GetUInt64(message, field));
+      return static_cast<qulonglong>(get(&Reflection::GetUInt64, &Reflection::GetRepeatedUInt64));
     case FieldDescriptor::CPPTYPE_ENUM:
-      return enumName(r.GetEnum(message, field));
+      return enumName(get(&Reflection::GetEnum, &Reflection::GetRepeatedEnum));
     case FieldDescriptor::CPPTYPE_STRING:
-      return QString::fromStdString(r.GetString(message, field));
-    default:
-      return {};
-  }
-}
-
-QVariant elementValue(const Message& message, const FieldDescriptor* field, int element) {
-  const Reflection& r = *message.GetReflection();
-  switch (field->cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-      return r.GetRepeatedDouble(message, field, element);
-    case FieldDescriptor::CPPTYPE_FLOAT:
-      return static_cast<double>(r.GetRepeatedFloat(message, field, element));
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return r.GetRepeatedBool(message, field, element);
-    case FieldDescriptor::CPPTYPE_INT32:
-      return r.GetRepeatedInt32(message, field, element);
-    case FieldDescriptor::CPPTYPE_UINT32:
-      return r.GetRepeatedUInt32(message, field, element);
-    case FieldDescriptor::CPPTYPE_INT64:
-      return static_cast<qlonglong>(r.GetRepeatedInt64(message, field, element));
-    case FieldDescriptor::CPPTYPE_UINT64:
-      return static_cast<qulonglong>(r.GetRepeatedUInt64(message, field, element));
-    case FieldDescriptor::CPPTYPE_ENUM:
-      return enumName(r.GetRepeatedEnum(message, field, element));
-    case FieldDescriptor::CPPTYPE_STRING:
-      return QString::fromStdString(r.GetRepeatedString(message, field, element));
+      return QString::fromStdString(get(&Reflection::GetString, &Reflection::GetRepeatedString));
     default:
       return {};
   }
@@ -227,10 +205,9 @@ QVariant valueAt(const Message& root, const FieldPath& path) {
   if (isMessage(path)) return {};
   const FieldStep& last = path.back();
   const Message& owner = messageAt(root, FieldPath(path.begin(), path.end() - 1));
-  if (!last.field->is_repeated()) return singleValue(owner, last.field);
+  if (!last.field->is_repeated()) return valueOf(owner, last.field, -1);
   const int size = owner.GetReflection()->FieldSize(owner, last.field);
-  return last.element >= 0 && last.element < size ? elementValue(owner, last.field, last.element)
-                                                  : QVariant();
+  return last.element >= 0 && last.element < size ? valueOf(owner, last.field, last.element) : QVariant();
 }
 
 bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {

@@ -14,7 +14,6 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
-#include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/solutions/ParameterDelegate.h"
 #include "widgets/solutions/ParameterFile.h"
@@ -74,10 +73,7 @@ void ParameterPanel::createActions() {
 void ParameterPanel::createViews() {
   title_ = new QLabel(this);
   describe(*title_, {"parametersTitle", tr("Parameters of"), {}});
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"parametersTree", tr("Parameters"), {}});
-  tree_->setModel(&model_);
+  tree_ = makeTree(this, {"parametersTree", tr("Parameters"), {}}, &model_);
   tree_->setItemDelegate(new ParameterDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
                          QAbstractItemView::AnyKeyPressed);

@@ -14,8 +14,6 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
-#include "widgets/SplitterState.h"
-#include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/solutions/ParameterPanel.h"
 #include "widgets/solutions/SolutionDelegate.h"
@@ -50,10 +48,7 @@ void SolutionsView::createActions() {
 }
 
 void SolutionsView::createViews() {
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"solutionsTree", tr("Tasks and their solutions"), {}});
-  tree_->setModel(&model_);
+  tree_ = makeTree(this, {"solutionsTree", tr("Tasks and their solutions"), {}}, &model_);
   tree_->setItemDelegate(new SolutionDelegate(tree_));
   tree_->setAlternatingRowColors(false);
   tree_->setIndentation(14);

@@ -71,8 +71,6 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void rangeDropped();
   /// The user chose the stream whose messages are stepped.
   void streamChosen(int band, const std::string& path);
-  /// The user clicked a bookmark.
-  void bookmarkChosen(int band, std::uint64_t id);
   /// The user wants a new bookmark at a time.
   void bookmarkWanted(int band, robotlink::Instant time);
   /// The user moved a bookmark or edited its text; times are the log's own.

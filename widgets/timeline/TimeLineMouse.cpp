@@ -99,7 +99,6 @@ void TimeLineCanvas::mousePressEvent(QMouseEvent* event) {
     heldBookmark_ = *std::find_if(bookmarks.begin(), bookmarks.end(),
                                   [&](const auto& b) { return b.id == held_.bookmark; });
     chooseBookmark(held_.band, held_.bookmark);
-    Q_EMIT bookmarkChosen(held_.band, held_.bookmark);
   }
   if (held_.drag == Drag::kScrub) {
     look_.shown = timeAt(point);

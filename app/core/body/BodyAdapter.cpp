@@ -16,8 +16,8 @@ robotlink::Result<PlatformOpening> openBody(const PlatformChoices& choices) {
   options.token = textOf(choices.values, "token");
   options.robot = textOf(choices.values, "robot");
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
-    options.layout = layoutNamed(layout);
-  options.map = textOf(choices.values, "map");
+    options.program.layout = layoutNamed(layout);
+  options.program.map = textOf(choices.values, "map");
   return BodyFeed::opening(std::move(options));
 }
 

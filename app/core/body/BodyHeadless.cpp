@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/body/BodyHeadless.h"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -10,11 +8,10 @@
 #include "app/core/body/BodyFeed.h"
 #include "app/core/body/BodyStandIn.h"
 #include "app/core/platform/JsonOutput.h"
-#include "app/core/platform/RobotName.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/ShippedFiles.h"
-#include "app/core/spread/OtherProgram.h"
+#include "app/core/real/HeadlessRobot.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
 
@@ -24,9 +21,8 @@ namespace {
 using nlohmann::json;
 using Kind = PlatformField::Kind;
 
-constexpr char kMapOption[] = "map", kRobotOption[] = "robot", kSecondsOption[] = "seconds",
-               kTextsOption[] = "texts", kTokenOption[] = "token", kJpegOption[] = "jpeg",
-               kPngOption[] = "png", kBudgetOption[] = "budget", kRateOption[] = "image-rate";
+constexpr char kTokenOption[] = "token", kJpegOption[] = "jpeg", kPngOption[] = "png",
+               kBudgetOption[] = "budget", kRateOption[] = "image-rate";
 constexpr robotlink::StreamStore::Limits kNoHistory{std::chrono::seconds(1), 64U << 20U};
 
 BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole& console) {
@@ -35,22 +31,13 @@ BodyOptions bodyOptionsOf(const HeadlessChoices& choices, const HeadlessConsole&
   BodyOptions options{.url = choices.platform};
   options.isTrusted = trustAndPrint(console.errors);
   options.token = textOf(values, kTokenOption, token != nullptr ? token : "");
-  options.robot = textOf(values, kRobotOption);
-  if (!choices.layout.empty()) options.layout = layoutNamed(choices.layout);
-  options.map = textOf(values, kMapOption);
-  options.solutions = choices.solutions;
+  options.robot = textOf(values, kRobotField);
+  applyChoices(choices, options.program);
   options.limits.bytesPerSecond = numberOf(values, kBudgetOption);
   options.limits.imagesPerSecond = numberOf(values, kRateOption);
   if (flagOf(values, kJpegOption)) options.limits.images = LinkLimits::Images::kJpeg;
   if (flagOf(values, kPngOption)) options.limits.images = LinkLimits::Images::kPng;
-  options.spread = choices.spread;
-  options.hosting.ownProcesses = flagOf(values, ownProcessField().name);
   return options;
-}
-
-/// Prints what concerns the links between programs, which users should see without asking for it.
-std::function<void(const std::string& text)> bodySpreadReport(const HeadlessConsole& console) {
-  return [&console](const std::string& text) { console.errors << text + "\n" << std::flush; };
 }
 
 json bodyFigures(const BodyFeed& feed, double seconds) {
@@ -70,13 +57,6 @@ json bodyFigures(const BodyFeed& feed, double seconds) {
           {"longest_gap_s", robotlink::seconds(counts.longestSilence)}};
 }
 
-std::string bodyFiguresText(const json& figures) {
-  std::string text;
-  for (const auto& [name, value] : figures.items())
-    text += fmt::format("{:<24}{}\n", name, value.is_string() ? value.get<std::string>() : value.dump());
-  return text;
-}
-
 /// Prints texts: those of the platform always, those of the program if they are wanted.
 void printBodyText(std::ostream& out, const robotlink::StreamMessage& message, bool all) {
   const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
@@ -94,7 +74,7 @@ tl::expected<HeadlessSummary, robotlink::Errors> runBody(const BodyOptions& opti
   logplayer::Recorder none({});
   robotlink::Session session(kNoHistory);
   session.addListener({[&](const robotlink::StreamMessage& message) {
-                         printBodyText(console.errors, message, flagOf(values, kTextsOption));
+                         printBodyText(console.errors, message, flagOf(values, kTextsField));
                        },
                        {}});
   auto feed = BodyFeed::create(options, session, *recorder ? **recorder : none);
@@ -104,7 +84,7 @@ tl::expected<HeadlessSummary, robotlink::Errors> runBody(const BodyOptions& opti
     return tl::unexpected(feed.error());
   }
   (*feed)->begin();
-  const double seconds = numberOf(values, kSecondsOption);
+  const double seconds = numberOf(values, kSecondsField);
   const auto begin = std::chrono::steady_clock::now();
   const auto taken = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -117,24 +97,20 @@ tl::expected<HeadlessSummary, robotlink::Errors> runBody(const BodyOptions& opti
   const json figures = bodyFigures(**feed, taken());
   feed->reset();
   const ExitStatus recorded = *recorder ? finishRecording(**recorder, console.errors) : kDone;
-  return HeadlessSummary{jsonOutput(figures), bodyFiguresText(figures), recorded};
+  return HeadlessSummary{jsonOutput(figures), figuresText(figures), recorded};
 }
 
 robotlink::Result<HeadlessServing> prepareServedBody(const HeadlessChoices& choices,
                                                      const HeadlessConsole& console) {
-  const FormValues& values = choices.options.values;
   BodyOptions options = bodyOptionsOf(choices, console);
-  options.spreadReport = bodySpreadReport(console);
-  HeadlessServing serving{BodyFeed::opening(std::move(options))};
-  if (const double seconds = numberOf(values, kSecondsOption); seconds > 0) serving.seconds = seconds;
-  serving.texts = flagOf(values, kTextsOption);
-  return serving;
+  options.program.spreadReport = printSpread(console);
+  return servingOf(BodyFeed::opening(std::move(options)), choices);
 }
 
 robotlink::Result<HeadlessPlatform::Run> prepareBody(const HeadlessChoices& choices) {
   return [choices](const HeadlessConsole& console) {
     BodyOptions reporting = bodyOptionsOf(choices, console);
-    reporting.spreadReport = bodySpreadReport(console);
+    reporting.program.spreadReport = printSpread(console);
     return runBody(reporting, choices, console);
   };
 }
@@ -143,87 +119,69 @@ std::filesystem::path bodyLayoutOf(const HeadlessChoices& choices) {
   return choices.layout.empty() ? std::filesystem::path() : layoutNamed(choices.layout);
 }
 
-tl::expected<HeadlessSummary, robotlink::Errors> runOtherOfBody(const BodyOptions& options, double seconds,
+tl::expected<HeadlessSummary, robotlink::Errors> runOtherOfBody(const HeadlessChoices& choices,
                                                                 const HeadlessConsole& console) {
-  auto layout = readLayoutWith(options.layout, options.solutions);
+  const BodyOptions options = bodyOptionsOf(choices, console);
+  auto layout = readLayoutWith(options.program.layout, options.program.solutions);
   if (!layout) return tl::unexpected(layout.error());
   const auto body = BodyFeed::find(options);
   if (!body) return tl::unexpected(body.error());
-  const auto program = OtherProgram::create(
+  return runOtherProgram(
       {.robot = body->robot,
        .layout = std::move(*layout),
-       .options = options.spread,
+       .options = options.program.spread,
        .platform = [&](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
          return std::make_unique<BodyStandIn>(body->offer, clock);
        },
-       .report = bodySpreadReport(console)});
-  if (!program) return tl::unexpected(program.error());
-  const bool heard = (*program)->run(seconds, console.interrupted);
-  const json figures = {{"program", options.spread.program}, {"heard", heard}};
-  return HeadlessSummary{jsonOutput(figures), bodyFiguresText(figures), heard ? kDone : kFailed};
+       .report = {}},
+      choices, console);
 }
 
 robotlink::Result<HeadlessPlatform::Run> prepareOtherOfBody(const HeadlessChoices& choices) {
-  return [choices](const HeadlessConsole& console) {
-    return runOtherOfBody(bodyOptionsOf(choices, console), numberOf(choices.options.values, kSecondsOption),
-                          console);
-  };
+  return [choices](const HeadlessConsole& console) { return runOtherOfBody(choices, console); };
 }
 
 }  // namespace
 
 HeadlessPlatform headlessBody() {
-  return {
-      .help = "a body that is elsewhere, where 'robotctl platform ... --listen' runs: ws://HOST[:PORT]",
-      .usage = "a body elsewhere: ws://HOST:PORT",
-      .options =
-          {{.name = kMapOption, .help = "Robots: a map (.map) of where it drives", .option = "--map"},
-           {.name = kRobotOption, .help = "Robots: its name", .option = "--robot", .check = robotName},
-           {.name = kSecondsOption,
-            .kind = Kind::kNumber,
-            .help = "Robots: how long it runs (until Ctrl-C)",
-            .initial = 0.0,
-            .noun = "duration",
-            .max = 1e6,
-            .option = "--seconds"},
-           {.name = kTextsOption,
-            .kind = Kind::kFlag,
-            .help = "Robots: prints the program's text messages on stderr",
-            .initial = false,
-            .option = "--texts"},
-           {.name = kTokenOption,
-            .help = "Bodies elsewhere: the token that was printed there ($ROBOTCONTROL_TOKEN); without one "
-                    "that which is remembered",
-            .option = "--token"},
-           {.name = kJpegOption,
-            .kind = Kind::kFlag,
-            .help = "Bodies elsewhere: images as JPEG, for narrow lines",
-            .initial = false,
-            .option = "--jpeg"},
-           {.name = kPngOption,
-            .kind = Kind::kFlag,
-            .help = "Bodies elsewhere: images as PNG",
-            .initial = false,
-            .option = "--png"},
-           {.name = kBudgetOption,
-            .kind = Kind::kNumber,
-            .help = "Bodies elsewhere: bytes a second that the body may send (no limit)",
-            .initial = 0.0,
-            .noun = "number of bytes a second",
-            .max = 1e12,
-            .option = "--budget"},
-           {.name = kRateOption,
-            .kind = Kind::kNumber,
-            .help = "Bodies elsewhere: images of each stream a second that the body may send (all)",
-            .initial = 0.0,
-            .noun = "number of images a second",
-            .max = 1e6,
-            .option = "--image-rate"},
-           ownProcessField()},
-      .prepare = prepareBody,
-      .prepareServing = prepareServedBody,
-      .layoutOf = bodyLayoutOf,
-      .prepareOther = prepareOtherOfBody};
+  std::vector<PlatformField> options = headlessRobotFields({});
+  const std::vector<PlatformField> ofBodies{
+      {.name = kTokenOption,
+       .help = "Bodies elsewhere: the token that was printed there ($ROBOTCONTROL_TOKEN); without one "
+               "that which is remembered",
+       .option = "--token"},
+      {.name = kJpegOption,
+       .kind = Kind::kFlag,
+       .help = "Bodies elsewhere: images as JPEG, for narrow lines",
+       .initial = false,
+       .option = "--jpeg"},
+      {.name = kPngOption,
+       .kind = Kind::kFlag,
+       .help = "Bodies elsewhere: images as PNG",
+       .initial = false,
+       .option = "--png"},
+      {.name = kBudgetOption,
+       .kind = Kind::kNumber,
+       .help = "Bodies elsewhere: bytes a second that the body may send (no limit)",
+       .initial = 0.0,
+       .noun = "number of bytes a second",
+       .max = 1e12,
+       .option = "--budget"},
+      {.name = kRateOption,
+       .kind = Kind::kNumber,
+       .help = "Bodies elsewhere: images of each stream a second that the body may send (all)",
+       .initial = 0.0,
+       .noun = "number of images a second",
+       .max = 1e6,
+       .option = "--image-rate"}};
+  options.insert(options.end(), ofBodies.begin(), ofBodies.end());
+  return {.help = "a body that is elsewhere, where 'robotctl platform ... --listen' runs: ws://HOST[:PORT]",
+          .usage = "a body elsewhere: ws://HOST:PORT",
+          .options = std::move(options),
+          .prepare = prepareBody,
+          .prepareServing = prepareServedBody,
+          .layoutOf = bodyLayoutOf,
+          .prepareOther = prepareOtherOfBody};
 }
 
 }  // namespace app

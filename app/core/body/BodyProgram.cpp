@@ -16,6 +16,7 @@
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/packages/ParsedMessage.h"
 #include "robotlink/process/Platform.h"
 
 namespace app {
@@ -61,10 +62,7 @@ class NewestLink final : public robotlink::Link {
 /// A package in its own type; null if it is of another type, or damaged.
 PackagePtr packageOf(const BodyCommands::Package& wire, const google::protobuf::Descriptor* type) {
   if (type == nullptr || wire.type() != type->full_name()) return nullptr;
-  const auto* prototype = google::protobuf::MessageFactory::generated_factory()->GetPrototype(type);
-  if (prototype == nullptr) return nullptr;
-  const std::shared_ptr<google::protobuf::Message> package(prototype->New());
-  return package->ParseFromString(wire.data()) ? package : nullptr;
+  return robotlink::parsedMessage(wire.type(), wire.data());
 }
 
 /// What costs time to make, and is made only for who looks at it. It stays here.

@@ -23,8 +23,8 @@ Result<PlatformOpening> openCamera(const PlatformChoices& choices) {
   if (const auto address = parseCameraAddress(url); !address) return tl::unexpected(address.error());
   RealRobotOptions options = cameraOptions(std::move(url));
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
-    options.layout = layoutNamed(layout);
-  options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
+    options.program.layout = layoutNamed(layout);
+  options.program.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
   return RealFeed::opening(std::move(options));
 }
 
@@ -79,6 +79,36 @@ void followCameraAddress(FormState& state, const std::string& changed) {
   state.complete = address.has_value();
 }
 
+/// What images the camera shall send.
+std::vector<PlatformField> imageFields() {
+  return {{.name = "size",
+           .kind = Kind::kChoice,
+           .label = "&Size:",
+           .help = "Pixels; the camera takes the nearest size that it has",
+           .initial = std::string(kUsualSize),
+           .unit = "pixels",
+           .items = sizeItems,
+           .editable = true,
+           .isArgument = false},
+          {.name = "rate",
+           .kind = Kind::kNumber,
+           .label = "at",
+           .help = "Images per second",
+           .initial = 0.0,
+           .noun = "rate",
+           .max = 1000,
+           .unit = "images/s",
+           .emptyText = "as the camera takes them",
+           .sameRow = true,
+           .isArgument = false},
+          {.name = "format",
+           .kind = Kind::kChoice,
+           .label = "&Format:",
+           .help = "How the camera sends its images",
+           .items = formatItems,
+           .isArgument = false}};
+}
+
 PlatformForm cameraForm() {
   PlatformForm form{.name = "camera",
                     .command = "camera.open",
@@ -112,33 +142,9 @@ PlatformForm cameraForm() {
        .items = cameraItems,
        .editable = true,
        .listAgain = "Searches for cameras",
-       .isArgument = false},
-      {.name = "size",
-       .kind = Kind::kChoice,
-       .label = "&Size:",
-       .help = "Pixels; the camera takes the nearest size that it has",
-       .initial = std::string(kUsualSize),
-       .unit = "pixels",
-       .items = sizeItems,
-       .editable = true,
-       .isArgument = false},
-      {.name = "rate",
-       .kind = Kind::kNumber,
-       .label = "at",
-       .help = "Images per second",
-       .initial = 0.0,
-       .noun = "rate",
-       .max = 1000,
-       .unit = "images/s",
-       .emptyText = "as the camera takes them",
-       .sameRow = true,
-       .isArgument = false},
-      {.name = "format",
-       .kind = Kind::kChoice,
-       .label = "&Format:",
-       .help = "How the camera sends its images",
-       .items = formatItems,
-       .isArgument = false},
+       .isArgument = false}};
+  for (auto& field : imageFields()) form.fields.push_back(std::move(field));
+  form.fields.push_back(
       {.name = "layout",
        .kind = Kind::kChoice,
        .label = "&Layout:",
@@ -149,7 +155,7 @@ PlatformForm cameraForm() {
            [] {
              return PlatformField::Items{{"of the camera", ""}, {"perception", "perception"}};
            },
-       .editable = true}};
+       .editable = true});
   form.fields.push_back(ownProcessField());
   form.follow = followCameraAddress;
   form.normalize = [](FormValues& values) {

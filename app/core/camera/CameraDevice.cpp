@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "logplayer/images/ImageCoding.h"
 
@@ -323,15 +322,6 @@ Result<void> CameraDevice::set(const std::string& control, std::int32_t value) {
     return tl::unexpected(
         failed(control + " cannot be set; another control may have to be changed to manual first"));
   return {};
-}
-
-Result<std::int32_t> CameraDevice::get(const std::string& control) const {
-  const auto found = find(control);
-  if (!found) return tl::unexpected(found.error());
-  v4l2_control present{(*found)->id, 0};
-  if (calls_.ioctl(file_, VIDIOC_G_CTRL, &present) < 0)
-    return tl::unexpected(failed(control + " cannot be read"));
-  return present.value;
 }
 
 std::vector<std::pair<std::string, std::string>> camerasHere(VideoCalls& calls) {

@@ -53,7 +53,6 @@ class CameraDevice {
   const std::vector<Control>& controls() const { return controls_; }
   /// Fails if there is no such control, or if the camera refuses the value.
   robotlink::Result<void> set(const std::string& control, std::int32_t value);
-  robotlink::Result<std::int32_t> get(const std::string& control) const;
 
  private:
   /// Memory of the device with an image.

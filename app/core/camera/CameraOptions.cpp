@@ -20,7 +20,7 @@ RealRobotOptions cameraOptions(std::string url, VideoCalls& calls) {
           .kind = "camera",
           .platform = platform,
           // Where it stands is known from its description, not from joints.
-          .solutions = {{"camera-pose", "mounted"}}};
+          .program = {.solutions = {{"camera-pose", "mounted"}}}};
 }
 
 }  // namespace app

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "robotlink/packages/ParsedMessage.h"
+
 namespace app {
 
 void assign(robotcontrol::WirePackage& to, std::size_t port, const google::protobuf::Message& package) {
@@ -14,12 +16,7 @@ void assign(robotcontrol::WirePackage& to, std::size_t port, const google::proto
 }
 
 robotlink::PackagePtr packageIn(const robotcontrol::WirePackage& wire) {
-  const auto* type = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(wire.type());
-  const auto* prototype =
-      type != nullptr ? google::protobuf::MessageFactory::generated_factory()->GetPrototype(type) : nullptr;
-  if (prototype == nullptr) return nullptr;
-  std::shared_ptr<google::protobuf::Message> package(prototype->New());
-  return package->ParseFromString(wire.data()) ? package : nullptr;
+  return robotlink::parsedMessage(wire.type(), wire.data());
 }
 
 MirrorPlatform::MirrorPlatform(const robotcontrol::WireSetup& setup, const robotlink::Clock& clock)

@@ -339,7 +339,7 @@ void OwnProgram::Implementation::heard() {
 void OwnProgram::Implementation::stuck(const std::string& what) {
   isStuck = !what.empty();
   if (!isStuck) {
-    return setState(HostingStatus::RUNNING, "The program of " + robot + " has returned and goes on.", {});
+    return setState(HostingStatus::RUNNING, "The program of " + robot + " has returned and continues.", {});
   }
   const CrashReport report = lookIntoIt();
   setState(HostingStatus::NOT_ANSWERING,

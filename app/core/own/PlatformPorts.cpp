@@ -6,8 +6,18 @@
 #include <algorithm>
 
 #include "app/core/own/MirrorPlatform.h"
+#include "robotlink/dds/PackageTypes.h"
 
 namespace app {
+namespace {
+
+/// Receivers rely on the type, but a program that misbehaves may send anything.
+bool isOfItsType(const google::protobuf::Message& package, const robotlink::AnySender& sender) {
+  const auto* expected = robotlink::dds::typeOfPackage(sender.package());
+  return expected == nullptr || package.GetDescriptor() == expected;
+}
+
+}  // namespace
 
 /// The link from a sender of the platform: delivers at once.
 class PlatformPorts::Collector final : public robotlink::Link {
@@ -111,7 +121,8 @@ void PlatformPorts::takeTo(Packages& packages) {
 void PlatformPorts::send(const Packages& packages) {
   for (const auto& wire : packages) {
     if (wire.port() >= senders_.size()) continue;
-    if (const auto package = packageIn(wire)) senders_[wire.port()]->send(package);
+    robotlink::AnySender& sender = *senders_[wire.port()];
+    if (const auto package = packageIn(wire); package && isOfItsType(*package, sender)) sender.send(package);
   }
 }
 

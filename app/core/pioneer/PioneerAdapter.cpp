@@ -37,9 +37,9 @@ bool isAddress(const std::string& source) {
 Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
   RealRobotOptions options = pioneerOptions(choices.sources.front());
   if (const std::string layout = textOf(choices.values, "layout"); !layout.empty())
-    options.layout = layoutNamed(layout);
-  options.map = textOf(choices.values, "map");
-  options.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
+    options.program.layout = layoutNamed(layout);
+  options.program.map = textOf(choices.values, "map");
+  options.program.hosting.ownProcesses = flagOf(choices.values, ownProcessField().name);
   return RealFeed::opening(std::move(options));
 }
 

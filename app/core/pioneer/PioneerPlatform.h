@@ -39,7 +39,6 @@ class PioneerPlatform final : public RealPlatform {
   bool isConnected() const override { return driver_.session().isConnected(); }
   std::string connectionText() const override { return driver_.session().describe(); }
   std::vector<Figure> connectionFigures() const override;
-  const PioneerDriver& driver() const { return driver_; }
 
  protected:
   /// Sends the packages.

@@ -155,7 +155,7 @@ std::unique_ptr<robotlink::Platform> RobotHost::releasePlatform() {
 
 void RobotHost::noteStuck(const std::string& what) {
   stuck_ = what;
-  stuckText_ = what.empty() ? "The program of " + robot_.name + " has returned and goes on."
+  stuckText_ = what.empty() ? "The program of " + robot_.name + " has returned and continues."
                             : "The program of " + robot_.name + " does not return from " + what +
                                   ". The robot stands until it returns or its program is started again.";
   reportHosting();

@@ -399,7 +399,7 @@ HeadlessPlatform headlessReplay() {
                   {.name = kPatience,
                    .kind = Kind::kNumber,
                    .help = "Seconds after which a module that does not return is named, and the command ends "
-                           "(30); 0: never. With --listen the log goes on without it, after 2 s",
+                           "(30); 0: never. With --listen the log continues without it, after 2 s",
                    .initial = kUsualPatience,
                    .noun = "patience",
                    .max = 1e6,

@@ -95,7 +95,7 @@ bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
   auto start = prepare(now, choices());
   if (!start) {
     host_.reportTrouble(*host_.platform(),
-                        "cannot be started anew as in the log: " + robotlink::describe(start.error()));
+                        "cannot be restarted as in the log: " + robotlink::describe(start.error()));
     return false;
   }
   adopt(std::move(*start));

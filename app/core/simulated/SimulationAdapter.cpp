@@ -200,6 +200,32 @@ std::vector<PlatformField> portFields() {
            .remembered = "simulation_setup/5"}};
 }
 
+/// What only commands and programs without a window ask for.
+std::vector<PlatformField> hiddenFields() {
+  return {{.name = "seed",
+           .kind = Kind::kNumber,
+           .help = "Seed of the simulation's noise",
+           .initial = 1.0,
+           .noun = "seed",
+           .max = 9e15,  // above this, not every whole number is a double
+           .isArgument = false,
+           .isShown = false,
+           .option = "--seed"},
+          ownProcessField(),
+          {.name = "executor",
+           .kind = Kind::kChoice,
+           .help = "How the processes of the programs are executed: lockstep, one after the "
+                   "other and reproducible; or threads, one each, with the layout's priorities",
+           .noun = "executor",
+           .items =
+               [] {
+                 return PlatformField::Items{{"lockstep", "lockstep"}, {"threads", "threads"}};
+               },
+           .isArgument = false,
+           .isShown = false,
+           .option = "--executor"}};
+}
+
 PlatformForm simulationForm() {
   PlatformForm form{.name = "setup",
                     .command = "simulation.setup",
@@ -238,28 +264,7 @@ PlatformForm simulationForm() {
                          .group = "Robots",
                          .option = "--teams",
                          .remembered = "simulation_setup/6"});
-  form.fields.push_back({.name = "seed",
-                         .kind = Kind::kNumber,
-                         .help = "Seed of the simulation's noise",
-                         .initial = 1.0,
-                         .noun = "seed",
-                         .max = 9e15,  // above this, not every whole number is a double
-                         .isArgument = false,
-                         .isShown = false,
-                         .option = "--seed"});
-  form.fields.push_back(ownProcessField());
-  form.fields.push_back({.name = "executor",
-                         .kind = Kind::kChoice,
-                         .help = "How the processes of the programs are executed: lockstep, one after the "
-                                 "other and reproducible; or threads, one each, with the layout's priorities",
-                         .noun = "executor",
-                         .items =
-                             [] {
-                               return PlatformField::Items{{"lockstep", "lockstep"}, {"threads", "threads"}};
-                             },
-                         .isArgument = false,
-                         .isShown = false,
-                         .option = "--executor"});
+  for (auto& field : hiddenFields()) form.fields.push_back(std::move(field));
   form.follow = followSimulation;
   return form;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/spread/SpreadNetwork.h"
 
-#include <algorithm>
-
 #include "robotlink/base/Spelling.h"
 #include "robotlink/dds/LocalAddresses.h"
 

@@ -45,7 +45,7 @@ class PlatformMenus final : public QObject {
   void openFile(const PlatformAdapter& adapter);
   /// Shows the dialog of an adapter, and opens what was chosen.
   void showForm(const PlatformAdapter& adapter);
-  /// The same for a dialog that stays open until the robot is connected.
+  /// Shows the dialog of an adapter whose robot is connected later; it stays open until then.
   void showConnecting(const PlatformAdapter& adapter);
 
   CommandActions& actions_;

@@ -47,7 +47,7 @@ class Shortcuts final : public QObject {
   /// Gives something another key; an empty one removes the key. Fails if the key does something else already,
   /// which it names, or if the file cannot be written.
   robotlink::Result<void> assign(const Shortcut& shortcut, const QKeySequence& key);
-  /// As they are shipped.
+  /// Gives something, or everything, the key that it was shipped with.
   robotlink::Result<void> reset(const Shortcut& shortcut) { return assign(shortcut, shortcut.shipped); }
   robotlink::Result<void> resetAll();
 

@@ -36,7 +36,7 @@ class ShortcutsDialog final : public QDialog {
   void fitScreen();
 
   Shortcuts& shortcuts_;
-  /// Those in the list; a row has its index.
+  /// The shortcuts in the list; a row has the index of its shortcut.
   std::vector<Shortcut> all_;
   QLineEdit* search_ = nullptr;
   QTreeWidget* list_ = nullptr;

@@ -8,7 +8,6 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QWidgetAction>
-#include <algorithm>
 #include <cmath>
 
 #include "app/core/Workbench.h"

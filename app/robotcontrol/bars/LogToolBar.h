@@ -56,7 +56,7 @@ class LogToolBar : public QToolBar {
 
   /// Creates an action that calls a function.
   QAction* make(const Text& text, std::function<void()> action);
-  /// The same for an action with a key, which is added to keyed_.
+  /// Creates an action with a key, and adds it to keyed_.
   QAction* make(widgets::ReplayKey key, const Text& text, std::function<void()> action);
   /// The create functions are called once, by the constructor.
   void createSteps();

@@ -43,7 +43,7 @@ class RemoteLine : public QObject {
   Workbench& workbench_;
   CommandActions& actions_;
   QStatusBar& bar_;
-  /// One for each connection; more than there are stay hidden.
+  /// The buttons, one for each connection; those that are left over are hidden.
   std::vector<QToolButton*> connections_;
   QToolButton* offer_;
   QToolButton* steering_;

@@ -8,6 +8,9 @@
 #include <QSplitter>
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <string_view>
+#include <vector>
 
 #include "app/core/platform/PlatformFeed.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
@@ -38,107 +41,101 @@ void setColumns(ads::CDockWidget* dock, const QList<int>& sizes) {
   if (outermost != nullptr) outermost->setSizes(sizes);
 }
 
-void buildPlay(ViewDocks& docks) {
-  ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
-  ads::CDockWidget* keys = docks.add(QStringLiteral("debug-keys"), Place::kLeft);
-  ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kRight);
-  docks.add(QStringLiteral("solutions"), Place::kBottom, keys);
-  ads::CDockWidget* field = docks.add(QStringLiteral("field"), Place::kBottom, image);
-  ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, scene);
-  for (const char* id : {"plots", "timing", "processes"}) docks.add(QLatin1String(id), Place::kTab, messages);
-  docks.add(QStringLiteral("motion"), Place::kTab, field);
-  for (ads::CDockWidget* front : {messages, field}) {
-    if (front != nullptr) front->setAsCurrentTab();
-  }
-  setSizes(scene, {680, 280});
-  setSizes(keys, {520, 440});
-  setSizes(image, {430, 530});
-  setColumns(scene, {340, 760, 500});
-}
-
-void buildMotion(ViewDocks& docks) {
-  ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
-  ads::CDockWidget* motion = docks.add(QStringLiteral("motion"), Place::kRight);
-  docks.add(QStringLiteral("plots"), Place::kBottom, scene);
-  docks.add(QStringLiteral("field"), Place::kBottom, motion);
-  setSizes(motion, {640, 360});
-  setColumns(motion, {820, 780});
-}
-
-void buildLog(ViewDocks& docks) {
-  ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kLeft);
-  ads::CDockWidget* packages = docks.add(QStringLiteral("replay-packages"), Place::kRight);
-  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kRight);
-  for (const char* id : {"log-streams", "bookmarks"}) docks.add(QLatin1String(id), Place::kTab, packages);
-  docks.add(QStringLiteral("messages"), Place::kBottom, packages);
-  docks.add(QStringLiteral("field"), Place::kBottom, solutions);
-  ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom);
-  if (packages != nullptr) packages->setAsCurrentTab();
-  setSizes(packages, {400, 220});
-  setSizes(solutions, {330, 290});
-  setSizes(image, {520, 680, 400});
-  setSizes(timeLine, {560, 380});
-}
-
-void buildColor(ViewDocks& docks) {
-  ads::CDockWidget* image = docks.add(QStringLiteral("color-image"), Place::kLeft);
-  ads::CDockWidget* classes = docks.add(QStringLiteral("color-classes"), Place::kRight);
-  ads::CDockWidget* space = docks.add(QStringLiteral("color-space"), Place::kBottom, classes);
-  ads::CDockWidget* samples = docks.add(QStringLiteral("color-samples"), Place::kBottom, image);
-  for (const char* id : {"color-compare", "color-frames", "messages"})
-    docks.add(QLatin1String(id), Place::kTab, samples);
-  ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
-  // The quality of the table is always visible.
-  docks.add(QStringLiteral("color-quality"), Place::kRight, samples);
-  if (samples != nullptr) samples->setAsCurrentTab();
-  setSizes(samples, {640, 540});
-  setSizes(space, {500, 460});
-  setSizes(timeLine, {620, 230, 110});
-  setColumns(image, {1180, 420});
-}
-
-/// For robots on wheels: map, surroundings, state, and manual control.
-void buildDrive(ViewDocks& docks) {
-  ads::CDockWidget* map = docks.add(QStringLiteral("field"), Place::kLeft);
-  ads::CDockWidget* radar = docks.add(QStringLiteral("radar"), Place::kRight);
-  ads::CDockWidget* state = docks.add(QStringLiteral("base-state"), Place::kRight);
-  ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, map);
-  for (const char* id : {"plots", "packets", "processes"})
-    docks.add(QLatin1String(id), Place::kTab, messages);
-  docks.add(QStringLiteral("motion"), Place::kBottom, radar);
-  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, state);
-  docks.add(QStringLiteral("debug-keys"), Place::kTab, solutions);
-  for (ads::CDockWidget* front : {messages, solutions}) {
-    if (front != nullptr) front->setAsCurrentTab();
-  }
-  setSizes(map, {680, 280});
-  setSizes(radar, {580, 380});
-  setSizes(state, {600, 360});
-  setColumns(map, {740, 460, 400});
-}
-
-void buildProcesses(ViewDocks& docks) {
-  ads::CDockWidget* processes = docks.add(QStringLiteral("processes"), Place::kLeft);
-  docks.add(QStringLiteral("timing"), Place::kBottom, processes);
-  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kRight);
-  docks.add(QStringLiteral("messages"), Place::kBottom, solutions);
-  setSizes(solutions, {600, 360});
-  setColumns(processes, {950, 650});
-}
+/// A dock of a shipped perspective. A dock with tabs beside it is the one in front.
+struct ShippedDock {
+  /// The type of its view.
+  const char* view;
+  Place place;
+  /// The view beside whose dock it is; empty: the whole window.
+  const char* beside = "";
+  /// The sizes in the splitter that contains it; empty: as they come.
+  QList<int> sizes = {};
+  /// The widths of the columns of the whole window, which is asked for at one dock only.
+  QList<int> columns = {};
+};
 
 struct Shipped {
   const char* name;
-  void (*build)(ViewDocks&);
+  std::vector<ShippedDock> docks;
 };
-constexpr Shipped kShipped[] = {{"Play", buildPlay},           {"Log", buildLog},
-                                {"Colour", buildColor},        {"Motion", buildMotion},
-                                {"Processes", buildProcesses}, {"Drive", buildDrive}};
+
+const std::vector<Shipped>& allShipped() {
+  using enum ViewDocks::Place;
+  static const std::vector<Shipped> kAll{
+      {"Play",
+       {{"scene", kLeft, "", {680, 280}, {340, 760, 500}},
+        {"debug-keys", kLeft, "", {520, 440}},
+        {"image", kRight, "", {430, 530}},
+        {"solutions", kBottom, "debug-keys"},
+        {"field", kBottom, "image"},
+        {"messages", kBottom, "scene"},
+        {"plots", kTab, "messages"},
+        {"timing", kTab, "messages"},
+        {"processes", kTab, "messages"},
+        {"motion", kTab, "field"}}},
+      {"Log",
+       {{"image", kLeft, "", {520, 680, 400}},
+        {"replay-packages", kRight, "", {400, 220}},
+        {"solutions", kRight, "", {330, 290}},
+        {"log-streams", kTab, "replay-packages"},
+        {"bookmarks", kTab, "replay-packages"},
+        {"messages", kBottom, "replay-packages"},
+        {"field", kBottom, "solutions"},
+        {"time-line", kBottom, "", {560, 380}}}},
+      {"Colour",
+       {{"color-image", kLeft, "", {}, {1180, 420}},
+        {"color-classes", kRight},
+        {"color-space", kBottom, "color-classes", {500, 460}},
+        {"color-samples", kBottom, "color-image", {640, 540}},
+        {"color-compare", kTab, "color-samples"},
+        {"color-frames", kTab, "color-samples"},
+        {"messages", kTab, "color-samples"},
+        {"time-line", kBottom, "color-samples", {620, 230, 110}},
+        // The quality of the table is always visible.
+        {"color-quality", kRight, "color-samples"}}},
+      {"Motion",
+       {{"scene", kLeft},
+        {"motion", kRight, "", {640, 360}, {820, 780}},
+        {"plots", kBottom, "scene"},
+        {"field", kBottom, "motion"}}},
+      {"Processes",
+       {{"processes", kLeft, "", {}, {950, 650}},
+        {"timing", kBottom, "processes"},
+        {"solutions", kRight, "", {600, 360}},
+        {"messages", kBottom, "solutions"}}},
+      // For robots on wheels: map, surroundings, state, and manual control.
+      {"Drive",
+       {{"field", kLeft, "", {680, 280}, {740, 460, 400}},
+        {"radar", kRight, "", {580, 380}},
+        {"base-state", kRight, "", {600, 360}},
+        {"messages", kBottom, "field"},
+        {"plots", kTab, "messages"},
+        {"packets", kTab, "messages"},
+        {"processes", kTab, "messages"},
+        {"motion", kBottom, "radar"},
+        {"solutions", kBottom, "base-state"},
+        {"debug-keys", kTab, "solutions"}}}};
+  return kAll;
+}
+
+void build(const Shipped& perspective, ViewDocks& docks) {
+  std::map<std::string_view, ads::CDockWidget*> made;
+  for (const ShippedDock& dock : perspective.docks)
+    made[dock.view] = docks.add(QLatin1String(dock.view), dock.place, made[dock.beside]);
+  for (const ShippedDock& dock : perspective.docks) {
+    ads::CDockWidget* front = dock.place == Place::kTab ? made[dock.beside] : nullptr;
+    if (front != nullptr) front->setAsCurrentTab();
+  }
+  for (const ShippedDock& dock : perspective.docks)
+    if (!dock.sizes.isEmpty()) setSizes(made[dock.view], dock.sizes);
+  for (const ShippedDock& dock : perspective.docks)
+    if (!dock.columns.isEmpty()) setColumns(made[dock.view], dock.columns);
+}
 
 const Shipped* shipped(const QString& name) {
-  for (const Shipped& candidate : kShipped) {
-    if (name == QLatin1String(candidate.name)) return &candidate;
-  }
-  return nullptr;
+  const auto found = std::ranges::find_if(
+      allShipped(), [&](const Shipped& candidate) { return name == QLatin1String(candidate.name); });
+  return found == allShipped().end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -195,7 +192,7 @@ void Perspectives::load() {
 
 QStringList Perspectives::names() const {
   QStringList names;
-  for (const Shipped& perspective : kShipped) names.append(QLatin1String(perspective.name));
+  for (const Shipped& perspective : allShipped()) names.append(QLatin1String(perspective.name));
   for (const QString& name : kept_.keys()) {
     if (!names.contains(name)) names.append(name);
   }
@@ -216,9 +213,9 @@ void Perspectives::show(const QString& name, ViewDocks& docks) {
 
 void Perspectives::showShipped(const QString& name, ViewDocks& docks) {
   const Shipped* perspective = shipped(name);
-  if (perspective == nullptr) perspective = &kShipped[0];
+  if (perspective == nullptr) perspective = &allShipped().front();
   docks.closeAll();
-  perspective->build(docks);
+  build(*perspective, docks);
   current_ = QLatin1String(perspective->name);
   kept_.remove(current_);
 }

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/ColumnFit.h"
+#include "app/robotcontrol/remote/DialogParts.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 
@@ -53,18 +53,14 @@ QString ageText(robotlink::Duration age) {
 }
 
 FoundRobots::FoundRobots(QWidget* parent) : QWidget(parent) {
-  tree_ = new QTreeWidget(this);
-  widgets::describe(*tree_, {"foundRobots", tr("Robots on the network"), {}});
-  tree_->setHeaderLabels({tr("On the network"), tr("Kind"), tr("Runs"), tr("Address"), tr("Heard for")});
-  tree_->setRootIsDecorated(false);
-  widgets::styleTree(*tree_);
   using Kind = widgets::ColumnKind;
-  auto* fit =
-      new widgets::ColumnFit(*tree_, {Kind::kName, Kind::kName, Kind::kText, Kind::kName, Kind::kNumber});
-  fit->expect(kFoundNames, QStringLiteral("red1, red2"));
-  fit->expect(kFoundKinds, QStringLiteral("ers210"));
-  fit->expect(kFoundAddress, QStringLiteral("wss://192.168.100.100:8765"));
-  tree_->setMinimumHeight((kFoundLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  tree_ = makeList(this, {"foundRobots", tr("Robots on the network"), {}},
+                   {{tr("On the network"), Kind::kName, QStringLiteral("red1, red2")},
+                    {tr("Kind"), Kind::kName, QStringLiteral("ers210")},
+                    {tr("Runs"), Kind::kText},
+                    {tr("Address"), Kind::kName, QStringLiteral("wss://192.168.100.100:8765")},
+                    {tr("Heard for"), Kind::kNumber}},
+                   kFoundLines);
   hint_ = new widgets::EmptyHint(tree_);
   hint_->setObjectName(QStringLiteral("foundHint"));
   widgets::makeColumn(this)->addWidget(tree_);

@@ -6,7 +6,6 @@
 #include <QFormLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -15,13 +14,12 @@
 #include <QVBoxLayout>
 
 #include "app/core/remote/SessionOffer.h"
+#include "app/robotcontrol/remote/DialogParts.h"
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
-#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
-#include "widgets/Icon.h"
 
 namespace app {
 namespace {
@@ -74,8 +72,7 @@ void OfferDialog::createFields() {
   url_ = new QLineEdit(this);
   widgets::describe(*url_, {"offerUrl", tr("URL for others"), tr("What others connect to")});
   url_->setReadOnly(true);
-  copy_ = new QPushButton(widgets::icon("copy"), tr("&Copy"), this);
-  widgets::describe(*copy_, {"offerCopy", tr("Copy"), tr("Copies the URL to the clipboard")});
+  copy_ = makePushButton(this, {"offerCopy", tr("&Copy"), tr("Copies the URL to the clipboard")}, "copy");
   connect(copy_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(url_->text()); });
   auto* others = new QHBoxLayout;
@@ -88,18 +85,14 @@ void OfferDialog::createFields() {
 }
 
 void OfferDialog::createClients() {
-  clients_ = new QTreeWidget(this);
-  widgets::describe(*clients_, {"offerClients", tr("Who is connected"), {}});
-  clients_->setHeaderLabels({tr("Who is connected"), tr("Address"), tr("Is sent"), tr("Waits")});
+  using Kind = widgets::ColumnKind;
+  clients_ = makeList(this, {"offerClients", tr("Who is connected"), {}},
+                      {{tr("Who is connected"), Kind::kText},
+                       {tr("Address"), Kind::kName, QStringLiteral("192.168.100.100:50000")},
+                       {tr("Is sent"), Kind::kName, QStringLiteral("100.0 MB/s")},
+                       {tr("Waits"), Kind::kName, QStringLiteral("100.0 MB")}},
+                      kClientLines);
   clients_->setSelectionMode(QAbstractItemView::NoSelection);
-  clients_->setRootIsDecorated(false);
-  widgets::styleTree(*clients_);
-  auto* fit = new widgets::ColumnFit(*clients_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName,
-                                                 widgets::ColumnKind::kName, widgets::ColumnKind::kName});
-  fit->expect(1, QStringLiteral("192.168.100.100:50000"));
-  fit->expect(2, QStringLiteral("100.0 MB/s"));
-  fit->expect(3, QStringLiteral("100.0 MB"));
-  clients_->setMinimumHeight((kClientLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
   static_cast<QVBoxLayout*>(layout())->addWidget(clients_, 1);
   refused_ = widgets::makeNote(this, "offerRefused", tr("Who was refused"));
   layout()->addWidget(refused_);
@@ -153,8 +146,7 @@ void OfferDialog::tick() {
 void OfferDialog::showClients() {
   const auto& clients = offer_.clients();
   const int count = static_cast<int>(clients.size());
-  while (clients_->topLevelItemCount() > count) delete clients_->takeTopLevelItem(count);
-  while (clients_->topLevelItemCount() < count) new QTreeWidgetItem(clients_);
+  setRowCount(*clients_, count);
   const QLocale locale;
   const auto size = [&locale](qint64 bytes) {
     return locale.formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);

@@ -6,7 +6,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -18,7 +17,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/actions/CommandActions.h"
-#include "widgets/ColumnFit.h"
+#include "app/robotcontrol/remote/DialogParts.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
@@ -69,34 +68,28 @@ void RecordingsDialog::createTop() {
   auto* row = new QHBoxLayout;
   robot_ = new QComboBox(this);
   widgets::describe(*robot_, {"recordingsRobot", tr("Robot"), tr("Whose recordings are shown")});
-  auto* label = new QLabel(tr("&Robot:"), this);
-  label->setBuddy(robot_);
-  start_ = new QPushButton(widgets::icon("record"), tr("&Start recording"), this);
-  widgets::describe(*start_,
-                    {"recordingsStart", tr("Start recording"),
-                     tr("The robot records into its own storage, whatever becomes of the connection")});
-  stop_ = new QPushButton(widgets::icon("record-end"), tr("S&top recording"), this);
-  widgets::describe(*stop_, {"recordingsStop", tr("Stop recording"), tr("Ends the recording at the robot")});
-  row->addWidget(label);
-  row->addWidget(robot_, 1);
+  start_ = makePushButton(this,
+                          {"recordingsStart", tr("&Start recording"),
+                           tr("The robot records into its own storage, whatever becomes of the connection")},
+                          "record");
+  stop_ = makePushButton(
+      this, {"recordingsStop", tr("S&top recording"), tr("Ends the recording at the robot")}, "record-end");
+  addLabeled(row, tr("&Robot:"), robot_);
   row->addWidget(start_);
   row->addWidget(stop_);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
 void RecordingsDialog::createList() {
-  list_ = new QTreeWidget(this);
-  widgets::describe(*list_, {"recordingsList", tr("Recordings at the robot"), {}});
-  list_->setHeaderLabels({tr("Recording"), tr("Size"), tr("Last written"), tr("At the robot"), tr("Here")});
-  list_->setRootIsDecorated(false);
+  using Kind = widgets::ColumnKind;
+  list_ = makeList(this, {"recordingsList", tr("Recordings at the robot"), {}},
+                   {{tr("Recording"), Kind::kName},
+                    {tr("Size"), Kind::kNumber, QStringLiteral("10000.00 MB")},
+                    {tr("Last written"), Kind::kName},
+                    {tr("At the robot"), Kind::kName, tr("is being recorded")},
+                    {tr("Here"), Kind::kText}},
+                   kRecordingLines);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  widgets::styleTree(*list_);
-  auto* fit = new widgets::ColumnFit(
-      *list_, {widgets::ColumnKind::kName, widgets::ColumnKind::kNumber, widgets::ColumnKind::kName,
-               widgets::ColumnKind::kName, widgets::ColumnKind::kText});
-  fit->expect(kRecordingSize, QStringLiteral("10000.00 MB"));
-  fit->expect(kRecordingState, tr("is being recorded"));
-  list_->setMinimumHeight((kRecordingLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
   hint_ = new widgets::EmptyHint(list_);
   hint_->setObjectName(QStringLiteral("recordingsHint"));
   static_cast<QVBoxLayout*>(layout())->addWidget(list_, 1);
@@ -114,12 +107,8 @@ void RecordingsDialog::createTarget() {
   auto* row = new QHBoxLayout;
   folder_ = new QLineEdit(QString::fromStdString(workbench_.recording().folder().string()), this);
   widgets::describe(*folder_, {"recordingsFolder", tr("Folder"), tr("Where recordings are fetched to")});
-  auto* label = new QLabel(tr("Fetch &into:"), this);
-  label->setBuddy(folder_);
-  browse_ = new QPushButton(widgets::icon("open"), tr("&Browse…"), this);
-  widgets::describe(*browse_, {"recordingsBrowse", tr("Browse"), tr("Chooses the folder")});
-  row->addWidget(label);
-  row->addWidget(folder_, 1);
+  browse_ = makePushButton(this, {"recordingsBrowse", tr("&Browse…"), tr("Chooses the folder")}, "open");
+  addLabeled(row, tr("Fetch &into:"), folder_);
   row->addWidget(browse_);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
@@ -129,21 +118,14 @@ void RecordingsDialog::createProgress() {
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("recordingsProgress"));
   progress_->setRange(0, 1000);
-  cancel_ = new QPushButton(tr("&Cancel"), this);
-  widgets::describe(*cancel_, {"recordingsCancel", tr("Cancel"),
-                               tr("Ends fetching; the next time it goes on where it was")});
-  for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
-    QSizePolicy keepsPlace = widget->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(keepsPlace);
-    widget->hide();
-  }
+  cancel_ = makePushButton(this, {"recordingsCancel", tr("&Cancel"),
+                                  tr("Ends fetching; the next time it continues where it stopped")});
+  hideInPlace(*progress_);
+  hideInPlace(*cancel_);
   row->addWidget(progress_, 1);
   row->addWidget(cancel_);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
-  state_ = widgets::makeNote(this, "recordingsState", tr("State"));
-  state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
-  state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  state_ = makeState(this, "recordingsState", 2);
   layout()->addWidget(state_);
 }
 
@@ -292,7 +274,8 @@ void RecordingsDialog::showOutcome(const RecordingJobs::Outcome& outcome) {
   const QString name = QString::fromStdString(outcome.name);
   if (outcome.error && outcome.error->id == "canceled") {
     return widgets::showOutcome(
-        *state_, tr("Fetching %1 was canceled. The next time it goes on where it was.").arg(name), false);
+        *state_, tr("Fetching %1 was canceled. The next time it continues where it stopped.").arg(name),
+        false);
   }
   if (outcome.error)
     return widgets::showOutcome(*state_, QString::fromStdString(outcome.error->describe()), true);

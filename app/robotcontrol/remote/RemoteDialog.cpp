@@ -15,11 +15,11 @@
 #include <algorithm>
 
 #include "app/core/remote/RemoteRobots.h"
+#include "app/robotcontrol/remote/DialogParts.h"
 #include "app/robotcontrol/remote/FoundRobots.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
-#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 
@@ -110,19 +110,14 @@ void RemoteDialog::createFields() {
 }
 
 void RemoteDialog::createState() {
-  state_ = widgets::makeNote(this, "remoteState", tr("State"));
-  state_->setMinimumHeight(3 * fontMetrics().lineSpacing());
-  state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  state_ = makeState(this, "remoteState", 3);
   layout()->addWidget(state_);
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("remoteProgress"));
   progress_->setRange(0, 0);
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(8);
-  QSizePolicy keepsPlace = progress_->sizePolicy();
-  keepsPlace.setRetainSizeWhenHidden(true);
-  progress_->setSizePolicy(keepsPlace);
-  progress_->hide();
+  hideInPlace(*progress_);
   layout()->addWidget(progress_);
 }
 
@@ -133,9 +128,9 @@ QLayout* RemoteDialog::createToken() {
                      tr("The robot prints it when it is made. A robot that wants one asks for it, and "
                         "it can be remembered then")});
   token_->setEchoMode(QLineEdit::PasswordEchoOnEdit);
-  forget_ = new QPushButton(tr("&Forget"), this);
-  widgets::describe(*forget_, {"remoteForgetToken", tr("Forget the token"),
-                               tr("Forgets the token that is remembered for this robot")});
+  forget_ = makePushButton(
+      this, {"remoteForgetToken", tr("&Forget"), tr("Forgets the token that is remembered for this robot")});
+  forget_->setAccessibleName(tr("Forget the token"));
   connect(forget_, &QPushButton::clicked, this, &RemoteDialog::forgetToken);
   connect(url_, &QComboBox::editTextChanged, this, &RemoteDialog::showToken);
   auto* row = new QHBoxLayout;
@@ -254,24 +249,21 @@ void RemoteDialog::showEvent(QShowEvent* event) {
 void RemoteDialog::createConnections() {
   auto* row = new QHBoxLayout;
   row->addStretch(1);
-  connect_ = new QPushButton(widgets::icon("connect"), tr("&Connect"), this);
-  widgets::describe(*connect_, {"remoteConnect", tr("Connect"), tr("Connects to the server at this URL")});
+  connect_ = makePushButton(this, {"remoteConnect", tr("&Connect"), tr("Connects to the server at this URL")},
+                            "connect");
   connect_->setDefault(true);
-  disconnect_ = new QPushButton(tr("&Disconnect"), this);
-  widgets::describe(*disconnect_, {"remoteDisconnect", tr("Disconnect"),
-                                   tr("Ends the selected connection; its robots leave the window")});
+  disconnect_ = makePushButton(this, {"remoteDisconnect", tr("&Disconnect"),
+                                      tr("Ends the selected connection; its robots leave the window")});
   row->addWidget(connect_);
   row->addWidget(disconnect_);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
-  connections_ = new QTreeWidget(this);
-  widgets::describe(*connections_, {"remoteConnections", tr("Connections"), {}});
-  connections_->setHeaderLabels({tr("State"), tr("Robots"), tr("Address")});
-  widgets::styleTree(*connections_);
-  auto* fit = new widgets::ColumnFit(
-      *connections_, {widgets::ColumnKind::kText, widgets::ColumnKind::kName, widgets::ColumnKind::kName});
-  fit->expect(1, QStringLiteral("red1, red2, blue1"));
-  fit->expect(2, QStringLiteral("ws://192.168.100.100:8765"));
-  connections_->setMinimumHeight((kConnectionLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  using Kind = widgets::ColumnKind;
+  connections_ = makeList(this, {"remoteConnections", tr("Connections"), {}},
+                          {{tr("State"), Kind::kText},
+                           {tr("Robots"), Kind::kName, QStringLiteral("red1, red2, blue1")},
+                           {tr("Address"), Kind::kName, QStringLiteral("ws://192.168.100.100:8765")}},
+                          kConnectionLines);
+  connections_->setRootIsDecorated(true);
   static_cast<QVBoxLayout*>(layout())->addWidget(connections_, 1);
   connect(connect_, &QPushButton::clicked, this, &RemoteDialog::connectUrl);
   connect(url_->lineEdit(), &QLineEdit::returnPressed, connect_, &QPushButton::click);
@@ -353,7 +345,8 @@ void RemoteDialog::showHosted(const QString& url, const QString& robot) {
 
 void RemoteDialog::showAsked() {
   if (wantsProgram_ && !wanted_.isEmpty())
-    widgets::showOutcome(*state_, tr("%1 asks something before it lets you in.").arg(wanted_), false);
+    widgets::showOutcome(*state_, tr("%1 has a question before it accepts the connection.").arg(wanted_),
+                         false);
 }
 
 void RemoteDialog::failHosted(const QString& reason) {
@@ -394,8 +387,7 @@ void RemoteDialog::tick() {
 void RemoteDialog::showConnections() {
   const auto connections = robots_.connections();
   const int count = static_cast<int>(connections.size());
-  while (connections_->topLevelItemCount() > count) delete connections_->takeTopLevelItem(count);
-  while (connections_->topLevelItemCount() < count) new QTreeWidgetItem(connections_);
+  setRowCount(*connections_, count);
   for (int i = 0; i < count; ++i) {
     const auto& connection = connections[static_cast<std::size_t>(i)];
     QTreeWidgetItem& row = *connections_->topLevelItem(i);

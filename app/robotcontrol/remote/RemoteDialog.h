@@ -42,7 +42,7 @@ class RemoteDialog final : public QDialog {
     /// Whether the program ran here, and only the body there.
     bool isHosted = false;
   };
-  /// Those that were connected last, the newest first.
+  /// The servers that were connected last, the newest first.
   const QList<Recent>& recent() const { return recent_; }
   void setRecent(const QList<Recent>& servers);
   /// Shows the states of the connections.
@@ -65,11 +65,11 @@ class RemoteDialog final : public QDialog {
   void createState();
   QLayout* createToken();
   QLayout* createLimits();
-  /// Shows those of this URL, if it is known.
+  /// Shows the limits of the URL that was entered, if it is known.
   void showLimits();
   /// Limits connections to a URL as was entered.
   void applyLimits(const std::string& url);
-  /// The same for a connection that there is already.
+  /// Applies the limits that were entered to a connection that there is already.
   void changeLimits();
   bool isConnected(const std::string& url) const;
   /// The URL that the user has entered, as connections have it; empty if it is none.
@@ -113,7 +113,7 @@ class RemoteDialog final : public QDialog {
   QTreeWidget* connections_ = nullptr;
   QPushButton *connect_ = nullptr, *disconnect_ = nullptr;
   QList<Recent> recent_;
-  /// That the user asked for and that was not connected yet; empty: none.
+  /// The URL that the user asked for and that is not connected yet; empty: none.
   QString wanted_;
   /// Whether its program is to run here.
   bool wantsProgram_ = false;

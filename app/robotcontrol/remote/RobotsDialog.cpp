@@ -7,7 +7,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
@@ -16,10 +15,10 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/remote/DialogParts.h"
 #include "app/robotcontrol/remote/FoundRobots.h"
 #include "app/robotcontrol/remote/RobotColumns.h"
 #include "robotlink/base/AtomicFile.h"
-#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Icon.h"
@@ -74,14 +73,10 @@ void RobotsDialog::createTop() {
   auto* row = new QHBoxLayout;
   name_ = new QLineEdit(this);
   widgets::describe(*name_, {"robotsName", tr("Name of the set"), tr("For people, such as Home game")});
-  auto* label = new QLabel(tr("&Set:"), this);
-  label->setBuddy(name_);
-  row->addWidget(label);
-  row->addWidget(name_, 1);
+  addLabeled(row, tr("&Set:"), name_);
   const auto add = [&](const char* name, const char* icon, const QString& text, const QString& help,
                        void (RobotsDialog::*act)()) {
-    auto* button = new QPushButton(widgets::icon(icon), text, this);
-    widgets::describe(*button, {name, QString(text).remove(QLatin1Char('&')), help});
+    auto* button = makePushButton(this, {name, text, help}, icon);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, act);
     row->addWidget(button);
@@ -94,23 +89,21 @@ void RobotsDialog::createTop() {
 }
 
 void RobotsDialog::createTable() {
-  table_ = new QTreeWidget(this);
-  widgets::describe(*table_, {"robotsTable", tr("Robots of the set"), {}});
-  table_->setHeaderLabels({tr("Robot"), tr("Team"), tr("Role"), tr("Address"), tr("Layout"),
-                           tr("Color table"), tr("Parameters"), tr("Motions"), tr("State")});
-  table_->setRootIsDecorated(false);
+  using Kind = widgets::ColumnKind;
+  table_ = makeList(this, {"robotsTable", tr("Robots of the set"), {}},
+                    {{tr("Robot"), Kind::kName, QStringLiteral("robot10")},
+                     {tr("Team"), Kind::kName},
+                     {tr("Role"), Kind::kName, QStringLiteral("defender")},
+                     {tr("Address"), Kind::kName, QStringLiteral("wss://192.168.100.100:8765")},
+                     {tr("Layout"), Kind::kText},
+                     {tr("Color table"), Kind::kText},
+                     {tr("Parameters"), Kind::kText},
+                     {tr("Motions"), Kind::kText},
+                     {tr("State"), Kind::kText}},
+                    kRobotLines);
   table_->setTextElideMode(Qt::ElideMiddle);
-  widgets::styleTree(*table_);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
-  using Kind = widgets::ColumnKind;
-  auto* fit =
-      new widgets::ColumnFit(*table_, {Kind::kName, Kind::kName, Kind::kName, Kind::kName, Kind::kText,
-                                       Kind::kText, Kind::kText, Kind::kText, Kind::kText});
-  fit->expect(kSetName, QStringLiteral("robot10"));
-  fit->expect(kSetRole, QStringLiteral("defender"));
-  fit->expect(kSetAddress, QStringLiteral("wss://192.168.100.100:8765"));
-  table_->setMinimumHeight((kRobotLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
   auto* hint = new widgets::EmptyHint(table_);
   hint->setObjectName(QStringLiteral("robotsHint"));
   const auto showHint = [this, hint] {
@@ -135,8 +128,7 @@ void RobotsDialog::createFound() {
 void RobotsDialog::createButtons() {
   auto* row = new QHBoxLayout;
   const auto add = [&](const char* name, const char* icon, const QString& text, const QString& help) {
-    auto* button = new QPushButton(widgets::icon(icon), text, this);
-    widgets::describe(*button, {name, QString(text).remove(QLatin1Char('&')), help});
+    auto* button = makePushButton(this, {name, text, help}, icon);
     button->setAutoDefault(false);
     row->addWidget(button);
     return button;
@@ -165,17 +157,15 @@ void RobotsDialog::createButtons() {
 }
 
 void RobotsDialog::createReport() {
-  report_ = new QTreeWidget(this);
-  widgets::describe(*report_, {"robotsReport", tr("What the robots have"), {}});
-  report_->setHeaderLabels({tr("File at the robot"), tr("Compared with the one here")});
-  widgets::styleTree(*report_);
-  auto* fit = new widgets::ColumnFit(*report_, {widgets::ColumnKind::kName, widgets::ColumnKind::kText});
-  fit->expect(0, QStringLiteral("parameters/ers210/motion.wheel-model-rectangle.textproto"));
-  report_->setMinimumHeight((kReportLines + 1) * 3 * fontMetrics().lineSpacing() / 2);
+  using Kind = widgets::ColumnKind;
+  report_ = makeList(this, {"robotsReport", tr("What the robots have"), {}},
+                     {{tr("File at the robot"), Kind::kName,
+                       QStringLiteral("parameters/ers210/motion.wheel-model-rectangle.textproto")},
+                      {tr("Compared with the one here"), Kind::kText}},
+                     kReportLines);
+  report_->setRootIsDecorated(true);
   static_cast<QVBoxLayout*>(layout())->addWidget(report_, 3);
-  state_ = widgets::makeNote(this, "robotsState", tr("State"));
-  state_->setMinimumHeight(2 * fontMetrics().lineSpacing());
-  state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  state_ = makeState(this, "robotsState", 2);
   layout()->addWidget(state_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);

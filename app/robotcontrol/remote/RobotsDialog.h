@@ -91,7 +91,7 @@ class RobotsDialog final : public QDialog {
               *disconnect_ = nullptr, *check_ = nullptr, *deploy_ = nullptr, *restart_ = nullptr,
               *cancel_ = nullptr;
   QLabel* state_ = nullptr;
-  /// Those that were compared or sent to, in the order of the report.
+  /// The robots that were compared or sent to, in the order of the report.
   std::vector<RobotSet::Robot> reported_;
 };
 

@@ -33,7 +33,7 @@ TrustDialog::TrustDialog(const std::string& url, const ServerObjection& objectio
   } else {
     addText(
         "trustText",
-        tr("The robot at %1 shows another certificate than before. Either it was set up anew, or somebody "
+        tr("The robot at %1 shows another certificate than before. Either it was set up again, or somebody "
            "else answers in its place, and would see the token and all that is sent.")
             .arg(where));
     widgets::setMeaning(*findChild<QLabel*>(QStringLiteral("trustText")), widgets::Meaning::kBad);
@@ -79,7 +79,7 @@ void TrustDialog::addButtons(bool isNew) {
   no->setObjectName(QStringLiteral("trustReject"));
   if (!isNew) {
     auto* sure = new QCheckBox(
-        tr("The robot was set up anew, and has &printed the fingerprint that it shows now"), this);
+        tr("The robot was set up again, and has &printed the fingerprint that it shows now"), this);
     sure->setObjectName(QStringLiteral("trustSure"));
     trust->setEnabled(false);
     connect(sure, &QCheckBox::toggled, trust, &QPushButton::setEnabled);

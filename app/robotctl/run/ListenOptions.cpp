@@ -49,8 +49,9 @@ void ListenOptions::addTo(CLI::App& command) {
                      ->needs(option_)
                      ->type_name("FILE");
   command
-      .add_flag("--insecure", access_.isInsecure,
-                "No encryption and no tokens: whoever reaches the address watches and steers the robots")
+      .add_flag(
+          "--insecure", access_.isInsecure,
+          "No encryption and no tokens: everybody who reaches the address can watch and steer the robots")
       ->needs(option_)
       ->excludes(secure)
       ->excludes(tokens);
@@ -61,13 +62,13 @@ void ListenOptions::addTo(CLI::App& command) {
       ->type_name("ORIGIN");
   command
       .add_option("--motion-timeout", motionTimeout_,
-                  "A robot stands when whoever steers it has not repeated a motion for so long, s")
+                  "A robot stops when the client that steers it has not repeated a motion for this long, s")
       ->needs(option_)
       ->check(numberFrom(0.1, 60))
       ->capture_default_str();
   command
       .add_option("--link-timeout", linkTimeout_,
-                  "A robot stands when nothing was heard of whoever steers it for so long, s")
+                  "A robot stops when nothing was heard from the client that steers it for this long, s")
       ->needs(option_)
       ->check(numberFrom(0.1, 60))
       ->capture_default_str();

@@ -51,7 +51,7 @@ robotlink::Result<PlatformOpening> bodiesOf(const PlatformArguments& arguments,
     options.period = kBodyPeriod;
     RealRobotOptions robot = pioneerOptions(arguments.platform, arguments.motors);
     robot.robot = arguments.robot;
-    robot.instead = BodyProgram::maker(std::move(options));
+    robot.program.instead = BodyProgram::maker(std::move(options));
     return RealFeed::opening(std::move(robot));
   }
   return robotlink::failure("usage", arguments.platform +

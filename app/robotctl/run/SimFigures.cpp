@@ -67,7 +67,7 @@ std::string timesText(std::uint64_t count) {
 }
 
 std::string secondsText(double seconds) {
-  if (seconds > 0 && seconds < 1) return rounded(1000 * seconds) + " ms";
+  if (seconds > 0 && seconds < 0.9995) return rounded(1000 * seconds) + " ms";
   if (seconds < 600) return rounded(seconds) + " s";
   const auto whole = static_cast<std::uint64_t>(seconds);
   return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
@@ -116,19 +116,25 @@ std::string contactText(const json& robot) {
                      secondsText(robot["contact_seconds"]));
 }
 
+/// What of the received bytes was damaged: " (3 with wrong checksums)"; empty if nothing was.
+std::string damageText(const json& robot) {
+  const std::uint64_t damaged = robot["checksum_errors"], skipped = robot["skipped_bytes"];
+  std::string text;
+  if (damaged > 0) text += fmt::format("{} with wrong checksums", grouped(damaged));
+  if (skipped > 0) text += fmt::format("{}{} bytes of no packet", text.empty() ? "" : ", ", grouped(skipped));
+  return text.empty() ? text : " (" + text + ")";
+}
+
 std::string clientText(const json& robot) {
-  const std::uint64_t clients = robot["clients"], damaged = robot["checksum_errors"],
-                      skipped = robot["skipped_bytes"];
+  const std::uint64_t clients = robot["clients"];
   std::string text = fmt::format("{}: {} client{}", robot["url"].get<std::string>(), grouped(clients),
                                  clients == 1 ? "" : "s");
   if (robot["refused_clients"] > 0) text += fmt::format(" ({} refused)", grouped(robot, "refused_clients"));
-  text += fmt::format(", {} packets received, {} sent", grouped(robot, "packets_received"),
-                      grouped(robot, "packets_sent"));
+  text += fmt::format(", {} packets received{}, {} sent", grouped(robot, "packets_received"),
+                      damageText(robot), grouped(robot, "packets_sent"));
   if (robot["packets_dropped"] > 0) text += fmt::format(", {} dropped", grouped(robot, "packets_dropped"));
   if (const auto hidden = robot.value("messages_not_shown", std::uint64_t{0}); hidden > 0)
     text += fmt::format(", {} messages of clients not shown", grouped(hidden));
-  if (damaged > 0) text += fmt::format(", {} with wrong checksums", grouped(damaged));
-  if (skipped > 0) text += fmt::format(", {} bytes of no packet", grouped(skipped));
   return text + "; " + contactText(robot);
 }
 

@@ -14,8 +14,8 @@ class SimulatedRun;
 nlohmann::json figuresOf(SimulatedRun& run, double realSeconds);
 nlohmann::json figuresOf(const ArcosSimulation& simulation, double realSeconds);
 
-/// The same for users: one subject per line, rounded and with units. Accepts the result of both functions
-/// above.
+/// The figures as a text for users: one subject per line, rounded and with units. Accepts the result of both
+/// functions above.
 std::string figuresText(const nlohmann::json& figures);
 
 }  // namespace app

@@ -2,7 +2,6 @@
 #include "logplayer/mcap/read/MessageList.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "logplayer/mcap/RecordBytes.h"
 #include "logplayer/mcap/read/ChunkLoader.h"

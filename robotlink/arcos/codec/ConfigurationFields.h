@@ -11,10 +11,9 @@ namespace robotlink::arcos {
 inline constexpr const char* kBauds =
     "; 0 9600 baud; 1 19200 baud; 2 38400 baud; 3 57600 baud; 4 115200 baud";
 
-/// Calls v(name, member, unit) for each field. `C` is Configuration, const or not. `rest` and `fieldCount`
-/// are handled by the visitor's owner.
+/// The first half of visitConfigurationFields().
 template <typename C, typename V>
-void visitConfigurationFields(C& c, V& v) {
+void visitIdentityAndLines(C& c, V& v) {
   // Identity.
   v("type", c.type);
   v("subtype", c.subtype);
@@ -42,6 +41,11 @@ void visitConfigurationFields(C& c, V& v) {
   v("stall count", c.stallCountMs, "ms");
   v("joy speed", c.joyVelMmS, "mm/s");
   v("joy rot speed", c.joyRotVelDegS, "deg/s");
+}
+
+/// The second half of visitConfigurationFields().
+template <typename C, typename V>
+void visitLimitsAndDevices(C& c, V& v) {
   // Present limits, accelerations and gains.
   v("rotation speed, limit", c.rotVelMaxDegS, "deg/s");
   v("translation speed, limit", c.transVelMaxMmS, "mm/s");
@@ -89,6 +93,14 @@ void visitConfigurationFields(C& c, V& v) {
   v("boot version", c.bootVersion);
   v("config flags", c.configFlags, "bits");
   v("gyro firmware version", c.gyroFirmwareVersion);
+}
+
+/// Calls v(name, member, unit) for each field, in the order of the packet. `C` is Configuration, const or
+/// not. `rest` and `fieldCount` are handled by the visitor's owner.
+template <typename C, typename V>
+void visitConfigurationFields(C& c, V& v) {
+  visitIdentityAndLines(c, v);
+  visitLimitsAndDevices(c, v);
 }
 
 }  // namespace robotlink::arcos

@@ -8,6 +8,7 @@
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/ParsedNumber.h"
+#include "robotlink/base/TextParts.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -120,9 +121,7 @@ tl::expected<Event, std::string> readEvent(std::string_view line) {
 Result<Conversation> readConversation(std::string_view text, const std::string& path) {
   Conversation conversation;
   for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string_view line = trimmed(takeLine(text));
     if (line.empty() || line.front() == '#') continue;
     auto event = readEvent(line);
     if (!event) return failure("arcos.bad-conversation", std::move(event.error()), {path, number, 0});

@@ -10,6 +10,7 @@
 #include "robotlink/arcos/codec/ServerPacketFields.h"
 #include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/codec/SimulatorCommands.h"
+#include "robotlink/base/TextParts.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -21,12 +22,9 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// Removes the text before the next `separator`, and the separator, from `text`, and returns it without
-/// surrounding blanks.
-std::string_view takePart(std::string_view& text, char separator) {
-  const std::size_t end = std::min(text.find(separator), text.size());
-  std::string_view part = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
+/// The next part of a list, without blanks before it.
+std::string_view takeItem(std::string_view& text, char separator) {
+  std::string_view part = takePart(text, separator);
   part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
   return part;
 }
@@ -37,7 +35,7 @@ std::string flagNames(std::uint64_t bits, std::size_t bytes, std::string_view na
       formatted("0x%0*llx", static_cast<int>(2 * bytes), static_cast<unsigned long long>(bits));
   const char* separator = " ";
   for (; !names.empty(); bits >>= 1U) {
-    const std::string_view name = takePart(names, ',');
+    const std::string_view name = takeItem(names, ',');
     if ((bits & 1U) && !name.empty()) text += std::exchange(separator, ", ") + std::string(name);
   }
   return text;
@@ -46,8 +44,8 @@ std::string flagNames(std::uint64_t bits, std::size_t bytes, std::string_view na
 /// "-127 none; 3 three" and 3: "three"; nothing if the value has no name.
 std::optional<std::string> nameOfValue(std::int64_t value, std::string_view names) {
   while (!names.empty()) {
-    std::string_view name = takePart(names, ';');
-    if (takePart(name, ' ') == std::to_string(value)) return std::string(name);
+    std::string_view name = takeItem(names, ';');
+    if (takeItem(name, ' ') == std::to_string(value)) return std::string(name);
   }
   return std::nullopt;
 }
@@ -87,11 +85,11 @@ class FieldLister {
   void operator()(const char* name, const T& value, const char* unit = "") {
     if (value == 0 && std::string_view(name) == "reserved") return;
     std::string_view names(unit);
-    std::string_view text = takePart(names, ';');
+    std::string_view text = takeItem(names, ';');
     if (const auto meaning = nameOfValue(static_cast<std::int64_t>(value), names)) {
       add(name, *meaning, "");
     } else if (text.starts_with("bits")) {
-      takePart(text, ':');
+      takeItem(text, ':');
       add(name, flagNames(static_cast<std::make_unsigned_t<T>>(value), sizeof(T), text), "");
     } else {
       auto [factor, unitName] = factorOf(text);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +34,6 @@ class SonarFiring {
 
   /// False for an array that does not exist.
   bool isOn(int array) const;
-  int arrays() const { return arrays_; }
 
   /// The discs (from 0) that fire at this instant, one an array. After a late call, only the last round
   /// fires.

@@ -93,7 +93,7 @@ TEST(BodyFeed, stopThatIsPressedDuringACutActsAfterIt) {
 
 TEST(BodyFeed, aPioneerDrivesByAProgramHere) {
   OfferedBodies hall("scenes/pioneer.sdf");
-  BodyDesk desk({.url = urlOf(hall.port()), .solutions = {{"driving", "obey"}}}, hall.port());
+  BodyDesk desk({.url = urlOf(hall.port()), .program = {.solutions = {{"driving", "obey"}}}}, hall.port());
   const std::string robot = desk.feed().describe().robots.begin()->first;
   desk.show("drive/state");
   const auto state = [&] { return desk.newest<robotcontrol::DriveState>(robot + "/drive/state"); };

@@ -82,7 +82,7 @@ void expectRemembered(const PlatformOpening& opening, const std::string& robot) 
 TEST(HostingIsRemembered, ofAPioneer) {
   const ServedWorld world;
   RealRobotOptions robot = pioneerOptions(world.url());
-  robot.own = ownOptions();
+  robot.program.own = ownOptions();
   expectRemembered(RealFeed::opening(robot), "p3at1");
 }
 

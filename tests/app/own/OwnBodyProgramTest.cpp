@@ -20,9 +20,9 @@ class OwnBodyProgramTest : public testing::Test {
  protected:
   BodyOptions options() const {
     BodyOptions options{.url = test::urlOf(hall_.port())};
-    options.hosting.ownProcesses = true;
-    options.own.executable = OWN_PROGRAM_CHILD;
-    options.own.patience = std::chrono::seconds(5);
+    options.program.hosting.ownProcesses = true;
+    options.program.own.executable = OWN_PROGRAM_CHILD;
+    options.program.own.patience = std::chrono::seconds(5);
     return options;
   }
   const HostingStatus& hosting() {

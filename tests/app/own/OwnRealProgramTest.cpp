@@ -37,11 +37,11 @@ class OwnRealProgramTest : public testing::Test {
   }
   void playLayout(const std::filesystem::path& layout, bool own = true) {
     RealRobotOptions options = pioneerOptions(world_.url());
-    options.layout = layout;
-    options.hosting.ownProcesses = own;
-    options.own.executable = OWN_PROGRAM_CHILD;
-    options.own.patience = 300ms;
-    options.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one
+    options.program.layout = layout;
+    options.program.hosting.ownProcesses = own;
+    options.program.own.executable = OWN_PROGRAM_CHILD;
+    options.program.own.patience = 300ms;
+    options.program.own.memoryLimit = std::uint64_t{512} << 20U;  // quicker to fill than the usual one
     auto run = RealRun::create(options, listeners());
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
@@ -211,7 +211,7 @@ TEST_F(OwnRealProgramTest, aProgramThatReturnsLateGoesOn) {
   play("very-late");
   ASSERT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::NOT_ANSWERING; }));
   EXPECT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::RUNNING; }));
-  EXPECT_THAT(hosting_.text(), HasSubstr("has returned and goes on"));
+  EXPECT_THAT(hosting_.text(), HasSubstr("has returned and continues"));
   EXPECT_FALSE(run_->platform().unattended());
 }
 

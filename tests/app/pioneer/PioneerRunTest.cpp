@@ -105,7 +105,7 @@ class PioneerRunTest : public testing::Test {
   }
   RealRobotOptions robot() const {
     RealRobotOptions options = pioneerOptions(world_.url());
-    options.layout = layout_;
+    options.program.layout = layout_;
     return options;
   }
   bool connected() const { return run_->platform().isConnected(); }
@@ -275,7 +275,7 @@ TEST_F(PioneerRunTest, whatIsWrongWithItIsSaidBeforeAnythingRuns) {
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().front().id, "url.bad");
   RealRobotOptions lost = robot();
-  lost.map = "no-such.map";
+  lost.program.map = "no-such.map";
   run = RealRun::create(lost, {});
   ASSERT_FALSE(run);
 }

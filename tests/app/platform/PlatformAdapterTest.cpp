@@ -101,7 +101,7 @@ TEST(PlatformAdapter, aRobotGoesOnIfAnotherOneCannotBeOpened) {
   workbench.open(RealFeed::opening(pioneerOptions(world.url())));
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return !drivingOf(workbench).empty(); })) << errors;
   RealRobotOptions lost = pioneerOptions("tcp://localhost:1");
-  lost.layout = "no-such-layout.yaml";
+  lost.program.layout = "no-such-layout.yaml";
   workbench.open(RealFeed::opening(lost));
   ASSERT_TRUE(test::tickUntil(workbench, [&] { return !errors.empty(); }));
   EXPECT_EQ(workbench.loaded()->title, world.url());

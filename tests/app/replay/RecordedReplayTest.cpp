@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <thread>
-
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/ShortLog.h"

@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include <thread>
-
 #include "app/core/Workbench.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"

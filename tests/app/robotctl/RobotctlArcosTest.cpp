@@ -10,7 +10,6 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/PacketParser.h"

@@ -10,7 +10,6 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "tests/Eventually.h"
 #include "tests/app/robotctl/RobotctlRun.h"

@@ -2,12 +2,10 @@
 // `robotctl log` as its users call it.
 #include <gmock/gmock.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "logplayer/bookmarks/BookmarkStorage.h"

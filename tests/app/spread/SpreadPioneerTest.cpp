@@ -34,9 +34,9 @@ class SpreadPioneerTest : public testing::Test {
   /// The program with the platform and the debug process.
   void startDrive() {
     RealRobotOptions options = pioneerOptions(world_.url(), true);
-    options.layout = layoutNamed("pioneer-programs");
-    options.solutions = kSolutions;
-    options.spread = partOf("drive");
+    options.program.layout = layoutNamed("pioneer-programs");
+    options.program.solutions = kSolutions;
+    options.program.spread = partOf("drive");
     RealRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);

@@ -78,7 +78,7 @@ TEST_P(StuckModuleTest, whenItReturnsTheProgramGoesOn) {
   const std::string robot = hang();
   StuckSolution::release();
   EXPECT_TRUE(soon([&] { return stuckRobot().empty(); }));
-  EXPECT_THAT(hosting(robot)->text(), HasSubstr("has returned and goes on"));
+  EXPECT_THAT(hosting(robot)->text(), HasSubstr("has returned and continues"));
   EXPECT_TRUE(timeGoesOn());
 }
 

@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QProgressBar>
-#include <fstream>
 
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/actions/FileKind.h"

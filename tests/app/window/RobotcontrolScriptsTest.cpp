@@ -2,9 +2,6 @@
 // The real workbench runs scripts: those that are shipped, and lines that robotctl sends.
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/StartedProgram.h"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "colortool/votes/ColorVotes.h"
 
 namespace colortool {

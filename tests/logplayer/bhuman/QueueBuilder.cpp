@@ -2,8 +2,6 @@
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 
 #include <bit>
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include <jpeglib.h>

@@ -69,15 +69,3 @@ TEST_F(PictureFramesTest, needAPicture) {
   EXPECT_TRUE(isPictureFolder(folder_.path()));
   EXPECT_FALSE(isPictureFolder(folder_ / "a.png"));
 }
-
-TEST(NaturalOrder, countsNumbersByTheirValue) {
-  EXPECT_TRUE(isNaturallyBefore("frame-9", "frame-10"));
-  EXPECT_FALSE(isNaturallyBefore("frame-10", "frame-9"));
-  EXPECT_TRUE(isNaturallyBefore("a", "b"));
-  EXPECT_TRUE(isNaturallyBefore("a", "a1"));
-  EXPECT_FALSE(isNaturallyBefore("a1", "a"));
-  EXPECT_TRUE(isNaturallyBefore("a01b2", "a1b10"));
-  EXPECT_FALSE(isNaturallyBefore("a", "a"));
-  // Equal but for leading zeros: one of them is first.
-  EXPECT_NE(isNaturallyBefore("a01", "a1"), isNaturallyBefore("a1", "a01"));
-}

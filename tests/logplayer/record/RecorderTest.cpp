@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <mutex>
 #include <thread>
 
 #include "logplayer/images/ImageCoding.h"

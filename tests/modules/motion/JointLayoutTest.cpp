@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace modules {
 namespace {
@@ -38,7 +38,8 @@ TEST(JointLayout, whatIsSetIsRead) {
   const JointLayout layout = JointLayout::of(ers210Joints()).value();
   std::vector<double> positions(layout.names().size(), 9.0);
   const HeadAngles head{0.1, 0.2, 0.3, -0.4};
-  layout.setHead(positions, head);
+  const std::array angles{head.tilt, head.pan, head.roll, head.mouth};
+  for (std::size_t i = 0; i < angles.size(); ++i) positions[layout.headJoints()[i]] = angles[i];
   for (const Leg leg : kLegs) layout.setLeg(positions, leg, {static_cast<double>(index(leg)), 0.5, -0.5});
   EXPECT_EQ(layout.head(positions), head);
   for (const Leg leg : kLegs) {

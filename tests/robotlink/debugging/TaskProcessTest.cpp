@@ -5,8 +5,6 @@
 #include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "tests/TestFolder.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
 

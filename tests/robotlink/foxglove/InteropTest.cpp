@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <sstream>
 #include <thread>
 
 #include "robotlink/foxglove/server/Listener.h"

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <fstream>
 #include <thread>
 
 #include "robotlink/base/AtomicFile.h"

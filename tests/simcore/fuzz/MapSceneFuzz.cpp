@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Worlds made from maps, with robots put into them.
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 

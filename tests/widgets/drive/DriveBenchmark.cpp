@@ -6,7 +6,6 @@
 #include <QImage>
 #include <QPainter>
 #include <QPalette>
-#include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/codec/Packet.h"

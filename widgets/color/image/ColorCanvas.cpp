@@ -8,6 +8,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/image/ImagePainter.h"
+#include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -218,19 +219,8 @@ void ColorCanvas::wheelEvent(QWheelEvent* event) {
 }
 
 void ColorCanvas::keyPressEvent(QKeyEvent* event) {
-  constexpr double kStep = 24;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return moveView(panned(viewport_, imageSize(), size(), {kStep, 0}));
-    case Qt::Key_Right:
-      return moveView(panned(viewport_, imageSize(), size(), {-kStep, 0}));
-    case Qt::Key_Up:
-      return moveView(panned(viewport_, imageSize(), size(), {0, kStep}));
-    case Qt::Key_Down:
-      return moveView(panned(viewport_, imageSize(), size(), {0, -kStep}));
-    default:
-      QWidget::keyPressEvent(event);
-  }
+  const auto pan = panOfKey(*event, 24);
+  pan ? moveView(panned(viewport_, imageSize(), size(), *pan)) : QWidget::keyPressEvent(event);
 }
 
 void ColorCanvas::leaveEvent(QEvent*) {

@@ -9,7 +9,6 @@
 
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
-#include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/image/ColorToolRow.h"
 

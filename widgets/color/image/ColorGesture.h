@@ -59,7 +59,6 @@ class ColorGesture {
   /// The pixels touched so far.
   const colortool::PixelArea& area() const { return area_; }
   /// The mouse's path so far; of a rectangle two corners.
-  const std::vector<colortool::ImagePoint>& way() const { return way_; }
 
  private:
   /// Adds what the last point of the path touches.

@@ -16,9 +16,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
-#include "widgets/Theme.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorReferences.h"
 

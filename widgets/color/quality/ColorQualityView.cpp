@@ -12,7 +12,6 @@
 
 #include "colortool/training/Suspicion.h"
 #include "widgets/Controls.h"
-#include "widgets/SplitterState.h"
 #include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFrameFinder.h"

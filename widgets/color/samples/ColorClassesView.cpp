@@ -115,11 +115,9 @@ void ColorClassesView::createViews() {
 }
 
 void ColorClassesView::createTree() {
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"classesTree", tr("Color classes"), tr("A click chooses the class of the next stroke")});
-  tree_->setToolTip({});
-  tree_->setModel(&model_);
+  tree_ =
+      makeTree(this, {"classesTree", tr("Color classes"), tr("A click chooses the class of the next stroke")},
+               &model_);
   tree_->setRootIsDecorated(false);
   tree_->setIconSize({16, 16});
   tree_->setEditTriggers(QAbstractItemView::DoubleClicked);

@@ -19,8 +19,6 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/HeaderState.h"
-#include "widgets/SplitterState.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorClassModel.h"
 #include "widgets/color/ColorFiles.h"
@@ -74,11 +72,8 @@ void ColorSamplesView::createActions() {
 }
 
 void ColorSamplesView::createTree() {
-  tree_ = new QTreeView(this);
-  styleTree(*tree_);
-  describe(*tree_, {"samplesTree", tr("Strokes"), tr("A double click shows the image of a stroke")});
-  tree_->setToolTip({});
-  tree_->setModel(sorted_);
+  tree_ = makeTree(this, {"samplesTree", tr("Strokes"), tr("A double click shows the image of a stroke")},
+                   sorted_);
   tree_->viewport()->installEventFilter(this);
   tree_->setRootIsDecorated(false);
   tree_->setIconSize({30, 26});

@@ -52,7 +52,7 @@ class ColorSpaceProjection {
     const float pixels = scale_ * kViewer / distance;
     return {centerX_ + pixels * seen.x(), centerY_ - pixels * seen.y(), distance};
   }
-  /// The same without the distance.
+  /// Projects a place to pixels from the upper left.
   QPointF point(const Eigen::Vector3f& place) const {
     const Eigen::Vector3f seen = (*this)(place);
     return {static_cast<double>(seen.x()), static_cast<double>(seen.y())};

@@ -71,7 +71,6 @@ void ColorSpaceCanvas::setCamera(const ColorSpaceCamera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
   request();
-  Q_EMIT cameraMoved();
 }
 
 void ColorSpaceCanvas::zoomBy(double factor) {

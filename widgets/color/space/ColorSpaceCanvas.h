@@ -54,7 +54,6 @@ class ColorSpaceCanvas final : public QWidget {
  Q_SIGNALS:
   /// A new picture is shown.
   void pictureShown();
-  void cameraMoved();
   void pointedCellChanged();
   /// The user chose these of the cells that are shown; there may be none.
   void cellsChosen(const colortool::CellSet& cells, widgets::SelectionChange change);

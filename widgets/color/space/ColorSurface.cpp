@@ -2,7 +2,6 @@
 #include "widgets/color/space/ColorSurface.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 
 namespace widgets {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <random>
 
 #include "tests/logplayer/mcap/TemporaryLog.h"
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <iterator>
 #include <limits>
 
 #include "robotlink/base/Random.h"
@@ -292,59 +294,29 @@ TEST_F(MotionControllerTest, aGyroscopeTakesThePlaceOfTheWheelsForTheHeading) {
 TEST_F(MotionControllerTest, anyCommandsInAnyOrderStayWithinTheLimits) {
   Random random(7);
   const double tops = MotionParameters().speedTop + MotionParameters().rotationTop * 0.588 / 2;
+  const std::function<void(double)> commands[] = {
+      [&](double value) { controller.translate(value); },
+      [&](double value) { controller.rotate(value); },
+      [&](double value) { controller.turnTo(value); },
+      [&](double value) { controller.turnBy(value); },
+      [&](double value) { controller.turnFromSetpoint(value); },
+      [&](double value) { controller.move(value); },
+      [&](double value) { controller.driveWheels(value, -value / 3); },
+      [&](double value) { controller.setSpeed(value); },
+      [&](double value) { controller.setRotation(value); },
+      [&](double value) { controller.setAcceleration(value); },
+      [&](double value) { controller.setRotationDeceleration(value); },
+      [&](double) { controller.enable(random.uniform() < 0.9); },
+      [&](double) { controller.hold(random.uniform() < 0.2); },
+      [&](double value) {
+        controller.setOdometry({value, value, value});
+      },
+      [&](double) { ideal.wheels.leftBlocked = random.uniform() < 0.1; },
+      [&](double) { controller.stop(); }};
   for (int i = 0; i < 20000; ++i) {
     const double value =
         random.uniform() < 0.05 ? std::numeric_limits<double>::infinity() : random.uniform(-70, 70);
-    switch (random.bits() % 16) {
-      case 0:
-        controller.translate(value);
-        break;
-      case 1:
-        controller.rotate(value);
-        break;
-      case 2:
-        controller.turnTo(value);
-        break;
-      case 3:
-        controller.turnBy(value);
-        break;
-      case 4:
-        controller.turnFromSetpoint(value);
-        break;
-      case 5:
-        controller.move(value);
-        break;
-      case 6:
-        controller.driveWheels(value, -value / 3);
-        break;
-      case 7:
-        controller.setSpeed(value);
-        break;
-      case 8:
-        controller.setRotation(value);
-        break;
-      case 9:
-        controller.setAcceleration(value);
-        break;
-      case 10:
-        controller.setRotationDeceleration(value);
-        break;
-      case 11:
-        controller.enable(random.uniform() < 0.9);
-        break;
-      case 12:
-        controller.hold(random.uniform() < 0.2);
-        break;
-      case 13:
-        controller.setOdometry({value, value, value});
-        break;
-      case 14:
-        ideal.wheels.leftBlocked = random.uniform() < 0.1;
-        break;
-      default:
-        controller.stop();
-        break;
-    }
+    commands[random.bits() % std::size(commands)](value);
     run(0.004);
     ASSERT_LE(std::abs(ideal.command.left), tops);
     ASSERT_LE(std::abs(ideal.command.right), tops);

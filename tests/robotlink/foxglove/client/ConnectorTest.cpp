@@ -4,8 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include <thread>
-
 #include "robotlink/foxglove/server/Listener.h"
 #include "tests/Eventually.h"
 #include "tests/robotlink/foxglove/PlainServer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robots whose programs run in processes of their own on this machine, over a relay that can be silenced.
+#include "tests/app/far/FarRobotSteps.h"
 #include "tests/app/far/RelayLine.h"
-#include "tests/app/window/FarRobotSteps.h"
 #include "tests/widgets/GuiTest.h"
 
 namespace app::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/app/window/FarRobotSteps.h"
+#include "tests/app/far/FarRobotSteps.h"
 
 #include <QLabel>
 
@@ -8,7 +8,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Perception.pb.h"
-#include "tests/app/window/FarDesk.h"
+#include "tests/app/far/FarDesk.h"
 #include "tests/logplayer/RecordedMessages.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/image/ImageCanvas.h"

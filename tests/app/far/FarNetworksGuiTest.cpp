@@ -4,8 +4,8 @@
 #include <QTest>
 
 #include "tests/app/far/FarRobot.h"
+#include "tests/app/far/FarRobotSteps.h"
 #include "tests/app/far/NetworkLine.h"
-#include "tests/app/window/FarRobotSteps.h"
 #include "tests/widgets/GuiTest.h"
 
 namespace app::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/app/window/FarDesk.h"
+#include "tests/app/far/FarDesk.h"
 
 #include <qtadvanceddocking/DockWidget.h>
 #include <QDialog>
