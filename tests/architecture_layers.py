@@ -24,7 +24,7 @@ TARGETS = {
     "robotlink/process": ["robotlink/base", "robotlink/config", "robotlink/packages"],
     "robotlink/ros": ["robotlink/base", "robotlink/packages", "robotlink/process"],
     "robotlink/decoding": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/ros"],
-    "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process"],
+    "robotlink/debugging": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/motions"],
     "robotlink/dds": ["robotlink/base", "robotlink/packages", "robotlink/process", "robotlink/debugging"],
     "robotlink/session": ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
                           "robotlink/debugging"],
