@@ -11,6 +11,7 @@
 #include "app/core/SceneCommands.h"
 #include "app/core/SimulationCommands.h"
 #include "app/core/TimelineCommands.h"
+#include "robotlink/commands/CommandRegistration.h"
 
 namespace app {
 
@@ -26,6 +27,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addJob([this] { return logSearch_.working(); });
   addRecordingCommands(commands_, *this);
   addTimelineCommands(commands_, *this);
+  robotlink::attachRegisteredCommands(commands_, session());
 }
 
 robotlink::Result<bool> Workbench::working() const {
