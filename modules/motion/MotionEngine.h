@@ -50,12 +50,12 @@ class MotionEngine {
   struct Frame {
     MotionCommand desired;
     HeadAngles head;
-    /// The measured angles of all joints, which limp joints follow; empty: unknown.
-    std::span<const double> measured = {};
     /// Null if it is unknown.
     const robotlink::Vector3* acceleration = nullptr;
     /// The duration of the frame.
     robotlink::Duration time = std::chrono::milliseconds(8);
+    /// The measured angles of all joints, which limp joints follow; empty: unknown.
+    std::span<const double> measured = {};
   };
 
   /// Starts in the robot's stance.

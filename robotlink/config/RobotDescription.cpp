@@ -118,7 +118,8 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   }
   for (const auto& joint : robot.joints) {
     if (robot.jointIndex(joint.mirror) < 0)
-      root.fail("robot.mirror", "joint " + joint.name + " is mirrored by " + joint.mirror + ", which is no joint",
+      root.fail("robot.mirror",
+                "joint " + joint.name + " is mirrored by " + joint.mirror + ", which is no joint",
                 {joint.name, joint.mirror});
   }
   if (const YamlNode drive = root.optionalChild("drive"); !drive.empty()) robot.drive = readDrive(drive);

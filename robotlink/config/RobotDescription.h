@@ -27,7 +27,7 @@ struct RobotDescription {
     double stance = 0;
     /// The joint that moves like this one when a motion is mirrored at the robot's plane of symmetry: that of
     /// the other side, or this one; its angle has the other sign there if `mirrorIsNegated`.
-    std::string mirror;
+    std::string mirror = {};
     bool mirrorIsNegated = false;
   };
   /// A differential drive: one or more wheels on each side, and the body around them.

@@ -11,10 +11,10 @@
 namespace robotlink {
 namespace {
 
-const std::string kEnd = "transition allMotions extern start\n";
+const std::string kMotionEnd = "transition allMotions extern start\n";
 
 std::string motion(const std::string& name, int angle) {
-  return "motion_id = " + name + "\nlabel start\n" + std::to_string(angle) + " 1 100\n" + kEnd;
+  return "motion_id = " + name + "\nlabel start\n" + std::to_string(angle) + " 1 100\n" + kMotionEnd;
 }
 
 /// A folder with an entry table and the motion nod.
@@ -70,7 +70,7 @@ TEST(MotionLibraryTest, anAddedMotionCanBeRequested) {
 
 TEST(MotionLibraryTest, errorsOfReplacedTextsNameTheMotion) {
   MotionLibrary library = Folder().load();
-  library.replace("bow", "motion_id = bow\nlabel start\n1 1\n" + kEnd);
+  library.replace("bow", "motion_id = bow\nlabel start\n1 1\n" + kMotionEnd);
   const auto net = library.compile({"a"});
   ASSERT_FALSE(net);
   EXPECT_EQ(net.error()[0].describe().substr(0, 9), "bow.mof:3");
