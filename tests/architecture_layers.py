@@ -58,7 +58,7 @@ ROOMS = {
     "logplayer/mcap": [".", "read", "write"],
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
-    "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
+    "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "motions", "joints", "world", "field",
         "log", "color", "drive", "messages", "console", "plots", "data", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["plugins", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "simulated", "remote", "body", "."],

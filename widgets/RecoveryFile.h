@@ -25,7 +25,8 @@ class RecoveryFile {
 
   /// Chooses a file in `folder`, with this suffix, that no other program has locked, preferably one that was
   /// left behind. `failed` is called in the thread with why the document could not be written.
-  RecoveryFile(std::filesystem::path folder, std::string suffix, std::function<void(robotlink::Error)> failed);
+  RecoveryFile(std::filesystem::path folder, std::string suffix,
+               std::function<void(robotlink::Error)> failed);
   ~RecoveryFile();
   RecoveryFile(const RecoveryFile&) = delete;
   RecoveryFile& operator=(const RecoveryFile&) = delete;

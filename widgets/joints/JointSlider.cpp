@@ -16,9 +16,9 @@ namespace widgets {
 namespace {
 
 /// Room at both ends, so that the mark of a limit is whole.
-constexpr double kEnd = 5;
+constexpr double kSliderEnd = 5;
 
-int stepsOf(double angle) {
+int sliderStepsOf(double angle) {
   return static_cast<int>(std::lround(robotlink::degrees(angle) * JointSlider::kPerDegree));
 }
 
@@ -34,8 +34,7 @@ JointSlider::JointSlider(const JointRow& joint, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(false);
   connect(this, &QSlider::valueChanged, this, [this](int value) {
-    Q_EMIT angleWanted(
-        std::clamp(robotlink::radians(value / double(kPerDegree)), minimum_, maximum_));
+    Q_EMIT angleWanted(std::clamp(robotlink::radians(value / double(kPerDegree)), minimum_, maximum_));
   });
   showJoint(joint);
 }
@@ -48,14 +47,14 @@ void JointSlider::showJoint(const JointRow& joint) {
   const auto& shown = joint.commanded ? joint.commanded : known;
   if (shown && !isSliderDown()) {
     const QSignalBlocker quiet(this);
-    setValue(stepsOf(*shown));
+    setValue(sliderStepsOf(*shown));
   }
   update();
 }
 
 double JointSlider::placeOf(double angle) const {
   const double share = std::clamp((angle - minimum_) / (maximum_ - minimum_), 0.0, 1.0);
-  return kEnd + share * (width() - 2 * kEnd);
+  return kSliderEnd + share * (width() - 2 * kSliderEnd);
 }
 
 void JointSlider::paintEvent(QPaintEvent*) {
@@ -84,11 +83,11 @@ void JointSlider::paintEvent(QPaintEvent*) {
   const double x = placeOf(robotlink::radians(value() / double(kPerDegree)));
   painter.setPen(QPen(hasFocus() ? palette().color(QPalette::Highlight) : mark, hasFocus() ? 2 : 1.5));
   painter.setBrush(isCommanded_ ? mark : palette().color(QPalette::Base));
-  painter.drawEllipse(QPointF(x, middle), kEnd - 1, kEnd - 1);
+  painter.drawEllipse(QPointF(x, middle), kSliderEnd - 1, kSliderEnd - 1);
 }
 
 void JointSlider::moveTo(int x) {
-  const double share = std::clamp((x - kEnd) / std::max(1.0, width() - 2 * kEnd), 0.0, 1.0);
+  const double share = std::clamp((x - kSliderEnd) / std::max(1.0, width() - 2 * kSliderEnd), 0.0, 1.0);
   setValue(static_cast<int>(std::lround(minimum() + share * (maximum() - minimum()))));
 }
 

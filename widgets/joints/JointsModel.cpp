@@ -17,8 +17,8 @@ namespace {
 using robotlink::StreamStore;
 
 /// The state of a joint, which is mostly at its place in the description; null: there is none.
-const foxglove::JointState* stateOf(const foxglove::JointStates& states, const std::string& joint,
-                                    std::size_t place) {
+const foxglove::JointState* jointStateOf(const foxglove::JointStates& states, const std::string& joint,
+                                         std::size_t place) {
   const auto index = static_cast<int>(place);
   if (index < states.joints_size() && states.joints(index).name() == joint) return &states.joints(index);
   const auto found = std::ranges::find(states.joints(), joint, &foxglove::JointState::name);
@@ -26,8 +26,9 @@ const foxglove::JointState* stateOf(const foxglove::JointStates& states, const s
 }
 
 /// The messages of the last seconds before an instant, oldest first: as many as a history shows.
-std::vector<const foxglove::JointStates*> historyBefore(const StreamStore& store, const std::string& path,
-                                                        robotlink::Instant time) {
+std::vector<const foxglove::JointStates*> jointHistoryBefore(const StreamStore& store,
+                                                             const std::string& path,
+                                                             robotlink::Instant time) {
   std::vector<const foxglove::JointStates*> result;
   const auto* stream = store.find(path);
   if (stream == nullptr) return result;
@@ -47,7 +48,7 @@ std::vector<const foxglove::JointStates*> historyBefore(const StreamStore& store
   return result;
 }
 
-QString degreesText(const std::optional<double>& angle) {
+QString jointDegreesText(const std::optional<double>& angle) {
   // Adding 0 makes a negative zero positive.
   return angle ? QString::number(std::round(robotlink::degrees(*angle) * 10) / 10 + 0.0, 'f', 1)
                : QStringLiteral("–");
@@ -71,9 +72,9 @@ void JointsModel::show(const robotlink::RobotDescription* robot, const std::stri
   if (robot != nullptr) {
     const std::string path = name + '/' + robotlink::kJointStates.name;
     const auto* states = store.latestAs<foxglove::JointStates>(path, time);
-    const auto* request = store.latestAs<robotcontrol::JointRequest>(
-        name + '/' + robotlink::kJointRequest.name, time);
-    const auto history = historyBefore(store, path, time);
+    const auto* request =
+        store.latestAs<robotcontrol::JointRequest>(name + '/' + robotlink::kJointRequest.name, time);
+    const auto history = jointHistoryBefore(store, path, time);
     for (std::size_t i = 0; i < robot->joints.size(); ++i) {
       const auto& joint = robot->joints[i];
       JointRow& row = rows.emplace_back();
@@ -83,7 +84,7 @@ void JointsModel::show(const robotlink::RobotDescription* robot, const std::stri
       row.maximumSpeed = joint.maximumSpeed;
       if (const auto wanted = commanded.find(joint.name); wanted != commanded.end())
         row.commanded = wanted->second;
-      if (const auto* state = states == nullptr ? nullptr : stateOf(*states, joint.name, i)) {
+      if (const auto* state = states == nullptr ? nullptr : jointStateOf(*states, joint.name, i)) {
         if (state->has_position()) row.measured = state->position();
         if (state->has_velocity()) row.speed = state->velocity();
         if (state->has_effort()) row.load = state->effort();
@@ -92,7 +93,7 @@ void JointsModel::show(const robotlink::RobotDescription* robot, const std::stri
       if (request != nullptr && index < request->positions_size() && std::isfinite(request->positions(index)))
         row.requested = request->positions(index);
       for (const auto* earlier : history) {
-        const auto* state = stateOf(*earlier, joint.name, i);
+        const auto* state = jointStateOf(*earlier, joint.name, i);
         if (state != nullptr && std::isfinite(state->position())) row.history.push_back(state->position());
       }
     }
@@ -116,17 +117,17 @@ QString JointsModel::text(const JointRow& row, int column) const {
     case kName:
       return QString::fromStdString(row.name);
     case kRequested:
-      return degreesText(row.requested);
+      return jointDegreesText(row.requested);
     case kMeasured:
-      return degreesText(row.measured);
+      return jointDegreesText(row.measured);
     case kError:
-      return degreesText(row.error());
+      return jointDegreesText(row.error());
     case kSpeed:
-      return degreesText(row.speed);
+      return jointDegreesText(row.speed);
     case kLoad:
       return row.load ? QString::number(*row.load + 0.0, 'f', 3) : QStringLiteral("–");
     case kLimits:
-      return QStringLiteral("%1 … %2").arg(degreesText(row.minimum), degreesText(row.maximum));
+      return QStringLiteral("%1 … %2").arg(jointDegreesText(row.minimum), jointDegreesText(row.maximum));
     default:
       return {};
   }
@@ -144,7 +145,8 @@ QVariant JointsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (index.column() == kRequested && isEditable_)
         return tr("Turns the joint: a double click, or F2, edits the angle in degrees");
-      if (index.column() == kLoad && !row.load) return tr("The robot does not measure the torque of its joints");
+      if (index.column() == kLoad && !row.load)
+        return tr("The robot does not measure the torque of its joints");
       return index.column() == kSpeed
                  ? QVariant(tr("At most %1°/s").arg(robotlink::degrees(row.maximumSpeed), 0, 'f', 0))
                  : QVariant();

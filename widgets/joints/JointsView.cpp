@@ -29,7 +29,8 @@ namespace {
 
 const ViewRegistration kJointsViewRegistration{
     {"joints", QT_TRANSLATE_NOOP("View", "Joints"),
-     QT_TRANSLATE_NOOP("View", "Shows all joints of a robot, turns single ones, and captures poses for motions."),
+     QT_TRANSLATE_NOOP("View",
+                       "Shows all joints of a robot, turns single ones, and captures poses for motions."),
      "joints", false, create<JointsView>}};
 
 constexpr int kUsualDurationMs = 500, kLongestDurationMs = 60'000;
@@ -50,23 +51,27 @@ JointsView::JointsView(ViewContext& context, QWidget* parent)
 }
 
 void JointsView::createActions() {
-  take_ = makeToggle(this, "take-over",
-                     {"jointsTakeOver", tr("Take over"), tr("Switches the behavior to obeying you, and back")});
+  take_ =
+      makeToggle(this, "take-over",
+                 {"jointsTakeOver", tr("Take over"), tr("Switches the behavior to obeying you, and back")});
   limp_ = makeToggle(this, "limp",
                      {"jointsLimp", tr("Limp"),
                       tr("Releases all joints, so that the robot is posed by hand; again: they hold")});
-  stand_ = makeAction(this, "halt",
-                      {"jointsStand", tr("Stand"), tr("Lets the robot stand; no single joint is turned any more")});
-  capture_ = makeAction(this, "camera",
-                        {"jointsCapture", tr("Capture"),
-                         tr("Adds this pose to the motion in the editor, as a key frame"), tr("Ctrl+Return")});
+  stand_ = makeAction(
+      this, "halt",
+      {"jointsStand", tr("Stand"), tr("Lets the robot stand; no single joint is turned any more")});
+  capture_ =
+      makeAction(this, "camera",
+                 {"jointsCapture", tr("Capture"),
+                  tr("Adds this pose to the motion in the editor, as a key frame"), tr("Ctrl+Return")});
 }
 
 QWidget* JointsView::createTop() {
   QHBoxLayout* row = makeToolRow(this);
   QWidget* parent = row->parentWidget();
   robotName_ = new QLabel(parent);
-  describe(*robotName_, {"jointsRobot", tr("Robot whose joints are shown"), tr("It is chosen in the toolbar")});
+  describe(*robotName_,
+           {"jointsRobot", tr("Robot whose joints are shown"), tr("It is chosen in the toolbar")});
   QFont bold = robotName_->font();
   bold.setBold(true);
   robotName_->setFont(bold);
@@ -156,7 +161,8 @@ void JointsView::capture() {
 }
 
 QString JointsView::hint() const {
-  if (manual_.robot().empty()) return tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.");
+  if (manual_.robot().empty())
+    return tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.");
   const QString name = QString::fromStdString(manual_.robot());
   if (manual_.description() == nullptr) return tr("What kind of robot %1 is, is not known yet.").arg(name);
   return manual_.description()->joints.empty() ? tr("%1 has no joints.").arg(name) : QString();
@@ -173,10 +179,10 @@ void JointsView::showState() {
   limp_->setChecked(manual_.commander().limp());
   stand_->setEnabled(isTaken && hasJoints && manual_.commander().turnsJoints());
   capture_->setEnabled(hasJoints);
-  state_->setText(!hasJoints                       ? QString()
-                  : manual_.commander().limp()     ? tr("All joints are limp: pose the robot by hand.")
+  state_->setText(!hasJoints                   ? QString()
+                  : manual_.commander().limp() ? tr("All joints are limp: pose the robot by hand.")
                   : isTaken && !manual_.commander().turnsJoints() ? tr("You steer the robot: drag a slider.")
-                                                   : manual_.control().text());
+                                                                  : manual_.control().text());
 }
 
 void JointsView::tick() {

@@ -21,8 +21,8 @@ class ManualSteering;
 class SteeringBar;
 
 /// All joints of the selected robot: what is requested and measured, with limits, as numbers, bars and curves
-/// of the last seconds. With manual control (ManualSteering) single joints are turned, or all are limp; a pose
-/// becomes a key frame of the motion in the editor.
+/// of the last seconds. With manual control (ManualSteering) single joints are turned, or all are limp; a
+/// pose becomes a key frame of the motion in the editor.
 ///
 /// Registered as "joints". GUI thread.
 class JointsView final : public View {

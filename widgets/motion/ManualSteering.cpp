@@ -176,8 +176,7 @@ Result<void> ManualSteering::requireJoint(const char* id, const std::string& joi
                                           double angle) const {
   if (description_ == nullptr) return {};
   const int index = description_->jointIndex(joint);
-  if (index < 0)
-    return failure(id, robot_ + " has no joint " + shown, {}, {robot_, shown});
+  if (index < 0) return failure(id, robot_ + " has no joint " + shown, {}, {robot_, shown});
   const auto& limits = description_->joints[static_cast<std::size_t>(index)];
   if (angle >= limits.minimum && angle <= limits.maximum) return {};
   return failure(id,
@@ -203,12 +202,14 @@ Result<void> ManualSteering::setHeadJoint(const std::string& joint, double angle
   const auto found = std::ranges::find(kHeadJoints, joint, &HeadJoint::name);
   if (found == kHeadJoints.end())
     return failure("robot.head-joint", "a head has no joint " + joint, {}, {joint});
-  return requireLegs("head").and_then([&] { return requireJoint("robot.head-joint", found->joint, found->name, angle); }).map([&] {
-    HeadTarget head = commander_.head();
-    head.kind = HeadTarget::Kind::kAngles;
-    head.*(found->angle) = angle;
-    commander_.setHead(head);
-  });
+  return requireLegs("head")
+      .and_then([&] { return requireJoint("robot.head-joint", found->joint, found->name, angle); })
+      .map([&] {
+        HeadTarget head = commander_.head();
+        head.kind = HeadTarget::Kind::kAngles;
+        head.*(found->angle) = angle;
+        commander_.setHead(head);
+      });
 }
 
 ManualSteering& manualSteering(ViewContext& context) {

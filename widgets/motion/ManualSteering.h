@@ -57,8 +57,8 @@ class ManualSteering final : public QObject {
   /// for joints that the robot does not have, and beyond their limits.
   robotlink::Result<void> setHeadJoint(const std::string& joint, double angle);
 
-  /// Commands the angle of a single joint in rad; the others hold theirs. Fails for joints that the robot does
-  /// not have, and beyond their limits.
+  /// Commands the angle of a single joint in rad; the others hold theirs. Fails for joints that the robot
+  /// does not have, and beyond their limits.
   robotlink::Result<void> setJoint(const std::string& joint, double angle);
   /// Commands all joints limp, so that the robot is posed by hand, or to hold where they are.
   robotlink::Result<void> setLimp(bool limp);

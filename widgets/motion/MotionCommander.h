@@ -74,9 +74,9 @@ class MotionCommander {
   const HeadTarget& head() const { return head_; }
   /// Commands a velocity, whatever the limits are, until the axes are set or halt() is called.
   void walk(const Speed& velocity);
-  /// Commands the angle of a joint in rad, by its name in the robot's description. From then on the robot holds
-  /// all other joints where they are, until it is commanded to walk, to play a motion, or to stand. Joints of
-  /// the head that setHead() turns later follow that.
+  /// Commands the angle of a joint in rad, by its name in the robot's description. From then on the robot
+  /// holds all other joints where they are, until it is commanded to walk, to play a motion, or to stand.
+  /// Joints of the head that setHead() turns later follow that.
   void setJoint(const std::string& joint, double angle);
   /// Commands all joints limp, or to hold where they are from then on.
   void setLimp(bool limp);

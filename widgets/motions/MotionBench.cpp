@@ -183,9 +183,9 @@ void MotionBench::setFrame(int frame) {
 Result<void> MotionBench::requireFrame(int frame) const {
   if (isEmpty()) return failure("motion.none", "there is no motion; open one, or start one: motion.new NAME");
   if (frame >= 0 && frame < static_cast<int>(frames_.size())) return {};
-  return failure("motion.no-frame", frames_.empty() ? "the motion has no key frames"
-                                                    : "there is no such key frame; there are " +
-                                                          std::to_string(frames_.size()));
+  return failure("motion.no-frame",
+                 frames_.empty() ? "the motion has no key frames"
+                                 : "there is no such key frame; there are " + std::to_string(frames_.size()));
 }
 
 // ---- Edits
@@ -232,8 +232,9 @@ Result<std::vector<robotlink::MirroredJoint>> MotionBench::mirrorOfColumns() con
   for (const std::string& column : columns()) {
     const int index = description_->jointIndex(column);
     if (index < 0)
-      return failure("motion.mirror", robot_ + " has no joint " + column + ", so it is not known what mirrors it",
-                     {}, {robot_, column});
+      return failure("motion.mirror",
+                     robot_ + " has no joint " + column + ", so it is not known what mirrors it", {},
+                     {robot_, column});
     const auto& joint = description_->joints[static_cast<std::size_t>(index)];
     mirror.push_back({joint.mirror, joint.mirrorIsNegated});
   }
@@ -264,12 +265,14 @@ Result<void> MotionBench::setValue(int frame, int column, const QString& value) 
   const bool isAngle = isNumber && std::abs(number) <= limit;
   if (!isAngle && word != "*" && word != "~" && word != "-")
     return failure("motion.bad-angle",
-                   "'" + word + "' is neither an angle nor '*' (stays as it is) nor '-' (released)", {}, {word});
+                   "'" + word + "' is neither an angle nor '*' (stays as it is) nor '-' (released)", {},
+                   {word});
   const auto& place = frames_[static_cast<std::size_t>(frame)];
   const auto& joints = robotlink::keyFrameAt(motion(), place).joints;
   if (column < 0 || column >= static_cast<int>(joints.size()))
     return failure("motion.no-column", "the motion has no such column");
-  change(tr("Angle"), robotlink::withWord(document_.text(), place.line, static_cast<std::size_t>(column), word));
+  change(tr("Angle"),
+         robotlink::withWord(document_.text(), place.line, static_cast<std::size_t>(column), word));
   return {};
 }
 

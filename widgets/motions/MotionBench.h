@@ -62,7 +62,7 @@ class MotionBench final : public QObject {
   void tick();
   const std::string& robot() const { return robot_; }
   /// What is known of the selected robot; null: nothing.
-  const robotlink::RobotDescription* description() const { return description_.get(); }
+  const std::shared_ptr<const robotlink::RobotDescription>& description() const { return description_; }
   /// The motions of the robot's program; null: it has published none.
   const robotcontrol::MotionTable* table() const;
   /// The robot's text of the motion that is edited; empty: it has none of this name. Whether it was sent.
@@ -83,7 +83,8 @@ class MotionBench final : public QObject {
   /// Replaces a value by a text of the table or of a command: an angle in the text's units, '*' or '-'.
   robotlink::Result<void> setValue(int frame, int column, const QString& value);
   robotlink::Result<void> setInterpolation(int frame, int interpolation);
-  robotlink::Result<void> setDuration(int frame, robotlink::Duration duration, const std::string& gesture = {});
+  robotlink::Result<void> setDuration(int frame, robotlink::Duration duration,
+                                      const std::string& gesture = {});
 
  Q_SIGNALS:
   /// The text changed, also by undo and redo.

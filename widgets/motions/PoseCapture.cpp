@@ -17,24 +17,24 @@
 namespace widgets {
 namespace {
 
-using Angles = std::map<std::string, double>;
+using JointAngles = std::map<std::string, double>;
 
 /// The angles of a robot at the instant of the timeline, rad.
-Angles anglesOf(const robotlink::Session& session, const std::string& robot,
-                const robotlink::RobotDescription& description, PoseSource source) {
-  Angles angles;
+JointAngles jointAnglesOf(robotlink::Session& session, const std::string& robot,
+                          const robotlink::RobotDescription& description, PoseSource source) {
+  JointAngles angles;
   const auto time = session.timeline().shown();
   if (source == PoseSource::kMeasured) {
-    const auto* states = session.store().latestAs<foxglove::JointStates>(
-        robot + '/' + robotlink::kJointStates.name, time);
+    const auto* states =
+        session.store().latestAs<foxglove::JointStates>(robot + '/' + robotlink::kJointStates.name, time);
     if (states == nullptr) return angles;
     for (const auto& joint : states->joints()) {
       if (joint.has_position() && std::isfinite(joint.position())) angles[joint.name()] = joint.position();
     }
     return angles;
   }
-  const auto* request = session.store().latestAs<robotcontrol::JointRequest>(
-      robot + '/' + robotlink::kJointRequest.name, time);
+  const auto* request =
+      session.store().latestAs<robotcontrol::JointRequest>(robot + '/' + robotlink::kJointRequest.name, time);
   if (request == nullptr) return angles;
   const auto count = std::min(static_cast<std::size_t>(request->positions_size()), description.joints.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -45,29 +45,29 @@ Angles anglesOf(const robotlink::Session& session, const std::string& robot,
 }
 
 /// A tenth of a degree is finer than any servo, and can be read.
-double rounded(double angle) {
+double roundedAngle(double angle) {
   return robotlink::radians(std::round(robotlink::degrees(angle) * 10) / 10);
 }
 
 }  // namespace
 
-robotlink::Result<QString> capturePose(ViewContext& context, PoseSource source, robotlink::Duration duration) {
+robotlink::Result<QString> capturePose(ViewContext& context, PoseSource source,
+                                       robotlink::Duration duration) {
   MotionBench& bench = motionBench(context);
   bench.tick();
-  const auto* description = bench.description();
+  const auto description = bench.description();
   if (bench.robot().empty() || description == nullptr || description->joints.empty())
     return robotlink::failure("joints.none", bench.robot().empty() ? "there is no robot; open a scene first"
                                                                    : bench.robot() + " has no joints");
-  const Angles angles = anglesOf(context.session, bench.robot(), *description, source);
+  const JointAngles angles = jointAnglesOf(context.session, bench.robot(), *description, source);
   if (angles.empty())
-    return robotlink::failure("joints.unknown", bench.robot() + " has not published its angles yet; its package " +
-                                                    (source == PoseSource::kMeasured ? "joints/states"
-                                                                                     : "joints/request") +
-                                                    " must be on, as it is while the view Joints is open");
+    return robotlink::failure("joints.unknown",
+                              bench.robot() + " has not published its angles yet; its package " +
+                                  (source == PoseSource::kMeasured ? "joints/states" : "joints/request") +
+                                  " must be on, as it is while the view Joints is open");
   if (!(duration >= std::chrono::milliseconds(1) && duration <= std::chrono::seconds(1000)))
     return robotlink::failure("joints.duration", "a key frame takes from 1 ms to 1000 s");
-  if (bench.isEmpty())
-    bench.setDocument(robotlink::newMotion("taught", bench.document().joints()), {}, true);
+  if (bench.isEmpty()) bench.setDocument(robotlink::newMotion("taught", bench.document().joints()), {}, true);
   robotlink::KeyFrame frame{{}, 1, duration};
   std::size_t known = 0;
   for (const std::string& joint : bench.columns()) {
@@ -75,10 +75,11 @@ robotlink::Result<QString> capturePose(ViewContext& context, PoseSource source, 
     known += found == angles.end() ? 0 : 1;
     frame.joints.push_back(found == angles.end() ? robotlink::JointValue{}
                                                  : robotlink::JointValue{robotlink::JointValue::Kind::kAngle,
-                                                                         rounded(found->second)});
+                                                                         roundedAngle(found->second)});
   }
   if (known == 0)
-    return robotlink::failure("joints.columns", "the motion in the editor has no column of a joint of " + bench.robot());
+    return robotlink::failure("joints.columns",
+                              "the motion in the editor has no column of a joint of " + bench.robot());
   bench.addFrame(QCoreApplication::translate("PoseCapture", "Capture pose"), frame);
   return QCoreApplication::translate("PoseCapture", "Key frame %1 of %2 added")
       .arg(bench.frame() + 1)

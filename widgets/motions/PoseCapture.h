@@ -15,8 +15,8 @@ struct ViewContext;
 enum class PoseSource : std::uint8_t { kMeasured, kRequested };
 
 /// Adds the pose of the selected robot at the instant of the timeline to the motion in the editor, as a key
-/// frame after the selected one that is reached in `duration`; starts a motion with all joints of the robot if
-/// there is none. Returns what was done, for the user. Fails if angles are unknown.
+/// frame after the selected one that is reached in `duration`; starts a motion with all joints of the robot
+/// if there is none. Returns what was done, for the user. Fails if angles are unknown.
 robotlink::Result<QString> capturePose(ViewContext& context, PoseSource source, robotlink::Duration duration);
 
 }  // namespace widgets

@@ -59,8 +59,13 @@ void buildPlay(ViewDocks& docks) {
 void buildMotion(ViewDocks& docks) {
   ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
   ads::CDockWidget* motion = docks.add(QStringLiteral("motion"), Place::kRight);
-  docks.add(QStringLiteral("plots"), Place::kBottom, scene);
-  docks.add(QStringLiteral("field"), Place::kBottom, motion);
+  ads::CDockWidget* plots = docks.add(QStringLiteral("plots"), Place::kBottom, scene);
+  ads::CDockWidget* field = docks.add(QStringLiteral("field"), Place::kBottom, motion);
+  docks.add(QStringLiteral("joints"), Place::kTab, plots);
+  docks.add(QStringLiteral("motion-editor"), Place::kTab, field);
+  for (ads::CDockWidget* front : {plots, field}) {
+    if (front != nullptr) front->setAsCurrentTab();
+  }
   setSizes(motion, {640, 360});
   setColumns(motion, {820, 780});
 }
