@@ -243,6 +243,10 @@ void Simulation::setTorqueLimit(std::size_t servo, double share) {
   implementation_->ports.servoStates[servo].torqueShare = std::clamp(share, 0.0, 1.0);
 }
 
+double Simulation::servoTorque(std::size_t servo) const {
+  return implementation_->physics->torque(implementation_->ports.servoStates[servo].hinge);
+}
+
 std::span<const WheelDrive> Simulation::drives() const {
   return implementation_->ports.drives;
 }

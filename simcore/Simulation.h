@@ -77,6 +77,9 @@ class Simulation {
   /// Sets the fraction of its maximum torque that a servo may use, 0 to 1.
   void setTorqueLimit(std::size_t servo, double share);
 
+  /// The torque that a servo exerted in the last step, N m, in the direction of its angle.
+  double servoTorque(std::size_t servo) const;
+
   /// The drives, addressed by their index.
   std::span<const WheelDrive> drives() const;
   const WheelState& wheelState(std::size_t drive) const;

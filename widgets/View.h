@@ -31,6 +31,7 @@ namespace widgets {
 class ColorBench;
 class CommandLog;
 class ManualSteering;
+class MotionBench;
 class OpenLogs;
 
 /// What a view may use. All of it outlives the view.
@@ -47,6 +48,8 @@ struct ViewContext {
   std::shared_ptr<ColorBench> colors = {};
   /// Manual control of the selected robot; created on first use by manualSteering().
   std::shared_ptr<ManualSteering> steering = {};
+  /// The motion that is being edited; created on first use by motionBench().
+  std::shared_ptr<MotionBench> motions = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
 };

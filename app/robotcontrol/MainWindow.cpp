@@ -46,6 +46,7 @@
 #include "widgets/console/CommandLog.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/motion/ManualSteering.h"
+#include "widgets/motions/MotionLink.h"
 #include "widgets/solutions/ParameterSweep.h"
 
 namespace app {
@@ -93,6 +94,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   const auto& damaged = perspectives_.problems();
   startProblems_.insert(startProblems_.end(), damaged.begin(), damaged.end());
   createColors(userFolder);
+  createMotions(userFolder);
   createKeys();
   attachCommands();
   shortcuts_ = new Shortcuts(*keys_, userFolder / "shortcuts.json", *this);
@@ -279,6 +281,7 @@ void MainWindow::tick() {
   remoteLine_->refresh();
   tickDocks();
   widgets::manualSteering(context_).tick();
+  widgets::tickMotions(context_);
   sweep_->tick(clock_.now());
   platforms_->tick();
   remote_->tick();
@@ -334,7 +337,7 @@ void MainWindow::keep() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLoseColors()) return event->ignore();
+  if (!mayLoseColors() || !mayLoseMotion()) return event->ignore();
   keep();
   tick_.stop();  // it would save a layout without the floating docks
   dockSpace_->hideFloats();

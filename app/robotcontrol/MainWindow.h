@@ -63,7 +63,7 @@ struct LoadedPlatform;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  /// `userFolder`: the folder of the file and of recovered color samples.
+  /// `userFolder`: the folder of the file and of recovered color samples and motions.
   MainWindow(Workbench& workbench, const std::filesystem::path& userFolder);
   ~MainWindow() override;
 
@@ -152,6 +152,8 @@ class MainWindow : public QMainWindow {
   robotlink::Result<void> removePerspective(const QString& name);
   /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
   void createColors(const std::filesystem::path& userFolder);
+  /// Recovery of the motion that is edited.
+  void createMotions(const std::filesystem::path& userFolder);
   /// Maximizing a view by F11.
   void createMaximizing();
   /// Keys that work in the whole window (MainWindowKeys.cpp).
@@ -163,13 +165,15 @@ class MainWindow : public QMainWindow {
   void findUndoStacks(QWidget* widget);
   /// Whether a color view is visible; only then digits select classes.
   bool showsColors() const;
-  /// Saves bookmarks and color samples (Ctrl+S).
+  /// Saves bookmarks, color samples and the motion that is edited (Ctrl+S).
   void saveWork();
   /// Asks the user before a command replaces what is open while there are unsaved samples. Returns whether to
   /// continue.
   bool mayReplace(const QString& command);
   /// Asks the user before unsaved samples would be lost at the end.
   bool mayLoseColors();
+  /// The same for the motion that is edited.
+  bool mayLoseMotion();
   /// The bar above the views that shows errors.
   void addRegisteredToolBars();
   void createErrorBar();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MainWindow: commands, recovery and unsaved samples of color tables, and maximizing a view.
+// MainWindow: what is unsaved of color tables and motions, its recovery, and maximizing a view.
 #include <QMenu>
 #include <QStatusBar>
 
@@ -11,6 +11,7 @@
 #include "widgets/color/ColorCommands.h"
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/motions/MotionFiles.h"
 
 namespace app {
 namespace {
@@ -31,6 +32,25 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
     statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
   });
   files.startRecovery(userFolder / "colors");
+}
+
+void MainWindow::createMotions(const std::filesystem::path& userFolder) {
+  auto& files = widgets::motionFiles(context_);
+  connect(&files, &widgets::MotionFiles::reported, this, [this](const QString& text, bool bad) {
+    if (bad)
+      showErrors({{"motion.failed", text.toStdString(), {}, {}}});
+    else
+      statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kMessageShownMs);
+    if (!bad) forgetErrors("motion.failed");
+  });
+  files.startRecovery(userFolder / "motions");
+}
+
+bool MainWindow::mayLoseMotion() {
+  auto& files = widgets::motionFiles(context_);
+  if (!widgets::mayLoseMotion(files, this)) return false;
+  files.forget();
+  return true;
 }
 
 void MainWindow::createMaximizing() {

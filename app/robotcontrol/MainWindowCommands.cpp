@@ -23,6 +23,7 @@
 #include "widgets/console/CommandLog.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motion/MotionCommands.h"
+#include "widgets/motions/MotionEditorCommands.h"
 #include "widgets/plots/PlotsView.h"
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
@@ -64,6 +65,7 @@ std::vector<std::string> viewNames(const std::vector<std::string>& before) {
 void MainWindow::attachCommands() {
   auto& commands = workbench_.commands();
   widgets::attachMotionCommands(context_);
+  widgets::attachMotionEditorCommands(context_);
   auto* parameters = new widgets::ParameterEdits(context_.session, this);
   widgets::attachParameterCommands(commands, *parameters);
   createPresets(*parameters);

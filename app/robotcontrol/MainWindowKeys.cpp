@@ -24,6 +24,8 @@
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/motions/MotionBench.h"
+#include "widgets/motions/MotionFiles.h"
 
 namespace app {
 namespace {
@@ -53,6 +55,7 @@ void MainWindow::createKeys() {
   undoOrder_ = new UndoOrder(this);
   undoOrder_->add(&widgets::colorBench(context_).undoStack());
   undoOrder_->add(&widgets::openLogs(context_).undoStack());
+  undoOrder_->add(&widgets::motionBench(context_).undoStack());
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { findUndoStacks(now); });
   actions_->setGuard([this](const QString& command) { return mayReplace(command); });
   addReplayKeys();
@@ -126,9 +129,11 @@ void MainWindow::findUndoStacks(QWidget* widget) {
 
 void MainWindow::saveWork() {
   auto& files = widgets::colorFiles(context_);
+  auto& motions = widgets::motionFiles(context_);
   widgets::openLogs(context_).saveBookmarks();
+  if (motions.changed() && !widgets::saveMotion(motions, this)) return;
   if (!files.changed()) {
-    statusBar()->showMessage(tr("Everything is saved: bookmarks and the color table's samples"),
+    statusBar()->showMessage(tr("Everything is saved: bookmarks, the color table's samples and the motion"),
                              kDoneShownMs);
   } else if (widgets::saveSamples(files, this)) {
     statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())),

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modules/motion/JointLayout.h"
-#include "modules/motion/RobotDimensions.h"
+#include "modules/motion/Legs.h"
 #include "robotlink/base/Clock.h"
 
 namespace modules {

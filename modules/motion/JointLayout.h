@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "modules/motion/LegKinematics.h"
+#include "modules/motion/Legs.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/config/RobotDescription.h"
 

@@ -44,11 +44,16 @@ void MotionEngine::advance(const Frame& frame) {
       desired.kind == MotionCommand::Kind::kKeyFrames || desired.kind == MotionCommand::Kind::kGetUp;
   if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
     mode_ = Mode::kKeyFrames;
+    player_ = robotlink::MotionPlayer(motions_);
     player_.start(positions_);
     player_.request(desired.motion, robotlink::MotionPlayer::Repeat::kOnce);
     executed_ = desired;
   }
+  const bool wantsJoints = desired.kind == MotionCommand::Kind::kJoints;
+  if (mode_ == Mode::kGait && wantsJoints && gait_.standing()) mode_ = Mode::kJoints;
+  if (mode_ == Mode::kJoints && !wantsJoints) beginBlend();
   if (mode_ == Mode::kKeyFrames) runKeyFrames(desired, frame.time);
+  if (mode_ == Mode::kJoints) runJoints(desired, frame.measured, dt);
   if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionCommand{} : desired, frame.time);
   setFreeJoints(dt);
   moveHead(frame.head, dt);
@@ -58,6 +63,8 @@ void MotionEngine::advance(const Frame& frame) {
 /// stand.
 MotionCommand MotionEngine::resolved(const MotionCommand& desired) {
   refusal_.clear();
+  // A robot that is posed by hand may lie.
+  if (desired.kind == MotionCommand::Kind::kJoints) return desired;
   const bool mustGetUp = falls_.fallen() && options_.getUpByItself;
   if (mustGetUp ||
       (desired.kind == MotionCommand::Kind::kGetUp && falls_.side() != FallDetector::Side::kNone)) {
@@ -146,8 +153,23 @@ void MotionEngine::runGait(const MotionCommand& desired, Duration time) {
   executed_.motion.clear();
 }
 
+/// Turns joints to their angles, within their limits of angle and speed. Limp joints are where they are, so
+/// that they stay there when they become stiff again.
+void MotionEngine::runJoints(const MotionCommand& desired, std::span<const double> measured, double seconds) {
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (desired.limp) {
+      if (i < measured.size() && std::isfinite(measured[i])) positions_[i] = measured[i];
+    } else if (i < desired.joints.size()) {
+      positions_[i] = joints_.approached(i, positions_[i], desired.joints[i], seconds);
+    }
+  }
+  stiffness_ = desired.limp ? 0 : 1;
+  executed_ = desired;
+}
+
 /// Mouth, tail and ears move to their stance when nothing controls them.
 void MotionEngine::setFreeJoints(double seconds) {
+  if (mode_ == Mode::kJoints) return;
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const auto& head = joints_.headJoints();
     bool others = std::ranges::find(head, i) != head.end();
@@ -160,6 +182,7 @@ void MotionEngine::setFreeJoints(double seconds) {
 }
 
 void MotionEngine::moveHead(const HeadAngles& wanted, double seconds) {
+  if (mode_ == Mode::kJoints) return;
   const std::array<double, 4> angles{wanted.tilt, wanted.pan, wanted.roll, wanted.mouth};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const std::size_t joint = joints_.headJoints()[i];

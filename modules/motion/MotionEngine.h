@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "modules/motion/FallDetector.h"
 #include "modules/motion/JointLayout.h"
@@ -13,21 +15,27 @@ namespace modules {
 
 /// A request for the body. A plain value.
 struct MotionCommand {
-  enum class Kind { kStand, kWalk, kKeyFrames, kGetUp };
+  enum class Kind { kStand, kWalk, kKeyFrames, kGetUp, kJoints };
   Kind kind = Kind::kStand;
   /// Only for kWalk; zero means standing.
   WalkSpeed walk;
   /// Only for kKeyFrames.
   std::string motion;
+  /// Only for kJoints: the angle of each joint in rad, in the order of the robot's description; NaN, or a
+  /// joint beyond the list, holds its angle.
+  std::vector<double> joints = {};
+  /// Only for kJoints: all joints are limp instead.
+  bool limp = false;
   bool operator==(const MotionCommand&) const = default;
 };
 
 /// Converts requests to angles of all joints, one frame at a time: stands, walks, plays key-frame motions,
-/// gets up, and blends between them without jumps. It is the core of the task `motion`, independent of
-/// packages and debugging.
+/// gets up, turns single joints, and blends between them without jumps. It is the core of the task `motion`,
+/// independent of packages and debugging.
 ///
-/// A walk stops before key frames begin, and a key-frame motion is left only at its transitions. With
-/// `getUpByItself`, a fallen robot first gets up, whatever is requested. Deterministic. Not thread-safe.
+/// A walk stops before key frames begin or joints turn, and a key-frame motion is left only at its
+/// transitions. With `getUpByItself`, a fallen robot first gets up, whatever is requested, unless its joints
+/// are turned one by one, as when it is posed by hand. Deterministic. Not thread-safe.
 class MotionEngine {
  public:
   struct Options {
@@ -46,6 +54,8 @@ class MotionEngine {
     const robotlink::Vector3* acceleration = nullptr;
     /// The duration of the frame.
     robotlink::Duration time = std::chrono::milliseconds(8);
+    /// The measured angles of all joints, which limp joints follow; empty: unknown.
+    std::span<const double> measured = {};
   };
 
   /// Starts in the robot's stance.
@@ -54,6 +64,8 @@ class MotionEngine {
 
   /// Sets the present angles of the joints; call it before the first frame if they are known.
   void start(std::span<const double> positions);
+  /// Replaces the motions; one that is being played is played to its end first.
+  void setMotions(std::shared_ptr<const robotlink::MotionNet> motions) { motions_ = std::move(motions); }
   /// Takes effect with the next frame.
   void setParameters(const GaitParameters& gait, Options options);
   /// Advances by a frame; the results are read with the functions below.
@@ -78,7 +90,7 @@ class MotionEngine {
 
  private:
   /// What controls the legs.
-  enum class Mode { kGait, kKeyFrames };
+  enum class Mode { kGait, kKeyFrames, kJoints };
   /// The request as it can be executed.
   MotionCommand resolved(const MotionCommand& desired);
   /// The name of the motion for the side on which the robot lies.
@@ -87,6 +99,7 @@ class MotionEngine {
   /// Starts moving the legs from their present angles to the stand.
   void beginBlend();
   void runKeyFrames(const MotionCommand& desired, robotlink::Duration time);
+  void runJoints(const MotionCommand& desired, std::span<const double> measured, double seconds);
   void moveHead(const HeadAngles& wanted, double seconds);
   /// Moves joints that nothing controls to their stance.
   void setFreeJoints(double seconds);

@@ -10,6 +10,7 @@
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/motions/MotionLibrary.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace modules {
@@ -53,6 +54,7 @@ robotlink::SolutionDescription described(const char* name, const char* help) {
       .needs(robotlink::kBodySensors)
       .uses(robotlink::kMotionRequest)
       .uses(robotlink::kHeadRequest)
+      .uses(robotlink::kMotionTexts)
       .yields(robotlink::kJointRequest)
       .yields(robotlink::kMotionStatus)
       .keys({&kSpeedKey, &kPhaseKey, &kUprightKey, &kJointsKey, &kPawsKey, &kOdometryKey})
@@ -88,6 +90,8 @@ MotionCommand::Kind desiredKind(robotcontrol::MotionRequest::Kind kind) {
       return MotionCommand::Kind::kKeyFrames;
     case robotcontrol::MotionRequest::GET_UP:
       return MotionCommand::Kind::kGetUp;
+    case robotcontrol::MotionRequest::JOINTS:
+      return MotionCommand::Kind::kJoints;
     default:
       return MotionCommand::Kind::kStand;
   }
@@ -101,6 +105,8 @@ robotcontrol::MotionRequest::Kind requestKind(MotionCommand::Kind kind) {
       return robotcontrol::MotionRequest::KEY_FRAMES;
     case MotionCommand::Kind::kGetUp:
       return robotcontrol::MotionRequest::GET_UP;
+    case MotionCommand::Kind::kJoints:
+      return robotcontrol::MotionRequest::JOINTS;
     default:
       return robotcontrol::MotionRequest::STAND;
   }
@@ -124,6 +130,7 @@ MotionSolution::MotionSolution(robotlink::SolutionContext& context, FootMode mod
       head_(context.input(robotlink::kHeadRequest)),
       joints_(context.input(robotlink::kJointStates)),
       sensors_(context.input(robotlink::kBodySensors)),
+      texts_(context.input(robotlink::kMotionTexts)),
       jointRequest_(context.output(robotlink::kJointRequest)),
       status_(context.output(robotlink::kMotionStatus)),
       parameters_(context.parameters<robotcontrol::GaitMotionParameters>()) {
@@ -138,24 +145,37 @@ void MotionSolution::create() {
     context_.debug().text(Level::kError, "motion", layout.error().describe());
     return;
   }
-  auto net = robotlink::loadMotions(robotlink::resource("motions"), layout->names());
-  if (!net) {
-    for (const auto& error : net.error()) context_.debug().text(Level::kError, "motion", error.describe());
-    net = emptyNet(layout->names());
+  auto net = motions(layout->names());
+  if (!net) net = emptyNet(layout->names());
+  engine_ = std::make_unique<MotionEngine>(std::move(*layout), std::move(net),
+                                           gaitParameters(parameters_, mode_), motionOptions(parameters_));
+}
+
+/// Those of the files, and those that a user has sent. Null, after the errors were logged: they do not
+/// compile.
+std::shared_ptr<const robotlink::MotionNet> MotionSolution::motions(const std::vector<std::string>& joints) {
+  auto library = robotlink::MotionLibrary::load(robotlink::resource("motions"));
+  if (library && texts_) {
+    for (const auto& motion : texts_->motions()) library->replace(motion.name(), motion.text());
   }
-  engine_ = std::make_unique<MotionEngine>(std::move(*layout), *net, gaitParameters(parameters_, mode_),
-                                           motionOptions(parameters_));
+  auto net = library.and_then([&](const auto& all) { return all.compile(joints); });
+  if (net) return *net;
+  for (const auto& error : net.error()) context_.debug().text(Level::kError, "motion", error.describe());
+  return nullptr;
+}
+
+/// Motions that do not compile leave the robot those that it has.
+void MotionSolution::takeMotions() {
+  std::vector<std::string> joints;
+  for (const auto& joint : context_.robot().description.joints) joints.push_back(joint.name);
+  if (auto net = motions(joints)) engine_->setMotions(std::move(net));
 }
 
 void MotionSolution::execute() {
   if (!engine_) return;
+  if (texts_.isNew()) takeMotions();
   if (!started_ && joints_) {
-    std::vector<double> positions(context_.robot().description.joints.size(), NAN);
-    for (const auto& joint : joints_->joints()) {
-      const int i = context_.robot().description.jointIndex(joint.name());
-      if (i >= 0) positions[static_cast<std::size_t>(i)] = joint.position();
-    }
-    engine_->start(positions);
+    engine_->start(measured());
     last_ = context_.clock().now() - kFrame;
     started_ = true;
   }
@@ -167,6 +187,18 @@ void MotionSolution::execute() {
   publish();
   plot();
   draw();
+}
+
+/// In the order of the robot's description; NaN where unknown.
+std::vector<double> MotionSolution::measured() const {
+  const auto& description = context_.robot().description;
+  std::vector<double> positions(description.joints.size(), NAN);
+  if (!joints_) return positions;
+  for (const auto& joint : joints_->joints()) {
+    const int i = description.jointIndex(joint.name());
+    if (i >= 0) positions[static_cast<std::size_t>(i)] = joint.position();
+  }
+  return positions;
 }
 
 /// The time since the last frame in whole frames; they are counted even if the process was late.
@@ -181,7 +213,12 @@ MotionEngine::Frame MotionSolution::frame(robotlink::Duration time) {
   MotionEngine::Frame frame;
   frame.time = time;
   if (request_) {
-    frame.desired = {desiredKind(request_->kind()), walkSpeed(request_->walk()), request_->motion()};
+    frame.desired = {desiredKind(request_->kind()), walkSpeed(request_->walk()), request_->motion(),
+                     desiredJoints(), request_->limp()};
+  }
+  if (frame.desired.limp) {
+    measured_ = measured();
+    frame.measured = measured_;
   }
   if (head_) frame.head = {head_->tilt(), head_->pan(), head_->roll(), head_->mouth()};
   if (sensors_) {
@@ -189,6 +226,26 @@ MotionEngine::Frame MotionSolution::frame(robotlink::Duration time) {
     frame.acceleration = &acceleration_;
   }
   return frame;
+}
+
+/// The angles that are requested, in the order of the robot's description. Joints that the robot does not
+/// have are logged, once.
+std::vector<double> MotionSolution::desiredJoints() {
+  if (request_->kind() != robotcontrol::MotionRequest::JOINTS) return {};
+  const auto& description = context_.robot().description;
+  std::vector<double> positions(description.joints.size(), NAN);
+  std::string unknown;
+  for (const auto& joint : request_->joints()) {
+    const int i = description.jointIndex(joint.name());
+    if (i >= 0)
+      positions[static_cast<std::size_t>(i)] = joint.position();
+    else
+      unknown = joint.name();
+  }
+  if (unknown != reportedJoint_ && !unknown.empty())
+    context_.debug().text(Level::kWarning, "motion", "the robot has no joint '" + unknown + "'");
+  reportedJoint_ = unknown;
+  return positions;
 }
 
 void MotionSolution::sendJoints() {
@@ -208,6 +265,7 @@ void MotionSolution::sendStatus() {
   request.set_kind(requestKind(executed.kind));
   assign(*request.mutable_walk(), executed.walk);
   request.set_motion(executed.motion);
+  request.set_limp(executed.limp);
   status->set_stable(engine_->stable());
   status->set_fallen(engine_->falls().fallen());
   robotlink::assign(*status->mutable_odometry(), engine_->odometry());

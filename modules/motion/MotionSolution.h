@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "modules/motion/MotionEngine.h"
 #include "robotlink/debugging/Solution.h"
@@ -27,6 +29,11 @@ class MotionSolution : public robotlink::Solution {
  private:
   /// Creates the engine, at the first execution.
   void create();
+  std::shared_ptr<const robotlink::MotionNet> motions(const std::vector<std::string>& joints);
+  /// Gives the engine the motions that a user has sent.
+  void takeMotions();
+  std::vector<double> measured() const;
+  std::vector<double> desiredJoints();
   /// The time since the last execution, in whole frames.
   robotlink::Duration frameTime();
   MotionEngine::Frame frame(robotlink::Duration time);
@@ -43,6 +50,7 @@ class MotionSolution : public robotlink::Solution {
   robotlink::Input<robotcontrol::HeadRequest> head_;
   robotlink::Input<foxglove::JointStates> joints_;
   robotlink::Input<robotcontrol::BodySensors> sensors_;
+  robotlink::Input<robotcontrol::MotionTexts> texts_;
   robotlink::Output<robotcontrol::JointRequest> jointRequest_;
   robotlink::Output<robotcontrol::MotionStatus> status_;
   const robotcontrol::GaitMotionParameters& parameters_;
@@ -50,11 +58,14 @@ class MotionSolution : public robotlink::Solution {
   /// The last known acceleration; initially level and at rest.
   robotlink::Vector3 acceleration_{0, 0, 9.81};
   robotlink::Instant last_;
+  /// The measured angles of the joints, while they are limp.
+  std::vector<double> measured_;
   /// Whether the engine has got the angles of the joints.
   bool started_ = false;
   // The last logged state, so that only changes are logged.
   std::string reportedRefusal_;
   std::string reportedMotion_;
+  std::string reportedJoint_;
   bool reportedFallen_ = false;
 };
 

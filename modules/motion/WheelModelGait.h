@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modules/motion/GaitParameters.h"
-#include "modules/motion/LegKinematics.h"
+#include "modules/motion/Legs.h"
 #include "robotlink/base/Clock.h"
 
 namespace modules {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "modules/motion/LegKinematics.h"
+#include "modules/motion/Legs.h"
 
 namespace modules {
 

@@ -33,6 +33,70 @@ Rows manualRows() {
   };
 }
 
+Rows jointRows() {
+  return {
+      {"joints.set",
+       "Turns a joint of the robot that was taken over; it holds the others where they are until it walks, "
+       "plays "
+       "or stands",
+       {{"joint", Type::kText, "its name, as in the view Joints: legFL1"}, {"angle", Type::kNumber, "rad"}}},
+      {"joints.limp",
+       "Releases all joints of the robot that was taken over, so that it is posed by hand, or lets them hold",
+       {{"on", Type::kBool, "off: they hold where they are", true}}},
+      {"joints.capture",
+       "Adds the pose of the selected robot to the motion in the editor, as a key frame",
+       {{"duration", Type::kNumber, "ms to this pose", 500.0},
+        {"source", Type::kText, "which angles", std::string("measured"), {"measured", "requested"}}}},
+  };
+}
+
+Rows motionRows() {
+  return {
+      {"motion.new",
+       "Starts a motion in the editor with the joints of the selected robot",
+       {{"name", Type::kText, "letters, digits, - and _"}}},
+      {"motion.open",
+       "Opens a motion in the editor, or imports one of another team",
+       {{"file", Type::kFile, "a .mof, .pos or .mot file"}}},
+      {"motion.open-from-robot",
+       "Opens a motion that the program of the selected robot has",
+       {{"name", Type::kText, "its motion_id"}}},
+      {"motion.save", "Saves the motion in the editor to its file"},
+      {"motion.save-as", "Saves the motion in the editor to a file", {{"file", Type::kFile, "a .mof file"}}},
+      {"motion.discard", "Reads the motion in the editor from its file again; unsaved changes are lost"},
+      {"motion.undo", "Undoes the last edit of the motion"},
+      {"motion.redo", "Redoes what was undone"},
+      {"motion.select", "Selects a key frame of the motion", {{"number", Type::kNumber, "from 1"}}},
+      {"motion.set",
+       "Sets the angle of a joint in the selected key frame",
+       {{"joint", Type::kText, "its column"},
+        {"value", Type::kText, "in the units of the text, or * (stays as it is), or - (released)"}}},
+      {"motion.duration",
+       "Sets how long the selected key frame takes",
+       {{"ms", Type::kNumber, "rounded to the unit of the text"}}},
+      {"motion.interpolation",
+       "Sets how the selected key frame is reached",
+       {{"kind", Type::kNumber, "0 jumps, 1 is linear, 2 and 3 are soft"}}},
+      {"motion.duplicate", "Adds a key frame like the selected one behind it"},
+      {"motion.remove", "Removes the selected key frame"},
+      {"motion.move",
+       "Exchanges the selected key frame with another one",
+       {{"count", Type::kNumber, "so many places later; negative: earlier"}}},
+      {"motion.mirror",
+       "Mirrors the motion: what the left side did, the right side does",
+       {{"part", Type::kText, "", std::string("all"), {"all", "key-frame"}}}},
+      {"motion.send", "Sends the motion to the selected robot, whose program plays it from then on"},
+      {"motion.auto-send",
+       "Sends each change of the motion that has no errors",
+       {{"on", Type::kBool, "off: only motion.send", true}}},
+      {"motion.take-back", "Lets the selected robot play the motion of its files again"},
+      {"motion.play", "Plays the motion once on the robot that was taken over"},
+      {"motion.step",
+       "Selects another key frame; a robot that was taken over turns to its pose",
+       {{"count", Type::kNumber, "so many places later; negative: earlier", 1.0}}},
+  };
+}
+
 Rows parameterRows() {
   return {
       {"robot.parameter",
@@ -122,7 +186,8 @@ Rows plotRows() {
 
 Rows controlCatalog() {
   Rows all = manualRows();
-  for (Rows& rows : std::vector<Rows>{parameterRows(), presetRows(), viewRows(), plotRows()})
+  for (Rows& rows :
+       std::vector<Rows>{jointRows(), motionRows(), parameterRows(), presetRows(), viewRows(), plotRows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

@@ -24,6 +24,9 @@ RobotDescription::Joint readJoint(const YamlNode& node) {
   if (joint.stance < joint.minimum || joint.stance > joint.maximum) {
     node.fail("robot.stance", "the stance is outside the limits of joint " + joint.name, {joint.name});
   }
+  joint.mirror = node.optional<std::string>("mirror", joint.name);
+  joint.mirrorIsNegated = joint.mirror.starts_with('-');
+  if (joint.mirrorIsNegated) joint.mirror.erase(0, 1);
   return joint;
 }
 
@@ -112,6 +115,12 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
       node.fail("robot.joint-twice", "joint " + joint.name + " is listed twice", {joint.name});
     }
     robot.joints.push_back(std::move(joint));
+  }
+  for (const auto& joint : robot.joints) {
+    if (robot.jointIndex(joint.mirror) < 0)
+      root.fail("robot.mirror",
+                "joint " + joint.name + " is mirrored by " + joint.mirror + ", which is no joint",
+                {joint.name, joint.mirror});
   }
   if (const YamlNode drive = root.optionalChild("drive"); !drive.empty()) robot.drive = readDrive(drive);
   if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty())

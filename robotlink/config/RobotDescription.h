@@ -25,6 +25,10 @@ struct RobotDescription {
     double maximumSpeed = 0;  ///< rad/s
     /// Its angle when the robot stands, rad.
     double stance = 0;
+    /// The joint that moves like this one when a motion is mirrored at the robot's plane of symmetry: that of
+    /// the other side, or this one; its angle has the other sign there if `mirrorIsNegated`.
+    std::string mirror = {};
+    bool mirrorIsNegated = false;
   };
   /// A differential drive: one or more wheels on each side, and the body around them.
   struct Drive {

@@ -36,7 +36,7 @@ const Descriptor* typeOfPackage(const std::string& package) {
   static const Types kTypes =
       typesOf(kCameraImage, kJointStates, kBodySensors, kBodyReadings, kOracleWorld, kOracleClasses,
               kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest,
-              kRemoteMotion, kColorTable, kDriveGoal, kCameraPose, kColorRegions, kBallPercept,
+              kRemoteMotion, kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept,
               kLandmarkPercepts, kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest,
               kHeadMode, kHeadRequest, kMotionStatus, kDrivePath, kBehaviorDrive);
   const auto found = kTypes.find(package);

@@ -17,7 +17,7 @@ constexpr std::uint32_t kMaxMatches = 64;
 
 /// Whether a package holds until the next one, because it is sent only when the user chooses something else.
 bool isLatched(const std::string& package) {
-  return package == kColorTable.name || package == kDriveGoal.name;
+  return package == kColorTable.name || package == kMotionTexts.name || package == kDriveGoal.name;
 }
 
 /// The readers that a writer is matched with.

@@ -9,8 +9,8 @@
 
 namespace robotlink {
 
-/// For each task and package, the process that handles requests about it. A plain value derived from a
-/// layout.
+/// For each task and package, the process that handles requests about it, and the robot's joints. A plain
+/// value.
 struct DebugRoutes {
   /// A process and its tasks.
   struct TaskList {
@@ -23,6 +23,8 @@ struct DebugRoutes {
   std::vector<Layout::Absence> absent;
   /// Package to the process that publishes it on request.
   std::map<std::string, std::string> packages;
+  /// The robot's joints, the columns of its key-frame motions.
+  std::vector<std::string> joints;
 
   /// The process that runs a task; empty if none does.
   std::string processOf(const std::string& task) const;

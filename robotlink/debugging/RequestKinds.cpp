@@ -10,12 +10,15 @@
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/motions/MotionLibrary.h"
 
 namespace robotlink {
 
 using robotcontrol::Request;
 
 namespace {
+
+constexpr int kMaxJointTargets = 100;
 
 // ---- What can be wrong with a request itself
 
@@ -59,6 +62,8 @@ std::string wrongGoal(const Request& request) {
 bool isFinite(const robotcontrol::RemoteMotion& motion) {
   const auto& walk = motion.motion().walk();
   const auto& head = motion.head();
+  const auto isPosition = [](const auto& joint) { return std::isfinite(joint.position()); };
+  if (!std::ranges::all_of(motion.motion().joints(), isPosition)) return false;
   const auto numbers = {walk.x(),   walk.y(),    walk.rotation(), head.tilt(),
                         head.pan(), head.roll(), head.mouth()};
   return std::ranges::all_of(numbers, [](double value) { return std::isfinite(value); });
@@ -69,7 +74,19 @@ std::string wrongMotion(const Request& request) {
   if (!robotcontrol::MotionRequest::Kind_IsValid(motion.motion().kind()) ||
       !robotcontrol::HeadMode::Kind_IsValid(motion.head().kind()))
     return "there is no such kind of motion";
+  if (motion.motion().joints_size() > kMaxJointTargets)
+    return "a request has angles for at most " + std::to_string(kMaxJointTargets) + " joints";
   return isFinite(motion) ? "" : "the motion has values that are not numbers";
+}
+
+/// A motion without a text takes back the one that was sent.
+std::string wrongMotionText(const Request& request) {
+  const auto& motion = request.set_motion().motion();
+  if (motion.name().empty()) return "the motion that was sent has no name";
+  return motion.text().size() <= MotionLibrary::kMaxTextBytes
+             ? ""
+             : "the text of a motion is at most " + std::to_string(MotionLibrary::kMaxTextBytes) +
+                   " bytes long";
 }
 
 std::string wrongPlace(const Request& request) {
@@ -112,6 +129,9 @@ std::string taskOf(const Request& request) {
 std::string parametersOf(const Request& request) {
   return request.set_parameters().task() + '\n' + request.set_parameters().solution();
 }
+std::string motionOf(const Request& request) {
+  return request.set_motion().motion().name();
+}
 std::string theOnlyOne(const Request&) {
   return {};
 }
@@ -128,6 +148,9 @@ std::string parametersChosen(const Request& request) {
 }
 std::string tableChosen(const Request&) {
   return "the color table that was sent";
+}
+std::string motionChosen(const Request& request) {
+  return "the motion " + motionOf(request) + " that was sent";
 }
 
 // ---- The task that it concerns
@@ -155,6 +178,9 @@ bool keyEnds(const Request& request) {
 bool tableIsBuiltIn(const Request& request) {
   return request.set_color_table().table().cells().empty();
 }
+bool motionIsOfFile(const Request& request) {
+  return request.set_motion().motion().text().empty();
+}
 bool nothingIsRecorded(const Request& request) {
   return request.record_packages().packages().empty();
 }
@@ -164,7 +190,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 17> kKinds{{
+constexpr std::array<RequestKind, 18> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -201,6 +227,15 @@ constexpr std::array<RequestKind, 17> kKinds{{
      .wrong = wrongColorTable,
      .choice = tableChosen,
      .removes = tableIsBuiltIn},
+    {.what = Request::kSetMotion,
+     .doer = Doer::kDebugProcess,
+     .words = "set motion",
+     .effect = Effect::kBehavior,
+     .isOverride = true,
+     .subject = motionOf,
+     .wrong = wrongMotionText,
+     .choice = motionChosen,
+     .removes = motionIsOfFile},
     {.what = Request::kRecordPackages,
      .doer = Doer::kDebugProcess,
      .words = "record packages",

@@ -12,6 +12,7 @@ inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable
 /// ColorTable without its cells and correction: which one is in use, and where it is from.
 inline constexpr char kColorTableInUse[] = "tables/colors";
+inline constexpr char kMotions[] = "tables/motions";          ///< MotionTable
 inline constexpr char kSubscribers[] = "tables/subscribers";  ///< KeySubscribers, of a served session
 inline constexpr char kSteering[] = "steering";               ///< SteeringStatus, of a served session
 inline constexpr char kResults[] = "results";           ///< RequestResult; passed to the requester, not kept

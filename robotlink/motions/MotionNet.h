@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -61,9 +60,5 @@ struct MotionNet {
 /// and line.
 tl::expected<std::shared_ptr<const MotionNet>, Errors> compileMotions(std::span<const MotionFile> files,
                                                                       const std::vector<std::string>& joints);
-
-/// Reads and compiles all .mof files of a folder.
-tl::expected<std::shared_ptr<const MotionNet>, Errors> loadMotions(const std::filesystem::path& folder,
-                                                                   const std::vector<std::string>& joints);
 
 }  // namespace robotlink

@@ -7,39 +7,12 @@
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/ParsedNumber.h"
 #include "robotlink/base/TextParts.h"
+#include "robotlink/motions/MotionWords.h"
 
 namespace robotlink {
 namespace {
 
-struct Token {
-  std::string_view text;
-  int column = 1;
-};
-
-bool isSpace(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\0';
-}
-
-std::size_t commentStart(std::string_view line) {
-  return std::min(line.find('"'), line.find("//"));
-}
-
-std::vector<Token> tokens(std::string_view line) {
-  std::vector<Token> result;
-  for (std::size_t i = 0; i < line.size();) {
-    std::size_t end = i + 1;
-    if (isSpace(line[i])) {
-      i = end;
-      continue;
-    }
-    if (line[i] != '=') {
-      while (end < line.size() && !isSpace(line[end]) && line[end] != '=') ++end;
-    }
-    result.push_back({line.substr(i, end - i), static_cast<int>(i) + 1});
-    i = end;
-  }
-  return result;
-}
+constexpr std::string_view kBlanks(" \t\r\f\v\0", 6);
 
 bool isName(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) {
@@ -60,7 +33,7 @@ class Reader {
     columns_ = joints.size();
   }
 
-  tl::expected<MotionFile, Errors> read(std::string_view text) {
+  MotionParse read(std::string_view text) {
     int labels = 0;
     while (!text.empty()) {
       if (++line_ > kMaxMotionLines) {
@@ -80,8 +53,7 @@ class Reader {
       line_ = 1;
       fail(1, "motion.no-name", "the first line must be 'motion_id = NAME'");
     }
-    if (!errors_.empty()) return tl::unexpected(std::move(errors_));
-    return std::move(motion_);
+    return {std::move(motion_), std::move(errors_)};
   }
 
  private:
@@ -90,10 +62,9 @@ class Reader {
   }
 
   void readLine(std::string_view row) {
-    const std::size_t comment = std::min(commentStart(row), row.size());
-    const std::vector<Token> words = tokens(row.substr(0, comment));
-    std::string_view remark = row.substr(comment);
-    while (!remark.empty() && isSpace(remark.back())) remark.remove_suffix(1);
+    const std::vector<MotionWord> words = motionWords(row);
+    std::string_view remark = row.substr(motionCommentStart(row));
+    while (!remark.empty() && kBlanks.find(remark.back()) != std::string_view::npos) remark.remove_suffix(1);
 
     if (words.size() >= 2 && words[1].text == "=") {
       readHeader(words);
@@ -102,7 +73,7 @@ class Reader {
     }
   }
 
-  void readHeader(const std::vector<Token>& words) {
+  void readHeader(const std::vector<MotionWord>& words) {
     const std::string_view key = words[0].text;
     const bool single = words.size() == 3;
     if (key == "joints") {
@@ -125,7 +96,7 @@ class Reader {
     }
   }
 
-  void readName(const Token& word) {
+  void readName(const MotionWord& word) {
     if (!isName(word.text)) {
       fail(word.column, "motion.bad-name", "a motion's name consists of letters, digits, '_' and '-'");
     } else if (!motion_.name.empty()) {
@@ -135,7 +106,7 @@ class Reader {
     }
   }
 
-  void readJoints(const std::vector<Token>& words) {
+  void readJoints(const std::vector<MotionWord>& words) {
     motion_.joints.clear();
     motion_.hasJointHeader = true;
     motion_.jointHeaderLine = line_;
@@ -151,7 +122,7 @@ class Reader {
     columns_ = motion_.joints.size();
   }
 
-  std::optional<MotionStatement> readStatement(const std::vector<Token>& words) {
+  std::optional<MotionStatement> readStatement(const std::vector<MotionWord>& words) {
     if (words.empty()) return MotionRemark{};
     const std::string_view key = words[0].text;
     if (key == "label") return readLabel(words);
@@ -164,9 +135,9 @@ class Reader {
     return std::nullopt;
   }
 
-  bool checkNames(const std::vector<Token>& words, std::size_t count, const char* usage) {
+  bool checkNames(const std::vector<MotionWord>& words, std::size_t count, const char* usage) {
     if (words.size() != count + 1) {
-      const Token& at = words[std::min(words.size() - 1, count)];
+      const MotionWord& at = words[std::min(words.size() - 1, count)];
       fail(at.column, "motion.wrong-count", std::string("expected '") + usage + "'");
       return false;
     }
@@ -178,19 +149,19 @@ class Reader {
     return true;
   }
 
-  std::optional<MotionStatement> readLabel(const std::vector<Token>& words) {
+  std::optional<MotionStatement> readLabel(const std::vector<MotionWord>& words) {
     if (!checkNames(words, 1, "label NAME")) return std::nullopt;
     return MotionLabel{std::string(words[1].text)};
   }
 
-  std::optional<MotionStatement> readTransition(const std::vector<Token>& words) {
+  std::optional<MotionStatement> readTransition(const std::vector<MotionWord>& words) {
     if (!checkNames(words, 3, "transition REQUEST MOTION LABEL")) return std::nullopt;
     return MotionTransition{std::string(words[1].text), std::string(words[2].text),
                             std::string(words[3].text)};
   }
 
   /// Whether a line has one value per joint and `more` numbers after them.
-  bool checkColumns(const std::vector<Token>& words, std::size_t first, std::size_t more) {
+  bool checkColumns(const std::vector<MotionWord>& words, std::size_t first, std::size_t more) {
     const std::size_t values = words.size() < first + more ? 0 : words.size() - first - more;
     if (columns_ == 0) columns_ = values;
     columnsUsed_ = true;
@@ -202,7 +173,7 @@ class Reader {
     return false;
   }
 
-  std::optional<Duration> readDuration(const Token& word, double minimum) {
+  std::optional<Duration> readDuration(const MotionWord& word, double minimum) {
     const auto value = number(word.text);
     const bool ticks = motion_.timeUnit == MotionFile::TimeUnit::kTicks;
     if (!value || *value < minimum || *value > 1e6 || *value != std::floor(*value)) {
@@ -216,7 +187,7 @@ class Reader {
            (ticks ? kMotionTick : Duration(std::chrono::milliseconds(1)));
   }
 
-  std::optional<MotionStatement> readHardness(const std::vector<Token>& words) {
+  std::optional<MotionStatement> readHardness(const std::vector<MotionWord>& words) {
     if (!checkColumns(words, 1, 1)) return std::nullopt;
     MotionHardness hardness;
     for (std::size_t i = 1; i + 1 < words.size(); ++i) {
@@ -236,7 +207,7 @@ class Reader {
     return hardness;
   }
 
-  std::optional<JointValue> readAngle(const Token& word) {
+  std::optional<JointValue> readAngle(const MotionWord& word) {
     if (word.text == "*" || word.text == "~") return JointValue{};
     if (word.text == "-") return JointValue{JointValue::Kind::kRelease, 0};
     const auto value = number(word.text);
@@ -255,7 +226,7 @@ class Reader {
     return JointValue{JointValue::Kind::kAngle, angle};
   }
 
-  std::optional<MotionStatement> readKeyFrame(const std::vector<Token>& words) {
+  std::optional<MotionStatement> readKeyFrame(const std::vector<MotionWord>& words) {
     if (!checkColumns(words, 0, 2)) return std::nullopt;
     KeyFrame frame;
     for (std::size_t i = 0; i + 2 < words.size(); ++i) {
@@ -263,7 +234,7 @@ class Reader {
       if (!value) return std::nullopt;
       frame.joints.push_back(*value);
     }
-    const Token& flag = words[words.size() - 2];
+    const MotionWord& flag = words[words.size() - 2];
     if (flag.text.size() != 1 || flag.text[0] < '0' || flag.text[0] > '3') {
       fail(flag.column, "motion.bad-interpolation",
            "the interpolation is 0, 1, 2 or 3, not '" + std::string(flag.text) + "'");
@@ -285,9 +256,16 @@ class Reader {
 
 }  // namespace
 
+MotionParse parseMotion(std::string_view text, const std::string& path,
+                        const std::vector<std::string>& joints) {
+  return Reader(path, joints).read(text);
+}
+
 tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
                                             const std::vector<std::string>& joints) {
-  return Reader(path, joints).read(text);
+  MotionParse parse = parseMotion(text, path, joints);
+  if (!parse.errors.empty()) return tl::unexpected(std::move(parse.errors));
+  return std::move(parse.motion);
 }
 
 tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,

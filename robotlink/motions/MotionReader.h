@@ -27,7 +27,16 @@ inline constexpr double kMaxMotionDegrees = 210;
 tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
                                             const std::vector<std::string>& joints = {});
 
-/// The same for a file.
+/// What can be read of a text, and all errors; lines with errors are missing in the motion.
+struct MotionParse {
+  MotionFile motion;
+  Errors errors;
+};
+/// The same for an editor, which shows what can be read of a text with errors.
+MotionParse parseMotion(std::string_view text, const std::string& path,
+                        const std::vector<std::string>& joints = {});
+
+/// The same as readMotion() for a file.
 tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
                                                 const std::vector<std::string>& joints = {});
 

@@ -29,6 +29,7 @@ constexpr std::array kTitles{
     Title{kDriveRequest.name, "requests to wheels"},
     Title{kRemoteMotion.name, "motions that the user requests"},
     Title{kColorTable.name, "a color table"},
+    Title{kMotionTexts.name, "key-frame motions"},
     Title{kDriveGoal.name, "a goal that the user sets"},
     Title{kCameraPose.name, "the camera's pose"},
     Title{kColorRegions.name, "colored regions"},

@@ -27,6 +27,7 @@ class LinkPackets;
 class LinkStatus;
 class MotionRequest;
 class MotionStatus;
+class MotionTexts;
 class OracleWorld;
 class PlayersModel;
 class RemoteMotion;
@@ -78,6 +79,8 @@ inline constexpr Package<robotcontrol::DriveRequest> kDriveRequest{"drive/reques
 inline constexpr Package<robotcontrol::RemoteMotion> kRemoteMotion{"remote/motion"};
 /// A color table that the user has sent; empty cells remove it.
 inline constexpr Package<robotcontrol::ColorTable> kColorTable{"colors/table"};
+/// The motions that the user has sent; those that were taken back are missing.
+inline constexpr Package<robotcontrol::MotionTexts> kMotionTexts{"motions/texts"};
 /// A pose in the field that the user wants the robot to reach.
 inline constexpr Package<robotcontrol::DriveGoal> kDriveGoal{"remote/goal"};
 

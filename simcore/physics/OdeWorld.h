@@ -92,6 +92,8 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   /// Hinges of all moving models, in order.
   std::vector<dJointID> hinges;
+  /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
+  std::deque<dJointFeedback> hingeForces;
   std::vector<OdeModel> models;
   /// The places of all moving models, updated only when they are needed.
   std::vector<OdePlace> places;

@@ -143,6 +143,7 @@ class WorldBuilder {
     dJointSetHingeParam(id, dParamHiStop, joint.upper);
     dJointSetHingeParam(id, dParamLoStop, joint.lower);
     ode_.hinges.push_back(id);
+    dJointSetFeedback(id, &ode_.hingeForces.emplace_back());
   }
 
   /// Turns the joints, which were created at angle 0, to their initial angles.

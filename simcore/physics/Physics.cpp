@@ -77,6 +77,19 @@ double Physics::angle(std::size_t hinge) const {
   return dJointGetHingeAngle(ode_->hinges[hinge]);
 }
 
+double Physics::torque(std::size_t hinge) const {
+  const dJointID id = ode_->hinges[hinge];
+  const dJointFeedback& exerted = ode_->hingeForces[hinge];
+  dVector3 anchor, axis;
+  dJointGetHingeAnchor(id, anchor);
+  dJointGetHingeAxis(id, axis);
+  const dReal* center = dBodyGetPosition(dJointGetBody(id, 0));
+  const Vector3 arm(center[0] - anchor[0], center[1] - anchor[1], center[2] - anchor[2]);
+  const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
+  const Vector3 moment = Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force);
+  return moment.dot(Vector3(axis[0], axis[1], axis[2]));
+}
+
 double Physics::anchorGap(std::size_t hinge) const {
   dVector3 a, b;
   dJointGetHingeAnchor(ode_->hinges[hinge], a);

@@ -40,6 +40,9 @@ class Physics {
 
   // rad
   double angle(std::size_t hinge) const;
+  /// The torque about its axis with which the hinge's motor (and its stops) turned the hinge in the last
+  /// step, N m; 0 before the first.
+  double torque(std::size_t hinge) const;
   /// The distance between a hinge's two anchors, m: the drift of the solver.
   double anchorGap(std::size_t hinge) const;
   /// Makes a hinge turn at `velocity` (rad/s) with at most `maximumTorque` (N m), until it is called again.

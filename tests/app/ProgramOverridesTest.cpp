@@ -95,6 +95,25 @@ TEST(ProgramOverrides, parametersOfTheActiveSolutionComeAfterItsChoice) {
                                             "parameters ball/ of the active one", "tables"));
 }
 
+TEST(ProgramOverrides, aMotionWithoutATextTakesBackTheOneOfItsNameOnly) {
+  ProgramOverrides overrides;
+  const auto motion = [](const char* name, const char* text) {
+    robotcontrol::Request request;
+    request.mutable_set_motion()->mutable_motion()->set_name(name);
+    request.mutable_set_motion()->mutable_motion()->set_text(text);
+    return request;
+  };
+  EXPECT_EQ(overrides.motions(), nullptr);
+  EXPECT_TRUE(overrides.note(motion("bow", "a")));
+  EXPECT_TRUE(overrides.note(motion("nod", "b")));
+  EXPECT_TRUE(overrides.note(motion("bow", "c")));
+  ASSERT_EQ(overrides.motions()->motions_size(), 2);
+  EXPECT_EQ(overrides.motions()->motions(0).text(), "c");
+  EXPECT_TRUE(overrides.note(motion("bow", "")));
+  ASSERT_EQ(overrides.motions()->motions_size(), 1);
+  EXPECT_EQ(overrides.motions()->motions(0).name(), "nod");
+}
+
 TEST(ProgramOverrides, aColorTableWithoutCellsTakesBackTheLast) {
   ProgramOverrides overrides;
   auto first = colors("cells");

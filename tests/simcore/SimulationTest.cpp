@@ -273,5 +273,18 @@ TEST_F(SimulationTest, theBallLiesStillAndTheRenderSceneShowsIt) {
             1e-12);
 }
 
+TEST_F(SimulationTest, servosTellTheTorqueWithWhichTheyHold) {
+  run(500);
+  const std::size_t tilt = servo("neckTilt");
+  const double maximum = simulation_->servos()[tilt].maximumTorque;
+  // The head's weight pulls it down in front of the neck.
+  EXPECT_GT(std::abs(simulation_->servoTorque(tilt)), 0.01 * maximum);
+  EXPECT_LE(std::abs(simulation_->servoTorque(tilt)), maximum * 1.001);
+  // Limp joints that are not at a stop exert none.
+  simulation_->setTorqueLimit(tilt, 0);
+  run(2);
+  EXPECT_NEAR(simulation_->servoTorque(tilt), 0, 1e-6);
+}
+
 }  // namespace
 }  // namespace simcore

@@ -21,6 +21,7 @@
 #include "tests/widgets/GuiTest.h"
 #include "widgets/View.h"
 #include "widgets/motion/ManualSteering.h"
+#include "widgets/motions/MotionLink.h"
 
 namespace widgets::test {
 
@@ -52,6 +53,7 @@ class Bench {
     session.tick();
     view.tick();
     if (context.steering) context.steering->tick();
+    if (context.motions) tickMotions(context);
   }
 
   template <typename T>

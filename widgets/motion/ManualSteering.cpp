@@ -172,33 +172,44 @@ Result<void> ManualSteering::setHeadMode(const std::string& mode) {
   });
 }
 
-Result<void> ManualSteering::requireJoint(const HeadJoint& joint, double angle) const {
+Result<void> ManualSteering::requireJoint(const char* id, const std::string& joint, const std::string& shown,
+                                          double angle) const {
   if (description_ == nullptr) return {};
-  const int index = description_->jointIndex(joint.joint);
-  if (index < 0)
-    return failure("robot.head-joint", "the head of " + robot_ + " has no joint " + joint.name, {},
-                   {robot_, joint.name});
+  const int index = description_->jointIndex(joint);
+  if (index < 0) return failure(id, robot_ + " has no joint " + shown, {}, {robot_, shown});
   const auto& limits = description_->joints[static_cast<std::size_t>(index)];
   if (angle >= limits.minimum && angle <= limits.maximum) return {};
-  return failure("robot.head-joint",
+  return failure(id,
                  QStringLiteral("%1 goes from %2 to %3 rad")
-                     .arg(QLatin1String(joint.name))
+                     .arg(QString::fromStdString(shown))
                      .arg(limits.minimum, 0, 'g', 3)
                      .arg(limits.maximum, 0, 'g', 3)
                      .toStdString(),
-                 {}, {joint.name});
+                 {}, {shown});
+}
+
+Result<void> ManualSteering::setJoint(const std::string& joint, double angle) {
+  return requireLegs("joints that can be turned")
+      .and_then([&] { return requireJoint("robot.joint", joint, joint, angle); })
+      .map([&] { commander_.setJoint(joint, angle); });
+}
+
+Result<void> ManualSteering::setLimp(bool limp) {
+  return requireLegs("joints that can be limp").map([&] { commander_.setLimp(limp); });
 }
 
 Result<void> ManualSteering::setHeadJoint(const std::string& joint, double angle) {
   const auto found = std::ranges::find(kHeadJoints, joint, &HeadJoint::name);
   if (found == kHeadJoints.end())
     return failure("robot.head-joint", "a head has no joint " + joint, {}, {joint});
-  return requireLegs("head").and_then([&] { return requireJoint(*found, angle); }).map([&] {
-    HeadTarget head = commander_.head();
-    head.kind = HeadTarget::Kind::kAngles;
-    head.*(found->angle) = angle;
-    commander_.setHead(head);
-  });
+  return requireLegs("head")
+      .and_then([&] { return requireJoint("robot.head-joint", found->joint, found->name, angle); })
+      .map([&] {
+        HeadTarget head = commander_.head();
+        head.kind = HeadTarget::Kind::kAngles;
+        head.*(found->angle) = angle;
+        commander_.setHead(head);
+      });
 }
 
 ManualSteering& manualSteering(ViewContext& context) {

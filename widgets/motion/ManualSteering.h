@@ -57,6 +57,12 @@ class ManualSteering final : public QObject {
   /// for joints that the robot does not have, and beyond their limits.
   robotlink::Result<void> setHeadJoint(const std::string& joint, double angle);
 
+  /// Commands the angle of a single joint in rad; the others hold theirs. Fails for joints that the robot
+  /// does not have, and beyond their limits.
+  robotlink::Result<void> setJoint(const std::string& joint, double angle);
+  /// Commands all joints limp, so that the robot is posed by hand, or to hold where they are.
+  robotlink::Result<void> setLimp(bool limp);
+
   const std::string& robot() const { return robot_; }
   /// What is known of the robot; null: nothing.
   const std::shared_ptr<const robotlink::RobotDescription>& description() const { return description_; }
@@ -76,8 +82,10 @@ class ManualSteering final : public QObject {
   robotlink::Result<void> requireControl();
   /// The same for what only legged robots can do.
   robotlink::Result<void> requireLegs(const char* what);
-  /// Fails if the robot does not have the joint, or for an angle beyond its limits.
-  robotlink::Result<void> requireJoint(const HeadJoint& joint, double angle) const;
+  /// Fails if the robot does not have the joint, or for an angle beyond its limits. `shown` is its name for
+  /// the user.
+  robotlink::Result<void> requireJoint(const char* id, const std::string& joint, const std::string& shown,
+                                       double angle) const;
   /// Requests that the robot's program publishes what it executes.
   void requestStatus();
   /// Sends the commander's command with the timeline's newest time.

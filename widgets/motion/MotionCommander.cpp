@@ -15,7 +15,48 @@ using Kind = robotcontrol::MotionRequest;
 
 }  // namespace
 
+void MotionCommander::setAxes(const WalkAxes& axes) {
+  axes_ = axes;
+  velocity_.reset();
+  if (!axes.zero()) releaseJoints();
+}
+
+void MotionCommander::setHead(const HeadTarget& head) {
+  for (const HeadJoint& joint : kHeadJoints) {
+    if (head.*joint.angle != head_.*joint.angle) joints_.erase(joint.joint);
+  }
+  head_ = head;
+}
+
+void MotionCommander::walk(const Speed& velocity) {
+  velocity_ = velocity;
+  releaseJoints();
+}
+
+void MotionCommander::setJoint(const std::string& joint, double angle) {
+  joints_[joint] = angle;
+  turnsJoints_ = true;
+  limp_ = false;
+  velocity_.reset();
+  motion_.clear();
+}
+
+void MotionCommander::setLimp(bool limp) {
+  if (limp == limp_) return;
+  limp_ = limp;
+  turnsJoints_ = true;
+  joints_.clear();
+  velocity_.reset();
+  motion_.clear();
+}
+
+void MotionCommander::releaseJoints() {
+  joints_.clear();
+  turnsJoints_ = limp_ = false;
+}
+
 void MotionCommander::play(const std::string& motion) {
+  releaseJoints();
   motion_ = motion;
   motionTicks_ = 0;
 }
@@ -24,6 +65,7 @@ void MotionCommander::halt() {
   axes_ = {};
   velocity_.reset();
   motion_.clear();
+  releaseJoints();
 }
 
 void MotionCommander::setActive(bool active) {
@@ -52,12 +94,29 @@ bool MotionCommander::tick(const robotcontrol::MotionStatus* status) {
   return true;
 }
 
+void MotionCommander::fillJoints(robotcontrol::RemoteMotion& command) const {
+  auto& motion = *command.mutable_motion();
+  motion.set_kind(Kind::JOINTS);
+  motion.set_limp(limp_);
+  std::map<std::string, double> targets = joints_;
+  if (head_.kind == HeadTarget::Kind::kAngles) {
+    for (const HeadJoint& joint : kHeadJoints) targets.emplace(joint.joint, head_.*joint.angle);
+  }
+  for (const auto& [name, position] : targets) {
+    auto& target = *motion.add_joints();
+    target.set_name(name);
+    target.set_position(position);
+  }
+}
+
 robotcontrol::RemoteMotion MotionCommander::command() const {
   robotcontrol::RemoteMotion result;
   auto& motion = *result.mutable_motion();
   if (!motion_.empty()) {
     motion.set_kind(motion_ == kGetUp ? Kind::GET_UP : Kind::KEY_FRAMES);
     motion.set_motion(motion_);
+  } else if (turnsJoints_) {
+    fillJoints(result);
   } else if (velocity_) {
     motion.set_kind(Kind::WALK);
     motion.mutable_walk()->set_x(velocity_->x);

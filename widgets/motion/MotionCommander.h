@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -67,18 +68,26 @@ class MotionCommander {
   void setLimits(Limits limits) { limits_ = limits; }
   const Limits& limits() const { return limits_; }
   /// Replaces a velocity that was commanded by walk().
-  void setAxes(const WalkAxes& axes) {
-    axes_ = axes;
-    velocity_.reset();
-  }
+  void setAxes(const WalkAxes& axes);
   const WalkAxes& axes() const { return axes_; }
-  void setHead(const HeadTarget& head) { head_ = head; }
+  void setHead(const HeadTarget& head);
   const HeadTarget& head() const { return head_; }
   /// Commands a velocity, whatever the limits are, until the axes are set or halt() is called.
-  void walk(const Speed& velocity) { velocity_ = velocity; }
+  void walk(const Speed& velocity);
+  /// Commands the angle of a joint in rad, by its name in the robot's description. From then on the robot
+  /// holds all other joints where they are, until it is commanded to walk, to play a motion, or to stand.
+  /// Joints of the head that setHead() turns later follow that.
+  void setJoint(const std::string& joint, double angle);
+  /// Commands all joints limp, or to hold where they are from then on.
+  void setLimp(bool limp);
+  bool limp() const { return limp_; }
+  /// Whether single joints are commanded, or all are limp.
+  bool turnsJoints() const { return turnsJoints_; }
+  /// The joints that are commanded, rad.
+  const std::map<std::string, double>& joints() const { return joints_; }
   /// Commands a key-frame motion, or kGetUp; replaces a motion that has not begun.
   void play(const std::string& motion);
-  /// Commands standing still: no deflection and no motion. The head keeps its mode.
+  /// Commands standing still: no deflection, no motion and no single joints. The head keeps its mode.
   void halt();
 
   /// Only an active commander commands, that is, while the user has manual control. A change of it makes a
@@ -94,6 +103,8 @@ class MotionCommander {
   robotcontrol::RemoteMotion command() const;
 
  private:
+  void releaseJoints();
+  void fillJoints(robotcontrol::RemoteMotion& command) const;
   /// Ends a motion that has begun or has been commanded for a second.
   void settleMotion(const robotcontrol::MotionStatus* status);
 
@@ -102,6 +113,9 @@ class MotionCommander {
   /// Takes precedence over the axes.
   std::optional<Speed> velocity_;
   HeadTarget head_;
+  std::map<std::string, double> joints_;
+  bool turnsJoints_ = false;
+  bool limp_ = false;
   /// Motion that has not begun; empty: none.
   std::string motion_;
   /// Ticks since play().

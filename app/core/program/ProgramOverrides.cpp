@@ -99,6 +99,14 @@ std::shared_ptr<const robotcontrol::ColorTable> ProgramOverrides::colorTable() c
   return nullptr;
 }
 
+std::shared_ptr<const robotcontrol::MotionTexts> ProgramOverrides::motions() const {
+  auto texts = std::make_shared<robotcontrol::MotionTexts>();
+  for (const auto& [subject, request] : requests_) {
+    if (request->has_set_motion()) *texts->add_motions() = request->set_motion().motion();
+  }
+  return texts->motions().empty() ? nullptr : texts;
+}
+
 std::vector<std::string> ProgramOverrides::recordedPackages() const {
   for (const auto& [subject, request] : requests_) {
     if (!request->has_record_packages()) continue;

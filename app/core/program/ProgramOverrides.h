@@ -43,6 +43,8 @@ class ProgramOverrides {
   std::vector<robotcontrol::ParameterValues> parameters() const;
   /// Null if none was sent, or if the last request removed it.
   std::shared_ptr<const robotcontrol::ColorTable> colorTable() const;
+  /// The key-frame motions that were sent; null if there are none.
+  std::shared_ptr<const robotcontrol::MotionTexts> motions() const;
   /// Packages that the program publishes whether or not their debug keys are on.
   std::vector<std::string> recordedPackages() const;
 

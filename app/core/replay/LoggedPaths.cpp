@@ -33,10 +33,12 @@ LoggedPaths::LoggedPaths(const ReplayPlan& plan) {
   }
   for (const auto& solution : robotlink::SolutionRegistry::all()) {
     if (!tasks_.contains(solution.task)) continue;
-    const auto reads = [&](const std::vector<std::string>& packages) {
-      return std::ranges::find(packages, robotlink::kColorTable.name) != packages.end();
+    const auto reads = [&](const char* package) {
+      return std::ranges::find(solution.required, package) != solution.required.end() ||
+             std::ranges::find(solution.optional, package) != solution.optional.end();
     };
-    looksAtColors_ = looksAtColors_ || reads(solution.required) || reads(solution.optional);
+    looksAtColors_ = looksAtColors_ || reads(robotlink::kColorTable.name);
+    playsMotions_ = playsMotions_ || reads(robotlink::kMotionTexts.name);
     for (const int key : solution.keys)
       keys_.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
   }
@@ -58,6 +60,7 @@ bool LoggedPaths::decide(const std::string& path) const {
   if (path == streams::kSolutions || path == streams::kProcesses || path == streams::kProgram) return true;
   if (path == streams::kKeys) return !tasks_.empty();
   if (path == streams::kColorTableInUse) return looksAtColors_;
+  if (path == streams::kMotions) return playsMotions_;
   if (recomputed_.contains(path)) return true;
   for (const char* prefix : {streams::kImages, streams::kImageDrawings, streams::kFieldDrawings,
                              streams::kRobotDrawings, streams::kPlots}) {

@@ -44,6 +44,8 @@ class LoggedPaths {
   std::set<std::string> keys_;
   /// Whether a task that runs can use a color table.
   bool looksAtColors_ = false;
+  /// Whether a task that runs plays key-frame motions.
+  bool playsMotions_ = false;
   /// The results of decide().
   mutable std::map<std::string, bool> known_;
 };

@@ -354,6 +354,7 @@ void ReplayRobot::giveWhatIsBefore() {
                       : message->value);
   }
   if (const auto table = host_.overrides().colorTable()) program.offer(table);
+  if (const auto motions = host_.overrides().motions()) program.offer(motions);
 }
 
 }  // namespace app

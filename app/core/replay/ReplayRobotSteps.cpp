@@ -119,6 +119,13 @@ void ReplayRobot::takeRequest(const Request& request) {
 
 void ReplayRobot::takeRequest(const google::protobuf::Message& package) {
   Request request;
+  if (const auto* texts = dynamic_cast<const robotcontrol::MotionTexts*>(&package)) {
+    for (const auto& motion : texts->motions()) {
+      *request.mutable_set_motion()->mutable_motion() = motion;
+      takeRequest(request);
+    }
+    return;
+  }
   if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
     *request.mutable_motion() = *motion;
   } else if (const auto* goal = dynamic_cast<const robotcontrol::DriveGoal*>(&package)) {

@@ -123,6 +123,7 @@ void SimulatedJointPlatform::sendJoints() {
     if (std::isfinite(joint.lastAngle)) {
       state.set_velocity((angle - joint.lastAngle) / robotlink::seconds(SimulatedWorld::kStep));
     }
+    state.set_effort(world().simulation().servoTorque(joint.servo));
     joint.lastAngle = angle;
   }
   jointStates_.send(std::move(states));

@@ -9,6 +9,7 @@
 #include "app/core/platform/PlatformAdapter.h"
 #include "logplayer/images/PictureFile.h"
 #include "robotlink/base/FileSuffix.h"
+#include "robotlink/motions/MotionImport.h"
 
 namespace app {
 namespace {
@@ -29,6 +30,7 @@ FileKind kindOfFile(const std::filesystem::path& file) {
   const PlatformAdapter* adapter = adapterFor(file.string());
   if (adapter != nullptr && adapter->time == TimeKind::kSimulated) return FileKind::kScene;
   if (isIn(kColorTables, suffix)) return FileKind::kColorTable;
+  if (suffix == ".mof" || robotlink::isForeignMotion(file)) return FileKind::kMotion;
   return suffix == ".yaml" ? FileKind::kLayout : FileKind::kLog;
 }
 

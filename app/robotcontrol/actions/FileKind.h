@@ -11,6 +11,7 @@ enum class FileKind {
   kLayout,      ///< a process layout: run it
   kPictures,    ///< a picture, or a folder of pictures: paint in them
   kColorTable,  ///< a color table of ours or of another team: give it to the selected robot
+  kMotion,      ///< a key-frame motion of ours or of another team: open it in the editor
   kLog,         ///< anything else: open it as a log
 };
 

@@ -97,6 +97,10 @@ void LogOpening::drop(const QMimeData& data, bool add) {
       case FileKind::kColorTable:
         actions_.run(QStringLiteral("robot.color-table"), arguments);
         break;
+      case FileKind::kMotion:
+        actions_.run(QStringLiteral("motion.open"), arguments);
+        actions_.run(QStringLiteral("view.show"), {std::string("motion-editor")});
+        break;
       case FileKind::kLog:
         open(file, std::exchange(add, true));
         break;

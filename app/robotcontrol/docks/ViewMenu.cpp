@@ -22,7 +22,8 @@ std::vector<Group> groups() {
   std::vector<Group> groups = {
       {tr("The robot and its world"),
        {QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"), QStringLiteral("radar"),
-        QStringLiteral("base-state"), QStringLiteral("motion")}},
+        QStringLiteral("base-state"), QStringLiteral("motion"), QStringLiteral("joints"),
+        QStringLiteral("motion-editor")}},
       {tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),

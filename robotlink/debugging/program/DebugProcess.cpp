@@ -15,6 +15,7 @@
 #include "robotlink/debugging/program/OtherPrograms.h"
 #include "robotlink/debugging/program/ProcessTable.h"
 #include "robotlink/debugging/program/RequestedPackages.h"
+#include "robotlink/debugging/program/SentMotions.h"
 #include "robotlink/packages/Checksum.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
@@ -38,6 +39,7 @@ struct DebugProcess::Implementation {
         requested(owner, debug),
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
         colorTable(owner, kColorTable.name, Blocking::kNo),
+        motions(owner, routes.joints),
         driveGoal(owner, kDriveGoal.name, Blocking::kNo),
         others(owner),
         solutionsDue(!routes.absent.empty()) {
@@ -67,6 +69,7 @@ struct DebugProcess::Implementation {
   void recordPackages(const Request& request);
   void sendMotion(const Request& request);
   void sendColorTable(const Request& request);
+  void setMotion(const Request& request);
   void sendGoal(const Request& request);
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
@@ -78,6 +81,7 @@ struct DebugProcess::Implementation {
   void sendTables();
   void useColorTable(std::shared_ptr<const robotcontrol::ColorTable> table);
   void publishColorTable();
+  void publishMotions();
   void fillProcesses(robotcontrol::ProcessTable& to) const;
   const Process* watchedProcess(const std::string& name) const;
   std::string stoppedText(const Process& stopped) const;
@@ -88,6 +92,7 @@ struct DebugProcess::Implementation {
   RequestedPackages requested;
   Sender<robotcontrol::RemoteMotion> remoteMotion;
   Sender<robotcontrol::ColorTable> colorTable;
+  SentMotions motions;
   Sender<robotcontrol::DriveGoal> driveGoal;
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
@@ -100,7 +105,7 @@ struct DebugProcess::Implementation {
   std::optional<Instant> processTableDue;
   bool solutionsDue = false;  // to be sent although no process has sent its own
   std::shared_ptr<const robotcontrol::ColorTable> colorTableInUse;  // null: the built-in one
-  bool colorTableDue = true;
+  bool colorTableDue = true, motionsDue = true;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 
@@ -114,6 +119,7 @@ struct DebugProcess::Implementation {
   };
   const AnySender& motionSender() const { return remoteMotion; }
   const AnySender& colorSender() const { return colorTable; }
+  const AnySender& motionTextSender() const { return motions.sender(); }
   const AnySender& goalSender() const { return driveGoal; }
   static constexpr RequestRow<Handler> kRows[]{
       {Request::kSetKey, {&Implementation::setKey, nullptr, ""}},
@@ -123,6 +129,8 @@ struct DebugProcess::Implementation {
        {&Implementation::sendMotion, &Implementation::motionSender, "obeys remote motions"}},
       {Request::kSetColorTable,
        {&Implementation::sendColorTable, &Implementation::colorSender, "uses a color table"}},
+      {Request::kSetMotion,
+       {&Implementation::setMotion, &Implementation::motionTextSender, "plays key-frame motions"}},
       {Request::kSetGoal, {&Implementation::sendGoal, &Implementation::goalSender, "drives to goals"}}};
 };
 
@@ -174,6 +182,9 @@ void DebugProcess::offer(const PackagePtr& package) {
   } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(package.get())) {
     if (!wrongWith(*table).empty()) return;
     implementation_->useColorTable(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
+  } else if (const auto* motions = dynamic_cast<const robotcontrol::MotionTexts*>(package.get())) {
+    implementation_->motions.add(*motions, frameTime());
+    implementation_->motionsDue = true;
   } else if (dynamic_cast<const robotcontrol::DriveGoal*>(package.get()) != nullptr) {
     implementation_->driveGoal.send(std::static_pointer_cast<const robotcontrol::DriveGoal>(package));
   }
@@ -220,6 +231,12 @@ void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& k
 std::optional<robotcontrol::ColorTable> DebugProcess::colorTableInUse() const {
   if (!implementation_->colorTable.connected()) return std::nullopt;
   return robotlink::colorTableInUse(implementation_->colorTableInUse.get());
+}
+
+std::optional<robotcontrol::MotionTable> DebugProcess::motions(
+    const std::vector<robotcontrol::MotionText>& more) const {
+  if (!implementation_->motions.sender().connected()) return std::nullopt;
+  return implementation_->motions.table(more);
 }
 
 void DebugProcess::execute() {
@@ -302,7 +319,11 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
   const auto* row = rowOf(kRows, request.what_case());
   if (row == nullptr) return "a robot's program cannot do this; ask its platform or the simulation";
   const auto& [handle, sender, use] = row->handler;
-  return sender == nullptr ? "" : whyNobodyReceives((this->*sender)(), use);
+  if (sender == nullptr) return "";
+  if (std::string why = whyNobodyReceives((this->*sender)(), use); !why.empty()) return why;
+  // What is repeated was accepted before, perhaps beside motions that are still to come.
+  const bool isNewMotion = request.has_set_motion() && !isRepeated(request);
+  return isNewMotion ? motions.whyNot(request.set_motion().motion()) : "";
 }
 
 /// Empty if a task receives what is sent.
@@ -327,7 +348,7 @@ void DebugProcess::Implementation::sendTablesAgain(const Request& request) {
   sendToAll(request);
   processTableDue.reset();
   solutionsDue = !routes.absent.empty();
-  colorTableDue = true;
+  colorTableDue = motionsDue = true;
   answer(request, "");
 }
 
@@ -357,6 +378,19 @@ void DebugProcess::Implementation::useColorTable(std::shared_ptr<const robotcont
   colorTableInUse = table;
   colorTableDue = true;
   colorTable.send(std::move(table));
+}
+
+/// A motion without a text takes back the one that was sent.
+void DebugProcess::Implementation::setMotion(const Request& request) {
+  const robotcontrol::MotionText& motion = request.set_motion().motion();
+  motions.set(motion, process.frameTime());
+  motionsDue = true;
+  if (!isRepeated(request)) {
+    debug.text(Level::kInfo, "motion",
+               "the motion '" + motion.name() + "' is now that " +
+                   (motion.text().empty() ? "of the robot's files" : "which was sent"));
+  }
+  answer(request, "");
 }
 
 void DebugProcess::Implementation::sendGoal(const Request& request) {
@@ -440,6 +474,7 @@ void DebugProcess::Implementation::sendTables() {
     addAbsentTasks(routes.absent, table);
   }
   if (std::exchange(colorTableDue, false)) publishColorTable();
+  if (std::exchange(motionsDue, false)) publishMotions();
   const Instant now = process.frameTime();
   const bool due =
       !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
@@ -453,6 +488,11 @@ void DebugProcess::Implementation::publishColorTable() {
   if (!colorTable.connected()) return;
   debug.add<robotcontrol::ColorTable>(streams::kColorTableInUse) =
       robotlink::colorTableInUse(colorTableInUse.get());
+}
+
+/// A program that plays no motions has none.
+void DebugProcess::Implementation::publishMotions() {
+  if (motions.sender().connected()) debug.add<robotcontrol::MotionTable>(streams::kMotions) = motions.table();
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {

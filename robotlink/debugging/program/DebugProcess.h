@@ -16,6 +16,8 @@
 namespace robotcontrol {
 class ColorTable;
 class KeyTable;
+class MotionTable;
+class MotionText;
 class ProcessTable;
 class RemoteMotion;
 class Request;
@@ -28,14 +30,14 @@ class AnySender;
 struct SharedDebugQueue;
 
 /// The process of a layout that is linked to all others: it collects their debug queues and distributes
-/// requests to them. It sends the packages "remote/motion", "remote/goal" and "colors/table" on behalf of the
-/// user. The queues go to its listener unchanged, as a whole, in the process's thread; the listener (a
-/// session, a network link) must not block.
+/// requests to them. It sends the packages "remote/motion", "remote/goal", "colors/table" and "motions/texts"
+/// on behalf of the user. The queues go to its listener unchanged, as a whole, in the process's thread; the
+/// listener (a session, a network link) must not block.
 ///
 /// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,
 /// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
 /// the processes' tables of keys and solutions into one each, and tells twice a second what all processes do,
-/// and which color table is in use whenever that changes.
+/// and which color table is in use, and which key-frame motions there are, whenever that changes.
 /// A process that failed is reported as an error, once.
 class DebugProcess final : public Process {
  public:
@@ -87,6 +89,8 @@ class DebugProcess final : public Process {
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
   /// Without its cells (ColorTableInUse.h); none: no task of the program uses one.
   std::optional<robotcontrol::ColorTable> colorTableInUse() const;
+  /// The key-frame motions, with `more` among them; none: no task of the program plays any.
+  std::optional<robotcontrol::MotionTable> motions(const std::vector<robotcontrol::MotionText>& more) const;
 
  protected:
   void execute() override;

@@ -38,7 +38,8 @@ struct RequestPreview::Handlers {
       {Request::kSelectSolution, {&RequestPreview::selectSolution, nullptr}},
       {Request::kGetParameters, {&RequestPreview::getParameters, &RequestPreview::describeGotten}},
       {Request::kSetParameters, {&RequestPreview::setParameters, &RequestPreview::describeSet}},
-      {Request::kSetColorTable, {&RequestPreview::setColorTable, nullptr}}};
+      {Request::kSetColorTable, {&RequestPreview::setColorTable, nullptr}},
+      {Request::kSetMotion, {&RequestPreview::setMotion, &RequestPreview::describeMotion}}};
 };
 
 bool RequestPreview::handles(const Request& request) {
@@ -85,6 +86,16 @@ std::string RequestPreview::setParameters(const Request& request) {
 std::string RequestPreview::setColorTable(const Request& request) {
   colorTable_ = colorTableInUse(&request.set_color_table().table());
   return "";
+}
+
+std::string RequestPreview::setMotion(const Request& request) {
+  motions_.push_back(request.set_motion().motion());
+  return "";
+}
+
+void RequestPreview::describeMotion(const Request&) {
+  if (auto table = program_.debugProcess().motions(motions_))
+    queue().add<robotcontrol::MotionTable>(streams::kMotions) = std::move(*table);
 }
 
 Result<const SolutionParameters*> RequestPreview::parametersOf(const TaskProcess& process,
@@ -158,6 +169,7 @@ void RequestPreview::describeTables() {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
   }
   describeColorTable();
+  describeMotion({});
 }
 
 void RequestPreview::describeColorTable() {

@@ -54,6 +54,7 @@ class RequestPreview {
   std::string getParameters(const robotcontrol::Request& request);
   std::string setParameters(const robotcontrol::Request& request);
   std::string setColorTable(const robotcontrol::Request& request);
+  std::string setMotion(const robotcontrol::Request& request);
   struct Handlers;
   /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
@@ -65,6 +66,7 @@ class RequestPreview {
   void describeGotten(const robotcontrol::Request& request);
   void describeSet(const robotcontrol::Request& request);
   void describeParameters(const TaskProcess& process, const std::string& task, const std::string& asked);
+  void describeMotion(const robotcontrol::Request& request);
   void describeTables();
   void describeColorTable();
   SharedDebugQueue& queue();
@@ -77,6 +79,7 @@ class RequestPreview {
   // Modes set by requests so far, by name.
   std::map<std::string, robotcontrol::KeyMode> keys_;
   std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
+  std::vector<robotcontrol::MotionText> motions_;       // that were sent
   bool tablesAsked_ = false;
   std::shared_ptr<SharedDebugQueue> queue_;
 };

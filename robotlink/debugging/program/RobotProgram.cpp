@@ -156,8 +156,9 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
   for (const Layout::Process& description : layout.processes) {
     if (!isHere(description.name)) continue;
     if (description.debug) {
-      auto made =
-          std::make_unique<DebugProcess>(description.name, clock, debugRoutes(layout, catalog, packages));
+      DebugRoutes routes = debugRoutes(layout, catalog, packages);
+      for (const auto& joint : robot.description.joints) routes.joints.push_back(joint.name);
+      auto made = std::make_unique<DebugProcess>(description.name, clock, routes);
       made->setPeriod(description.period);
       made->setPriority(description.priority);
       debugProcess = made.get();
@@ -269,7 +270,7 @@ Errors RobotProgram::Implementation::connectPrograms(const std::set<std::string>
 }
 
 std::vector<std::string> debugPackages() {
-  return {kRemoteMotion.name, kColorTable.name, kDriveGoal.name};
+  return {kRemoteMotion.name, kColorTable.name, kMotionTexts.name, kDriveGoal.name};
 }
 
 bool isDebugPackage(const std::string& package) {

@@ -156,5 +156,68 @@ TEST_F(MotionEngineTest, aDescriptionWithoutLegsIsRefused) {
   EXPECT_EQ(layout.error().arguments[0], "legHL3");
 }
 
+TEST_F(MotionEngineTest, singleJointsTurnWithinTheirLimitsAndTheOthersHold) {
+  run({}, 200);
+  const double other = angle("legFR1");
+  MotionCommand command{MotionCommand::Kind::kJoints, {}, {}, std::vector<double>(17, NAN)};
+  command.joints[7] = 99;   // legFL1
+  command.joints[1] = 0.5;  // headPan
+  run(command, 1);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kJoints);
+  EXPECT_FALSE(engine_.stable());
+  largestStep_ = 0;
+  run(command, 300);
+  EXPECT_DOUBLE_EQ(angle("legFL1"), 2.5);
+  EXPECT_DOUBLE_EQ(angle("headPan"), 0.5);
+  EXPECT_DOUBLE_EQ(angle("legFR1"), other);
+  EXPECT_LE(largestStep_, 2.8 * 0.008 + 1e-9);
+  run({}, 300);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kStand);
+  EXPECT_NEAR(angle("legFL1"), angle("legFR1"), 1e-6);
+  EXPECT_LT(largestStep_, 0.12);
+}
+
+TEST_F(MotionEngineTest, aWalkStopsBeforeJointsTurn) {
+  run(walk(0.1), 200);
+  const MotionCommand command{MotionCommand::Kind::kJoints, {}, {}, std::vector<double>(17, NAN)};
+  run(command, 1);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kWalk);
+  run(command, 300);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kJoints);
+}
+
+TEST_F(MotionEngineTest, limpJointsFollowTheHandAndDoNotGetUp) {
+  run({}, 200);
+  MotionCommand limp{MotionCommand::Kind::kJoints};
+  limp.limp = true;
+  const std::vector<double> posed(17, 0.25);
+  const Vector3 lying{0, 9.8, 0};
+  for (int i = 0; i < 200; ++i) engine_.advance({limp, head_, &lying, std::chrono::milliseconds(8), posed});
+  EXPECT_EQ(engine_.stiffness(), 0);
+  EXPECT_EQ(engine_.executed().kind, MotionCommand::Kind::kJoints);
+  EXPECT_DOUBLE_EQ(angle("legHL3"), 0.25);
+  limp.limp = false;
+  largestStep_ = 0;
+  run(limp, 10, lying);
+  EXPECT_EQ(engine_.stiffness(), 1);
+  EXPECT_EQ(largestStep_, 0);
+}
+
+TEST_F(MotionEngineTest, motionsAreReplacedBetweenTwoMotionsNotWithinOne) {
+  run({}, 200);
+  run(keyFrames("kick"), 10);
+  EXPECT_EQ(engine_.executed().motion, "kick");
+  auto other = std::make_shared<robotlink::MotionNet>(*motions());
+  for (auto& node : other->nodes) {
+    if (auto* frame = std::get_if<robotlink::KeyFrame>(&node.step)) frame->joints[7].angle = -1;
+  }
+  engine_.setMotions(other);
+  run(keyFrames("kick"), 10);
+  EXPECT_GT(angle("legFL1"), 0.5) << "the one that had begun";
+  run({}, 300);
+  run(keyFrames("kick"), 20);
+  EXPECT_LT(angle("legFL1"), -0.5) << "the new one";
+}
+
 }  // namespace
 }  // namespace modules

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/motions/MotionNet.h"
+#include "robotlink/motions/MotionLibrary.h"
 
 #include <gtest/gtest.h>
 
 #include "robotlink/motions/MotionReader.h"
-#include "tests/robotlink/motions/MotionText.h"
+#include "robotlink/motions/MotionWriter.h"
 
 namespace robotlink {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Random.h"
-#include "tests/robotlink/motions/MotionText.h"
+#include "robotlink/motions/MotionWriter.h"
 
 namespace robotlink {
 namespace {

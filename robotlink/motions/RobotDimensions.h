@@ -6,7 +6,7 @@
 
 #include "robotlink/base/Geometry.h"
 
-namespace modules {
+namespace robotlink {
 
 /// The legs, in the order of BodySensors.paw_contacts.
 enum class Leg { kFrontLeft, kFrontRight, kHindLeft, kHindRight };
@@ -42,8 +42,8 @@ struct RobotDimensions {
   double foreShank = 0.05699;
   double hindShank = 0.06457;
   /// The angle of that line to the downward direction with J3 at 0.
-  double foreShankAngle = robotlink::radians(-11.86);
-  double hindShankAngle = robotlink::radians(-20.09);
+  double foreShankAngle = radians(-11.86);
+  double hindShankAngle = radians(-20.09);
   double pawRadius = 0.0125;
   /// The tilt axis.
   double neckX = 0.0750;
@@ -54,4 +54,4 @@ struct RobotDimensions {
   double cameraX = 0.0666;
 };
 
-}  // namespace modules
+}  // namespace robotlink

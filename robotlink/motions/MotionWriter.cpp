@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/robotlink/motions/MotionText.h"
+#include "robotlink/motions/MotionWriter.h"
 
 #include <charconv>
 
@@ -7,6 +7,14 @@
 
 namespace robotlink {
 namespace {
+
+/// The shortest text that is exact to a thousandth of a unit; servos are far less precise.
+std::string shortText(double value) {
+  const double rounded = std::round(value * 1e6) / 1e6;
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0 ? 0.0 : rounded).ptr;
+  return {buffer, end};
+}
 
 /// Writes the statements of one file in its units.
 class MotionText {
@@ -20,35 +28,16 @@ class MotionText {
   }
   std::string operator()(const KeyFrame& frame) const {
     std::string text;
-    for (const JointValue& value : frame.joints) text += column(value) + " ";
-    return text + std::to_string(frame.interpolation) + " " + time(frame.duration);
+    for (const JointValue& value : frame.joints) text += writeValue(motion_, value) + " ";
+    return text + std::to_string(frame.interpolation) + " " + writeDuration(motion_, frame.duration);
   }
   std::string operator()(const MotionHardness& hardness) const {
     std::string text = "hardness ";
-    for (const auto& share : hardness.shares) text += (share ? number(*share * 100) : "*") + " ";
-    return text + time(hardness.duration);
+    for (const auto& share : hardness.shares) text += (share ? shortText(*share * 100) : "*") + " ";
+    return text + writeDuration(motion_, hardness.duration);
   }
 
  private:
-  static std::string number(double value) {
-    // The shortest text that is exact to a thousandth of a unit; servos are far less precise.
-    const double rounded = std::round(value * 1e6) / 1e6;
-    char buffer[32];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0 ? 0.0 : rounded).ptr;
-    return {buffer, end};
-  }
-  std::string time(Duration duration) const {
-    const auto unit =
-        motion_.timeUnit == MotionFile::TimeUnit::kTicks ? kMotionTick : std::chrono::milliseconds(1);
-    return std::to_string(duration / unit);
-  }
-  std::string column(const JointValue& value) const {
-    if (value.kind == JointValue::Kind::kKeep) return "*";
-    if (value.kind == JointValue::Kind::kRelease) return "-";
-    return number(motion_.angleUnit == MotionFile::AngleUnit::kDegrees ? degrees(value.angle)
-                                                                       : value.angle * 1000);
-  }
-
   const MotionFile& motion_;
 };
 
@@ -66,11 +55,26 @@ std::string header(const MotionFile& motion) {
 
 }  // namespace
 
+std::string writeValue(const MotionFile& motion, const JointValue& value) {
+  if (value.kind == JointValue::Kind::kKeep) return "*";
+  if (value.kind == JointValue::Kind::kRelease) return "-";
+  const bool inDegrees = motion.angleUnit == MotionFile::AngleUnit::kDegrees;
+  return shortText(inDegrees ? degrees(value.angle) : value.angle * 1000);
+}
+
+std::string writeDuration(const MotionFile& motion, Duration duration) {
+  const bool inTicks = motion.timeUnit == MotionFile::TimeUnit::kTicks;
+  return std::to_string(duration / (inTicks ? kMotionTick : std::chrono::milliseconds(1)));
+}
+
+std::string writeStatement(const MotionFile& motion, const MotionStatement& statement) {
+  return std::visit(MotionText(motion), statement);
+}
+
 std::string writeMotion(const MotionFile& motion) {
   std::string text = header(motion);
-  const MotionText statements(motion);
   for (const MotionLine& line : motion.lines) {
-    std::string row = std::visit(statements, line.statement);
+    std::string row = writeStatement(motion, line.statement);
     if (!line.comment.empty()) row += (row.empty() ? "" : " ") + line.comment;
     text += row + "\n";
   }

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/motion/LegKinematics.h"
+#include "robotlink/motions/LegKinematics.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace modules {
-
-using robotlink::radians;
-using robotlink::Vector3;
-
+namespace robotlink {
 namespace {
 
 struct SpreadLimit {
@@ -77,8 +73,7 @@ LegKinematics::Solution LegKinematics::anglesFor(Leg leg, const Vector3& pawInHi
   const double spread =
       std::asin(clampedArc(target.y() / radius, solution.reached)) - std::atan2(offset, down);
   const double lower = down * std::cos(spread) - offset * std::sin(spread);
-  const double swing =
-      robotlink::normalizedAngle(std::atan2(target.x(), target.z()) - std::atan2(away, lower));
+  const double swing = normalizedAngle(std::atan2(target.x(), target.z()) - std::atan2(away, lower));
 
   const LegAngles angles{swing, spread, bend - shankAngle(leg)};
   solution.angles = limited(leg, angles);
@@ -87,7 +82,7 @@ LegKinematics::Solution LegKinematics::anglesFor(Leg leg, const Vector3& pawInHi
 }
 
 double LegKinematics::minimumSpread(Leg leg, double swing) {
-  const double swingDeg = std::clamp(robotlink::degrees(swing), -117.0, 117.0);
+  const double swingDeg = std::clamp(degrees(swing), -117.0, 117.0);
   std::size_t i = 1;
   while (kSpreadLimits[i].swingDeg < swingDeg) ++i;
   const SpreadLimit &from = kSpreadLimits[i - 1], &to = kSpreadLimits[i];
@@ -105,4 +100,4 @@ LegAngles LegKinematics::limited(Leg leg, const LegAngles& angles) {
   return result;
 }
 
-}  // namespace modules
+}  // namespace robotlink

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "modules/motion/LegKinematics.h"
+#include "robotlink/motions/LegKinematics.h"
 
 #include <gtest/gtest.h>
 
 #include "robotlink/base/Random.h"
 
-namespace modules {
+namespace robotlink {
 namespace {
-
-using robotlink::degrees;
-using robotlink::radians;
-using robotlink::Vector3;
 
 TEST(LegKinematicsTest, theStanceOfTheDrawingIsReached) {
   const LegKinematics kinematics;
@@ -37,7 +33,7 @@ TEST(LegKinematicsTest, positiveAnglesGoAwayFromTheBody) {
 
 TEST(LegKinematicsTest, theInverseFindsTheAngles) {
   const LegKinematics kinematics;
-  robotlink::Random random(3);
+  Random random(3);
   for (int i = 0; i < 4000; ++i) {
     const Leg leg = kLegs[random.bits() % 4];
     // Knees bent to the body's middle, the paw below the shoulder.
@@ -76,4 +72,4 @@ TEST(LegKinematicsTest, hipsAreAtTheCornersOfTheBody) {
 }
 
 }  // namespace
-}  // namespace modules
+}  // namespace robotlink

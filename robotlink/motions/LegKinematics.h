@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "modules/motion/RobotDimensions.h"
+#include "robotlink/motions/RobotDimensions.h"
 
-namespace modules {
+namespace robotlink {
 
 /// Angles of a leg, rad: J1 swings it away from the body's center (fore legs to the front, hind legs to the
 /// rear), J2 spreads it outwards, J3 bends the knee such that the paw moves away from the center.
@@ -31,11 +31,11 @@ class LegKinematics {
 
   const RobotDimensions& dimensions() const { return dimensions_; }
   /// The position of a shoulder or hip in the body's frame.
-  robotlink::Vector3 hipInBody(Leg leg) const;
+  Vector3 hipInBody(Leg leg) const;
   /// Forward kinematics.
-  robotlink::Vector3 pawInHip(Leg leg, const LegAngles& angles) const;
+  Vector3 pawInHip(Leg leg, const LegAngles& angles) const;
   /// Inverse kinematics.
-  Solution anglesFor(Leg leg, const robotlink::Vector3& pawInHip) const;
+  Solution anglesFor(Leg leg, const Vector3& pawInHip) const;
 
   /// The lower limit of J2 for an angle of J1.
   static double minimumSpread(Leg leg, double swing);
@@ -52,4 +52,4 @@ class LegKinematics {
   RobotDimensions dimensions_;
 };
 
-}  // namespace modules
+}  // namespace robotlink

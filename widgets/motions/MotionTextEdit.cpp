@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/motions/MotionTextEdit.h"
+
+#include <QFontDatabase>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QSyntaxHighlighter>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QToolTip>
+#include <algorithm>
+
+#include "robotlink/motions/MotionWords.h"
+#include "widgets/Controls.h"
+#include "widgets/Theme.h"
+#include "widgets/motions/MotionBench.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kMaxUnderlined = 200;
+
+/// Colors of comments and keywords.
+class MotionColors final : public QSyntaxHighlighter {
+ public:
+  explicit MotionColors(QPlainTextEdit& edit) : QSyntaxHighlighter(edit.document()), edit_(edit) {}
+
+ protected:
+  void highlightBlock(const QString& text) override {
+    const QByteArray row = text.toUtf8();
+    const std::string_view view(row.constData(), static_cast<std::size_t>(row.size()));
+    const auto words = robotlink::motionWords(view);
+    const auto widthOf = [](std::string_view part) {
+      return QString::fromUtf8(part.data(), static_cast<int>(part.size())).size();
+    };
+    const auto comment = robotlink::motionCommentStart(view);
+    const int begin = widthOf(view.substr(0, comment));
+    setFormat(begin, text.size() - begin, colorOf(Meaning::kMuted, edit_.palette()));
+    if (words.empty()) return;
+    const std::string_view first = words[0].text;
+    const bool isKey = first == "label" || first == "transition" || first == "hardness" ||
+                       (words.size() > 1 && words[1].text == "=");
+    if (!isKey) return;
+    QTextCharFormat format;
+    format.setForeground(colorOf(Meaning::kNote, edit_.palette()));
+    format.setFontWeight(QFont::Bold);
+    setFormat(widthOf(view.substr(0, static_cast<std::size_t>(words[0].column - 1))), widthOf(first), format);
+  }
+
+ private:
+  QPlainTextEdit& edit_;
+};
+
+}  // namespace
+
+MotionTextEdit::MotionTextEdit(MotionBench& bench, QWidget* parent) : QPlainTextEdit(parent), bench_(bench) {
+  describe(*this, {"motionText", tr("Text of the motion"), {}});
+  setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  setLineWrapMode(QPlainTextEdit::NoWrap);
+  setTabChangesFocus(true);
+  setUndoRedoEnabled(false);  // the bench has the history
+  new MotionColors(*this);
+  showText();
+  connect(this, &QPlainTextEdit::textChanged, this, &MotionTextEdit::takeText);
+  connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] {
+    if (!isShowing_) bench_.setLine(textCursor().blockNumber() + 1);
+    underline();
+  });
+  connect(&bench, &MotionBench::changed, this, &MotionTextEdit::showText);
+  connect(&bench, &MotionBench::robotChanged, this, &MotionTextEdit::underline);
+  connect(&bench, &MotionBench::lineChanged, this, &MotionTextEdit::showLine);
+}
+
+void MotionTextEdit::takeText() {
+  if (isShowing_) return;
+  // What is typed in one line is undone as one.
+  const std::string gesture = "typing " + std::to_string(textCursor().blockNumber());
+  bench_.change(tr("Typing"), toPlainText().toStdString(), gesture);
+}
+
+void MotionTextEdit::showText() {
+  const QString text = QString::fromStdString(bench_.document().text());
+  if (text != toPlainText()) {
+    isShowing_ = true;
+    const QTextCursor before = textCursor();
+    const int line = before.blockNumber(), column = before.positionInBlock();
+    setPlainText(text);
+    QTextCursor cursor(document()->findBlockByNumber(std::min(line, blockCount() - 1)));
+    cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor,
+                        std::min(column, cursor.block().length() - 1));
+    setTextCursor(cursor);
+    isShowing_ = false;
+    showLine();
+  }
+  underline();
+}
+
+void MotionTextEdit::showLine() {
+  const int line = bench_.line() - 1;
+  if (textCursor().blockNumber() == line || line >= blockCount()) return;
+  isShowing_ = true;
+  setTextCursor(QTextCursor(document()->findBlockByNumber(line)));
+  isShowing_ = false;
+  ensureCursorVisible();
+}
+
+QTextCursor MotionTextEdit::wordOf(int line, int column) const {
+  const QTextBlock block = document()->findBlockByNumber(std::clamp(line - 1, 0, blockCount() - 1));
+  const QByteArray row = block.text().toUtf8();
+  const std::string_view view(row.constData(), static_cast<std::size_t>(row.size()));
+  // Columns count bytes.
+  const auto place = [&](std::size_t byte) {
+    return block.position() + QString::fromUtf8(row.constData(), static_cast<int>(byte)).size();
+  };
+  QTextCursor cursor(block);
+  for (const auto& word : robotlink::motionWords(view)) {
+    if (word.column != column) continue;
+    const auto begin = static_cast<std::size_t>(word.column - 1);
+    // An error of the compiler is about the whole line, and says so by the first column.
+    const bool isWhole = column == 1 && bench_.document().errors().empty();
+    cursor.setPosition(place(begin));
+    cursor.setPosition(place(isWhole ? robotlink::motionCommentStart(view) : begin + word.text.size()),
+                       QTextCursor::KeepAnchor);
+    return cursor;
+  }
+  cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+  return cursor;
+}
+
+void MotionTextEdit::underline() {
+  QList<QTextEdit::ExtraSelection> marks;
+  QTextEdit::ExtraSelection current;
+  current.format.setBackground(
+      mixed(palette().color(QPalette::Base), palette().color(QPalette::Highlight), 0.15));
+  current.format.setProperty(QTextFormat::FullWidthSelection, true);
+  current.cursor = textCursor();
+  current.cursor.clearSelection();
+  marks << current;
+  for (const robotlink::Error& error : bench_.errors()) {
+    if (marks.size() > kMaxUnderlined) break;
+    QTextEdit::ExtraSelection mark;
+    mark.cursor = wordOf(error.where.line, error.where.column);
+    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+    mark.format.setUnderlineColor(colorOf(Meaning::kBad, palette()));
+    mark.format.setForeground(colorOf(Meaning::kBad, palette()));
+    mark.format.setToolTip(QString::fromStdString(error.text));
+    marks << mark;
+  }
+  setExtraSelections(marks);
+}
+
+QString MotionTextEdit::errorAt(const QPoint& place) const {
+  const int position = cursorForPosition(place).position();
+  for (const auto& mark : extraSelections()) {
+    if (!mark.format.toolTip().isEmpty() && position >= mark.cursor.selectionStart() &&
+        position <= mark.cursor.selectionEnd())
+      return mark.format.toolTip();
+  }
+  return {};
+}
+
+bool MotionTextEdit::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    auto* help = static_cast<QHelpEvent*>(event);
+    const QString error = errorAt(help->pos());
+    if (error.isEmpty())
+      QToolTip::hideText();
+    else
+      QToolTip::showText(help->globalPos(), error, this);
+    return true;
+  }
+  return QPlainTextEdit::viewportEvent(event);
+}
+
+void MotionTextEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Undo)) return bench_.undoStack().undo();
+  if (event->matches(QKeySequence::Redo)) return bench_.undoStack().redo();
+  QPlainTextEdit::keyPressEvent(event);
+}
+
+void MotionTextEdit::changeEvent(QEvent* event) {
+  QPlainTextEdit::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) {
+    if (auto* colors = document()->findChild<QSyntaxHighlighter*>()) colors->rehighlight();
+    underline();
+  }
+}
+
+}  // namespace widgets

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPlainTextEdit>
+
+namespace widgets {
+
+class MotionBench;
+
+/// The text of the motion that is edited. Words with errors are underlined, and say by a tool tip what is
+/// wrong; comments and keywords have colors. Undo and redo are those of the bench, whose selected line is
+/// that of the cursor. GUI thread; the bench must outlive it.
+class MotionTextEdit final : public QPlainTextEdit {
+  Q_OBJECT
+ public:
+  explicit MotionTextEdit(MotionBench& bench, QWidget* parent = nullptr);
+
+  /// What is wrong at a place of the viewport; empty: nothing.
+  QString errorAt(const QPoint& place) const;
+
+ protected:
+  bool viewportEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  /// Takes over what was typed.
+  void takeText();
+  /// Shows the bench's text, if it is another one.
+  void showText();
+  void showLine();
+  void underline();
+  /// The characters of an error: its word, or the whole line if it has no column.
+  QTextCursor wordOf(int line, int column) const;
+
+  MotionBench& bench_;
+  /// Whether the text is being replaced by that of the bench.
+  bool isShowing_ = false;
+};
+
+}  // namespace widgets
