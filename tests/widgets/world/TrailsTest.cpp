@@ -13,7 +13,7 @@ namespace {
 using robotlink::Instant;
 using robotlink::Vector2;
 
-Instant at(double seconds) {
+Instant trailTime(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
 }
 
@@ -27,15 +27,15 @@ class TrailsTest : public testing::Test {
       transform.set_child_frame_id("red1");
       transform.set_parent_frame_id("field");
       transform.mutable_translation()->set_x(t);
-      session.push({"transforms", at(t), transforms});
+      session.push({"transforms", trailTime(t), transforms});
       auto pose = std::make_shared<robotcontrol::RobotPose>();
       pose->mutable_robot_in_field()->set_y(2);
-      session.push({"p3at1/models/pose", at(t), pose});
+      session.push({"p3at1/models/pose", trailTime(t), pose});
     }
     session.tick();
   }
   const Trails::Places& update(double shown) {
-    trails.update(session.store(), sources, at(shown));
+    trails.update(session.store(), sources, trailTime(shown));
     return trails.places();
   }
   double first() const { return trails.places().at("red1").front().x(); }
