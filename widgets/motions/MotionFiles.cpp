@@ -71,6 +71,7 @@ std::filesystem::path MotionFiles::folder() const {
 }
 
 void MotionFiles::setMotion(std::string text, const std::filesystem::path& file, bool changed) {
+  std::erase(text, '\r');  // lines end as editors of text here end them
   file_ = file;
   const std::string shown = file.empty() ? std::string() : file.string();
   bench_.setDocument(std::move(text), shown, changed);

@@ -79,16 +79,20 @@ void MotionTextEdit::takeText() {
 }
 
 void MotionTextEdit::showText() {
-  const QString text = QString::fromStdString(bench_.document().text());
-  if (text != toPlainText()) {
+  const QString after = QString::fromStdString(bench_.document().text()), before = toPlainText();
+  if (after != before) {
+    // Only the part that differs is replaced, so that cursor and scroll bars stay.
+    const int shorter = std::min(after.size(), before.size());
+    int same = 0, sameEnd = 0;
+    while (same < shorter && after[same] == before[same]) ++same;
+    while (sameEnd < shorter - same &&
+           after[after.size() - 1 - sameEnd] == before[before.size() - 1 - sameEnd])
+      ++sameEnd;
     isShowing_ = true;
-    const QTextCursor before = textCursor();
-    const int line = before.blockNumber(), column = before.positionInBlock();
-    setPlainText(text);
-    QTextCursor cursor(document()->findBlockByNumber(std::min(line, blockCount() - 1)));
-    cursor.movePosition(QTextCursor::Right, QTextCursor::MoveAnchor,
-                        std::min(column, cursor.block().length() - 1));
-    setTextCursor(cursor);
+    QTextCursor cursor(document());
+    cursor.setPosition(same);
+    cursor.setPosition(before.size() - sameEnd, QTextCursor::KeepAnchor);
+    cursor.insertText(after.mid(same, after.size() - same - sameEnd));
     isShowing_ = false;
     showLine();
   }

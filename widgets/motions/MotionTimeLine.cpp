@@ -20,7 +20,7 @@ namespace {
 using robotlink::Duration;
 using robotlink::JointValue;
 
-constexpr int kFramesMargin = 6, kFrameTimesHeight = 16, kGrabbedEnd = 5;
+constexpr int kFramesMargin = 6, kGrabbedEnd = 5;
 constexpr Duration kLeastFramesTotal = std::chrono::milliseconds(100),
                    kDurationStep = std::chrono::milliseconds(8);
 /// Angles are drawn from the lower to the upper end of what joints reach.
@@ -82,6 +82,10 @@ Duration MotionTimeLine::timeAt(int x) const {
   return robotlink::fromSeconds(std::max(0.0, share) * robotlink::seconds(total()));
 }
 
+int MotionTimeLine::timesHeight() const {
+  return fontMetrics().height() + 3;
+}
+
 int MotionTimeLine::endAt(int x) const {
   for (int frame = static_cast<int>(bench_.frames().size()) - 1; frame >= 0; --frame) {
     if (std::abs(placeOf(endOf(frame)) - x) <= kGrabbedEnd) return frame;
@@ -129,7 +133,7 @@ void MotionTimeLine::paintFrames(QPainter& painter) const {
   const int selected = bench_.frame();
   for (int frame = 0; frame < static_cast<int>(bench_.frames().size()); ++frame) {
     const double begin = placeOf(bench_.frames()[static_cast<std::size_t>(frame)].begin);
-    const QRectF block(QPointF(begin, kFrameTimesHeight), QPointF(placeOf(endOf(frame)), height() - 2));
+    const QRectF block(QPointF(begin, timesHeight()), QPointF(placeOf(endOf(frame)), height() - 2));
     const QColor color = mixed(base, palette().color(QPalette::Text), frame % 2 == 0 ? 0.06 : 0.12);
     painter.fillRect(block,
                      frame == selected ? mixed(base, palette().color(QPalette::Highlight), 0.35) : color);
@@ -143,7 +147,7 @@ void MotionTimeLine::paintFrames(QPainter& painter) const {
 }
 
 void MotionTimeLine::paintCurves(QPainter& painter) const {
-  const double top = kFrameTimesHeight + 2, low = height() - 4;
+  const double top = timesHeight() + 2, low = height() - 4;
   const auto level = [&](double angle) {
     return (top + low) / 2 - std::clamp(angle / kShownAngles, -1.0, 1.0) * (low - top) / 2;
   };
@@ -178,11 +182,11 @@ void MotionTimeLine::paintTimes(QPainter& painter) const {
   const Duration step = frameMarkStep(total(), width());
   for (Duration time{}; time <= total(); time += step) {
     const double x = placeOf(time);
-    painter.drawLine(QPointF(x, kFrameTimesHeight - 4), QPointF(x, kFrameTimesHeight));
+    painter.drawLine(QPointF(x, timesHeight() - 3), QPointF(x, timesHeight()));
     const QString text = tr("%1 s").arg(robotlink::seconds(time), 0, 'g', 4);
     const double wide = fontMetrics().horizontalAdvance(text);
     const double left = std::clamp(x - wide / 2, 1.0, std::max(1.0, width() - wide - 1));
-    painter.drawText(QPointF(left, kFrameTimesHeight - 5), text);
+    painter.drawText(QPointF(left, fontMetrics().ascent()), text);
   }
 }
 

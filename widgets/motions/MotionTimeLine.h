@@ -38,6 +38,8 @@ class MotionTimeLine final : public QWidget {
 
  private:
   robotlink::Duration total() const;
+  /// The height of the scale above the key frames.
+  int timesHeight() const;
   robotlink::Duration timeAt(int x) const;
   /// When a key frame ends.
   robotlink::Duration endOf(int frame) const;

@@ -188,7 +188,8 @@ TEST_F(MotionEngineTest, aWalkStopsBeforeJointsTurn) {
 
 TEST_F(MotionEngineTest, limpJointsFollowTheHandAndDoNotGetUp) {
   run({}, 200);
-  MotionCommand limp{MotionCommand::Kind::kJoints};
+  MotionCommand limp;
+  limp.kind = MotionCommand::Kind::kJoints;
   limp.limp = true;
   const std::vector<double> posed(17, 0.25);
   const Vector3 lying{0, 9.8, 0};

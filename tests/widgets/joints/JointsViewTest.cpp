@@ -46,6 +46,7 @@ class JointsViewTest : public QObject {
     for (int i = 0; i < 40; ++i) bench.publishJoints(i, i);
     bench.tick(*view);
     QCOMPARE(cellOf(*view, 0, JointsModel::kMeasured), QStringLiteral("39.0"));
+    QCoreApplication::processEvents();
     keepPicture(*view, "joints");
   }
 
@@ -82,6 +83,7 @@ class JointsViewTest : public QObject {
     bench.takeOver();
     auto view = bench.open<JointsView>({1000, 400});
     bench.tick(*view);
+    QCoreApplication::processEvents();  // the columns get their widths
     auto& slider = child<JointSlider>(*view, "joint-legFL1");
     QTest::mouseClick(&slider, Qt::LeftButton, {}, {slider.width() - 5, slider.height() / 2});
     bench.tick(*view);
@@ -118,6 +120,7 @@ class JointsViewTest : public QObject {
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("-200"));
     QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();  // the editor commits later
     bench.tick(*view);
     QCOMPARE(bench.commanded().joints(0).name(), std::string("legFR1"));
     QVERIFY(std::abs(bench.commanded().joints(0).position() - robotlink::radians(-45)) < 1e-9);
@@ -186,6 +189,7 @@ class JointsViewTest : public QObject {
     bench.step();
     QCOMPARE(bench.commanded().kind(), MotionRequest::WALK);
     bench.publishJoints(5, 6);
+    bench.step();
     QCOMPARE(bench.refusal("joints.capture 100 requested"), std::string());
     QCOMPARE(bench.row(5), std::string("     6     6     6 1 100"));
     QCOMPARE(bench.refusal("joints.capture 0"), std::string("joints.duration"));
