@@ -78,6 +78,7 @@ OUTSIDE = {
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
     r"^opencv2/videoio": ["logplayer"],
     r"^(muParser|re2/)": ["robotlink/expressions"],
+    r"^kissfft/": ["robotlink/series"],
     r"^bzlib": ["colortool"],
     r"^(turbojpeg|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],

@@ -25,7 +25,13 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addLogSearch(commands_, *this, logSearch_);
   addJob([this] { return logSearch_.working(); });
   addRecordingCommands(commands_, *this);
-  addTimelineCommands(commands_, *this);
+  addTimelineCommands(commands_, *this, changeSteps_);
+  addJob([this] { return changeSteps_.working(); });
+}
+
+void Workbench::tick() {
+  OpenPlatform::tick();
+  changeSteps_.tick();
 }
 
 robotlink::Result<bool> Workbench::working() const {
