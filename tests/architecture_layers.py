@@ -61,7 +61,7 @@ ROOMS = {
     "widgets": [".", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
         "log", "color", "drive", "messages", "console", "plots", "data", "scene", "timeline", "color/image", "color/quality",
         "color/samples", "color/space"],
-    "app/core": ["program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "simulated", "remote", "body", "."],
+    "app/core": ["plugins", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
     "app/robotcontrol": ["actions", "commands", "presets", "remote", "docks", "bars", "."],
 }

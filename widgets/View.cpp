@@ -8,6 +8,7 @@
 #include <QSplitter>
 #include <algorithm>
 
+#include "robotlink/base/Registrations.h"
 #include "widgets/HeaderState.h"
 #include "widgets/SplitterState.h"
 #include "widgets/WrittenPicture.h"
@@ -15,8 +16,8 @@
 namespace widgets {
 namespace {
 
-std::vector<ViewType>& registeredViews() {
-  static std::vector<ViewType> types;
+robotlink::Registry<ViewType>& registeredViews() {
+  static robotlink::Registry<ViewType> types;
   return types;
 }
 
@@ -77,17 +78,20 @@ void View::keep(const char* name, QHeaderView* columns) {
 }
 
 const std::vector<ViewType>& ViewRegistry::all() {
-  return registeredViews();
+  return registeredViews().all();
 }
 
 const ViewType* ViewRegistry::find(const std::string& id) {
-  const auto& types = registeredViews();
+  const auto& types = all();
   const auto found = std::find_if(types.begin(), types.end(), [&](const ViewType& t) { return id == t.id; });
   return found == types.end() ? nullptr : &*found;
 }
 
 ViewRegistration::ViewRegistration(ViewType type) {
-  registeredViews().push_back(std::move(type));
+  const std::string name = std::string("view \"") + type.id + "\"";
+  const bool isNew = ViewRegistry::find(type.id) == nullptr;
+  registeredViews().add(std::move(type), name,
+                        isNew ? "" : "registered twice; identifiers of views are unique");
 }
 
 }  // namespace widgets

@@ -9,6 +9,7 @@
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/ShippedFiles.h"
 #include "robotlink/commands/CommandCatalog.h"
+#include "robotlink/commands/CommandRegistration.h"
 
 namespace app {
 namespace {
@@ -68,6 +69,7 @@ std::vector<CommandTable::Command> platformCommands() {
 std::vector<CommandTable::Command> allCommands() {
   auto commands = robotlink::commandCatalog();
   for (auto& command : platformCommands()) commands.push_back(std::move(command));
+  for (const auto& command : robotlink::registeredCommands()) commands.push_back(command.declaration);
   std::ranges::sort(commands, {}, &CommandTable::Command::name);
   return commands;
 }

@@ -11,6 +11,7 @@
 #include "app/core/SceneCommands.h"
 #include "app/core/SimulationCommands.h"
 #include "app/core/TimelineCommands.h"
+#include "robotlink/commands/CommandRegistration.h"
 
 namespace app {
 
@@ -27,6 +28,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addRecordingCommands(commands_, *this);
   addTimelineCommands(commands_, *this, changeSteps_);
   addJob([this] { return changeSteps_.working(); });
+  robotlink::attachRegisteredCommands(commands_, session());
 }
 
 void Workbench::tick() {

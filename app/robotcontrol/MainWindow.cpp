@@ -11,11 +11,13 @@
 #include <QMenu>
 #include <QScreen>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "app/core/Workbench.h"
+#include "app/core/plugins/Plugins.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
@@ -38,6 +40,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Counted.h"
 #include "widgets/Icon.h"
+#include "widgets/ToolBarRegistration.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/console/CommandLog.h"
@@ -87,12 +90,16 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   connectSignals();
   createPalette();
   restoreWindow();
-  if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
+  const auto& damaged = perspectives_.problems();
+  startProblems_.insert(startProblems_.end(), damaged.begin(), damaged.end());
   createColors(userFolder);
   createKeys();
   attachCommands();
   shortcuts_ = new Shortcuts(*keys_, userFolder / "shortcuts.json", *this);
-  if (shortcuts_->problem()) showErrors({*shortcuts_->problem()});
+  if (shortcuts_->problem()) startProblems_.push_back(*shortcuts_->problem());
+  for (const std::string& problem : pluginProblems())
+    startProblems_.push_back({"plugin.failed", "plug-in " + problem, {}, {}});
+  showErrors(startProblems_);
 }
 
 MainWindow::~MainWindow() {
@@ -112,6 +119,7 @@ void MainWindow::createActions() {
   addToolBar(recordingBar_);
   addToolBar(new StopToolBar(*toolBar_->stopAction(), this));
   addAction(toolBar_->stopAction());
+  addRegisteredToolBars();
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
   history_ = new HistoryLine(workbench_, *actions_, *statusBar());
@@ -119,6 +127,23 @@ void MainWindow::createActions() {
   remoteLine_ = new RemoteLine(workbench_, *actions_, *statusBar());
   connect(remoteLine_, &RemoteLine::connectionsClicked, remote_, &RemoteMenus::showConnect);
   connect(remoteLine_, &RemoteLine::offerClicked, remote_, &RemoteMenus::showOffer);
+}
+
+void MainWindow::addRegisteredToolBars() {
+  for (const widgets::ToolBarType& type : widgets::registeredToolBars()) {
+    try {
+      QToolBar* bar = type.create(context_, this);
+      bar->setObjectName(QStringLiteral("toolBar.") + QLatin1String(type.id));
+      bar->setWindowTitle(QCoreApplication::translate("View", type.title));
+      addToolBar(bar);
+    } catch (const std::exception& thrown) {
+      startProblems_.push_back(
+          {"plugin.tool-bar",
+           std::string("the toolbar \"") + type.title + "\" has failed: " + thrown.what(),
+           {},
+           {}});
+    }
+  }
 }
 
 void MainWindow::createErrorBar() {
@@ -173,6 +198,8 @@ void MainWindow::connectSignals() {
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
   errorBar_->hide();
+  // What is opened at the start is no answer to these.
+  showErrors(std::exchange(startProblems_, {}));
   toolBar_->showLoaded();
   simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
   showRobots();

@@ -171,6 +171,7 @@ class MainWindow : public QMainWindow {
   /// Asks the user before unsaved samples would be lost at the end.
   bool mayLoseColors();
   /// The bar above the views that shows errors.
+  void addRegisteredToolBars();
   void createErrorBar();
   /// Menus and their commands (MainWindowMenus.cpp).
   void createMenus();
@@ -198,6 +199,7 @@ class MainWindow : public QMainWindow {
   /// Shows the manual's page of the view that has the focus.
   void showManual();
   void reportProblem();
+  void showPlugins();
   void showAbout();
   /// Called when the workbench has loaded another platform.
   void onLoaded();
@@ -253,6 +255,8 @@ class MainWindow : public QMainWindow {
   QLabel* errorText_ = nullptr;
   /// The id of the first error that is shown.
   std::string errorId_;
+  /// What went wrong before anything was opened.
+  robotlink::Errors startProblems_;
   QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;
   const robotlink::SteadyClock clock_;

@@ -13,6 +13,7 @@
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/ManualWindow.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
+#include "app/robotcontrol/actions/PluginsDialog.h"
 #include "app/robotcontrol/actions/ProblemReport.h"
 #include "app/robotcontrol/actions/ShortcutsDialog.h"
 #include "app/robotcontrol/bars/ColorTableButton.h"
@@ -150,6 +151,8 @@ void MainWindow::createHelpMenu() {
   menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts,
                   QKeySequence(QStringLiteral("Shift+F1")))
       ->setObjectName(QStringLiteral("help.shortcuts"));
+  menu->addAction(tr("&Plug-ins…"), this, &MainWindow::showPlugins)
+      ->setObjectName(QStringLiteral("help.plugins"));
   menu->addAction(tr("&Report a problem…"), this, &MainWindow::reportProblem)
       ->setObjectName(QStringLiteral("help.report"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
@@ -205,6 +208,10 @@ void MainWindow::setAppearance(Appearance appearance) {
 
 void MainWindow::showShortcuts() {
   ShortcutsDialog(*shortcuts_, this).exec();
+}
+
+void MainWindow::showPlugins() {
+  PluginsDialog(this).exec();
 }
 
 void MainWindow::showAbout() {

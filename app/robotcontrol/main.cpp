@@ -16,6 +16,7 @@
 #include "app/core/platform/FieldOptions.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/PlatformAdapter.h"
+#include "app/core/plugins/Plugins.h"
 #include "app/core/program/Abandoned.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -97,6 +98,12 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_flag("--keep-open", arguments.keepOpen, "Do not quit at the end of the script")->needs(script);
   app.add_option("--junit", arguments.junit, "Write how the script went to this JUnit XML file")
       ->needs(script);
+  app.add_option_function<std::vector<std::string>>(
+         "--plugin", [](const auto&) {}, "Load this plug-in, too; may be given several times")
+      ->expected(1)
+      ->take_all();
+  app.add_flag_function(
+      "--no-plugins", [](auto) {}, "Do not load the plug-ins in the user's folder");
   app.add_option("--screenshot", arguments.screenshot,
                  "Save a picture of the window to this PNG file and quit; works without a display");
   app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
@@ -304,6 +311,7 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (const auto status = app::ownProgramMain(argc, argv)) return *status;
+  app::loadPlugins(app::pluginOptions(argc, argv));
   try {
     return start(argc, argv);
   } catch (const std::exception& exception) {

@@ -21,6 +21,7 @@ void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addCommandsCommand(CLI::App& app, int& status);
 void addDoCommand(CLI::App& app, int& status);
+void addPluginsCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 void addPlatformCommand(CLI::App& app, int& status);
 void addLaunchCommand(CLI::App& app, int& status);
@@ -28,6 +29,9 @@ void addRobotsCommand(CLI::App& app, int& status);
 void addDeployCommand(CLI::App& app, int& status);
 void addWatchCommand(CLI::App& app, int& status);
 void addRequestCommand(CLI::App& app, int& status);
+
+/// Adds `--plugin` and `--no-plugins`, which main() has obeyed before (app/core/plugins/Plugins.h).
+void addPluginOptions(CLI::App& app);
 
 /// Prints all errors to stderr, one per line, and returns kFailed.
 int printErrors(const robotlink::Errors& errors);

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "app/core/own/OwnProgramMain.h"
+#include "app/core/plugins/Plugins.h"
 #include "app/core/program/Abandoned.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   CLI::App app("Everything that RobotControl can do without a window.", "robotctl");
   app.require_subcommand(1);
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
+  addPluginOptions(app);
   app.footer(
       "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\nIf a signal ends it before it is "
       "done, 128 and the signal's number (130 after Ctrl-C); files are then\ncomplete or absent.\n'robotctl "
@@ -53,6 +55,7 @@ int run(int argc, char** argv) {
   addColorCommand(app, status);
   addCommandsCommand(app, status);
   addDoCommand(app, status);
+  addPluginsCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -85,6 +88,9 @@ int finish(int status) {
 
 int main(int argc, char** argv) {
   if (const auto status = app::ownProgramMain(argc, argv)) return *status;
+  app::loadPlugins(app::pluginOptions(argc, argv));
+  for (const std::string& problem : app::pluginProblems())
+    std::cerr << "robotctl: plug-in " << robotlink::printable(problem) << "\n";
   const app::SignalWatch watch;
   int status = app::kFailed;
   try {

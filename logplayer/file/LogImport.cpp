@@ -2,12 +2,14 @@
 #include "logplayer/file/LogImport.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <exception>
+#include <optional>
 
 #include "logplayer/base/LogWriter.h"
 #include "logplayer/bhuman/MessageQueueReader.h"
 #include "logplayer/bhuman/QueueImport.h"
+#include "logplayer/file/LogFormat.h"
 #include "logplayer/pictures/FrameImport.h"
 #include "logplayer/pictures/PictureFrames.h"
 #include "logplayer/pictures/VideoFrames.h"
@@ -27,19 +29,7 @@ using robotlink::StreamMessage;
 
 namespace {
 
-/// What a program that replays logs of a format is made of.
-struct ImportedRobot {
-  /// Its name where the user gives it none.
-  const char* name;
-  /// Resources.
-  const char* description;
-  const char* layout;
-  const char* field;
-  /// The packages that such logs hold.
-  std::vector<const char*> offers;
-};
-
-ImportedRobot naoOf2009() {
+LogFormat::Robot naoOf2009() {
   return {"nao",
           "robots/nao.yaml",
           "layouts/perception.yaml",
@@ -48,7 +38,7 @@ ImportedRobot naoOf2009() {
            robotlink::kBodySensors.name, robotlink::kBodyReadings.name, robotlink::kMotionStatus.name}};
 }
 
-ImportedRobot camera() {
+LogFormat::Robot camera() {
   return {"camera",
           "robots/camera.yaml",
           "layouts/perception.yaml",
@@ -65,7 +55,7 @@ Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
 }
 
 /// The setup of the program that replays such a log.
-Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportedRobot& robot, const ImportOptions& options) {
+Result<std::shared_ptr<ProgramSetup>> setupOf(const LogFormat::Robot& robot, const ImportOptions& options) {
   auto setup = std::make_shared<ProgramSetup>();
   setup->set_robot(options.robot);
   setup->set_team("red");
@@ -83,12 +73,14 @@ Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportedRobot& robot, const 
 /// Writes the setup at the time of the first frame, then the frames.
 class ImportWriter {
  public:
-  static Result<ImportWriter> create(const std::filesystem::path& file, const ImportedRobot& robot,
+  static Result<ImportWriter> create(const std::filesystem::path& file, const LogFormat::Robot& robot,
                                      const ImportOptions& options) {
-    auto setup = setupOf(robot, options);
-    if (!setup) return tl::unexpected(std::move(setup.error()));
     ImportWriter writer;
-    writer.opening_.push_back({options.robot + "/" + robotlink::streams::kProgram, {}, std::move(*setup)});
+    if (robot.description != nullptr) {
+      auto setup = setupOf(robot, options);
+      if (!setup) return tl::unexpected(std::move(setup.error()));
+      writer.opening_.push_back({options.robot + "/" + robotlink::streams::kProgram, {}, std::move(*setup)});
+    }
     if (options.colorTable)
       writer.opening_.push_back({options.robot + "/" + robotlink::kColorTable.name, {}, options.colorTable});
     mcap::Writer::Options writing;
@@ -124,14 +116,6 @@ class ImportWriter {
  private:
   std::vector<StreamMessage> opening_;
   std::unique_ptr<LogWriter> log_;
-};
-
-/// A format that can be imported.
-struct Format {
-  ImportedRobot (*robot)();
-  bool (*recognizes)(const std::filesystem::path& file);
-  Result<ImportReport> (*import)(const std::filesystem::path& from, const ImportSink& sink,
-                                 const ImportOptions& options);
 };
 
 bool isQueue(const std::filesystem::path& file) {
@@ -171,21 +155,51 @@ Result<ImportReport> importPictures(const std::filesystem::path& from, const Imp
   return importFrom(*pictures, sink, options);
 }
 
-constexpr std::array<Format, 3> kFormats{{{naoOf2009, isQueue, importQueueFile},
-                                          {camera, isVideo, importVideo},
-                                          {camera, isPictureFolder, importPictures}}};
-
-/// Null if there is none.
-const Format* formatOf(const std::filesystem::path& file) {
-  const auto* const found =
-      std::ranges::find_if(kFormats, [&](const Format& format) { return format.recognizes(file); });
-  return found == kFormats.end() ? nullptr : found;
+/// Those that are built in, then those of plug-ins.
+std::vector<LogFormat> logFormats() {
+  std::vector<LogFormat> formats{{"B-Human message queue", naoOf2009, isQueue, importQueueFile},
+                                 {"video", camera, isVideo, importVideo},
+                                 {"folder of pictures", camera, isPictureFolder, importPictures}};
+  const auto& more = registeredLogFormats();
+  formats.insert(formats.end(), more.begin(), more.end());
+  return formats;
 }
 
-Result<ImportReport> convert(const Format& format, const std::filesystem::path& from, ImportWriter& writer,
+/// Nothing if there is none.
+std::optional<LogFormat> formatOf(const std::filesystem::path& file) {
+  const auto formats = logFormats();
+  const auto found =
+      std::ranges::find_if(formats, [&](const LogFormat& format) { return format.recognizes(file); });
+  return found == formats.end() ? std::nullopt : std::optional(*found);
+}
+
+/// "a B-Human message queue, a video or a folder of pictures"
+std::string formatsInWords() {
+  std::string words;
+  const auto formats = logFormats();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (i > 0) words += i + 1 == formats.size() ? " or " : ", ";
+    words += formats[i].name;
+  }
+  return words;
+}
+
+/// A plug-in may throw.
+Result<ImportReport> framesOf(const LogFormat& format, const std::filesystem::path& from,
+                              const ImportSink& sink, const ImportOptions& options) {
+  try {
+    return format.import(from, sink, options);
+  } catch (const std::exception& thrown) {
+    return robotlink::failure("import.thrown", std::string("the import has failed: ") + thrown.what(),
+                              {from.string(), 0, 0});
+  }
+}
+
+Result<ImportReport> convert(const LogFormat& format, const std::filesystem::path& from, ImportWriter& writer,
                              const ImportOptions& options) {
-  auto report = format.import(
-      from, [&writer](const std::vector<StreamMessage>& frame) { return writer.write(frame); }, options);
+  auto report = framesOf(
+      format, from, [&writer](const std::vector<StreamMessage>& frame) { return writer.write(frame); },
+      options);
   if (!report) return report;
   if (auto closed = writer.close(*report); !closed) return tl::unexpected(std::move(closed.error()));
   return report;
@@ -201,19 +215,17 @@ bool isRobotName(std::string_view name) {
 }
 
 bool canImport(const std::filesystem::path& file) {
-  return formatOf(file) != nullptr;
+  return formatOf(file).has_value();
 }
 
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                const ImportOptions& options) {
-  const Format* format = formatOf(from);
-  if (format == nullptr) {
+  const auto format = formatOf(from);
+  if (!format) {
     std::error_code error;
     if (!std::filesystem::exists(from, error))
       return robotlink::failure("log.open", "there is no such file", {from.string(), 0, 0});
-    return robotlink::failure("log.unknown-format",
-                              "this cannot be imported: it is neither a B-Human message queue nor a video "
-                              "nor a folder of pictures",
+    return robotlink::failure("log.unknown-format", "this cannot be imported: it is no " + formatsInWords(),
                               {from.string(), 0, 0});
   }
   ImportOptions chosen = options;

@@ -2,17 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <memory>
-#include <string>
 #include <string_view>
 
+#include "logplayer/base/ImportOptions.h"
 #include "logplayer/base/ImportReport.h"
 #include "robotlink/base/Error.h"
-
-namespace robotcontrol {
-class ColorTable;
-}
 
 namespace logplayer {
 
@@ -23,17 +17,6 @@ bool canImport(const std::filesystem::path& file);
 /// Whether a robot may have this name, which becomes a part of stream paths ("<robot>/..."): letters, digits,
 /// '-', '_' and '.'.
 bool isRobotName(std::string_view name);
-
-/// What the imported file does not say.
-struct ImportOptions {
-  /// Name of the robot, see isRobotName(); empty: the default of the format, "nao" or "camera".
-  std::string robot = {};
-  /// Is written into the log as its color table (app/core/program/ColorTables.h reads such files); null:
-  /// none.
-  std::shared_ptr<const robotcontrol::ColorTable> colorTable = {};
-  /// Called with the share done in [0, 1]; false cancels the import.
-  std::function<bool(double)> progress = {};
-};
 
 /// Converts a log of an older format, a video or a folder of pictures into a new MCAP file, which must not
 /// exist. The new log begins with the setup of a program that fits it: the robot (resources/robots/nao.yaml,

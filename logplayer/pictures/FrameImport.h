@@ -3,17 +3,13 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "logplayer/base/ImportReport.h"
+#include "logplayer/base/ImportSink.h"
 #include "logplayer/pictures/FrameSource.h"
 #include "robotlink/config/RobotDescription.h"
-#include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {
-
-/// Receives the messages of a frame.
-using ImportSink = std::function<robotlink::Result<void>(std::vector<robotlink::StreamMessage>)>;
 
 /// Passes all frames of a source to `sink`: for each the image, the camera's pose and a FrameInfo, as streams
 /// of `robot`, at times from 0 on. Frames that cannot be read are left out and reported. Fails if none can be

@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/DebugKey.h"
 
+#include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <cstdlib>
-#include <map>
 #include <string_view>
 #include <utility>
+
+#include "robotlink/base/Registrations.h"
 
 namespace robotlink {
 namespace {
 
-// Filled before main() starts, by one thread; constructed by the first key, so that the order in which files
-// are initialized does not matter.
-struct Registry {
-  std::vector<DebugKey::Entry> entries;
-  std::map<std::string, int> indices;
-  std::atomic<bool> sealed{false};
-};
-
-Registry& registry() {
-  static Registry instance;
+Registry<DebugKey::Entry>& keys() {
+  static Registry<DebugKey::Entry> instance;
   return instance;
 }
 
-[[noreturn]] void refuseKey(const char* name, const char* why) {
-  std::fprintf(stderr, "debug key \"%s\": %s\n", name, why);
-  std::abort();
+/// Whether tables of the size of all() have been allocated.
+std::atomic<bool>& areSealed() {
+  static std::atomic<bool> sealed{false};
+  return sealed;
 }
 
 bool isPath(std::string_view name) {
@@ -36,18 +29,20 @@ bool isPath(std::string_view name) {
   return name.find_first_not_of(kAllowed) == std::string_view::npos;
 }
 
+/// Empty if a key may have this name.
+std::string problemOf(const char* name) {
+  if (!isPath(name))
+    return "a name is a path of lower case letters, digits and '-', its parts separated by one '/'";
+  if (areSealed()) return "declared after the first debug context was made; declare keys at namespace scope";
+  return DebugKey::find(name) >= 0 ? "declared twice; names of keys are unique in a program" : "";
+}
+
 }  // namespace
 
 DebugKey::DebugKey(const char* name, const char* help, std::string stream) {
-  Registry& keys = registry();
-  if (!isPath(name))
-    refuseKey(name, "a name is a path of lower case letters, digits and '-', its parts separated by one '/'");
-  if (keys.sealed)
-    refuseKey(name, "declared after the first debug context was made; declare keys at namespace scope");
-  keys.entries.push_back({name, help, std::move(stream)});
-  number_ = static_cast<int>(keys.entries.size());
-  if (!keys.indices.emplace(name, index()).second)
-    refuseKey(name, "declared twice; names of keys are unique in a program");
+  const std::string inWords = std::string("debug key \"") + name + "\"";
+  if (keys().add({name, help, std::move(stream)}, inWords, problemOf(name)))
+    number_ = static_cast<int>(all().size());
 }
 
 const std::string& DebugKey::name() const {
@@ -59,16 +54,16 @@ const std::string& DebugKey::stream() const {
 }
 
 const std::vector<DebugKey::Entry>& DebugKey::all() {
-  return registry().entries;
+  return keys().all();
 }
 
 int DebugKey::find(const std::string& name) {
-  const auto found = registry().indices.find(name);
-  return found == registry().indices.end() ? -1 : found->second;
+  const auto found = std::ranges::find(all(), name, &Entry::name);
+  return found == all().end() ? -1 : static_cast<int>(found - all().begin());
 }
 
 void DebugKey::seal() {
-  registry().sealed = true;
+  areSealed() = true;
 }
 
 }  // namespace robotlink

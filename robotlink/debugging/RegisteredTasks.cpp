@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/RegisteredTasks.h"
 
-#include <algorithm>
-
+#include "robotlink/base/Registrations.h"
 #include "robotlink/debugging/Solution.h"
 
 namespace robotlink {
 namespace {
 
-std::vector<TaskDescription>& descriptions() {
-  static std::vector<TaskDescription> tasks;
+bool taskPrecedes(const TaskDescription& a, const TaskDescription& b) {
+  return a.task < b.task;
+}
+
+Registry<TaskDescription>& descriptions() {
+  static Registry<TaskDescription> tasks(taskPrecedes);
   return tasks;
 }
 
 }  // namespace
 
 const std::vector<TaskDescription>& describedTasks() {
-  return descriptions();
+  return descriptions().all();
 }
 
 TaskRegistration::TaskRegistration(std::string task, std::string help) {
-  auto& tasks = descriptions();
-  const auto at = std::ranges::lower_bound(tasks, task, {}, &TaskDescription::task);
-  tasks.insert(at, {std::move(task), std::move(help)});
+  const std::string name = "task \"" + task + "\"";
+  descriptions().add({std::move(task), std::move(help)}, name, {});
 }
 
 TaskCatalog registeredTasks() {

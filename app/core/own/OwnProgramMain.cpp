@@ -15,6 +15,7 @@
 #include "app/core/own/CrashReport.h"
 #include "app/core/own/OwnProgramServer.h"
 #include "app/core/own/ProgramLink.h"
+#include "app/core/plugins/Plugins.h"
 
 namespace app {
 namespace {
@@ -75,6 +76,8 @@ int run(const std::string& robot) {
 
 std::optional<int> ownProgramMain(int argc, char** argv) {
   if (argc < 3 || std::string(argv[1]) != kProgramArgument) return std::nullopt;
+  // What failed was reported by the program that has started this one.
+  loadPluginsOfParent();
   // Started by hand, there is no host at the other end.
   pollfd look{kProgramSocket, 0, 0};
   if (::poll(&look, 1, 0) < 0 || (look.revents & POLLNVAL) != 0) return 2;

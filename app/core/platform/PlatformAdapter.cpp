@@ -2,6 +2,9 @@
 #include "app/core/platform/PlatformAdapter.h"
 
 #include <algorithm>
+#include <string_view>
+
+#include "robotlink/base/Registrations.h"
 
 namespace app {
 
@@ -10,28 +13,31 @@ using robotlink::Result;
 
 namespace {
 
-std::vector<PlatformAdapter>& adapters() {
-  static std::vector<PlatformAdapter> all;
+robotlink::Registry<PlatformAdapter>& adapters() {
+  static robotlink::Registry<PlatformAdapter> all(
+      [](const PlatformAdapter& a, const PlatformAdapter& b) { return a.order < b.order; });
   return all;
 }
 
 }  // namespace
 
 PlatformRegistration::PlatformRegistration(PlatformAdapter adapter) {
-  auto& all = adapters();
-  const auto place =
-      std::ranges::find_if(all, [&](const PlatformAdapter& other) { return other.order > adapter.order; });
-  all.insert(place, adapter);
+  const auto hasItsName = [&](const PlatformAdapter& other) {
+    return std::string_view(other.name) == adapter.name;
+  };
+  const bool isNew = std::ranges::none_of(platformAdapters(), hasItsName);
+  adapters().add(adapter, std::string("platform \"") + adapter.name + "\"",
+                 isNew ? "" : "registered twice; names of platforms are unique");
 }
 
 const std::vector<PlatformAdapter>& platformAdapters() {
-  return adapters();
+  return adapters().all();
 }
 
 const PlatformAdapter* adapterFor(const std::string& source) {
-  const auto found =
-      std::ranges::find_if(adapters(), [&](const PlatformAdapter& adapter) { return adapter.opens(source); });
-  return found == adapters().end() ? nullptr : &*found;
+  const auto found = std::ranges::find_if(
+      platformAdapters(), [&](const PlatformAdapter& adapter) { return adapter.opens(source); });
+  return found == platformAdapters().end() ? nullptr : &*found;
 }
 
 PlatformForm formOf(const PlatformAdapter& adapter) {

@@ -8,9 +8,11 @@
 #include <QJsonArray>
 #include <QXmlStreamReader>
 #include <algorithm>
+#include <exception>
 
 #include "app/robotcontrol/docks/DockLayout.h"
 #include "app/robotcontrol/docks/DockSpace.h"
+#include "app/robotcontrol/docks/FailedView.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -74,13 +76,40 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   dock->setIcon(widgets::icon(type->icon));
   dock->setTabToolTip(QCoreApplication::translate("View", type->help));
   dock->tabWidget()->installEventFilter(&space_);
-  widgets::View* view = type->create(context_, dock);
-  dock->setWidget(view, ads::CDockWidget::ForceNoScrollArea);
-  connect(view, &widgets::View::titleChanged, dock,
-          [dock](const QString& text) { dock->setWindowTitle(text); });
-  connect(view, &QObject::destroyed, this, &ViewDocks::forget);
-  docks_.push_back({id, dock, view, view});
+  widgets::View* view = nullptr;
+  try {
+    view = type->create(context_, dock);
+  } catch (const std::exception& thrown) {
+    view = new FailedView(context_, QString::fromUtf8(thrown.what()), {}, dock);
+  }
+  docks_.push_back({id, dock, nullptr, nullptr});
+  put(*view, docks_.back());
   return &docks_.back();
+}
+
+void ViewDocks::put(widgets::View& view, Dock& into) {
+  ads::CDockWidget* dock = into.dock;
+  dock->setWidget(&view, ads::CDockWidget::ForceNoScrollArea);
+  connect(&view, &widgets::View::titleChanged, dock,
+          [dock](const QString& text) { dock->setWindowTitle(text); });
+  connect(&view, &QObject::destroyed, this, &ViewDocks::forget);
+  into.view = &view;
+  into.identity = &view;
+}
+
+void ViewDocks::replaceFailed(widgets::View& failed, const QString& reason) {
+  const auto entry = std::ranges::find(docks_, &failed, [](const Dock& dock) { return dock.view.data(); });
+  if (entry == docks_.end()) return;
+  QJsonObject state;
+  try {
+    state = failed.saveState();
+  } catch (const std::exception&) {
+    // It has failed altogether.
+  }
+  entry->dock->takeWidget();
+  failed.hide();
+  failed.deleteLater();
+  put(*new FailedView(context_, reason, state, entry->dock), *entry);
 }
 
 ads::CDockWidget* ViewDocks::add(const QString& id, Place place, ads::CDockWidget* beside) {
@@ -163,7 +192,13 @@ void ViewDocks::tick() {
   // A view may open a dialog, during which the list of docks may change.
   const auto docks = docks_;
   for (const Dock& dock : docks) {
-    if (dock.view && dock.view->isVisible()) dock.view->tick();
+    if (!dock.view || !dock.view->isVisible()) continue;
+    try {
+      dock.view->tick();
+    } catch (const std::exception& thrown) {
+      // The others go on.
+      if (dock.view) replaceFailed(*dock.view, QString::fromUtf8(thrown.what()));
+    }
   }
 }
 

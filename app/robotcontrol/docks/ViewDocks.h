@@ -88,6 +88,10 @@ class ViewDocks : public QObject {
   };
   /// Creates a dock that has no place yet; null if there is no such kind.
   Dock* make(const QString& id, int number);
+  /// Puts a view into a dock that has none.
+  void put(widgets::View& view, Dock& into);
+  /// Puts a text in the place of a view that has thrown an exception, and deletes the view.
+  void replaceFailed(widgets::View& failed, const QString& reason);
   /// Null if there is none.
   Dock* find(const QString& objectName);
   /// Creates a dock with the next free number.

@@ -117,8 +117,28 @@ Result<Preset> PresetActions::named(const std::string& name) const {
   return isFile ? robotlink::Presets::loadFile(name) : presets_.load(name);
 }
 
+void PresetActions::requestTables(std::function<void(const Result<void>&)> done) {
+  robotcontrol::Request request;
+  request.set_robot(session_.selectedRobot());
+  request.mutable_send_tables();
+  session_.request(std::move(request), [guard = QPointer(this), done = std::move(done)](const auto& result) {
+    if (!guard) return;
+    done(result.accepted() ? Result<void>() : failure("preset.tables", result.reason()));
+  });
+}
+
 void PresetActions::capture(const std::vector<Preset::Part>& parts,
                             std::function<void(Result<Preset>)> done) {
+  const bool needsTables = std::ranges::any_of(
+      parts, [](Preset::Part part) { return part == Preset::kKeys || part == Preset::kSolutions; });
+  if (!needsTables || session_.selectedRobot().empty()) return captureNow(parts, std::move(done));
+  // A program that has begun just now reports process by process. What has no program, such as a log without
+  // one, refuses; then what was logged counts.
+  requestTables([this, parts, done = std::move(done)](const auto&) { captureNow(parts, done); });
+}
+
+void PresetActions::captureNow(const std::vector<Preset::Part>& parts,
+                               std::function<void(Result<Preset>)> done) {
   Preset now;
   const auto has = [&](Preset::Part part) { return std::ranges::find(parts, part) != parts.end(); };
   if (has(Preset::kKeys)) now.parts[Preset::kKeys] = robotlink::keysThatAreOn(session_);
@@ -162,13 +182,9 @@ Result<void> PresetActions::load(const Preset& preset) {
   if (session_.selectedRobot().empty())
     return failure("robot.none", "there is no robot; open a scene or a log, or connect one first");
   // What there is to be switched off is known when the program has reported its tables.
-  robotcontrol::Request request;
-  request.set_robot(session_.selectedRobot());
-  request.mutable_send_tables();
-  session_.request(std::move(request), [guard = QPointer(this), preset](const auto& result) {
-    if (!guard) return;
-    const auto done = result.accepted() ? guard->loadNow(preset) : failure("preset.load", result.reason());
-    if (!done) guard->session_.reportRefusal("preset", done.error().describe());
+  requestTables([this, preset](const Result<void>& reported) {
+    const auto done = reported ? loadNow(preset) : reported;
+    if (!done) session_.reportRefusal("preset", done.error().describe());
   });
   return {};
 }

@@ -37,7 +37,7 @@ class PresetActions final : public QObject {
   const robotlink::Presets& presets() const { return presets_; }
   /// By the name of a preset, or the path of a file.
   robotlink::Result<robotlink::Preset> named(const std::string& name) const;
-  /// Calls `done` with what is chosen now, once the robot has reported its parameters if those are meant.
+  /// Calls `done` with what is chosen now, once the robot has reported what of it is meant.
   void capture(const std::vector<robotlink::Preset::Part>& parts,
                std::function<void(robotlink::Result<robotlink::Preset>)> done);
   robotlink::Result<void> save(const std::string& name, const std::vector<robotlink::Preset::Part>& parts);
@@ -57,6 +57,10 @@ class PresetActions final : public QObject {
 
  private:
   void attach();
+  /// Calls `done` once the robot's program has reported all its keys and solutions, or has refused to.
+  void requestTables(std::function<void(const robotlink::Result<void>&)> done);
+  void captureNow(const std::vector<robotlink::Preset::Part>& parts,
+                  std::function<void(robotlink::Result<robotlink::Preset>)> done);
   robotlink::Result<void> loadNow(const robotlink::Preset& preset);
   robotlink::Result<void> changing(robotlink::Result<void> done);
   void loadKeys(const robotlink::Preset::Values& wanted, robotlink::Errors& errors);

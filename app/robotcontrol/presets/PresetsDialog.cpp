@@ -19,6 +19,12 @@ namespace app {
 using robotlink::Preset;
 using robotlink::Result;
 
+namespace {
+
+constexpr int kCompareMs = 1000;
+
+}  // namespace
+
 PresetsDialog::PresetsDialog(PresetActions& presets, QWidget* parent) : QDialog(parent), presets_(presets) {
   setObjectName(QStringLiteral("presetsDialog"));
   setWindowTitle(tr("Presets"));
@@ -75,6 +81,7 @@ void PresetsDialog::connectSignals() {
   connect(&presets_, &PresetActions::changed, this, &PresetsDialog::list);
   connect(list_, &QListWidget::currentTextChanged, this, [this](const QString& name) {
     name_->setText(name);
+    differences_->clear();
     compare();
   });
   connect(save_, &QPushButton::clicked, this, [this] {
@@ -91,6 +98,11 @@ void PresetsDialog::connectSignals() {
   });
   connect(delete_, &QPushButton::clicked, this,
           [this] { report(presets_.remove(current()), tr("Deleted")); });
+  // Keys, solutions and parameters are switched in other views, in scripts and by others while this is open.
+  connect(&comparing_, &QTimer::timeout, this, [this] {
+    if (isVisible() && !current().empty()) compare();
+  });
+  comparing_.start(kCompareMs);
 }
 
 void PresetsDialog::list() {
@@ -108,19 +120,25 @@ std::string PresetsDialog::current() const {
 
 void PresetsDialog::compare() {
   for (QPushButton* button : {load_, rename_, delete_}) button->setEnabled(!current().empty());
-  differences_->clear();
-  if (current().empty())
+  if (current().empty()) {
+    differences_->clear();
     return differences_->setPlaceholderText(
         tr("There is no preset yet. Type a name, choose what belongs to it, and save."));
+  }
   const auto preset = presets_.named(current());
-  if (!preset) return differences_->setPlainText(QString::fromStdString(preset.error().describe()));
+  if (!preset) return showDifferences(QString::fromStdString(preset.error().describe()));
   presets_.compare(*preset, [guard = QPointer(this), name = current()](const auto& lines) {
     if (!guard || guard->current() != name) return;
     QString text = lines ? QString() : QString::fromStdString(lines.error().describe());
     for (const std::string& line : lines.value_or(std::vector<std::string>()))
       text += QString::fromStdString(line) + QLatin1Char('\n');
-    guard->differences_->setPlainText(text.isEmpty() ? tr("Everything is as in this preset.") : text);
+    guard->showDifferences(text.isEmpty() ? tr("Everything is as in this preset.") : text);
   });
+}
+
+void PresetsDialog::showDifferences(const QString& text) {
+  // Setting a text ends what is selected and scrolls to its begin.
+  if (differences_->toPlainText() != text) differences_->setPlainText(text);
 }
 
 std::vector<Preset::Part> PresetsDialog::chosenParts() const {

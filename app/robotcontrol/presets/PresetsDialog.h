@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,9 @@ class PresetsDialog final : public QDialog {
   /// Lists the names and keeps the current one.
   void list();
   std::string current() const;
-  /// Shows what differs from the current preset.
+  /// Shows what differs from the current preset, once the robot has reported what it has.
   void compare();
+  void showDifferences(const QString& text);
   std::vector<robotlink::Preset::Part> chosenParts() const;
   void report(const robotlink::Result<void>& done, const QString& text);
 
@@ -44,6 +46,7 @@ class PresetsDialog final : public QDialog {
   std::vector<QCheckBox*> parts_;
   QPushButton *save_ = nullptr, *load_ = nullptr, *rename_ = nullptr, *delete_ = nullptr;
   QLabel* state_ = nullptr;
+  QTimer comparing_;
 };
 
 }  // namespace app

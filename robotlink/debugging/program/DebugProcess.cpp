@@ -192,6 +192,13 @@ std::string DebugProcess::processAsked(const Request& request) const {
   return target ? target->process : std::string();
 }
 
+void DebugProcess::setTables(Tables ofProcesses) {
+  for (auto& [process, tables] : ofProcesses) {
+    implementation_->tables.setKeys(process, std::move(tables.first));
+    implementation_->tables.setSolutions(process, std::move(tables.second));
+  }
+}
+
 void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
                             robotcontrol::SolutionTable& solutions,
                             robotcontrol::ProcessTable& processes) const {

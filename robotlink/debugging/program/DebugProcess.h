@@ -80,6 +80,8 @@ class DebugProcess final : public Process {
   std::string processAsked(const robotcontrol::Request& request) const;
   /// Tables by process.
   using Tables = std::map<std::string, std::pair<robotcontrol::KeyTable, robotcontrol::SolutionTable>>;
+  /// The tables of processes that have not reported theirs yet. Before it runs.
+  void setTables(Tables ofProcesses);
   /// The tables of the whole program, merged from those of the other processes.
   void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;

@@ -150,16 +150,9 @@ void RequestPreview::describeParameters(const TaskProcess& process, const std::s
 }
 
 void RequestPreview::describeTables() {
-  DebugProcess::Tables tables;
-  for (const Process* process : program_.processes()) {
-    const auto* tasks = dynamic_cast<const TaskProcess*>(process);
-    if (tasks == nullptr) continue;
-    auto& [keys, solutions] = tables[process->name()];
-    tasks->describe(solutions_, keys, solutions);
-  }
   auto& keys = queue().add<robotcontrol::KeyTable>(streams::kKeys);
   auto& solutions = queue().add<robotcontrol::SolutionTable>(streams::kSolutions);
-  program_.debugProcess().describe(tables, keys, solutions,
+  program_.debugProcess().describe(program_.tables(solutions_), keys, solutions,
                                    queue().add<robotcontrol::ProcessTable>(streams::kProcesses));
   for (auto& key : *keys.mutable_keys()) {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;

@@ -58,6 +58,8 @@ struct RobotProgram::Implementation {
   Result<void> link(AnySender* sender, const std::string& from);
   Result<void> link(AnyReceiver* receiver, const std::string& from);
   void watchAll(Platform& platform, const PlatformPackages& packages);
+  void reportTables();
+  DebugProcess::Tables tables(const std::map<std::string, std::string>& chosenSolutions) const;
   bool isHere(const std::string& process) const;
   Process* find(const std::string& name) const;
 
@@ -98,6 +100,7 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSe
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   made.watchAll(platform, packages);
   made.noteCommanding(platform, commanding);
+  made.reportTables();
   return program;
 }
 
@@ -121,6 +124,24 @@ void RobotProgram::Implementation::noteCommanding(const Platform& platform,
   for (const std::string& name : commanding) {
     if (const Process* here = find(name)) commandedBy.push_back(here);
   }
+}
+
+/// Processes report their tables in their first frames, one after the other. What the debug process knows
+/// before makes its first tables those of the whole program.
+void RobotProgram::Implementation::reportTables() {
+  if (debugProcess != nullptr) debugProcess->setTables(tables({}));
+}
+
+DebugProcess::Tables RobotProgram::Implementation::tables(
+    const std::map<std::string, std::string>& chosenSolutions) const {
+  DebugProcess::Tables all;
+  for (const Process* process : processes) {
+    const auto* tasks = dynamic_cast<const TaskProcess*>(process);
+    if (tasks == nullptr) continue;
+    auto& [keys, solutions] = all[process->name()];
+    tasks->describe(chosenSolutions, keys, solutions);
+  }
+  return all;
 }
 
 bool RobotProgram::Implementation::isHere(const std::string& process) const {
@@ -234,9 +255,9 @@ Errors RobotProgram::Implementation::connectPrograms(const std::set<std::string>
   for (const Layout::Program& program : layout.programs) {
     if (part.program.empty() || &program == layout.mainProgram()) continue;
     if (debugProcess != nullptr) {
-      OtherPrograms::Questions processes;
-      for (const auto& process : program.processes) processes[process.process] = questionsTo(process.process);
-      debugProcess->addProgram(program.name, processes, commanding);
+      OtherPrograms::Questions questions;
+      for (const auto& process : program.processes) questions[process.process] = questionsTo(process.process);
+      debugProcess->addProgram(program.name, questions, commanding);
     } else if (program.name != part.program) {
       continue;
     }
@@ -270,6 +291,9 @@ DebugProcess& RobotProgram::debugProcess() {
 }
 bool RobotProgram::hasDebugProcess() const {
   return implementation_->debugProcess != nullptr;
+}
+DebugProcess::Tables RobotProgram::tables(const std::map<std::string, std::string>& chosenSolutions) const {
+  return implementation_->tables(chosenSolutions);
 }
 bool RobotProgram::isUnattended() const {
   // A receiver that no task sends to has no peer.
@@ -312,6 +336,7 @@ void RobotProgram::setKeys(const std::map<std::string, robotcontrol::KeyMode>& m
     if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->setKeys(modes);
   }
   if (!hasDebugProcess()) return;
+  implementation_->reportTables();
   for (const auto& [name, mode] : modes) {
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(name);

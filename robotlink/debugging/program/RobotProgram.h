@@ -58,6 +58,9 @@ class RobotProgram {
   /// Only if hasDebugProcess(), which only one of several programs has.
   DebugProcess& debugProcess();
   bool hasDebugProcess() const;
+  /// The tables of the processes here as they would be if the solutions in `chosenSolutions` (by task) were
+  /// active. While no process runs.
+  DebugProcess::Tables tables(const std::map<std::string, std::string>& chosenSolutions) const;
   /// Whether a process that decides what the platform does, directly or through others, cannot be heard: it
   /// was stopped, or its program has ended, is of another version, or was out of reach for so long that its
   /// links are closed. The robot has to stand then. Only if hasDebugProcess(); any thread.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/program/RobotProgram.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "robotlink/process/ThreadExecutor.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
@@ -69,6 +69,18 @@ TEST(RobotProgramTest, anotherLayoutTakesThePlatformOver) {
   robot.run(20);
   EXPECT_EQ(39, lastRequest(robot.platform).positions(0));
   EXPECT_EQ(35, lastRequest(robot.platform).positions(1));
+}
+
+TEST(RobotProgramTest, theFirstTablesAreThoseOfAllProcesses) {
+  ToyRobot robot;
+  robot.platform.setImageEvery(50);  // cognition runs late, and reports late
+  robot.run(5);
+  const auto solutions = robot.on("tables/solutions");
+  ASSERT_FALSE(solutions.empty());
+  std::vector<std::string> tasks;
+  for (const auto& task : solutions.front()->solutions().tasks()) tasks.push_back(task.name());
+  EXPECT_THAT(tasks, testing::UnorderedElementsAre("ball-percept", "ball-model", "behavior", "motion"));
+  ASSERT_FALSE(robot.on("tables/keys").empty());
 }
 
 TEST(RobotProgramTest, allObjectsAreDestroyedWithTheProgram) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/file/LogFormat.h"
+
+#include <string>
+
+#include "robotlink/base/Registrations.h"
+
+namespace logplayer {
+namespace {
+
+robotlink::Registry<LogFormat>& formats() {
+  static robotlink::Registry<LogFormat> registered;
+  return registered;
+}
+
+}  // namespace
+
+const std::vector<LogFormat>& registeredLogFormats() {
+  return formats().all();
+}
+
+LogFormatRegistration::LogFormatRegistration(const LogFormat& format) {
+  const std::string name = format.name == nullptr ? "" : format.name;
+  const bool isWhole =
+      !name.empty() && format.robot != nullptr && format.recognizes != nullptr && format.import != nullptr;
+  formats().add(format, "log format \"" + name + "\"",
+                isWhole ? "" : "it needs a name, a robot, and both functions");
+}
+
+}  // namespace logplayer

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "logplayer/base/ImportOptions.h"
+#include "logplayer/base/ImportReport.h"
+#include "logplayer/base/ImportSink.h"
+#include "robotlink/base/Error.h"
+
+namespace logplayer {
+
+/// A format of logs that are not MCAP files. They are converted when they are opened, and by
+/// `robotctl log import`. A plain value.
+struct LogFormat {
+  /// The robot in such logs, and the program that replays them. Files are resources.
+  struct Robot {
+    /// Its name where the user gives it none.
+    const char* name = nullptr;
+    /// "robots/nao.yaml"; null: nothing is known of the robot, and no program runs on such logs.
+    const char* description = nullptr;
+    /// "layouts/perception.yaml", "fields/2009.yaml"; only with a description.
+    const char* layout = nullptr;
+    const char* field = nullptr;
+    /// The packages that such logs hold.
+    std::vector<const char*> offers = {};
+  };
+
+  /// "B-Human message queue".
+  const char* name = nullptr;
+  Robot (*robot)() = nullptr;
+  /// Whether the file, or folder, has this format, judged by its contents. Any thread; must not throw.
+  bool (*recognizes)(const std::filesystem::path& file) = nullptr;
+  /// Passes all frames of a file to `sink`, with the streams of the robot `options.robot`. Fails if nothing
+  /// can be read, if the sink fails, or with "log.given-up" if `options.progress` returns false. Any thread.
+  robotlink::Result<ImportReport> (*import)(const std::filesystem::path& from, const ImportSink& sink,
+                                            const ImportOptions& options) = nullptr;
+};
+
+/// Those of plug-ins, in the order of registration. LogImport.cpp has those that are built in.
+const std::vector<LogFormat>& registeredLogFormats();
+
+/// Registers a format when it is constructed: before main(), or while a plug-in is loaded.
+class LogFormatRegistration {
+ public:
+  explicit LogFormatRegistration(const LogFormat& format);
+};
+
+}  // namespace logplayer
