@@ -33,8 +33,8 @@ Error notFound(const std::string& expression, bool isForward) {
 }
 
 /// The state of an expression at an instant.
-std::optional<robotlink::FieldValue> stateAt(BoundExpression& expression, const StreamStore& store, Instant time,
-                                             std::optional<double> limit) {
+std::optional<robotlink::FieldValue> stateAt(BoundExpression& expression, const StreamStore& store,
+                                             Instant time, std::optional<double> limit) {
   const std::set<std::string> streams(expression.streams().begin(), expression.streams().end());
   for (const std::string& stream : streams) {
     const auto* message = store.latest(stream, time);
@@ -48,7 +48,8 @@ Result<std::string> inLog(const std::string& text, const logplayer::LogFile& log
                           const std::vector<std::string>& robots) {
   const auto own = log.robots();
   std::vector<std::string> known;
-  for (const auto& stream : log.streams()) known.push_back(logplayer::renamedStream(stream.path, own, robots));
+  for (const auto& stream : log.streams())
+    known.push_back(logplayer::renamedStream(stream.path, own, robots));
   const auto parsed = robotlink::Expression::parse(text, known);
   if (!parsed) return tl::unexpected(parsed.error());
   return parsed->withStreams(
@@ -95,8 +96,8 @@ Result<void> ChangeSteps::begin(const Step& step) {
   failure_.reset();
   expression_ = step.expression;
   isForward_ = step.isForward;
-  const auto* replay =
-      session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay, session.timeline().newest());
+  const auto* replay = session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay,
+                                                                            session.timeline().newest());
   if (replay == nullptr) return beginLive(step);
   Plan plan{step, session.selectedRobot(), Instant(Duration(replay->time())), {}};
   for (const auto& log : replay->logs())
@@ -114,11 +115,17 @@ Result<void> ChangeSteps::beginLive(const Step& step) {
   auto bound = BoundExpression::bind(step.expression, streams, {session.selectedRobot()});
   if (!bound) return tl::unexpected(bound.error());
   const auto expression = std::make_shared<BoundExpression>(std::move(bound->front()));
-  if (expression->streams().empty())
-    return failure("expression.constant", "the expression names no stream");
+  if (expression->streams().empty()) return failure("expression.constant", "the expression names no stream");
+  for (const std::string& stream : expression->streams()) {
+    const auto* newest = store.latest(stream, store.newest());
+    if (newest == nullptr) continue;
+    if (const auto fits = expression->take(stream, *newest->value); !fits)
+      return tl::unexpected(fits.error());
+  }
   const auto changes = [&store, expression, limit = step.limit](Instant time) {
     const Instant before = time - Duration(1);
-    return store.has(before) && stateAt(*expression, store, before, limit) != stateAt(*expression, store, time, limit);
+    return store.has(before) &&
+           stateAt(*expression, store, before, limit) != stateAt(*expression, store, time, limit);
   };
   isStepping_ = true;
   const std::set<std::string> needed(expression->streams().begin(), expression->streams().end());
