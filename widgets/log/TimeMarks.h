@@ -15,19 +15,13 @@
 #include "widgets/TypedStreams.h"
 #include "widgets/log/LogModel.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/log/TimeMark.h"
 
 namespace widgets {
 
-/// An instant, or a stretch of time, that is marked; on the timeline.
-struct TimeMark {
-  robotlink::Instant from, to;
-  QString text;
-  LogEntry::Level level = LogEntry::Level::kInfo;
-  bool operator==(const TimeMark&) const = default;
-};
-
-/// What is marked in the timeline and in all plots of a window: text messages that match a regular expression,
-/// of open logs as a whole and of the session; and what a search found. GUI thread; owned by the logs.
+/// What is marked in the timeline and in all plots of a window: text messages that match a regular
+/// expression, of open logs as a whole and of the session; and what a search found. GUI thread; owned by the
+/// logs.
 class TimeMarks final : public QObject {
   Q_OBJECT
  public:
@@ -37,8 +31,8 @@ class TimeMarks final : public QObject {
   /// Those of a window, created on the first call.
   static TimeMarks& of(OpenLogs& logs);
 
-  /// Marks texts that match, in any case of letters; empty: none. Returns an empty text, or what is wrong with
-  /// the expression, in which case all stays as it was.
+  /// Marks texts that match, in any case of letters; empty: none. Returns an empty text, or what is wrong
+  /// with the expression, in which case all stays as it was.
   QString setPattern(const QString& pattern);
   const QString& pattern() const { return pattern_; }
   /// What a search found, in order of time.

@@ -81,7 +81,8 @@ void PlotCanvas::connectMouse() {
   connect(plot_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pressed(*event); });
   connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* event) { released(*event); });
   connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
-    Q_EMIT cursorMoved(isInside(event->pos()) ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x())) : std::nullopt);
+    Q_EMIT cursorMoved(isInside(event->pos()) ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x()))
+                                              : std::nullopt);
   });
   for (const QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2})
     connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this, &PlotCanvas::rangeChanged);
@@ -173,7 +174,7 @@ void PlotCanvas::applyTheme() {
   }
   markers_->remake();
   gaps_.clear();  // they are shaded again in other colors
-  stripNames_.clear();
+  stripNames_.reset();
   showGaps();
   matchGraphs();
   plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -222,7 +223,8 @@ void PlotCanvas::createStrips() {
   plot_->plotLayout()->addElement(1, 0, strips_);
   plot_->plotLayout()->setRowSpacing(0);
   auto* sides = new QCPMarginGroup(plot_);
-  for (QCPAxisRect* area : {plot_->axisRect(), strips_}) area->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
+  for (QCPAxisRect* area : {plot_->axisRect(), strips_})
+    area->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
   strips_->setRangeDragAxes({plot_->xAxis}, {});
   strips_->setRangeZoomAxes({plot_->xAxis}, {});
   strips_->setRangeDrag(Qt::Horizontal);
@@ -279,7 +281,8 @@ void PlotCanvas::matchStrips() {
     const std::shared_ptr<const robotlink::Series> live(curve, &curve->live);
     std::vector<StateStrip::Part> parts{{curve->isLogged() ? curve->ofLog() : live, row, row + 1}};
     // What is computed anew stands below what was logged.
-    if (curve->isRecomputed && curve->ofLog()) parts = {{curve->ofLog(), row, row + 0.5}, {live, row + 0.5, row + 1}};
+    if (curve->isRecomputed && curve->ofLog())
+      parts = {{curve->ofLog(), row, row + 0.5}, {live, row + 0.5, row + 1}};
     strip.setParts(std::move(parts));
     strip.setNames(std::shared_ptr<const StateNames>(curve, &curve->names));
     strip.setEnd(end);

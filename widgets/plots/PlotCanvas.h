@@ -12,8 +12,8 @@
 
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/plots/PlotHistory.h"
-#include "widgets/plots/PlotMarkers.h"
 #include "widgets/plots/PlotLine.h"
+#include "widgets/plots/PlotMarkers.h"
 
 class QCPAxis;
 class QCPAxisRect;
@@ -29,14 +29,14 @@ class CurveModel;
 class SeriesGraph;
 class StateStrip;
 
-/// Draws the curves of a CurveModel over time with QCustomPlot; states are strips below them, in the same time
-/// axis. Curves over other ones are left out. The wheel zooms the time axis, or, with Shift
-/// or over a value axis, the values; dragging pans; dragging with the right button zooms to a box. All of
-/// this emits touched(), upon which the view stops following, and can be undone. A click sets the first
-/// cursor, with Shift the second one. Times are seconds on the session's timeline; the labels count from an
-/// origin. QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one
-/// pixel wide and not antialiased, since anything else costs a hundred times as much. Where a program
-/// computes anew what a log has, the curve of the log is drawn in a paler color behind. GUI thread.
+/// Draws the curves of a CurveModel over time with QCustomPlot; states are strips below them, in the same
+/// time axis. Curves over other ones are left out. The wheel zooms the time axis, or, with Shift or over a
+/// value axis, the values; dragging pans; dragging with the right button zooms to a box. All of this emits
+/// touched(), upon which the view stops following, and can be undone. A click sets the first cursor, with
+/// Shift the second one. Times are seconds on the session's timeline; the labels count from an origin.
+/// QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one pixel wide
+/// and not antialiased, since anything else costs a hundred times as much. Where a program computes anew what
+/// a log has, the curve of the log is drawn in a paler color behind. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -132,8 +132,8 @@ class PlotCanvas final : public QWidget {
   /// Two for each curve: of the log, and of what the session published.
   std::vector<SeriesGraph*> graphs_;
   std::vector<StateStrip*> stripGraphs_;
-  /// The names beside the strips.
-  QStringList stripNames_;
+  /// The names beside the strips; unset: they must be written again.
+  std::optional<QStringList> stripNames_;
   RemoteRobots robots_;
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;

@@ -41,7 +41,9 @@ void PlotsView::addSelected() {
   const QModelIndexList rows = tree_->selectionModel()->selectedRows();
   for (const QModelIndex& row : rows) {
     const QString source = row.data(PlotTreeModel::kSourceRole).toString();
-    if (!source.isEmpty()) addCurve(source);
+    if (source.isEmpty()) continue;
+    if (const auto added = addCurve(source); !added)
+      state_->setText(QString::fromStdString(added.error().text));
   }
 }
 
@@ -147,7 +149,8 @@ void PlotsView::addFiltered(const robotlink::PointFilter::Kind& kind) {
   }
   for (const CurveModel::Curve* curve : selected) {
     const QString text = curve->source().text() + QStringLiteral(" | ") + step;
-    if (const auto added = addCurve(text); !added) state_->setText(QString::fromStdString(added.error().text));
+    if (const auto added = addCurve(text); !added)
+      state_->setText(QString::fromStdString(added.error().text));
   }
 }
 
@@ -181,9 +184,11 @@ void PlotsView::addAcross() {
     return curves_.curves()[static_cast<std::size_t>(row.row())].get();
   };
   if (rows.size() != 2 || curveOf(rows[0])->across || curveOf(rows[1])->across)
-    return state_->setText(tr("Select two curves below the plot first: the upper one is to the right, the lower "
-                              "one upwards."));
-  const QString text = curveOf(rows[1])->source().text() + QStringLiteral(" over ") + curveOf(rows[0])->source().text();
+    return state_->setText(
+        tr("Select two curves below the plot first: the upper one is to the right, the lower "
+           "one upwards."));
+  const QString text =
+      curveOf(rows[1])->source().text() + QStringLiteral(" over ") + curveOf(rows[0])->source().text();
   if (const auto added = addCurve(text); !added) state_->setText(QString::fromStdString(added.error().text));
 }
 
@@ -205,9 +210,8 @@ void PlotsView::askForTextMarks() {
       tr("Messages that match this regular expression are marked in plots and timeline; empty: none"));
   TimeMarks& marks = TimeMarks::of(openLogs(context()));
   dialog->setTextValue(marks.pattern());
-  connect(dialog, &QInputDialog::textValueSelected, this, [this, &marks](const QString& pattern) {
-    state_->setText(marks.setPattern(pattern));
-  });
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, &marks](const QString& pattern) { state_->setText(marks.setPattern(pattern)); });
   dialog->open();
 }
 
@@ -238,9 +242,10 @@ void PlotsView::requestStream(CurveModel::Curve& curve, const std::string& strea
   request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
   const QString name = QString::fromStdString(key);
   state_->setText(tr("Asked %1 for %2 (debug key)").arg(QString::fromStdString(robotPart(stream)), name));
-  ask(session(), robotPart(stream), std::move(request), this, [this, name](bool accepted, const QString& reason) {
-    if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
-  });
+  ask(session(), robotPart(stream), std::move(request), this,
+      [this, name](bool accepted, const QString& reason) {
+        if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
+      });
 }
 
 void PlotsView::followLogs() {

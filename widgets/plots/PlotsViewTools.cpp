@@ -69,20 +69,22 @@ void PlotsView::createActions() {
 }
 
 void PlotsView::createLookActions() {
-  strip_ = makeAction(this, "log-streams",
+  strip_ = makeAction(this, "streams",
                       {"plotsStrip", tr("As states"),
                        tr("Shows the selected curves as strips of states, or as curves again")});
-  across_ = makeAction(this, "axes",
-                       {"plotsAcross", tr("Over each other"),
-                        tr("Adds the lower one of two selected curves over the upper one, instead of over time")});
+  across_ =
+      makeAction(this, "plots",
+                 {"plotsAcross", tr("Over each other"),
+                  tr("Adds the lower one of two selected curves over the upper one, instead of over time")});
   for (QAction* action : {strip_, across_}) action->setIcon({});
-  equal_ = makeToggle(this, "fit",
-                      {"plotsEqual", tr("Equal axes"), tr("Draws units as long on both axes of curves over others")});
+  equal_ = makeToggle(
+      this, "fit",
+      {"plotsEqual", tr("Equal axes"), tr("Draws units as long on both axes of curves over others")});
   equal_->setIcon({});
-  showSpectrum_ = makeToggle(
-      this, "plots",
-      {"plotsSpectrum", tr("Spectrum"),
-       tr("Shows the spectrum of the selected curves, or of all, of the shown times or between the cursors")});
+  showSpectrum_ = makeToggle(this, "plots",
+                             {"plotsSpectrum", tr("Spectrum"),
+                              tr("Shows the spectrum of the selected curves, or of all, of the shown times "
+                                 "or between the cursors")});
   mark_ = makeAction(this, "bookmark",
                      {"plotsMark", tr("Mark texts…"), tr("Marks when messages were written that match")});
   previousChange_ = makeAction(this, "previous",
@@ -91,8 +93,8 @@ void PlotsView::createLookActions() {
   nextChange_ = makeAction(
       this, "next",
       {"plotsNextChange", tr("Next change"), tr("Shows when the selected curve changes next"), tr("Ctrl+.")});
-  spectrumCsv_ = makeAction(this, "save",
-                            {"plotsSpectrumCsv", tr("Export the spectrum"), tr("Writes the amplitudes to a table")});
+  spectrumCsv_ = makeAction(
+      this, "save", {"plotsSpectrumCsv", tr("Export the spectrum"), tr("Writes the amplitudes to a table")});
 }
 
 void PlotsView::createTree() {
@@ -115,10 +117,11 @@ void PlotsView::createTree() {
   tree_->setDragEnabled(true);
   tree_->setDragDropMode(QAbstractItemView::DragOnly);
   expression_ = new QLineEdit(treePanel_);
-  describe(*expression_,
-           {"plotsExpression", tr("Expression"),
-            tr("A formula over values, as in sqrt(models/ball.position.x^2 + models/ball.position.y^2); Enter "
-               "adds it as a curve. Manual: Expressions.")});
+  describe(
+      *expression_,
+      {"plotsExpression", tr("Expression"),
+       tr("A formula over values, as in sqrt(models/ball.position.x^2 + models/ball.position.y^2); Enter "
+          "adds it as a curve. Manual: Expressions.")});
   expression_->setPlaceholderText(tr("Formula over values, Enter adds it"));
   expression_->setClearButtonEnabled(true);
   auto* layout = makeColumn(treePanel_, {}, 4);
