@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/ChangeSteps.h"
 #include "app/core/CommandValues.h"
 #include "app/core/HistoryKeeper.h"
 #include "app/core/OpenPlatform.h"
@@ -46,7 +47,7 @@ Result<void> seek(Session& session, double seconds) {
 
 }  // namespace
 
-void addTimelineCommands(robotlink::CommandTable& commands, OpenPlatform& open) {
+void addTimelineCommands(robotlink::CommandTable& commands, OpenPlatform& open, ChangeSteps& steps) {
   Session& session = open.session();
   commands.attach("timeline.pause", [&session](const Values&) -> Result<void> {
     if (auto ready = checkNoLog(session, "log.pause"); !ready) return ready;
@@ -72,6 +73,11 @@ void addTimelineCommands(robotlink::CommandTable& commands, OpenPlatform& open) 
     const auto count = stepsOf(number(values, 1));
     if (!count) return tl::unexpected(count.error());
     return session.history().step(text(values, 0), *count);
+  });
+  commands.attach("timeline.step-change", [&steps](const Values& values) {
+    ChangeSteps::Step step{text(values, 0), text(values, 1) == "next"};
+    if (values.size() > 2) step.limit = number(values, 2);
+    return steps.begin(step);
   });
   commands.attach("timeline.memory", [&open](const Values& values) -> Result<void> {
     const auto bytes = bytesOfMib(number(values, 0));

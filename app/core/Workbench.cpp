@@ -26,8 +26,14 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addLogSearch(commands_, *this, logSearch_);
   addJob([this] { return logSearch_.working(); });
   addRecordingCommands(commands_, *this);
-  addTimelineCommands(commands_, *this);
+  addTimelineCommands(commands_, *this, changeSteps_);
+  addJob([this] { return changeSteps_.working(); });
   robotlink::attachRegisteredCommands(commands_, session());
+}
+
+void Workbench::tick() {
+  OpenPlatform::tick();
+  changeSteps_.tick();
 }
 
 robotlink::Result<bool> Workbench::working() const {

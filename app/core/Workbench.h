@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/ChangeSteps.h"
 #include "app/core/LogSearchJob.h"
 #include "app/core/OpenPlatform.h"
 #include "robotlink/commands/CommandTable.h"
@@ -19,6 +20,8 @@ class Workbench : public OpenPlatform {
   /// See OpenPlatform; attaches all commands that need no window.
   explicit Workbench(std::filesystem::path userFolder);
 
+  /// See OpenPlatform; also goes where steps to changes lead.
+  void tick();
   robotlink::CommandTable& commands() { return commands_; }
   /// Adds a function that says whether something runs that a command has begun, beside what is opened, so
   /// that scripts wait for it. It fails, once, with why that has failed.
@@ -29,6 +32,7 @@ class Workbench : public OpenPlatform {
  private:
   std::vector<std::function<robotlink::Result<bool>()>> jobs_;
   LogSearchJob logSearch_;
+  ChangeSteps changeSteps_{*this};
   robotlink::CommandTable commands_;
 };
 

@@ -130,6 +130,7 @@ class MainWindow : public QMainWindow {
   void attachViewCommands();
   void attachPerspectiveCommands();
   void attachPlotCommands();
+  void attachSearchCommands();
   void createPalette();
   void createPresets(widgets::ParameterEdits& parameters);
   void createSweep(widgets::ParameterEdits& parameters);

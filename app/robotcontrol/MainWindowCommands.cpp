@@ -21,10 +21,12 @@
 #include "robotlink/base/Resources.h"
 #include "widgets/WrittenPicture.h"
 #include "widgets/console/CommandLog.h"
+#include "widgets/log/TimeMarks.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motion/MotionCommands.h"
 #include "widgets/motions/MotionEditorCommands.h"
 #include "widgets/plots/PlotsView.h"
+#include "widgets/search/SearchView.h"
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
 #include "widgets/solutions/ParameterSweep.h"
@@ -53,6 +55,11 @@ tl::unexpected<robotlink::Error> unknownView(const std::string& id) {
   return failure("view.unknown", "there is no view '" + id + "'", {}, {id});
 }
 
+Result<void> noCurve(const QString& value) {
+  const std::string name = value.toStdString();
+  return failure("plots.curve", "there is no curve of " + name, {}, {name});
+}
+
 std::vector<std::string> viewNames(const std::vector<std::string>& before) {
   std::vector<std::string> names;
   if (!before.empty()) return names;
@@ -74,6 +81,7 @@ void MainWindow::attachCommands() {
   attachViewCommands();
   attachPerspectiveCommands();
   attachPlotCommands();
+  attachSearchCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {
@@ -207,13 +215,7 @@ void MainWindow::attachPlotCommands() {
   attach(
       "plots.add",
       [](MainWindow& window, const Values& values) -> Result<void> {
-        const QString value = argumentOf(values, 0);
-        const auto source = widgets::PlotSource::fromText(value);
-        if (const auto filter = robotlink::PointFilter::parse(source.filter); !filter)
-          return tl::unexpected(filter.error());
-        if (window.shownView<widgets::PlotsView>("plots")->addCurve(value)) return {};
-        return failure("plots.add", "there is a curve of " + value.toStdString() + " already", {},
-                       {value.toStdString()});
+        return window.shownView<widgets::PlotsView>("plots")->addCurve(argumentOf(values, 0));
       },
       offers(&widgets::PlotsView::sources));
   attach(
@@ -221,14 +223,59 @@ void MainWindow::attachPlotCommands() {
       [](MainWindow& window, const Values& values) -> Result<void> {
         const QString value = argumentOf(values, 0);
         auto* plots = window.findView<widgets::PlotsView>("plots");
-        if (plots != nullptr && plots->removeCurve(value)) return {};
-        return failure("plots.remove", "there is no curve of " + value.toStdString(), {},
-                       {value.toStdString()});
+        return plots != nullptr && plots->removeCurve(value) ? Result<void>() : noCurve(value);
       },
       offers(&widgets::PlotsView::curves));
+  attach(
+      "plots.states",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const QString value = argumentOf(values, 0);
+        auto* plots = window.findView<widgets::PlotsView>("plots");
+        return plots != nullptr && plots->setStrip(value, std::get<bool>(values[1])) ? Result<void>()
+                                                                                     : noCurve(value);
+      },
+      offers(&widgets::PlotsView::curves));
+  attach("plots.spectrum", [](MainWindow& window, const Values& values) -> Result<void> {
+    window.shownView<widgets::PlotsView>("plots")->setSpectrum(std::get<bool>(values[0]),
+                                                               argumentOf(values, 1));
+    return {};
+  });
+  attach("plots.equal-axes", [](MainWindow& window, const Values& values) -> Result<void> {
+    window.shownView<widgets::PlotsView>("plots")->setEqualAxes(std::get<bool>(values[0]));
+    return {};
+  });
   attach("plots.clear", [](MainWindow& window, const Values&) -> Result<void> {
     if (auto* plots = window.findView<widgets::PlotsView>("plots")) plots->clear();
     return {};
+  });
+}
+
+void MainWindow::attachSearchCommands() {
+  attach("search.start", [](MainWindow& window, const Values& values) {
+    auto* view = window.shownView<widgets::SearchView>("search");
+    return view->search(argumentOf(values, 0), argumentOf(values, 1) == QStringLiteral("texts"));
+  });
+  const auto attachToView = [this](const char* name, Result<void> (*run)(widgets::SearchView&)) {
+    attach(name, [run](MainWindow& window, const Values&) -> Result<void> {
+      if (auto* view = window.findView<widgets::SearchView>("search")) return run(*view);
+      return failure("search.closed", "nothing was searched for; search.start CONDITION");
+    });
+  };
+  attachToView("search.cancel", [](widgets::SearchView& view) -> Result<void> {
+    view.cancel();
+    return {};
+  });
+  attachToView("search.next", [](widgets::SearchView& view) { return view.go(1); });
+  attachToView("search.previous", [](widgets::SearchView& view) { return view.go(-1); });
+  workbench_.addJob([window = QPointer(this)]() -> Result<bool> {
+    const auto* view = window ? window->findView<widgets::SearchView>("search") : nullptr;
+    return view != nullptr && view->isSearching();
+  });
+  attach("timeline.mark-texts", [](MainWindow& window, const Values& values) -> Result<void> {
+    const QString wrong =
+        widgets::TimeMarks::of(widgets::openLogs(window.context_)).setPattern(argumentOf(values, 0));
+    if (wrong.isEmpty()) return {};
+    return failure("timeline.pattern", "no regular expression: " + wrong.toStdString());
   });
 }
 

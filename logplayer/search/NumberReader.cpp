@@ -47,6 +47,8 @@ NumberReader::News NumberReader::take() {
     bool isReading = false;
     for (auto& [number, reading] : readings_) {
       if (!reading.waiting.empty()) news.points[number] = std::exchange(reading.waiting, {});
+      if (!reading.texts.empty()) news.texts[number] = std::exchange(reading.texts, {});
+      if (reading.problem) news.problems.emplace(number, *reading.problem);
       if (reading.isComplete) {
         news.complete.push_back(number);
         continue;
@@ -89,8 +91,11 @@ bool NumberReader::open(const std::stop_token& stop) {
   return true;
 }
 
-NumberReader::Pass NumberReader::nextPass() const {
+NumberReader::Pass NumberReader::nextPass() {
   const std::lock_guard lock(mutex_);
+  std::erase_if(memories_, [this](const auto& memory) {
+    return std::ranges::none_of(readings_, [&](const auto& reading) { return reading.second.id == memory.first; });
+  });
   Pass pass;
   pass.from = Instant::max();
   for (const auto& [number, reading] : readings_) {
@@ -107,14 +112,86 @@ NumberReader::Pass NumberReader::nextPass() const {
   return pass;
 }
 
-void NumberReader::run(Pass& pass, const std::stop_token& stop) {
-  std::multimap<std::string, Reading*> ofStream;
-  std::set<std::string> streams;
-  for (auto& [number, reading] : pass.readings) {
-    ofStream.emplace(number.stream, &reading);
-    streams.insert(number.stream);
+NumberReader::Memory& NumberReader::memoryOf(const LogNumber& number, Reading& reading) {
+  const auto [memory, isNew] = memories_.try_emplace(reading.id);
+  if (!isNew || !number.stream.empty()) return memory->second;
+  std::vector<std::string> streams;
+  for (const LogFile::Stream& stream : log_->streams()) streams.push_back(stream.path);
+  auto bound = robotlink::BoundExpression::bind(number.field, streams, {});
+  if (bound) {
+    memory->second.expression = std::make_unique<robotlink::BoundExpression>(std::move(bound->front()));
+  } else {
+    reading.problem = bound.error();
   }
-  LogFile::Cursor cursor(log_, {streams.begin(), streams.end()});
+  return memory->second;
+}
+
+/// Takes the messages of a pass, and makes points of them.
+class NumberReader::PassRun {
+ public:
+  PassRun(NumberReader& reader, Pass& pass) {
+    for (auto& [number, reading] : pass.readings) {
+      Memory& memory = reader.memoryOf(number, reading);
+      if (!number.stream.empty()) ofStream_.emplace(number.stream, Part{&reading, &memory});
+      if (!memory.expression) continue;
+      const auto& needed = memory.expression->streams();
+      for (const std::string& stream : std::set<std::string>(needed.begin(), needed.end()))
+        ofStream_.emplace(stream, Part{&reading, &memory});
+    }
+  }
+  std::vector<std::string> streams() const {
+    std::set<std::string> all;
+    for (const auto& [stream, part] : ofStream_) all.insert(stream);
+    return {all.begin(), all.end()};
+  }
+  void take(const robotlink::StreamMessage& message) {
+    const auto [first, last] = ofStream_.equal_range(message.path);
+    for (auto at = first; at != last; ++at) {
+      const Part& part = at->second;
+      if (part.memory->expression) {
+        const auto taken = part.memory->expression->take(message.path, *message.value);
+        if (!taken) part.reading->problem = taken.error();
+        if (std::ranges::find(changed_, part) == changed_.end()) changed_.push_back(part);
+      } else if (part.reading->path) {
+        add(part, message.time, part.reading->path->valueIn(*message.value));
+      }
+    }
+  }
+  /// Computes the expressions of which messages were taken, all of one time.
+  void compute(Instant time) {
+    for (const Part& part : changed_) add(part, time, part.memory->expression->valueOrText());
+    changed_.clear();
+  }
+
+ private:
+  struct Part {
+    Reading* reading;
+    Memory* memory;
+    bool operator==(const Part&) const = default;
+  };
+  static void add(const Part& part, Instant time, const std::optional<robotlink::FieldValue>& value) {
+    const auto number = value ? value->asNumber() : std::nullopt;
+    if (!number) return;
+    part.reading->waiting.push_back({robotlink::seconds(time), *number});
+    Texts& known = part.memory->texts;
+    if (!value->text || known.size() >= kMaxTexts || known.contains(*number)) return;
+    known.emplace(*number, *value->text);
+    part.reading->texts.emplace(*number, *value->text);
+  }
+
+  std::multimap<std::string, Part> ofStream_;
+  std::vector<Part> changed_;
+};
+
+void NumberReader::run(Pass& pass, const std::stop_token& stop) {
+  PassRun run(*this, pass);
+  const auto streams = run.streams();
+  // A cursor without streams would go through all.
+  if (streams.empty()) {
+    publish(pass, pass.until, stop);
+    return;
+  }
+  LogFile::Cursor cursor(log_, streams);
   if (pass.from > Instant::min()) cursor.seek(pass.from);
   Instant reached = pass.from;
   std::size_t count = 0;
@@ -122,20 +199,16 @@ void NumberReader::run(Pass& pass, const std::stop_token& stop) {
     if (*next >= pass.until) break;
     // Messages of one time are read together, so that it is known what was read.
     if (*next > reached) {
+      run.compute(reached);
       reached = *next;
       const bool isDue = ++count % kInstants == 0 || stop.stop_requested();
       if (isDue && !publish(pass, reached, stop)) return;
     }
     const auto message = cursor.next();
     if (!message || message->time >= pass.until) break;
-    const auto [first, last] = ofStream.equal_range(message->path);
-    for (auto at = first; at != last; ++at) {
-      Reading& reading = *at->second;
-      const auto value = reading.path ? reading.path->valueIn(*message->value) : std::nullopt;
-      if (value && value->number)
-        reading.waiting.push_back({robotlink::seconds(message->time), *value->number});
-    }
+    run.take(*message);
   }
+  run.compute(reached);
   publish(pass, pass.until, stop);
 }
 
@@ -144,8 +217,11 @@ bool NumberReader::publish(Pass& pass, Instant reached, const std::stop_token& s
   for (auto& [number, part] : pass.readings) {
     const auto found = readings_.find(number);
     Points points = std::exchange(part.waiting, {});
+    Texts texts = std::exchange(part.texts, {});
     if (found == readings_.end() || found->second.id != part.id) continue;
     Reading& reading = found->second;
+    reading.texts.merge(texts);
+    if (part.problem) reading.problem = part.problem;
     waiting_ += points.size();
     reading.waiting.insert(reading.waiting.end(), points.begin(), points.end());
     reading.reached = reached;

@@ -14,14 +14,15 @@
 
 #include "logplayer/file/LogFile.h"
 #include "robotlink/base/Worker.h"
+#include "robotlink/expressions/BoundExpression.h"
 #include "robotlink/expressions/FieldPath.h"
 #include "robotlink/series/Series.h"
 
 namespace logplayer {
 
-/// A number in the messages of a log's stream.
+/// A number in the messages of a log's stream, or what an expression makes of several.
 struct LogNumber {
-  /// As in the log.
+  /// As in the log; empty: the field is an expression, with streams as in the log.
   std::string stream;
   /// A path as robotlink::FieldPath parses it.
   std::string field;
@@ -29,18 +30,25 @@ struct LogNumber {
 };
 
 /// Reads numbers of a whole log in a thread, without playing it. All of them share one pass over the file;
-/// one that is wanted later is read up to where the pass is, and with the others from there. Points wait
-/// until they are taken; if too many wait, the thread does. The public functions are called by one thread and
+/// one that is wanted later is read up to where the pass is, and with the others from there. An expression
+/// has a point at each instant at which one of its streams has a message; of the others their last values
+/// before count. Texts become numbers, see robotlink::FieldValue::asNumber(). Points wait until they are taken; if too many wait, the thread does. The public functions are called by one thread and
 /// do not block; the destructor waits for at most one read.
 class NumberReader {
  public:
   using Points = std::vector<robotlink::Series::Point>;
+  using Texts = std::map<double, std::string>;
+  static constexpr std::size_t kMaxTexts = 1000;
   /// What was read since the last call.
   struct News {
     /// In order of time; times are the log's own, in s.
     std::map<LogNumber, Points> points = {};
+    /// The texts of values that have some, by their numbers, each once and kMaxTexts at most.
+    std::map<LogNumber, Texts> texts = {};
     /// All points of these have been taken now.
     std::vector<LogNumber> complete = {};
+    /// Why some have no points.
+    std::map<LogNumber, robotlink::Error> problems = {};
     /// The share of the log, 0 to 1, that was read of all.
     double progress = 1;
     /// Why the log cannot be read.
@@ -70,7 +78,17 @@ class NumberReader {
     robotlink::Instant reached = robotlink::Instant::min();
     bool isComplete = false;
     Points waiting = {};
+    /// Those that are new.
+    Texts texts = {};
+    std::optional<robotlink::Error> problem = {};
   };
+  /// What the thread knows of a reading from one pass to the next.
+  struct Memory {
+    /// Null: the number is no expression, or cannot be bound to the log.
+    std::unique_ptr<robotlink::BoundExpression> expression;
+    Texts texts = {};
+  };
+  class PassRun;
   /// The readings that go on together, up to where another one is.
   struct Pass {
     std::map<LogNumber, Reading> readings = {};
@@ -80,8 +98,10 @@ class NumberReader {
   void work(const std::stop_token& stop);
   bool open(const std::stop_token& stop);
   /// The readings that are behind all others; empty: all are complete.
-  Pass nextPass() const;
+  Pass nextPass();
   void run(Pass& pass, const std::stop_token& stop);
+  /// What is known of a reading, whose expression is bound at its first pass.
+  Memory& memoryOf(const LogNumber& number, Reading& reading);
   /// Makes points available, blocking as long as too many wait, and notes how far the readings are. False: to
   /// be ended.
   bool publish(Pass& pass, robotlink::Instant reached, const std::stop_token& stop);
@@ -90,6 +110,8 @@ class NumberReader {
   const std::size_t maxWaiting_;
   /// Opened by the thread.
   std::shared_ptr<LogFile> log_;
+  /// Of the thread alone, by the ids of the readings.
+  std::map<std::uint64_t, Memory> memories_;
   /// Protects all following members but the worker.
   mutable std::mutex mutex_;
   /// Signaled when points were taken.

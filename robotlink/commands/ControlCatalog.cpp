@@ -174,11 +174,41 @@ Rows viewRows() {
 
 Rows plotRows() {
   const CommandTable::Argument value{"value", Type::kText,
-                                     "\"red1/models/ball: position_in_robot.x | average 0.5\""};
+                                     "\"red1/models/ball: position_in_robot.x | average 0.5\", or \"= \" and "
+                                     "an expression, each perhaps with "
+                                     "\" over \" and another one"};
   return {
       {"plots.add", "Adds a curve to the plots", {value}},
+      {"plots.states",
+       "Shows a curve of the plots as a strip of states, or as a curve",
+       {value, {"on", Type::kBool, "off: as a curve", true}}},
+      {"plots.spectrum",
+       "Shows spectra of the curves in the plots, of the shown times or between the cursors",
+       {{"on", Type::kBool, "off hides them", true},
+        {.name = "window",
+         .help = "what the values are multiplied by before",
+         .initial = std::string("hann"),
+         .choices = {"hann", "rectangle", "hamming", "blackman", "flat-top"}}}},
+      {"plots.equal-axes",
+       "Draws units as long on both axes of curves over other ones",
+       {{"on", Type::kBool, "off: as there is room", true}}},
       {"plots.remove", "Removes a curve from the plots", {value}},
       {"plots.clear", "Removes all curves from the plots"},
+  };
+}
+
+Rows searchRows() {
+  return {
+      {"search.start",
+       "Searches the whole of the open logs in the view Search, without playing them",
+       {{"wanted", Type::kText, "a condition, or what texts contain"},
+        {.name = "kind", .initial = std::string("condition"), .choices = {"condition", "texts"}}}},
+      {"search.cancel", "Ends the search; what was found stays"},
+      {"search.next", "Jumps to the next hit of the search"},
+      {"search.previous", "Jumps to the hit before the shown time"},
+      {"timeline.mark-texts",
+       "Marks in the timeline and in plots when messages were written that match",
+       {{"pattern", Type::kText, "a regular expression; '' marks none"}}},
   };
 }
 
@@ -186,8 +216,8 @@ Rows plotRows() {
 
 Rows controlCatalog() {
   Rows all = manualRows();
-  for (Rows& rows :
-       std::vector<Rows>{jointRows(), motionRows(), parameterRows(), presetRows(), viewRows(), plotRows()})
+  for (Rows& rows : std::vector<Rows>{jointRows(), motionRows(), parameterRows(), presetRows(), viewRows(),
+                                      plotRows(), searchRows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

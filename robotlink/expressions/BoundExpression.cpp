@@ -122,6 +122,13 @@ std::string BoundExpression::valuesInWords() const {
   return words;
 }
 
+std::optional<FieldValue> BoundExpression::state(std::optional<double> limit) {
+  const auto value = valueOrText();
+  if (!limit || !value) return value;
+  if (!value->number) return std::nullopt;
+  return FieldValue{*value->number >= *limit ? 1.0 : 0.0, std::nullopt};
+}
+
 void BoundExpression::forget(const std::string& stream) {
   for (std::size_t i = 0; i < streams_.size(); ++i) {
     if (streams_[i] == stream) values_[i].reset();

@@ -27,7 +27,7 @@ class BoundExpression {
   const std::vector<std::string>& streams() const { return streams_; }
   /// Stores the values of a newer message. True if it has some. Fails if its type has no such field.
   Result<bool> take(const std::string& stream, const google::protobuf::Message& message);
-  /// Forgets the values of a stream, as of an event that is over.
+  /// Forgets the values of a stream, as of an event that is over, or before its first message.
   void forget(const std::string& stream);
   /// Those of its values that no message had so far, such as an element of a misspelled name.
   std::vector<std::string> neverFound() const;
@@ -35,6 +35,10 @@ class BoundExpression {
   std::string valuesInWords() const;
   /// The result for the newest values; see Expression::value().
   std::optional<double> value() { return expression_.value(values_); }
+  /// See Expression::valueOrText().
+  std::optional<FieldValue> valueOrText() { return expression_.valueOrText(values_); }
+  /// What a step to the next change compares: the value or, with a limit, whether it has reached that.
+  std::optional<FieldValue> state(std::optional<double> limit);
 
  private:
   BoundExpression(Expression expression, std::string robot, std::vector<std::string> streams);

@@ -102,6 +102,25 @@ const std::string& Expression::text() const {
   return implementation_->text;
 }
 
+std::string Expression::withStreams(const std::function<std::string(const std::string&)>& nameOf) const {
+  std::string text;
+  std::size_t done = 0;
+  for (const auto& [begin, length] : implementation_->read.streams) {
+    text += implementation_->text.substr(done, begin - done);
+    text += nameOf(implementation_->text.substr(begin, length));
+    done = begin + length;
+  }
+  return text + implementation_->text.substr(done);
+}
+
+std::optional<FieldValue> Expression::valueOrText(std::span<const std::optional<FieldValue>> values) {
+  const auto& read = implementation_->read;
+  const bool isOneValue = read.inputs.size() == 1 && read.conditions.empty() && read.formula == "v0";
+  if (isOneValue) return values[0];
+  const auto number = value(values);
+  return number ? std::optional(FieldValue{number, std::nullopt}) : std::nullopt;
+}
+
 std::optional<double> Expression::value(std::span<const std::optional<FieldValue>> values) {
   const auto& read = implementation_->read;
   auto& variables = implementation_->variables;

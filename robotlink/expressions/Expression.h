@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,8 +32,12 @@ class Expression {
   /// The result for the values of the inputs, in their order. Empty as long as one of them is not known, is a
   /// text where a number is needed, or if the result is not a number. Conditions are 0 or 1.
   std::optional<double> value(std::span<const std::optional<FieldValue>> values);
+  /// The same; but of an expression that is nothing but one value that value, which may be a text.
+  std::optional<FieldValue> valueOrText(std::span<const std::optional<FieldValue>> values);
   /// As it was written.
   const std::string& text() const;
+  /// As it was written, with other names of its streams.
+  std::string withStreams(const std::function<std::string(const std::string& stream)>& nameOf) const;
 
  private:
   struct Implementation;

@@ -121,6 +121,7 @@ class Reader {
       error.where.column += static_cast<int>(field);
       return tl::unexpected(std::move(error));
     }
+    read_.streams.emplace_back(begin, length);
     const std::size_t input =
         inputFor({std::string(text_.substr(begin, length)), std::move(*path), static_cast<int>(field) + 1});
     at_ = end;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "robotlink/base/Error.h"
@@ -33,6 +34,8 @@ struct ReadExpression {
   /// For each character of the formula, where it comes from in the expression, from 0; one more for the end.
   std::vector<int> places;
   std::vector<ExpressionInput> inputs;
+  /// Where streams are named in the expression, in order: from 0, and the length of the name.
+  std::vector<std::pair<std::size_t, std::size_t>> streams = {};
   std::vector<TextCondition> conditions;
 };
 

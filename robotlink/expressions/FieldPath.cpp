@@ -4,6 +4,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 
+#include <cstdint>
 #include <type_traits>
 
 #include "robotlink/base/ParsedNumber.h"
@@ -91,6 +92,8 @@ std::optional<FieldValue> plainValue(const Message& message, const FieldDescript
       if (!isTime(*value.GetDescriptor())) return std::nullopt;
       const double seconds = static_cast<double>(wholeSeconds(value));
       return FieldValue{seconds + nanoseconds(value) * kSecondsPerNanosecond, std::nullopt};
+    } else if constexpr (std::is_same_v<Value, bool>) {
+      return FieldValue{value ? 1.0 : 0.0, value ? "true" : "false"};
     } else {
       return FieldValue{static_cast<double>(value), std::nullopt};
     }
@@ -98,12 +101,20 @@ std::optional<FieldValue> plainValue(const Message& message, const FieldDescript
 }
 
 bool equals(const FieldValue& value, const std::string& text) {
-  if (value.text) return *value.text == text;
+  if (value.text && *value.text == text) return true;
   const auto number = parsedNumber<double>(text);
   return number && value.number == number;
 }
 
 }  // namespace
+
+std::optional<double> FieldValue::asNumber() const {
+  if (number || !text) return number;
+  constexpr std::uint32_t kBasis = 2'166'136'261, kPrime = 16'777'619;
+  std::uint32_t sum = kBasis;
+  for (const char c : *text) sum = (sum ^ static_cast<unsigned char>(c)) * kPrime;
+  return static_cast<double>(sum);
+}
 
 Result<FieldPath> FieldPath::parse(std::string_view text) {
   FieldPath path;

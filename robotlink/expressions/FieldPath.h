@@ -17,12 +17,16 @@ class Message;
 
 namespace robotlink {
 
-/// What a path leads to: a number (a bool is 0 or 1, a time is seconds, a list and bytes their
-/// length), or a text. An
-/// enumeration is both.
+/// What a path leads to: a number (a time is seconds, a list and bytes their length), or a text. Enumerations
+/// and bools (0 or 1; "false" or "true") are both.
 struct FieldValue {
   std::optional<double> number;
   std::optional<std::string> text;
+  bool operator==(const FieldValue&) const = default;
+
+  /// A number that tells values apart: the number itself; of a text a checksum of it, which is the same in all
+  /// streams and programs (32 bits, FNV-1a). Empty if there is neither.
+  std::optional<double> asNumber() const;
 };
 
 /// The way from a message to one of its values, as people write it: `position.x`, `joints[3].speed`,

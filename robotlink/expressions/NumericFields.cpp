@@ -18,8 +18,9 @@ constexpr int kMaxDepth = 5;
 constexpr int kMaxElements = 32;
 constexpr std::size_t kMaxFields = 1000;
 
-bool isNumber(const FieldDescriptor& field) {
+bool isListed(const FieldDescriptor& field, FieldChoice choice) {
   if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) return isTime(*field.message_type());
+  if (field.type() == FieldDescriptor::TYPE_STRING) return choice == FieldChoice::kNumbersAndTexts;
   return field.cpp_type() != FieldDescriptor::CPPTYPE_STRING;
 }
 
@@ -34,20 +35,22 @@ const FieldDescriptor* nameField(const Descriptor& type) {
   return isText ? field : nullptr;
 }
 
-void listType(const Descriptor& type, const std::string& prefix, int depth, std::vector<std::string>& paths) {
+void listType(const Descriptor& type, FieldChoice choice, const std::string& prefix, int depth,
+              std::vector<std::string>& paths) {
   for (int i = 0; i < type.field_count(); ++i) {
     const FieldDescriptor& field = *type.field(i);
     const int elements = field.is_repeated() ? kMaxElements : 1;
     for (int e = 0; e < elements && paths.size() < kMaxFields; ++e) {
       const std::string path =
           prefix + field.name() + (field.is_repeated() ? "[" + std::to_string(e) + "]" : "");
-      if (isNumber(field)) paths.push_back(path);
-      if (isPart(field) && depth < kMaxDepth) listType(*field.message_type(), path + ".", depth + 1, paths);
+      if (isListed(field, choice)) paths.push_back(path);
+      if (isPart(field) && depth < kMaxDepth)
+        listType(*field.message_type(), choice, path + ".", depth + 1, paths);
     }
   }
 }
 
-void listMessage(const Message& message, const std::string& prefix, int depth,
+void listMessage(const Message& message, FieldChoice choice, const std::string& prefix, int depth,
                  std::vector<std::string>& paths) {
   const Reflection& reflection = *message.GetReflection();
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
@@ -60,23 +63,23 @@ void listMessage(const Message& message, const std::string& prefix, int depth,
                                                   : &reflection.GetMessage(message, &field);
       const std::string key = part ? elementKey(*part, e) : std::to_string(e);
       const std::string path = prefix + field.name() + (field.is_repeated() ? "[" + key + "]" : "");
-      if (isNumber(field)) paths.push_back(path);
-      if (part && depth < kMaxDepth) listMessage(*part, path + ".", depth + 1, paths);
+      if (isListed(field, choice)) paths.push_back(path);
+      if (part && depth < kMaxDepth) listMessage(*part, choice, path + ".", depth + 1, paths);
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::string> numericFields(const Descriptor& type) {
+std::vector<std::string> numericFields(const Descriptor& type, FieldChoice choice) {
   std::vector<std::string> paths;
-  listType(type, "", 1, paths);
+  listType(type, choice, "", 1, paths);
   return paths;
 }
 
-std::vector<std::string> numericFields(const Message& message) {
+std::vector<std::string> numericFields(const Message& message, FieldChoice choice) {
   std::vector<std::string> paths;
-  listMessage(message, "", 1, paths);
+  listMessage(message, choice, "", 1, paths);
   return paths;
 }
 

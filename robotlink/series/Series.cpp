@@ -108,7 +108,36 @@ std::size_t Series::firstFromNear(std::size_t begin, std::size_t guess, double t
   return search(high >= begin + step ? high - step + 1 : begin, high, time, false);
 }
 
+std::vector<Series::Column> Series::columnsOfFew(std::size_t begin, std::size_t end, double from, double to,
+                                                 std::size_t count) const {
+  std::vector<Column> columns;
+  columns.reserve(count);
+  const double perTime = static_cast<double>(count) / (to - from);
+  const auto last = static_cast<double>(count - 1);
+  double until = -std::numeric_limits<double>::infinity();
+  while (begin < end) {
+    // The points of one block lie one behind the other.
+    const std::size_t number = begin_ + begin;
+    const double* times = block(number) + number % kBlock;
+    const double* values = times + kBlock;
+    const std::size_t length = std::min(kBlock - number % kBlock, end - begin);
+    for (std::size_t i = 0; i < length; ++i) {
+      if (times[i] >= until) {
+        const double column = std::clamp(std::floor((times[i] - from) * perTime), 0.0, last);
+        until = column == last ? std::numeric_limits<double>::infinity() : from + (column + 1) / perTime;
+        columns.push_back({begin + i, begin + i, {}});
+      }
+      ++columns.back().end;
+      columns.back().extent.add({values[i], values[i]});
+    }
+    begin += length;
+  }
+  return columns;
+}
+
 std::vector<Series::Column> Series::columns(double from, double to, std::size_t count) const {
+  const std::size_t first = firstFrom(from), after = firstFrom(to);
+  if (after - first <= kFew * count) return columnsOfFew(first, after, from, to, count);
   std::vector<Column> columns;
   columns.reserve(count);
   const double tolerance = (to - from) / static_cast<double>(count * kFan);

@@ -74,6 +74,8 @@ class Series {
   /// Points that are allocated, and dropped, at a time.
   static constexpr std::size_t kBlock = 1024;
   static constexpr std::size_t kFan = 16;
+  /// Up to so many points a column, each of them is looked at.
+  static constexpr std::size_t kFew = 32;
 
  private:
   /// The times of kBlock points, then their values.
@@ -106,6 +108,9 @@ class Series {
   Extent extentOfEntries(const Level& level, std::size_t begin, std::size_t end) const;
   /// The first index in [begin, end) whose time is not earlier, or later; `end` if there is none.
   std::size_t search(std::size_t begin, std::size_t end, double time, bool isLater) const;
+  /// The same as columns() of the points [begin, end), each of which is looked at.
+  std::vector<Column> columnsOfFew(std::size_t begin, std::size_t end, double from, double to,
+                                   std::size_t count) const;
   /// firstFrom(), which is quick if the index is near `guess`; it is not less than `begin`.
   std::size_t firstFromNear(std::size_t begin, std::size_t guess, double time) const;
 

@@ -13,6 +13,8 @@ namespace {
 
 /// Closer to the begin of what is in the store, more is read.
 constexpr Duration kMargin = std::chrono::seconds(2);
+/// So many messages are looked at in one tick, which takes some milliseconds.
+constexpr int kLookedAtOnce = 2000;
 
 /// The earliest message in memory; latched ones may be older than anything else.
 Instant oldestIn(const StreamStore& store) {
@@ -71,9 +73,16 @@ Result<void> History::step(const std::string& stream, int count) {
                    {stream});
   }
   if (!reading_) show(timeline_.shown());
-  steps_ = {stream, count, timeline_.shown()};
+  steps_ = {{stream}, count, timeline_.shown()};
   doSteps();
   return {};
+}
+
+void History::stepUntil(std::vector<std::string> streams, bool forward, std::function<bool(Instant)> isThere) {
+  if (!reading_) show(timeline_.shown());
+  isMissed_ = false;
+  steps_ = {std::move(streams), forward ? 1 : -1, timeline_.shown(), std::move(isThere), timeline_.shown()};
+  doSteps();
 }
 
 Result<void> History::stepFrames(const std::string& robot, int count) {
@@ -109,21 +118,42 @@ std::optional<History::Step> History::stepped(const std::string& stream, Instant
   return at == messages.end() ? std::nullopt : std::optional(Step{at->time});
 }
 
+std::optional<History::Step> History::stepped(const std::vector<std::string>& streams, Instant from,
+                                              bool forward) const {
+  std::optional<Step> nearest;
+  for (const std::string& stream : streams) {
+    if (store_.find(stream) == nullptr) continue;
+    const auto step = stepped(stream, from, forward);
+    if (step && (!nearest || (forward ? step->at < nearest->at : step->at > nearest->at))) nearest = step;
+  }
+  return nearest;
+}
+
 void History::doSteps() {
-  if (reading_ || steps_.count == 0 || store_.find(steps_.stream) == nullptr) return;
+  if (reading_ || steps_.count == 0) return;
   Steps rest = std::exchange(steps_, {});
   Instant at = rest.from;
+  int looked = 0;
   while (rest.count != 0 && store_.has(at)) {
     const bool forward = rest.count > 0;
-    const auto next = stepped(rest.stream, rest.from, forward);
+    const auto next = stepped(rest.streams, rest.from, forward);
+    if (!next && rest.isThere) {
+      isMissed_ = true;
+      return show(rest.begin);
+    }
     if (!next) break;
     at = next->at;
     if (next->isUnknown) break;
     rest.from = at;
-    rest.count += forward ? -1 : 1;
+    const bool counts = !rest.isThere || rest.isThere(at);
+    if (counts) rest.count += forward ? -1 : 1;
+    if (counts || ++looked < kLookedAtOnce) continue;
+    // The others are looked at in the next tick.
+    steps_ = std::move(rest);
+    return;
   }
   show(at);
-  if (reading_) steps_ = rest;
+  if (reading_) steps_ = std::move(rest);
 }
 
 Duration History::behind() const {
@@ -181,6 +211,7 @@ void History::tick() {
   }
   if (wasReset && chosen() > store_.newest()) return goLive();
   take();
+  if (!reading_) doSteps();
   if (!reading_) keepAround();
 }
 

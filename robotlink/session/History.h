@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +44,14 @@ class History {
   /// Pauses at the message of a stream that is `count` messages behind the shown instant; negative: before.
   /// At the ends of the history it stays there. Fails if there is no such stream.
   Result<void> step(const std::string& stream, int count);
-  /// The same by the frames of the robot's process that has the fewest a second, which is the one that looks
+  /// Pauses at the next message of these streams behind the shown instant, or before it, at whose time
+  /// `isThere` is true; it is asked when the messages around that time are in the store. If there is none, the
+  /// timeline shows what it showed before. Takes several ticks if many messages have to be looked at.
+  void stepUntil(std::vector<std::string> streams, bool forward, std::function<bool(Instant)> isThere);
+  /// Whether such a step is under way, and whether the last one found nothing.
+  bool isStepping() const { return steps_.count != 0; }
+  bool isMissed() const { return isMissed_; }
+  /// Steps by the frames of the robot's process that has the fewest a second, which is the one that looks
   /// at images if there is one.
   Result<void> stepFrames(const std::string& robot, int count);
 
@@ -61,10 +69,14 @@ class History {
 
  private:
   struct Steps {
-    std::string stream;
+    std::vector<std::string> streams;
     int count = 0;
     /// Where they go on.
     Instant from = {};
+    /// Which messages count; empty: all.
+    std::function<bool(Instant)> isThere = {};
+    /// What was shown before.
+    Instant begin = {};
   };
   /// Takes what was read.
   void take();
@@ -77,6 +89,8 @@ class History {
   };
   /// Where the next step leads; unset: there is no more message.
   std::optional<Step> stepped(const std::string& stream, Instant from, bool forward) const;
+  /// The same by whichever of some streams is next.
+  std::optional<Step> stepped(const std::vector<std::string>& streams, Instant from, bool forward) const;
   /// Looks at what is around the shown instant, and requests what is missing there.
   void keepAround();
 
@@ -91,6 +105,7 @@ class History {
   Instant newest_;
   /// What remains to be stepped when the chosen instant was read.
   Steps steps_;
+  bool isMissed_ = false;
 };
 
 }  // namespace robotlink

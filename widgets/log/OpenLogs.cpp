@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "logplayer/base/RobotNames.h"
 #include "widgets/log/LogReader.h"
 
 namespace widgets {
@@ -67,12 +68,7 @@ OpenLogs::Log* OpenLogs::at(Instant time) {
 }
 
 std::string OpenLogs::sessionPath(const Log& log, const std::string& stream) {
-  const auto& own = log.overview->robots;
-  const std::size_t slash = stream.find('/');
-  const auto found = std::find(own.begin(), own.end(), stream.substr(0, slash));
-  const auto index = static_cast<std::size_t>(found - own.begin());
-  if (slash == std::string::npos || found == own.end() || index >= log.robots.size()) return stream;
-  return log.robots[index] + stream.substr(slash);
+  return logplayer::renamedStream(stream, log.overview->robots, log.robots);
 }
 
 void OpenLogs::tick() {

@@ -40,6 +40,10 @@ void CursorModel::update() {
       Row& row = rows.back();
       const Row* before = rows.size() <= rows_.size() ? &rows_[rows.size() - 1] : nullptr;
       const bool isKnown = before != nullptr && before->name == row.name && before->count == row.count;
+      const auto name = [&](const std::optional<double>& value) {
+        return value ? curve->words(*value) : QStringLiteral("–");
+      };
+      if (curve->isStrip()) row.states = {name(row.first), name(row.second)};
       row.between = isKnown ? before->between : robotlink::statistics(points, begin, end);
     }
   }
@@ -86,6 +90,11 @@ QVariant CursorModel::data(const QModelIndex& index, int role) const {
   }
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
+  if (row.states) {
+    return index.column() == kFirst    ? row.states->first
+           : index.column() == kSecond ? row.states->second
+                                       : QStringLiteral("–");
+  }
   const auto value = number(row, index.column());
   return value && !std::isnan(*value) ? QString::number(*value, 'g', 5) : QStringLiteral("–");
 }

@@ -40,6 +40,8 @@ class CursorModel final : public QAbstractTableModel {
     /// Number of points between them; as long as it is the same, so are the points.
     std::size_t count = kUnknown;
     robotlink::Statistics between = {};
+    /// Of states, which have no differences and no statistics: their names at the cursors.
+    std::optional<std::pair<QString, QString>> states = {};
   };
   /// Computes the rows anew.
   void update();

@@ -11,6 +11,17 @@ namespace widgets {
 
 using robotlink::Series;
 
+namespace {
+
+QString csvCell(const CurveModel::Curve& curve, double value) {
+  constexpr int kDigits = 12;
+  if (curve.names.isEmpty() || !curve.source().filter.empty()) return QString::number(value, 'g', kDigits);
+  QString name = curve.names.name(value);
+  return QStringLiteral("\"%1\"").arg(name.replace(QLatin1String("\""), QLatin1String("\"\"")));
+}
+
+}  // namespace
+
 int CurveModel::freeColor() const {
   int color = 0;
   while (
@@ -22,7 +33,7 @@ int CurveModel::freeColor() const {
 bool CurveModel::add(const PlotSource& source) {
   const bool known = std::any_of(curves_.begin(), curves_.end(),
                                  [&](const auto& curve) { return curve->source() == source; });
-  if (known || source.stream.empty() || !robotlink::PointFilter::parse(source.filter)) return false;
+  if (known || !completed(source, {}, {}, {})) return false;
   const int color = freeColor();
   beginInsertRows({}, rowCount(), rowCount());
   curves_.push_back(std::make_shared<Curve>(source));
@@ -45,6 +56,28 @@ void CurveModel::clear() {
 
 CurveModel::Curve::Curve(const PlotSource& source) : reader(source) {
   if (auto filter = robotlink::PointFilter::parse(source.filter)) liveFilter = logFilter = std::move(*filter);
+  if (!source.across.empty())
+    across = std::make_unique<Curve>(PlotSource::fromText(QString::fromStdString(source.across)));
+}
+
+QString CurveModel::Curve::words(double value) const {
+  return source().filter.empty() && !names.isEmpty() ? names.name(value) : QString::number(value, 'g', 5);
+}
+
+std::size_t CurveModel::Curve::bytes() const {
+  return live.bytes() + filtered->bytes() + (across ? across->bytes() : 0);
+}
+
+std::vector<CurveModel::Curve*> CurveModel::Curve::parts() {
+  std::vector<Curve*> all{this};
+  if (across) all.push_back(across.get());
+  return all;
+}
+
+std::vector<const CurveModel::Curve*> CurveModel::Curve::parts() const {
+  std::vector<const Curve*> all{this};
+  if (across) all.push_back(across.get());
+  return all;
 }
 
 std::shared_ptr<const Series> CurveModel::Curve::ofLog() const {
@@ -55,6 +88,8 @@ std::shared_ptr<const Series> CurveModel::Curve::ofLog() const {
 
 bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store) {
   const PlotReader::News news = reader.take(store);
+  problem = reader.problem(store);
+  if (names.size() < reader.names().size()) names.merge(reader.names());
   if (news.restarted) {
     live.clear();
     liveFilter.restart();
@@ -65,7 +100,8 @@ bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store) {
   return news.restarted || !news.points.empty();
 }
 
-bool CurveModel::Curve::takeLogged() {
+bool CurveModel::Curve::takeLogged(std::size_t bytes) {
+  if (logged && names.size() < logged->names.size()) names.merge(logged->names);
   const std::size_t count = logged ? logged->series.size() : 0;
   const double since = count > 0 ? logged->series.front().time : 0;
   const bool isOther = count < loggedBefore || since != loggedSince;
@@ -74,8 +110,10 @@ bool CurveModel::Curve::takeLogged() {
     if (isOther) {
       filtered->clear();
       logFilter.restart();
+      isFilteredCut = false;
     }
-    for (std::size_t i = isOther ? 0 : loggedBefore; i < count; ++i) {
+    for (std::size_t i = isOther ? 0 : loggedBefore; i < count && !isFilteredCut; ++i) {
+      isFilteredCut = i % robotlink::Series::kBlock == 0 && filtered->bytes() > bytes;
       if (const auto result = logFilter.next(logged->series[i])) filtered->append(*result);
     }
   }
@@ -94,11 +132,16 @@ QString CurveModel::Curve::unit() const {
 }
 
 bool CurveModel::update(const robotlink::StreamStore& store) {
+  std::size_t count = 0;
+  for (const auto& curve : curves_) count += curve->parts().size();
+  const std::size_t share = kMaxBytes / std::max<std::size_t>(count, 1);
   bool news = false;
-  for (auto& curve : curves_) {
-    news = curve->takeLive(store) || news;
-    news = curve->takeLogged() || news;
-    curve->live.limit(kMaxBytes / curves_.size());
+  for (const auto& curve : curves_) {
+    for (Curve* part : curve->parts()) {
+      news = part->takeLive(store) || news;
+      news = part->takeLogged(share / 2) || news;
+      part->live.limit(share - std::min(part->filtered->bytes(), share / 2));
+    }
   }
   if (news) Q_EMIT dataChanged(index(0, kValue), index(rowCount() - 1, kAtCursor));
   return news;
@@ -142,24 +185,30 @@ std::optional<std::pair<double, double>> CurveModel::Curve::times() const {
 }
 
 QString CurveModel::csv() const {
+  std::vector<const Curve*> columns;
   QStringList header{QStringLiteral("time_s")};
-  for (const auto& curve : curves_) header << QStringLiteral("\"%1\"").arg(curve->source().text());
+  for (const auto& curve : curves_) {
+    for (const Curve* part : curve->parts()) columns.push_back(part);
+  }
+  for (const Curve* column : columns)
+    header << QStringLiteral("\"%1\"").arg(
+        column->source().text().replace(QLatin1String("\""), QLatin1String("\"\"")));
   QString text = header.join(QLatin1Char(',')) + QLatin1Char('\n');
-  std::vector<std::size_t> next(curves_.size());
+  std::vector<std::size_t> next(columns.size());
   while (true) {
     std::optional<double> time;
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const Series& points = curves_[i]->points();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const Series& points = columns[i]->points();
       if (next[i] < points.size()) time = std::min(time.value_or(points[next[i]].time), points[next[i]].time);
     }
     if (!time) return text;
     text += QString::number(*time, 'f', 6);
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const Series& points = curves_[i]->points();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const Series& points = columns[i]->points();
       std::optional<double> value;
       for (; next[i] < points.size() && points[next[i]].time == *time; ++next[i])
         value = points[next[i]].value;
-      text += QLatin1Char(',') + (value ? QString::number(*value, 'g', 12) : QString());
+      text += QLatin1Char(',') + (value ? csvCell(*columns[i], *value) : QString());
     }
     text += QLatin1Char('\n');
   }
@@ -173,29 +222,53 @@ int CurveModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : kColumns;
 }
 
+QString CurveModel::toolTip(const Curve& curve) const {
+  const QString name = curve.source().text();
+  const bool isLogged = curve.logged && !curve.ofLog()->empty();
+  if ((curve.logged && curve.logged->isCut) || curve.isFilteredCut)
+    return tr("%1: only the first values of the log are shown, the others need too much memory").arg(name);
+  if (curve.logged && !curve.logged->problem.isEmpty()) return tr("%1: %2").arg(name, curve.logged->problem);
+  if (!curve.problem.isEmpty() && !isLogged) return tr("%1: %2").arg(name, curve.problem);
+  return curve.last() || isLogged ? name : tr("%1: no values yet").arg(name);
+}
+
+QVariant CurveModel::text(const Curve& curve, int column) const {
+  if (column == kName) return curve.source().text();
+  if (column == kUnit) return curve.unit();
+  const auto words = [](const Curve& of, std::optional<double> value) {
+    return value ? of.words(*value) : QStringLiteral("–");
+  };
+  const auto both = [&](const auto& valueOf) {
+    const QString own = words(curve, valueOf(curve));
+    return curve.across ? tr("%1; %2").arg(words(*curve.across, valueOf(*curve.across)), own) : own;
+  };
+  if (column == kAtCursor)
+    return cursor_ ? both([this](const Curve& of) { return of.valueAt(*cursor_); }) : QString();
+  const bool isMissing = !curve.problem.isEmpty() && !curve.last();
+  const bool isLogged = curve.logged && !curve.ofLog()->empty();
+  if (isMissing) return isLogged ? tr("in the log only") : tr("missing");
+  return both([](const Curve& of) { return of.last(); });
+}
+
 QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Curve& curve = *curves_[static_cast<std::size_t>(index.row())];
-  const auto last = curve.last();
-  if (role == Qt::DecorationRole && index.column() == kName)
-    return curveColor(curve.color, QGuiApplication::palette());
-  if (role == Qt::TextAlignmentRole && (index.column() == kValue || index.column() == kAtCursor))
-    return int(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole) {
-    if (curve.logged && curve.logged->isCut)
-      return tr("%1: only the first values of the log are shown, the others need too much memory")
-          .arg(curve.source().text());
-    return last ? curve.source().text() : tr("%1: no values yet").arg(curve.source().text());
+  const bool isNumber = index.column() == kValue || index.column() == kAtCursor;
+  switch (role) {
+    case Qt::DecorationRole:
+      return index.column() == kName ? QVariant(curveColor(curve.color, QGuiApplication::palette()))
+                                     : QVariant();
+    case Qt::TextAlignmentRole:
+      return isNumber ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+    case Qt::ToolTipRole:
+      return toolTip(curve);
+    case Qt::ForegroundRole:
+      return curve.last() ? QVariant() : QVariant(colorOf(Meaning::kMuted, QGuiApplication::palette()));
+    case Qt::DisplayRole:
+      return text(curve, index.column());
+    default:
+      return {};
   }
-  if (role == Qt::ForegroundRole && !last) return colorOf(Meaning::kMuted, QGuiApplication::palette());
-  if (role != Qt::DisplayRole) return {};
-  if (index.column() == kName) return curve.source().text();
-  if (index.column() == kUnit) return curve.unit();
-  if (index.column() == kAtCursor) {
-    const auto value = cursor_ ? curve.valueAt(*cursor_) : std::nullopt;
-    return value ? QString::number(*value, 'g', 5) : QString();
-  }
-  return last ? QString::number(*last, 'g', 5) : QStringLiteral("–");
 }
 
 QVariant CurveModel::headerData(int section, Qt::Orientation orientation, int role) const {

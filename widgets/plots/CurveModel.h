@@ -4,6 +4,8 @@
 #include <QAbstractTableModel>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "robotlink/series/PointFilter.h"
@@ -13,19 +15,20 @@
 
 namespace widgets {
 
-/// The curves of a plot with their points: the data of a PlotCanvas and the rows of the plot's legend. The
-/// oldest points are dropped when all together take more than kMaxBytes. Times are seconds on the session's
-/// timeline. GUI thread.
+/// The curves of a plot with their points: the data of its canvases and the rows of its legend. The oldest
+/// points that sessions published are dropped when all curves together take more than kMaxBytes, what filters
+/// made of them and of logs included; what filters make of a log ends there. Times are seconds on the
+/// session's timeline. GUI thread.
 class CurveModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
   /// Source, newest value, its unit, and the value under the cursor.
   enum Column { kName, kValue, kUnit, kAtCursor, kColumns };
-  /// Bound of the memory for the points that sessions published.
+  /// Bound of the memory for points, without those that are read of logs.
   static constexpr std::size_t kMaxBytes = 512U << 20U;
 
   struct Curve {
-    /// The filter of the source must be right.
+    /// The filter and the expression of the source must be right.
     explicit Curve(const PlotSource& source);
     const PlotSource& source() const { return reader.source(); }
     /// The values of the log; null if it is not read.
@@ -34,6 +37,15 @@ class CurveModel final : public QAbstractTableModel {
     const robotlink::Series& points() const { return isLogged() ? *ofLog() : live; }
     /// Whether the log has the values that the session publishes, so that `live` adds nothing to them.
     bool isLogged() const { return logged && !isRecomputed && !ofLog()->empty(); }
+    /// Whether its values are states, drawn as a strip: what the user chose, else whether they have names.
+    bool isStrip() const { return !across && asStrip.value_or(!names.isEmpty() && source().filter.empty()); }
+    /// A value in words: the name of a state, or a number.
+    QString words(double value) const;
+    /// The bytes of its points, without those that are read of logs.
+    std::size_t bytes() const;
+    /// The curves that it consists of: itself, and the one that it is drawn over.
+    std::vector<Curve*> parts();
+    std::vector<const Curve*> parts() const;
     /// The newest value that is not later than a time; empty without one.
     std::optional<double> valueAt(double time) const;
     /// The times of the first and the last point; empty without points.
@@ -41,8 +53,9 @@ class CurveModel final : public QAbstractTableModel {
     /// The newest value that the session published, and the unit of the values; empty if not known.
     std::optional<double> last() const;
     QString unit() const;
-    /// Takes what is new of the log. True if there is something.
-    bool takeLogged();
+    /// Takes what is new of the log; what the filter makes of it ends at so many bytes. True if there is
+    /// something.
+    bool takeLogged(std::size_t bytes);
     /// The same of what the session published.
     bool takeLive(const robotlink::StreamStore& store);
 
@@ -64,13 +77,23 @@ class CurveModel final : public QAbstractTableModel {
     double loggedSince = 0;
     /// Whether its values belong to the axis on the right.
     bool isRight = false;
-    /// The debug key of the source was requested.
-    bool requested = false;
+    /// Those of its streams whose debug keys were requested.
+    std::set<std::string> requested = {};
+    /// Of values that are states.
+    StateNames names = {};
+    /// Whether it is drawn as a strip; empty: as its values are.
+    std::optional<bool> asStrip = {};
+    /// What it is drawn over instead of time; null: over time.
+    std::unique_ptr<Curve> across = {};
+    /// Why it has no values now, as said when it was updated last.
+    QString problem = {};
+    /// Whether what the filter makes of the log needs too much memory.
+    bool isFilteredCut = false;
   };
 
   using QAbstractTableModel::QAbstractTableModel;
   /// Appends a curve. False if there is one of this source already, or the source has no stream or a wrong
-  /// filter.
+  /// filter or expression.
   bool add(const PlotSource& source);
   void remove(int row);
   void clear();
@@ -83,7 +106,8 @@ class CurveModel final : public QAbstractTableModel {
   /// The curves, in the order of the rows; what draws them shares them.
   std::vector<std::shared_ptr<Curve>>& curves() { return curves_; }
   const std::vector<std::shared_ptr<Curve>>& curves() const { return curves_; }
-  /// All points as text: a column "time_s", then one per curve, empty where it has no value at that time.
+  /// All points as text: a column "time_s", then one per curve, empty where it has no value at that time;
+  /// states by their names. A curve over another one has two columns.
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -94,6 +118,9 @@ class CurveModel final : public QAbstractTableModel {
  private:
   /// The lowest color index that no curve has.
   int freeColor() const;
+  /// What a cell of the legend says.
+  QVariant text(const Curve& curve, int column) const;
+  QString toolTip(const Curve& curve) const;
   std::vector<std::shared_ptr<Curve>> curves_;
   double origin_ = 0;             ///< s
   std::optional<double> cursor_;  ///< s; empty: the cursor is not over the plot

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 #include "robotlink/series/Series.h"
+#include "widgets/plots/PlotSource.h"
 
 namespace widgets {
 
@@ -9,6 +12,10 @@ namespace widgets {
 struct LoggedCurve {
   /// Times are seconds on the session's timeline.
   robotlink::Series series = {};
+  /// Of values that are states.
+  StateNames names = {};
+  /// Why there are no values; empty if there are.
+  QString problem = {};
   bool isComplete = false;
   /// The log has more points than there is memory for.
   bool isCut = false;

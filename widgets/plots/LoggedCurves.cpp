@@ -2,6 +2,7 @@
 #include "widgets/plots/LoggedCurves.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
 namespace widgets {
 
@@ -23,19 +24,44 @@ LoggedCurves& LoggedCurves::of(OpenLogs& logs) {
 
 LoggedCurves::LoggedCurves(OpenLogs& logs) : QObject(&logs), logs_(logs) {}
 
+std::optional<LogNumber> LoggedCurves::numberIn(const OpenLogs::Log& log, const PlotSource& source) {
+  // Paths in the log by those in the session.
+  std::map<std::string, std::string> streams;
+  for (const auto& stream : log.overview->streams)
+    streams.emplace(OpenLogs::sessionPath(log, stream.path), stream.path);
+  if (source.expression.empty()) {
+    const auto found = streams.find(source.stream);
+    if (found == streams.end()) return std::nullopt;
+    return LogNumber{found->second, source.field.empty() ? kPlotField : source.field};
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, stream] : streams) names.push_back(name);
+  const auto parsed = robotlink::Expression::parse(source.expression, names);
+  if (!parsed) return std::nullopt;
+  for (const auto& input : parsed->inputs()) {
+    if (!streams.contains(input.stream)) return std::nullopt;
+  }
+  return LogNumber{{}, parsed->withStreams([&](const std::string& name) { return streams.at(name); })};
+}
+
 std::shared_ptr<const LoggedCurve> LoggedCurves::curve(const PlotSource& source) {
   for (const auto& open : logs_.logs()) {
-    for (const auto& stream : open->overview->streams) {
-      if (OpenLogs::sessionPath(*open, stream.path) != source.stream) continue;
-      Log& log = readers_[open->path];
-      if (!log.reader) log = {std::make_unique<NumberReader>(open->path), open->offset};
-      auto& entry = log.curves[{stream.path, source.field.empty() ? kPlotField : source.field}];
-      auto curve = entry.lock();
-      if (!curve) entry = curve = std::make_shared<LoggedCurve>();
-      return curve;
-    }
+    const auto number = numberIn(*open, source);
+    if (!number) continue;
+    Log& log = readers_[open->path];
+    if (!log.reader) log = {std::make_unique<NumberReader>(open->path), open->offset};
+    auto& entry = log.curves[*number];
+    auto curve = entry.lock();
+    if (!curve) entry = curve = std::make_shared<LoggedCurve>();
+    return curve;
   }
   return nullptr;
+}
+
+std::size_t LoggedCurves::share() const {
+  std::size_t count = 0;
+  for (const auto& [path, log] : readers_) count += log.curves.size();
+  return kMaxBytes / std::max<std::size_t>(count, 1);
 }
 
 void LoggedCurves::tick() {
@@ -64,7 +90,15 @@ void LoggedCurves::take(Log& log) {
     const auto curve = log.curves[number].lock();
     if (!curve) continue;
     for (const auto& point : points) curve->series.append({point.time + offset, point.value});
-    curve->isCut = curve->series.bytes() > kMaxBytes / log.curves.size();
+    curve->isCut = curve->series.bytes() > share();
+  }
+  for (const auto& [number, texts] : news.texts) {
+    const auto curve = log.curves[number].lock();
+    if (!curve) continue;
+    for (const auto& [value, text] : texts) curve->names.add(value, QString::fromStdString(text));
+  }
+  for (const auto& [number, problem] : news.problems) {
+    if (const auto curve = log.curves[number].lock()) curve->problem = QString::fromStdString(problem.text);
   }
   for (const LogNumber& number : news.complete) {
     if (const auto curve = log.curves[number].lock()) curve->isComplete = true;

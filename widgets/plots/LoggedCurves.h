@@ -20,13 +20,14 @@ namespace widgets {
 class LoggedCurves final : public QObject {
   Q_OBJECT
  public:
-  /// Bound of the memory for the points of all curves.
+  /// Bound of the memory for the points of all curves of all logs.
   static constexpr std::size_t kMaxBytes = 512U << 20U;
 
   /// Those of a window, created on the first call.
   static LoggedCurves& of(OpenLogs& logs);
 
-  /// The curve of a source, which is filled from now on; null if no open log has the stream.
+  /// The curve of a source, which is filled from now on; null if no open log has the stream, or all streams
+  /// of its expression.
   std::shared_ptr<const LoggedCurve> curve(const PlotSource& source);
   /// Takes what was read. May be called by several views in each tick.
   void tick();
@@ -47,6 +48,10 @@ class LoggedCurves final : public QObject {
   };
 
   explicit LoggedCurves(OpenLogs& logs);
+  /// What of a log is the source; empty if it has not all that is needed.
+  static std::optional<logplayer::LogNumber> numberIn(const OpenLogs::Log& log, const PlotSource& source);
+  /// How much each curve may take.
+  std::size_t share() const;
   void follow(Log& log, robotlink::Duration offset);
   void take(Log& log);
   /// Tells the reader what is still wanted.

@@ -8,13 +8,15 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QSignalBlocker>
-#include <QSvgGenerator>
+#include <QToolTip>
 
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/plots/CurveModel.h"
+#include "widgets/plots/PlotStyle.h"
 #include "widgets/plots/PlotTreeModel.h"
 #include "widgets/plots/SeriesGraph.h"
+#include "widgets/plots/StateStrip.h"
 
 namespace widgets {
 
@@ -22,21 +24,14 @@ namespace {
 
 /// The end of what lasts, in s; a number that axes can compute with.
 constexpr double kForever = 1e12;
-/// The resolution of pictures, compared with the screen's.
-constexpr double kScale = 2;
 /// The share of a curve's color where it is paler.
 constexpr double kPale = 0.45;
 
-/// Ticks at round numbers of seconds since an origin.
-class TimeTicker final : public QCPAxisTicker {
- public:
-  explicit TimeTicker(double origin) { setTickOrigin(origin); }
-
- protected:
-  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
-    return QCPAxisTicker::getTickLabel(tick - tickOrigin(), locale, format, precision);
-  }
-};
+/// The height of a strip, in lines of text, and the share of the plot that all may take.
+constexpr double kStripLines = 1.35;
+constexpr double kMostForStrips = 0.6;
+/// The width of the names beside strips, in pixels.
+constexpr int kStripNameWidth = 120;
 
 }  // namespace
 
@@ -57,6 +52,7 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
   area.setupFullAxesBox(false);
   plot_->xAxis2->setTicks(false);
   area.setRangeDragAxes({plot_->xAxis}, {plot_->yAxis, plot_->yAxis2});
+  createStrips();
   createItems();
   plot_->setAcceptDrops(true);
   plot_->installEventFilter(this);
@@ -65,10 +61,11 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
 }
 
 void PlotCanvas::createItems() {
-  for (QCPItemStraightLine** line : {&mark_, &cursor_, lines_.data(), lines_.data() + 1}) {
-    *line = new QCPItemStraightLine(plot_);
-    (*line)->setVisible(false);
-  }
+  markers_.emplace(*plot_);
+  QCPAxisRect& area = *plot_->axisRect();
+  mark_.emplace(area, *strips_);
+  cursor_.emplace(area, *strips_);
+  for (std::size_t i = 0; i < names_.size(); ++i) lines_.emplace_back(area, *strips_);
   for (std::size_t i = 0; i < names_.size(); ++i) {
     names_[i] = new QCPItemText(plot_);
     names_[i]->setText(i == 0 ? tr("A") : tr("B"));
@@ -84,8 +81,8 @@ void PlotCanvas::connectMouse() {
   connect(plot_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pressed(*event); });
   connect(plot_, &QCustomPlot::mouseRelease, this, [this](QMouseEvent* event) { released(*event); });
   connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
-    const bool inside = plot_->axisRect()->rect().contains(event->pos());
-    Q_EMIT cursorMoved(inside ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x())) : std::nullopt);
+    Q_EMIT cursorMoved(isInside(event->pos()) ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x()))
+                                              : std::nullopt);
   });
   for (const QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->yAxis2})
     connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this, &PlotCanvas::rangeChanged);
@@ -104,7 +101,7 @@ void PlotCanvas::pressed(const QMouseEvent& event) {
 void PlotCanvas::released(const QMouseEvent& event) {
   const bool isClick = event.button() == Qt::LeftButton &&
                        (event.pos() - pressedAt_).manhattanLength() < QApplication::startDragDistance();
-  if (!isClick || !plot_->axisRect()->rect().contains(event.pos())) return;
+  if (!isClick || !isInside(event.pos())) return;
   Q_EMIT cursorSet(event.modifiers().testFlag(Qt::ShiftModifier),
                    plot_->xAxis->pixelToCoord(event.pos().x()));
 }
@@ -154,13 +151,10 @@ void PlotCanvas::showTimes(double from, double to) {
 
 void PlotCanvas::setCursors(const std::optional<std::pair<double, double>>& times) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    lines_[i]->setVisible(times.has_value());
-    names_[i]->setVisible(times.has_value());
-    if (!times) continue;
-    const double time = i == 0 ? times->first : times->second;
-    lines_[i]->point1->setCoords(time, 0);
-    lines_[i]->point2->setCoords(time, 1);
-    names_[i]->position->setCoords(time, 0);
+    const auto time = times ? std::optional(i == 0 ? times->first : times->second) : std::nullopt;
+    lines_[i].setTime(time);
+    names_[i]->setVisible(time.has_value());
+    if (time) names_[i]->position->setCoords(*time, 0);
   }
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -169,28 +163,18 @@ void PlotCanvas::applyTheme() {
   const QPalette colors = palette();
   const QColor& text = colors.color(QPalette::Text);
   const QColor& base = colors.color(QPalette::Base);
-  plot_->setBackground(base);
-  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->xAxis2, plot_->yAxis2}) {
-    axis->setBasePen(mixed(base, text, 0.6));
-    axis->setTickPen(mixed(base, text, 0.6));
-    axis->setSubTickPen(mixed(base, text, 0.3));
-    axis->setTickLabelColor(text);
-    axis->setLabelColor(text);
-    axis->setTickLabelFont(font());
-    axis->setLabelFont(font());
-    axis->grid()->setPen(QPen(mixed(base, text, 0.18), 0, Qt::DotLine));
-    axis->grid()->setZeroLinePen(QPen(mixed(base, text, 0.35), 0));
-  }
+  for (QCPAxisRect* area : {plot_->axisRect(), strips_}) stylePlot(*plot_, *area, colors, font());
   cursor_->setPen(QPen(mixed(base, text, 0.5), 0));
   mark_->setPen(QPen(colorOf(Meaning::kBad, colors), 0, Qt::DashLine));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    lines_[i]->setPen(QPen(text, 0, i == 0 ? Qt::SolidLine : Qt::DashDotLine));
+    lines_[i].setPen(QPen(text, 0, i == 0 ? Qt::SolidLine : Qt::DashDotLine));
     names_[i]->setColor(text);
     names_[i]->setBrush(base);
     names_[i]->setFont(font());
   }
-  markers_.remake();
+  markers_->remake();
   gaps_.clear();  // they are shaded again in other colors
+  stripNames_.reset();
   showGaps();
   matchGraphs();
   plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -211,21 +195,133 @@ void PlotCanvas::matchGraphs() {
     const auto& curve = curves[i];
     const QColor color = curveColor(curve->color, colors);
     const QColor pale = mixed(colors.color(QPalette::Base), color, kPale);
-    const auto robot = robots_.find(robotPart(curve->source().stream));
+    const auto& streams = curve->reader.streams();
+    const auto robot = robots_.find(streams.empty() ? std::string() : robotPart(streams.front()));
+    const bool isHere = !curve->across && !curve->isStrip();
     SeriesGraph &logged = *graphs_[2 * i], &live = *graphs_[2 * i + 1];
     for (SeriesGraph* graph : {&logged, &live})
       graph->setValueAxis(curve->isRight ? plot_->yAxis2 : plot_->yAxis);
     logged.setPen(QPen(curve->isRecomputed ? pale : color, 1));
-    logged.setSeries(curve->ofLog());
+    logged.setSeries(isHere ? curve->ofLog() : nullptr);
     live.setPen(QPen(color, 1));
-    live.setSeries(std::shared_ptr<const robotlink::Series>(curve, &curve->live));
+    live.setSeries(isHere ? std::shared_ptr<const robotlink::Series>(curve, &curve->live) : nullptr);
     live.setGaps(robot == robots_.end() ? std::vector<robotlink::LineGap>() : robot->second.gaps);
   }
+}
+
+void PlotCanvas::createStrips() {
+  strips_ = new QCPAxisRect(plot_, false);
+  QCPAxis& time = *strips_->addAxis(QCPAxis::atBottom);
+  QCPAxis& rows = *strips_->addAxis(QCPAxis::atLeft);
+  for (QCPAxis* axis : {&time, &rows}) axis->setLayer(QStringLiteral("axes"));
+  for (QCPAxis* axis : {&time, &rows}) axis->grid()->setLayer(QStringLiteral("grid"));
+  rows.setRangeReversed(true);
+  rows.setTickPen(Qt::NoPen);
+  rows.setSubTicks(false);
+  rows.grid()->setVisible(false);
+  time.setLabel(tr("time [s]"));
+  plot_->plotLayout()->addElement(1, 0, strips_);
+  plot_->plotLayout()->setRowSpacing(0);
+  auto* sides = new QCPMarginGroup(plot_);
+  for (QCPAxisRect* area : {plot_->axisRect(), strips_})
+    area->setMarginGroup(QCP::msLeft | QCP::msRight, sides);
+  strips_->setRangeDragAxes({plot_->xAxis}, {});
+  strips_->setRangeZoomAxes({plot_->xAxis}, {});
+  strips_->setRangeDrag(Qt::Horizontal);
+  strips_->setRangeZoom(Qt::Horizontal);
+  strips_->setSizeConstraintRect(QCPLayoutElement::scrInnerRect);
+  connect(plot_, &QCustomPlot::beforeReplot, this,
+          [this] { strips_->axis(QCPAxis::atBottom)->setRange(plot_->xAxis->range()); });
+  layOutStrips({});
+}
+
+void PlotCanvas::layOutStrips(const QStringList& names) {
+  constexpr int kUnbounded = 16'777'215;  // QWIDGETSIZE_MAX
+  const bool isShown = !names.isEmpty();
+  const double row = kStripLines * fontMetrics().height();
+  const int height =
+      static_cast<int>(std::min(row * static_cast<double>(names.size()), kMostForStrips * plot_->height()));
+  strips_->setMinimumSize(0, height);
+  strips_->setMaximumSize(kUnbounded, height);
+  if (names == stripNames_) return;
+  stripNames_ = names;
+  strips_->setVisible(isShown);
+  strips_->setAutoMargins(isShown ? QCP::msAll : QCP::msLeft | QCP::msRight);
+  strips_->setMinimumMargins(isShown ? QMargins(0, 4, 0, 0) : QMargins());
+  if (!isShown) strips_->setMargins({});
+  // The time axis is labeled once, at the bottom.
+  plot_->xAxis->setTickLabels(!isShown);
+  plot_->xAxis->setLabel(isShown ? QString() : tr("time [s]"));
+  const auto ticks = QSharedPointer<QCPAxisTickerText>::create();
+  for (int i = 0; i < names.size(); ++i)
+    ticks->addTick(i + 0.5, fontMetrics().elidedText(names[i], Qt::ElideLeft, kStripNameWidth));
+  QCPAxis& rows = *strips_->axis(QCPAxis::atLeft);
+  rows.setTicker(ticks);
+  rows.setRange(0, std::max<int>(1, names.size()));
+}
+
+void PlotCanvas::matchStrips() {
+  std::vector<std::shared_ptr<CurveModel::Curve>> strips;
+  QStringList names;
+  double end = -kForever;
+  for (const auto& curve : curves_.curves()) {
+    if (const auto times = curve->times()) end = std::max(end, times->second);
+    if (!curve->isStrip()) continue;
+    strips.push_back(curve);
+    names << curve->source().text();
+  }
+  for (; stripGraphs_.size() > strips.size(); stripGraphs_.pop_back())
+    plot_->removePlottable(stripGraphs_.back());
+  while (stripGraphs_.size() < strips.size())
+    stripGraphs_.push_back(new StateStrip(strips_->axis(QCPAxis::atBottom), strips_->axis(QCPAxis::atLeft)));
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const auto& curve = strips[i];
+    StateStrip& strip = *stripGraphs_[i];
+    const auto row = static_cast<double>(i);
+    const std::shared_ptr<const robotlink::Series> live(curve, &curve->live);
+    std::vector<StateStrip::Part> parts{{curve->isLogged() ? curve->ofLog() : live, row, row + 1}};
+    // What is computed anew stands below what was logged.
+    if (curve->isRecomputed && curve->ofLog())
+      parts = {{curve->ofLog(), row, row + 0.5}, {live, row + 0.5, row + 1}};
+    strip.setParts(std::move(parts));
+    strip.setNames(std::shared_ptr<const StateNames>(curve, &curve->names));
+    strip.setEnd(end);
+    strip.setGaps(gapsOf(curve->reader.streams()));
+    strip.setColors(palette(), font());
+  }
+  layOutStrips(names);
+}
+
+bool PlotCanvas::isInside(const QPoint& point) const {
+  return plot_->axisRect()->rect().contains(point) || (strips_->visible() && strips_->rect().contains(point));
+}
+
+QString PlotCanvas::toolTipAt(const QPoint& point) const {
+  constexpr int kReach = 4;  // pixels
+  if (!isInside(point)) return {};
+  const double time = plot_->xAxis->pixelToCoord(point.x());
+  if (plot_->axisRect()->rect().contains(point))
+    return markers_->textsNear(time, plot_->xAxis->pixelToCoord(point.x() + kReach) - time)
+        .join(QLatin1Char('\n'));
+  const auto row = static_cast<std::size_t>(strips_->axis(QCPAxis::atLeft)->pixelToCoord(point.y()));
+  std::vector<const CurveModel::Curve*> strips;
+  for (const auto& curve : curves_.curves()) {
+    if (curve->isStrip()) strips.push_back(curve.get());
+  }
+  if (row >= strips.size()) return {};
+  const auto value = strips[row]->valueAt(time);
+  return tr("%1: %2").arg(strips[row]->source().text(), value ? strips[row]->words(*value) : tr("not known"));
+}
+
+void PlotCanvas::showToolTip(const QPoint& point, const QPoint& global) {
+  const QString text = toolTipAt(point);
+  text.isEmpty() ? QToolTip::hideText() : QToolTip::showText(global, text, plot_);
 }
 
 void PlotCanvas::refresh(bool follow, double end, double length, const RemoteRobots& robots) {
   robots_ = robots;
   matchGraphs();
+  matchStrips();
   showGaps();
   if (follow) {
     const QSignalBlocker times(plot_->xAxis), left(plot_->yAxis), right(plot_->yAxis2);
@@ -235,20 +331,27 @@ void PlotCanvas::refresh(bool follow, double end, double length, const RemoteRob
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// Shades the times in which nothing was heard of a robot that has a curve.
-void PlotCanvas::showGaps() {
+std::vector<std::pair<double, double>> PlotCanvas::gapsOf(const std::vector<std::string>& streams) const {
   std::vector<std::pair<double, double>> gaps;
-  for (const auto& curve : curves_.curves()) {
-    const auto robot = robots_.find(robotPart(curve->source().stream));
+  for (const std::string& stream : streams) {
+    const auto robot = robots_.find(robotPart(stream));
     if (robot == robots_.end()) continue;
     for (const robotlink::LineGap& gap : robot->second.gaps) {
-      const double from = robotlink::seconds(gap.from), to = gap.to ? robotlink::seconds(*gap.to) : kForever;
-      const auto known = std::ranges::find(gaps, std::pair(from, to));
-      if (known == gaps.end()) gaps.emplace_back(from, to);
+      const std::pair here(robotlink::seconds(gap.from), gap.to ? robotlink::seconds(*gap.to) : kForever);
+      if (std::ranges::find(gaps, here) == gaps.end()) gaps.push_back(here);
     }
   }
+  return gaps;
+}
+
+/// Shades the times in which nothing was heard of a robot that has a curve.
+void PlotCanvas::showGaps() {
+  std::vector<std::string> streams;
+  for (const auto& curve : curves_.curves())
+    streams.insert(streams.end(), curve->reader.streams().begin(), curve->reader.streams().end());
+  const auto gaps = gapsOf(streams);
   if (gaps == gaps_) return;
-  gaps_ = std::move(gaps);
+  gaps_ = gaps;
   for (QCPItemRect* shade : shades_) plot_->removeItem(shade);
   shades_.clear();
   const QPalette colors = palette();
@@ -278,14 +381,11 @@ void PlotCanvas::fitValues(QCPAxis& axis) {
     all.add(series.extent(series.firstFrom(times.lower), series.firstAfter(times.upper)));
   };
   for (const auto& curve : curves_.curves()) {
-    if (curve->isRight != (&axis == plot_->yAxis2)) continue;
+    if (curve->isRight != (&axis == plot_->yAxis2) || curve->across || curve->isStrip()) continue;
     add(curve->live);
     if (const auto log = curve->ofLog()) add(*log);
   }
-  if (all.isEmpty()) return;
-  const double size = all.max - all.min, center = (all.min + all.max) / 2;
-  const double margin = size > 0 ? size * 0.06 : std::max(1e-3, std::abs(center) * 0.1);
-  axis.setRange(all.min - margin, all.max + margin);
+  showExtent(axis, all.min, all.max);
 }
 
 void PlotCanvas::fitTimes() {
@@ -309,51 +409,30 @@ void PlotCanvas::fit() {
 
 void PlotCanvas::setOrigin(double seconds) {
   if (plot_->xAxis->ticker()->tickOrigin() == seconds) return;
-  plot_->xAxis->setTicker(QSharedPointer<TimeTicker>::create(seconds));
+  for (QCPAxis* axis : {plot_->xAxis, strips_->axis(QCPAxis::atBottom)})
+    axis->setTicker(QSharedPointer<TimeTicker>::create(seconds));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotCanvas::setMark(std::optional<double> time) {
-  mark_->setVisible(time.has_value());
-  if (!time) return;
-  mark_->point1->setCoords(*time, 0);
-  mark_->point2->setCoords(*time, 1);
+  mark_->setTime(time);
 }
 
 void PlotCanvas::setMarkers(std::vector<PlotMarker> markers) {
-  if (markers_.set(std::move(markers))) plot_->replot(QCustomPlot::rpQueuedReplot);
+  if (markers_->set(std::move(markers))) plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotCanvas::setTextMarks(std::vector<PlotMarker> marks) {
+  if (markers_->setLines(std::move(marks))) plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotCanvas::setCursorLine(std::optional<double> time) {
-  cursor_->setVisible(time.has_value());
-  if (time) {
-    cursor_->point1->setCoords(*time, 0);
-    cursor_->point2->setCoords(*time, 1);
-  }
+  cursor_->setTime(time);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 std::pair<double, double> PlotCanvas::shownTimes() const {
   return {plot_->xAxis->range().lower, plot_->xAxis->range().upper};
-}
-
-bool PlotCanvas::savePng(const QString& file) {
-  return plot_->savePng(file, 0, 0, kScale);
-}
-
-bool PlotCanvas::saveSvg(const QString& file) {
-  QSvgGenerator svg;
-  svg.setFileName(file);
-  svg.setSize(plot_->size());
-  svg.setViewBox(plot_->rect());
-  QCPPainter painter;
-  if (!painter.begin(&svg)) return false;
-  plot_->toPainter(&painter);
-  return painter.end();
-}
-
-QPixmap PlotCanvas::picture() {
-  return plot_->toPixmap(0, 0, kScale);
 }
 
 void PlotCanvas::changeEvent(QEvent* event) {
@@ -362,6 +441,11 @@ void PlotCanvas::changeEvent(QEvent* event) {
 }
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    showToolTip(help->pos(), help->globalPos());
+    return true;
+  }
   if (event->type() == QEvent::Leave) Q_EMIT cursorMoved(std::nullopt);
   const QString type = QString::fromLatin1(PlotTreeModel::kMimeType);
   if (event->type() == QEvent::DragEnter) {

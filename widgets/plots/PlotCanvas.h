@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <map>
@@ -11,11 +12,12 @@
 
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/plots/PlotHistory.h"
+#include "widgets/plots/PlotLine.h"
 #include "widgets/plots/PlotMarkers.h"
 
 class QCPAxis;
+class QCPAxisRect;
 class QCPItemRect;
-class QCPItemStraightLine;
 class QCPItemText;
 class QMouseEvent;
 class QWheelEvent;
@@ -25,14 +27,16 @@ namespace widgets {
 
 class CurveModel;
 class SeriesGraph;
+class StateStrip;
 
-/// Draws the curves of a CurveModel over time with QCustomPlot. The wheel zooms the time axis, or, with Shift
-/// or over a value axis, the values; dragging pans; dragging with the right button zooms to a box. All of
-/// this emits touched(), upon which the view stops following, and can be undone. A click sets the first
-/// cursor, with Shift the second one. Times are seconds on the session's timeline; the labels count from an
-/// origin. QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one
-/// pixel wide and not antialiased, since anything else costs a hundred times as much. Where a program
-/// computes anew what a log has, the curve of the log is drawn in a paler color behind. GUI thread.
+/// Draws the curves of a CurveModel over time with QCustomPlot; states are strips below them, in the same
+/// time axis. Curves over other ones are left out. The wheel zooms the time axis, or, with Shift or over a
+/// value axis, the values; dragging pans; dragging with the right button zooms to a box. All of this emits
+/// touched(), upon which the view stops following, and can be undone. A click sets the first cursor, with
+/// Shift the second one. Times are seconds on the session's timeline; the labels count from an origin.
+/// QCustomPlot gets only the points that are seen, a few for each column of pixels. Lines are one pixel wide
+/// and not antialiased, since anything else costs a hundred times as much. Where a program computes anew what
+/// a log has, the curve of the log is drawn in a paler color behind. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -66,12 +70,10 @@ class PlotCanvas final : public QWidget {
   void setCursors(const std::optional<std::pair<double, double>>& times);
   /// Marks what happened when.
   void setMarkers(std::vector<PlotMarker> markers);
-  /// Writes what is shown, at twice the resolution of the screen as PNG, or as SVG. False if the file cannot
-  /// be written.
-  bool savePng(const QString& file);
-  bool saveSvg(const QString& file);
-  /// What is shown, at twice the resolution of the screen.
-  QPixmap picture();
+  /// Marks where texts are, which tool tips say, in order of time.
+  void setTextMarks(std::vector<PlotMarker> marks);
+  /// What the tool tip at a point says: the texts there, or the state; empty: nothing.
+  QString toolTipAt(const QPoint& point) const;
   /// The ends of the time axis, in s.
   std::pair<double, double> shownTimes() const;
 
@@ -95,11 +97,21 @@ class PlotCanvas final : public QWidget {
 
  private:
   void showGaps();
+  /// When nothing was heard of the robots of a curve, from and to, in s.
+  std::vector<std::pair<double, double>> gapsOf(const std::vector<std::string>& streams) const;
   /// Colors axes, grid and lines by the palette.
   void applyTheme();
   /// Makes QCustomPlot's graphs match the model's curves in number and color: two for each, the one of the
   /// log first.
   void matchGraphs();
+  /// The same for strips, one for each curve of states.
+  void matchStrips();
+  /// Gives the strips their room, with their names beside them.
+  void layOutStrips(const QStringList& names);
+  void createStrips();
+  /// Whether a point is in the plot or its strips.
+  bool isInside(const QPoint& point) const;
+  void showToolTip(const QPoint& point, const QPoint& global);
   /// Shows all times of all curves.
   void fitTimes();
   /// Fits the value axes to the values in the shown time range.
@@ -116,18 +128,21 @@ class PlotCanvas final : public QWidget {
 
   CurveModel& curves_;
   QCustomPlot* plot_;
-  QCPItemStraightLine* mark_ = nullptr;
+  QCPAxisRect* strips_ = nullptr;
   /// Two for each curve: of the log, and of what the session published.
   std::vector<SeriesGraph*> graphs_;
+  std::vector<StateStrip*> stripGraphs_;
+  /// The names beside the strips; unset: they must be written again.
+  std::optional<QStringList> stripNames_;
   RemoteRobots robots_;
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;
-  QCPItemStraightLine* cursor_ = nullptr;
+  std::optional<PlotLine> mark_, cursor_;
   /// The two cursors, and their names.
-  std::array<QCPItemStraightLine*, 2> lines_{};
+  std::vector<PlotLine> lines_;
   std::array<QCPItemText*, 2> names_{};
-  PlotMarkers markers_{*plot_};
+  std::optional<PlotMarkers> markers_;
   PlotHistory history_;
   /// What was shown before the user pressed a button or turned the wheel; empty once that is in the history.
   std::optional<PlotRanges> before_;

@@ -3,107 +3,148 @@
 
 #include <google/protobuf/descriptor.h>
 
+#include <QCoreApplication>
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstring>
-#include <map>
 #include <set>
 
 #include "robotcontrol/Debugging.pb.h"
-#include "robotlink/base/NaturalOrder.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/expressions/FieldPath.h"
-#include "robotlink/expressions/NumericFields.h"
+#include "robotlink/series/PointFilter.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
 namespace {
 
-constexpr char kPlotType[] = "robotcontrol.PlotValue";
 constexpr char kBeforeField[] = ": ";
 constexpr char kBeforeFilter[] = " | ";
-constexpr std::array kLeftOut{"foxglove.SceneUpdate",      "foxglove.ImageAnnotations",
-                              "foxglove.RawImage",         "foxglove.Log",
-                              "robotcontrol.KeyTable",     "robotcontrol.SolutionTable",
-                              "robotcontrol.ProcessTable", "robotcontrol.ParameterValues"};
-
-bool leftOut(const std::string& type) {
-  return std::any_of(kLeftOut.begin(), kLeftOut.end(), [&](const char* name) { return type == name; });
-}
-
-std::string typeOf(const std::string& type) {
-  const auto* known = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
-  return known != nullptr && !leftOut(type) ? type : std::string();
-}
-
-/// Adds the packages that the robots' processes exchange, with their types.
-void addPackages(const robotlink::StreamStore& store, std::map<std::string, std::string>& types) {
-  for (const auto* stream : streamsOfType(store, {}, "robotcontrol.ProcessTable")) {
-    const auto* table = dynamic_cast<const robotcontrol::ProcessTable*>(stream->messages.back().value.get());
-    if (table == nullptr) continue;
-    for (const auto& process : table->processes()) {
-      for (const auto& port : process.senders()) {
-        if (port.package().starts_with("debug/") || typeOf(port.type()).empty()) continue;
-        types.emplace(robotPart(stream->path) + '/' + port.package(), port.type());
-      }
-    }
-  }
-}
+constexpr char kBeforeAcross[] = " over ";
+constexpr char kBeforeExpression[] = "= ";
 
 bool isOff(const robotcontrol::KeyTable::Key& key) {
   return key.mode().kind() == robotcontrol::KeyMode::OFF;
 }
 
+/// Where a separator begins outside of quoted texts; -1: nowhere.
+int placeOf(const QString& text, const char* separator) {
+  bool isQuoted = false;
+  for (int i = 0; i < text.size(); ++i) {
+    if (text[i] == QLatin1Char('"') && (i == 0 || text[i - 1] != QLatin1Char('\\'))) isQuoted = !isQuoted;
+    if (!isQuoted && QStringView(text).mid(i).startsWith(QLatin1String(separator))) return i;
+  }
+  return -1;
+}
+
+/// What stands behind a separator, of which the text is relieved; empty: it has none.
+QString takeBehind(QString& text, const char* separator) {
+  const int place = placeOf(text, separator);
+  if (place < 0) return {};
+  const QString behind = text.mid(place + static_cast<int>(std::strlen(separator))).trimmed();
+  text = text.left(place);
+  return behind;
+}
+
+/// Whether it is an expression that uses values, rather than the name of a stream.
+bool isExpression(const std::string& text) {
+  const auto parsed = robotlink::Expression::parse(text);
+  return parsed && !parsed->inputs().empty();
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 }  // namespace
 
 QString PlotSource::text() const {
-  QString text = QString::fromStdString(stream);
+  QString text = expression.empty() ? QString::fromStdString(stream)
+                                    : QLatin1String(kBeforeExpression) + QString::fromStdString(expression);
   if (!field.empty()) text += QLatin1String(kBeforeField) + QString::fromStdString(field);
   if (!filter.empty()) text += QLatin1String(kBeforeFilter) + QString::fromStdString(filter);
+  if (!across.empty()) text += QLatin1String(kBeforeAcross) + QString::fromStdString(across);
   return text;
 }
 
 PlotSource PlotSource::fromText(const QString& text) {
-  const int bar = text.indexOf(QLatin1String(kBeforeFilter));
-  if (bar >= 0) {
-    PlotSource source = fromText(text.left(bar));
-    source.filter = text.mid(bar + static_cast<int>(std::strlen(kBeforeFilter))).trimmed().toStdString();
+  PlotSource source{};
+  QString rest = text.trimmed();
+  source.across = takeBehind(rest, kBeforeAcross).toStdString();
+  source.filter = takeBehind(rest, kBeforeFilter).toStdString();
+  if (rest.startsWith(QLatin1Char('='))) {
+    source.expression = rest.mid(1).trimmed().toStdString();
     return source;
   }
-  const int colon = text.indexOf(QLatin1String(kBeforeField));
-  if (colon < 0) return {text.toStdString(), {}};
-  return {text.left(colon).toStdString(),
-          text.mid(colon + static_cast<int>(std::strlen(kBeforeField))).toStdString()};
+  const int colon = rest.indexOf(QLatin1String(kBeforeField));
+  const bool hasField = colon >= 0 && !rest.contains(QLatin1Char('?'));
+  if (!hasField && isExpression(rest.toStdString())) {
+    source.expression = rest.toStdString();
+  } else if (hasField) {
+    source.stream = rest.left(colon).toStdString();
+    source.field = rest.mid(colon + static_cast<int>(std::strlen(kBeforeField))).toStdString();
+  } else {
+    source.stream = rest.toStdString();
+  }
+  return source;
 }
 
-std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
-  std::vector<PlotSource> sources;
-  std::map<std::string, std::string> types;
-  addPackages(store, types);
-  for (const auto* stream : store.streams()) {
-    types.erase(stream->path);
-    if (leftOut(stream->type) || stream->messages.empty()) continue;
-    if (stream->type == kPlotType) {
-      sources.push_back({stream->path, {}, stream->type});
-      continue;
+robotlink::Result<PlotSource> completed(PlotSource source, const std::string& robot,
+                                        const std::vector<std::string>& streams,
+                                        const std::vector<std::string>& robots) {
+  if (source.isEmpty()) return robotlink::failure("plots.empty", "the text names no value");
+  if (const auto filter = robotlink::PointFilter::parse(source.filter); !filter)
+    return tl::unexpected(filter.error());
+  if (!source.expression.empty()) {
+    std::vector<std::string> known = streams;
+    for (const std::string& stream : streams) {
+      if (const std::string of = robotPart(stream); contains(robots, of))
+        known.push_back(stream.substr(of.size() + 1));
     }
-    for (const std::string& field : robotlink::numericFields(*stream->messages.back().value)) {
-      sources.push_back({stream->path, field, stream->type});
-    }
+    const auto parsed = robotlink::Expression::parse(source.expression, known);
+    if (!parsed) return tl::unexpected(parsed.error());
+    if (parsed->inputs().empty())
+      return robotlink::failure("plots.constant", "the expression uses no value of a stream");
+    source.expression = parsed->withStreams([&](const std::string& stream) {
+      const std::string full = robot + '/' + stream;
+      return !contains(streams, stream) && contains(streams, full) ? full : stream;
+    });
   }
-  for (const auto& [path, type] : types) {
-    const auto* described = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
-    for (const std::string& field : robotlink::numericFields(*described))
-      sources.push_back({path, field, type});
-  }
-  std::ranges::stable_sort(sources, robotlink::comesNaturallyBefore, &PlotSource::stream);
-  return sources;
+  if (source.across.empty()) return source;
+  const auto across =
+      completed(PlotSource::fromText(QString::fromStdString(source.across)), robot, streams, robots);
+  if (!across) return across;
+  source.across = across->text().toStdString();
+  return source;
 }
 
-std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source, robotlink::Instant time) {
-  const std::string robot = robotPart(source.stream);
+void StateNames::add(double value, const QString& name) {
+  if (states_.size() < kMax) states_.emplace(value, State{name, static_cast<int>(states_.size())});
+}
+
+void StateNames::merge(const StateNames& others) {
+  std::vector<std::pair<int, double>> order;
+  for (const auto& [value, state] : others.states_) order.emplace_back(state.place, value);
+  std::ranges::sort(order);
+  for (const auto& [place, value] : order) add(value, others.states_.at(value).name);
+}
+
+QString StateNames::name(double value) const {
+  const auto found = states_.find(value);
+  return found == states_.end() ? QString::number(value, 'g', 6) : found->second.name;
+}
+
+int StateNames::color(double value) const {
+  constexpr double kColors = 12;
+  const auto found = states_.find(value);
+  if (found != states_.end()) return found->second.place;
+  return std::isfinite(value) ? static_cast<int>(std::fmod(std::abs(std::round(value)), kColors)) : 0;
+}
+
+std::string keyFor(const robotlink::StreamStore& store, const std::string& stream, robotlink::Instant time) {
+  const std::string robot = robotPart(stream);
   if (robot.empty()) return {};
-  const std::string below = source.stream.substr(robot.size() + 1);
+  const std::string below = stream.substr(robot.size() + 1);
   const bool plot = below.starts_with("plots/");
   std::string found;
   for (const auto* message : latestTable(store, robot, robotlink::streams::kKeys, time)) {
@@ -120,15 +161,27 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
 }
 
 PlotReader::PlotReader(PlotSource source) : source_(std::move(source)) {
-  if (auto path = robotlink::FieldPath::parse(source_.field)) path_ = std::move(*path);
+  if (source_.expression.empty()) {
+    streams_ = {source_.stream};
+    if (auto path = robotlink::FieldPath::parse(source_.field)) path_ = std::move(*path);
+  } else if (const auto parsed = robotlink::Expression::parse(source_.expression)) {
+    for (const auto& input : parsed->inputs()) {
+      if (!contains(streams_, input.stream)) streams_.push_back(input.stream);
+    }
+  }
+}
+
+std::optional<double> PlotReader::numberOf(const std::optional<robotlink::FieldValue>& value) {
+  const auto number = value ? value->asNumber() : std::nullopt;
+  if (number && value->text) names_.add(*number, QString::fromStdString(*value->text));
+  return number;
 }
 
 std::optional<double> PlotReader::valueOf(const robotlink::StreamMessage& message) {
   if (!source_.field.empty()) {
     if (!unitKnown_) unit_ = unitOf(message.value->GetDescriptor()->full_name(), source_.field);
     unitKnown_ = true;
-    const auto value = path_ ? path_->valueIn(*message.value) : std::nullopt;
-    return value ? value->number : std::nullopt;
+    return path_ ? numberOf(path_->valueIn(*message.value)) : std::nullopt;
   }
   const auto* plot = dynamic_cast<const robotcontrol::PlotValue*>(message.value.get());
   if (plot == nullptr) return {};
@@ -136,17 +189,69 @@ std::optional<double> PlotReader::valueOf(const robotlink::StreamMessage& messag
   return plot->value();
 }
 
+QString PlotReader::problem(const robotlink::StreamStore& store) const {
+  if (!source_.expression.empty()) return problem_;
+  if (store.find(source_.stream) != nullptr) return {};
+  return QCoreApplication::translate("PlotReader", "nothing is published on %1")
+      .arg(QString::fromStdString(source_.stream));
+}
+
 PlotReader::News PlotReader::take(const robotlink::StreamStore& store) {
+  if (!source_.expression.empty()) return takeOfExpression(store);
   News news;
   const auto* stream = store.find(source_.stream);
   if (stream == nullptr) return news;
-  const StreamCursor::News added = cursor_.take(*stream);
+  const StreamCursor::News added = cursors_[source_.stream].take(*stream);
   news.restarted = added.restarted;
   for (const auto* message : added.messages) {
     const auto value = valueOf(*message);
     if (!value) continue;
     last_ = value;
     news.points.push_back({robotlink::seconds(message->time), *value});
+  }
+  return news;
+}
+
+void PlotReader::bind(const robotlink::StreamStore& store) {
+  if (expression_ || listVersion_ == store.listVersion()) return;
+  listVersion_ = store.listVersion();
+  std::vector<std::string> streams;
+  for (const auto* stream : store.streams()) streams.push_back(stream->path);
+  auto bound = robotlink::BoundExpression::bind(source_.expression, streams, {});
+  if (!bound) {
+    problem_ = QString::fromStdString(bound.error().text);
+    return;
+  }
+  problem_.clear();
+  expression_.emplace(std::move(bound->front()));
+  const std::set<std::string> needed(expression_->streams().begin(), expression_->streams().end());
+  streams_.assign(needed.begin(), needed.end());
+}
+
+PlotReader::News PlotReader::takeOfExpression(const robotlink::StreamStore& store) {
+  News news;
+  bind(store);
+  if (!expression_) return news;
+  std::vector<const robotlink::StreamMessage*> messages;
+  for (const std::string& path : streams_) {
+    const auto* stream = store.find(path);
+    if (stream == nullptr) continue;
+    const StreamCursor::News added = cursors_[path].take(*stream);
+    messages.insert(messages.end(), added.messages.begin(), added.messages.end());
+    news.restarted = news.restarted || added.restarted;
+  }
+  if (news.restarted) newest_ = -std::numeric_limits<double>::infinity();
+  std::ranges::stable_sort(messages, {}, &robotlink::StreamMessage::time);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    const auto& message = *messages[i];
+    if (const auto taken = expression_->take(message.path, *message.value); !taken)
+      problem_ = QString::fromStdString(taken.error().text);
+    if (i + 1 < messages.size() && messages[i + 1]->time == message.time) continue;
+    const auto value = numberOf(expression_->valueOrText());
+    if (!value) continue;
+    last_ = value;
+    newest_ = std::max(newest_, robotlink::seconds(message.time));
+    news.points.push_back({newest_, *value});
   }
   return news;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/PlotTreeModel.h"
 
+#include <QGuiApplication>
 #include <QMimeData>
 #include <map>
 
+#include "widgets/Theme.h"
 #include "widgets/world/FieldUnits.h"
 
 namespace widgets {
@@ -37,7 +39,9 @@ class Folders {
     if (known != items_.end()) return known->second;
     const std::size_t slash = path.rfind('/');
     QStandardItem* parent = at(slash == std::string::npos ? std::string() : path.substr(0, slash));
-    return items_[path] = addItem(parent, QString::fromStdString(lastPart(path)));
+    QStandardItem* item = addItem(parent, QString::fromStdString(lastPart(path)));
+    item->setData(QString::fromStdString(path), PlotTreeModel::kPathRole);
+    return items_[path] = item;
   }
 
  private:
@@ -46,11 +50,12 @@ class Folders {
 
 }  // namespace
 
-void PlotTreeModel::setSources(const std::vector<PlotSource>& sources, const Explain& explain) {
+void PlotTreeModel::setChoices(const std::vector<PlotChoice>& choices, const Explain& explain) {
   clear();
   setColumnCount(kColumns);
   Folders folders(invisibleRootItem());
-  for (const PlotSource& source : sources) {
+  const QColor muted = colorOf(Meaning::kMuted, QGuiApplication::palette());
+  for (const auto& [source, missing, isPlottable] : choices) {
     QStandardItem* item = folders.at(source.stream);
     if (!source.field.empty()) {
       item = addItem(item, QString::fromStdString(source.field));
@@ -58,8 +63,10 @@ void PlotTreeModel::setSources(const std::vector<PlotSource>& sources, const Exp
         item->setText(item->text() + QLatin1Char(' ') + more);
       addUnit(item, unitOf(source.type, source.field));
     }
+    item->setToolTip(missing.isEmpty() ? source.text() : source.text() + QLatin1Char('\n') + missing);
+    if (!missing.isEmpty()) item->setForeground(muted);
+    if (!isPlottable) continue;
     item->setData(source.text(), kSourceRole);
-    item->setToolTip(source.text());
     item->setDragEnabled(true);
   }
 }

@@ -4,13 +4,13 @@
 #include <QStandardItemModel>
 #include <functional>
 
-#include "widgets/plots/PlotSource.h"
+#include "widgets/plots/PlotChoices.h"
 
 namespace widgets {
 
 /// The sources that can be plotted as a tree by the parts of the streams' paths, with the fields as leaves
-/// and their units beside them. Leaves can be dragged; the MIME data are the texts of their sources, one per
-/// line. GUI thread.
+/// and their units beside them. Those that are not published now are gray. Leaves can be dragged; the MIME
+/// data are the texts of their sources, one per line. GUI thread.
 class PlotTreeModel final : public QStandardItemModel {
   Q_OBJECT
  public:
@@ -18,6 +18,8 @@ class PlotTreeModel final : public QStandardItemModel {
   enum Column { kName, kUnit, kColumns };
   /// PlotSource::text(); empty for folders.
   static constexpr int kSourceRole = Qt::UserRole + 1;
+  /// The path of a folder or stream; empty for fields.
+  static constexpr int kPathRole = Qt::UserRole + 2;
   /// MIME type of dragged sources; the same data is also plain text.
   static constexpr char kMimeType[] = "application/x-robotcontrol-plot";
 
@@ -25,7 +27,7 @@ class PlotTreeModel final : public QStandardItemModel {
   /// Returns an addition to the name of a field, such as the joint of "positions[3]"; empty: none.
   using Explain = std::function<QString(const PlotSource&)>;
   /// Rebuilds the tree.
-  void setSources(const std::vector<PlotSource>& sources, const Explain& explain = {});
+  void setChoices(const std::vector<PlotChoice>& choices, const Explain& explain = {});
   QStringList mimeTypes() const override;
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 };

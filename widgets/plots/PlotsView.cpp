@@ -2,30 +2,27 @@
 #include "widgets/plots/PlotsView.h"
 
 #include <QAction>
-#include <QBoxLayout>
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QGuiApplication>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QSortFilterProxyModel>
-#include <QSplitter>
 #include <QToolButton>
 #include <QTreeView>
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "robotlink/config/RobotDescription.h"
-#include "widgets/ColumnFit.h"
-#include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/Requests.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/plots/LoggedCurves.h"
+#include "widgets/log/TimeMarks.h"
+#include "widgets/plots/PathCanvas.h"
 #include "widgets/plots/PlotCanvas.h"
+#include "widgets/plots/PlotPicture.h"
+#include "widgets/plots/SpectrumCanvas.h"
 #include "widgets/plots/TimeLink.h"
 
 namespace widgets {
@@ -36,18 +33,8 @@ const ViewRegistration kPlotsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
      create<PlotsView>}};
 
-constexpr int kTicks = 6;                               // of this many ticks (at 30 Hz)...
-constexpr int kDrawn = 5;                               // ...at most this many draw: 25 Hz
-constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
-
-/// How a stream is replayed that is a package of a log; empty for others.
-std::optional<robotcontrol::ControlReplay::PackageSource> replayed(const robotcontrol::ReplayStatus& status,
-                                                                   const std::string& stream) {
-  for (const auto& package : status.packages()) {
-    if (package.package() == stream && package.logged()) return package.source();
-  }
-  return std::nullopt;
-}
+constexpr int kTicks = 6;  // of this many ticks (at 30 Hz)...
+constexpr int kDrawn = 5;  // ...at most this many draw: 25 Hz
 
 }  // namespace
 
@@ -66,138 +53,32 @@ PlotsView::PlotsView(ViewContext& context, QWidget* parent)
   connectSignals();
 }
 
-void PlotsView::createActions() {
-  showTree_ = makeToggle(
-      this, "filter",
-      {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")}, true);
-  showTree_->setIcon({});
-  add_ = makeAction(this, "add",
-                    {"plotsAdd", tr("Add"), tr("Adds the selected values as curves"), tr("Ctrl+Return")});
-  remove_ = makeAction(
-      this, "remove", {"plotsRemove", tr("Remove"), tr("Removes the selected curves"), QKeySequence::Delete});
-  follow_ =
-      makeToggle(this, "follow",
-                 {"plotsFollow", tr("Follow"), tr("Keeps the newest values in view"), tr("Ctrl+E")}, true);
-  pause_ = makeToggle(this, "pause",
-                      {"plotsPause", tr("Pause"), tr("Freezes the plot; nothing is lost"), tr("Ctrl+T")});
-  wholeLog_ = makeToggle(
-      this, "time-line",
-      {"plotsWholeLog", tr("Whole log"), tr("Reads the curves of the whole log, without playing it")}, true);
-  fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all points of the curves"), tr("Ctrl+0")});
-  csv_ = makeAction(this, "save",
-                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
-                     QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
-  png_ = makeAction(this, "camera", {"plotsPng", tr("Export PNG"), tr("Writes the picture to a file")});
-  svg_ = makeAction(this, "export", {"plotsSvg", tr("Export SVG"), tr("Writes the drawing to a file")});
-  copy_ = makeAction(this, "copy",
-                     {"plotsCopy", tr("Copy picture"), tr("Copies the picture"), QKeySequence::Copy});
-  undo_ = makeAction(this, "undo",
-                     {"plotsUndo", tr("Previous view"), tr("Shows what was shown before"),
-                      QKeySequence(QStringLiteral("Alt+Left"))});
-  redo_ = makeAction(this, "redo",
-                     {"plotsRedo", tr("Next view"), tr("Shows what was shown before going back"),
-                      QKeySequence(QStringLiteral("Alt+Right"))});
-  link_ = makeToggle(this, "lock",
-                     {"plotsLink", tr("Link"), tr("Shows the same times as the other linked plots")});
-  cursors_ = makeToggle(this, "select-area",
-                        {"plotsCursors", tr("Cursors"),
-                         tr("Shows what is at and between two cursors; a click sets A, Shift+click sets B")});
-  right_ = makeAction(
-      this, "two-pictures",
-      {"plotsRight", tr("Other axis"), tr("Moves the selected curves to the axis on the right, or back")});
-}
-
-void PlotsView::createTree() {
-  treePanel_ = new QWidget(this);
-  search_ = makeSearchField(
-      treePanel_, {"plotsSearch", tr("Search values"), tr("Shows the values whose path contains this")});
-  tree_ = new QTreeView(treePanel_);
-  styleTree(*tree_);
-  describe(*tree_, {"plotsTree", tr("Values that can be plotted"),
-                    tr("Double click, Enter or drag into the plot to add a curve")});
-  filter_->setSourceModel(&sources_);
-  filter_->setRecursiveFilteringEnabled(true);
-  filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  filter_->setFilterRole(PlotTreeModel::kSourceRole);
-  tree_->setModel(filter_);
-  tree_->setHeaderHidden(true);
-  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber});
-  tree_->setTextElideMode(Qt::ElideMiddle);
-  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setDragEnabled(true);
-  tree_->setDragDropMode(QAbstractItemView::DragOnly);
-  auto* layout = makeColumn(treePanel_, {}, 4);
-  layout->addWidget(search_);
-  layout->addWidget(tree_, 1);
-}
-
-void PlotsView::createLegend() {
-  legend_ = new QTreeView(this);
-  styleTree(*legend_);
-  describe(*legend_, {"plotsLegend", tr("Curves"), {}});
-  legend_->setModel(&curves_);
-  legend_->setRootIsDecorated(false);
-  legend_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  new ColumnFit(*legend_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
-  legend_->setTextElideMode(Qt::ElideMiddle);
-}
-
-void PlotsView::createStatistics() {
-  statistics_ = new QTreeView(this);
-  styleTree(*statistics_);
-  describe(*statistics_, {"plotsStatistics", tr("Between the cursors"), {}});
-  statistics_->setModel(&between_);
-  statistics_->setRootIsDecorated(false);
-  std::vector<ColumnKind> columns(CursorModel::kColumns, ColumnKind::kNumber);
-  columns.front() = ColumnKind::kName;
-  new ColumnFit(*statistics_, std::move(columns));
-  statistics_->setTextElideMode(Qt::ElideMiddle);
-  statistics_->hide();
-}
-
-void PlotsView::createViews() {
-  canvas_ = new PlotCanvas(curves_, this);
-  hint_ = new EmptyHint(canvas_);
-  window_ = new QComboBox(this);
-  describe(*window_,
-           {"plotsWindow", tr("Time window"), tr("What is shown while following: the last seconds, or all")});
-  for (const int seconds : kWindows) window_->addItem(tr("%1 s").arg(seconds), seconds);
-  window_->addItem(tr("all"), 0);
-  window_->setCurrentIndex(window_->findData(kUsualWindow));
-  state_ = new QLabel(this);
-  describe(*state_, {"plotsState", tr("State of the plots"), {}});
-  auto* top = new QHBoxLayout;
-  auto* showTree = makeButton(this, showTree_);
-  showTree->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  top->addWidget(showTree);
-  for (QAction* action : {add_, remove_, right_}) top->addWidget(makeButton(this, action));
-  top->addWidget(makeMenuButton(
-      this, {"plotsCompute", tr("Compute"), tr("Adds what is computed of the selected curves")},
-      createFilterMenu()));
-  top->addSpacing(8);
-  top->addWidget(window_);
-  for (QAction* action : {follow_, pause_, fit_, undo_, redo_, link_, cursors_, wholeLog_})
-    top->addWidget(makeButton(this, action));
-  top->addWidget(state_, 1);
-  for (QAction* action : {copy_, csv_, png_, svg_}) top->addWidget(makeButton(this, action));
-  auto* right =
-      makeSplitter(this, "plotsLegendSplitter", Qt::Vertical, {{canvas_, 4}, {legend_, 1}, {statistics_, 1}});
-  right->setSizes({400, 100, 100});
-  splitter_ = makeSplitter(this, "plotsSplitter", Qt::Horizontal, {{treePanel_, 1}, {right, 3}});
-  splitter_->setSizes({260, 640});
-  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(top);
-  layout->addWidget(splitter_, 1);
-}
-
 void PlotsView::connectSignals() {
   connect(showTree_, &QAction::toggled, treePanel_, &QWidget::setVisible);
   connect(add_, &QAction::triggered, this, &PlotsView::addSelected);
   connect(tree_, &QTreeView::activated, this, &PlotsView::addSelected);
+  connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& index) {
+    unfolded_.insert(index.data(PlotTreeModel::kPathRole).toString());
+  });
+  connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& index) {
+    unfolded_.erase(index.data(PlotTreeModel::kPathRole).toString());
+  });
+  connect(expression_, &QLineEdit::returnPressed, this, &PlotsView::addExpression);
   connect(remove_, &QAction::triggered, this, &PlotsView::removeSelected);
+  connect(strip_, &QAction::triggered, this, &PlotsView::changeStrips);
+  connect(across_, &QAction::triggered, this, &PlotsView::addAcross);
+  connect(mark_, &QAction::triggered, this, &PlotsView::askForTextMarks);
+  connect(previousChange_, &QAction::triggered, this, [this] { stepChange("previous"); });
+  connect(nextChange_, &QAction::triggered, this, [this] { stepChange("next"); });
+  connect(equal_, &QAction::toggled, paths_, &PathCanvas::setEqual);
+  connect(showSpectrum_, &QAction::toggled, this, [this](bool on) {
+    spectrum_->setVisible(on);
+    dirty_ = true;
+  });
   connect(fit_, &QAction::triggered, this, [this] {
     follow_->setChecked(false);
     canvas_->fit();
+    paths_->fit();
   });
   connect(follow_, &QAction::toggled, this, [this] { dirty_ = true; });
   connect(wholeLog_, &QAction::toggled, this, [this] { logsVersion_ = 0; });
@@ -205,13 +86,22 @@ void PlotsView::connectSignals() {
     follow_->setChecked(true);
     dirty_ = true;
   });
+  connect(right_, &QAction::triggered, this, &PlotsView::changeAxis);
+  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_->setFilterFixedString(text);
+    if (!text.isEmpty()) tree_->expandAll();
+  });
+  connect(legend_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { dirty_ = true; });
+  connectCanvas();
+  connectExports();
+}
+
+void PlotsView::connectCanvas() {
   connect(undo_, &QAction::triggered, canvas_, &PlotCanvas::undo);
   connect(redo_, &QAction::triggered, canvas_, &PlotCanvas::redo);
-  connect(right_, &QAction::triggered, this, &PlotsView::changeAxis);
-  connect(copy_, &QAction::triggered, this,
-          [this] { QGuiApplication::clipboard()->setPixmap(canvas_->picture()); });
   TimeLink& link = TimeLink::of(openLogs(context()));
   connect(canvas_, &PlotCanvas::timesTouched, this, [this, &link](double from, double to) {
+    dirty_ = true;
     if (link_->isChecked()) Q_EMIT link.moved(this, from, to);
   });
   connect(&link, &TimeLink::moved, this, &PlotsView::followLink);
@@ -229,106 +119,19 @@ void PlotsView::connectSignals() {
     for (const QString& source : sources) addCurve(source);
   });
   connect(canvas_, &PlotCanvas::cursorMoved, this, &PlotsView::showCursor);
-  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    filter_->setFilterFixedString(text);
-    if (!text.isEmpty()) tree_->expandAll();
-  });
+}
+
+void PlotsView::connectExports() {
+  connect(copy_, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setPixmap(plotsPicture(*area_)); });
   connect(csv_, &QAction::triggered, this,
           [this] { exportAs(tr("Export the points as CSV"), QStringLiteral("csv")); });
+  connect(spectrumCsv_, &QAction::triggered, this,
+          [this] { exportAs(tr("Export the spectrum as CSV"), QStringLiteral("spectrum.csv")); });
   connect(png_, &QAction::triggered, this,
           [this] { exportAs(tr("Export the picture"), QStringLiteral("png")); });
   connect(svg_, &QAction::triggered, this,
           [this] { exportAs(tr("Export the drawing"), QStringLiteral("svg")); });
-}
-
-void PlotsView::addSelected() {
-  const QModelIndexList rows = tree_->selectionModel()->selectedRows();
-  for (const QModelIndex& row : rows) {
-    const QString source = row.data(PlotTreeModel::kSourceRole).toString();
-    if (!source.isEmpty()) addCurve(source);
-  }
-}
-
-bool PlotsView::addCurve(const QString& source) {
-  if (!curves_.add(PlotSource::fromText(source))) return false;
-  curves_.update(session().store());
-  requestMissing();
-  logsVersion_ = 0;
-  dirty_ = true;
-  return true;
-}
-
-bool PlotsView::removeCurve(const QString& source) {
-  const auto row = curves().indexOf(source);
-  if (row < 0) return false;
-  curves_.remove(row);
-  dirty_ = true;
-  return true;
-}
-
-void PlotsView::clear() {
-  curves_.clear();
-  dirty_ = true;
-}
-
-QStringList PlotsView::curves() const {
-  QStringList texts;
-  for (const auto& curve : curves_.curves()) texts << curve->source().text();
-  return texts;
-}
-
-QStringList PlotsView::sources() const {
-  QStringList texts;
-  for (const PlotSource& source : plotSources(session().store())) texts << source.text();
-  return texts;
-}
-
-std::vector<CurveModel::Curve*> PlotsView::selectedCurves() {
-  std::vector<CurveModel::Curve*> selected;
-  for (const QModelIndex& row : legend_->selectionModel()->selectedRows())
-    selected.push_back(curves_.curves()[static_cast<std::size_t>(row.row())].get());
-  return selected;
-}
-
-QMenu* PlotsView::createFilterMenu() {
-  auto* menu = new QMenu(this);
-  for (const auto& kind : robotlink::PointFilter::kinds()) {
-    const QString name = QCoreApplication::translate("PointFilter", kind.name);
-    QAction* action = menu->addAction(kind.number == nullptr ? name : tr("%1…").arg(name));
-    action->setObjectName(QStringLiteral("plotsCompute-") + QLatin1String(kind.name));
-    connect(action, &QAction::triggered, this, [this, &kind] { addFiltered(kind); });
-  }
-  return menu;
-}
-
-void PlotsView::addFiltered(const robotlink::PointFilter::Kind& kind) {
-  const auto selected = selectedCurves();
-  if (selected.empty()) {
-    state_->setText(tr("Select a curve below the plot first."));
-    return;
-  }
-  QString step = QLatin1String(kind.name);
-  if (kind.number != nullptr) {
-    bool isChosen = false;
-    constexpr double kMost = 1e9;
-    constexpr int kDecimals = 4;
-    const double number = QInputDialog::getDouble(this, QCoreApplication::translate("PointFilter", kind.name),
-                                                  QCoreApplication::translate("PointFilter", kind.number),
-                                                  kind.usual, -kMost, kMost, kDecimals, &isChosen);
-    if (!isChosen) return;
-    step += QLatin1Char(' ') + QString::number(number, 'g', 12);
-  }
-  for (const CurveModel::Curve* curve : selected) {
-    const QString text = curve->source().text() + QStringLiteral(" | ") + step;
-    if (!addCurve(text)) state_->setText(tr("%1 cannot be added.").arg(text));
-  }
-}
-
-void PlotsView::changeAxis() {
-  const auto selected = selectedCurves();
-  const bool isRight = std::ranges::all_of(selected, &CurveModel::Curve::isRight);
-  for (CurveModel::Curve* curve : selected) curve->isRight = !isRight;
-  dirty_ = true;
 }
 
 void PlotsView::setCursors(const CursorModel::Cursors& cursors) {
@@ -336,6 +139,7 @@ void PlotsView::setCursors(const CursorModel::Cursors& cursors) {
   between_.setCursors(cursors);
   canvas_->setCursors(cursors);
   statistics_->setVisible(cursors.has_value());
+  dirty_ = true;
   if (cursors) state_->setText(tr("From A to B: %1 s").arg(cursors->second - cursors->first, 0, 'f', 3));
 }
 
@@ -345,76 +149,38 @@ void PlotsView::followLink(const QObject* plot, double from, double to) {
   canvas_->showTimes(from, to);
 }
 
-void PlotsView::removeSelected() {
-  QModelIndexList rows = legend_->selectionModel()->selectedRows();
-  std::sort(rows.begin(), rows.end(), [](const QModelIndex& a, const QModelIndex& b) { return b < a; });
-  for (const QModelIndex& row : rows) curves_.remove(row.row());
-  dirty_ = true;
-}
-
-void PlotsView::requestMissing() {
-  for (auto& curve : curves_.curves()) {
-    if (curve->requested) continue;
-    const PlotSource& source = curve->source();
-    if (replayed(openLogs(context()).replay().status(), source.stream) ==
-        robotcontrol::ControlReplay::AS_LOGGED)
-      continue;  // it is published without a debug key
-    const std::string key = keyFor(session().store(), source, session().timeline().newest());
-    if (key.empty()) continue;
-    curve->requested = true;
-    robotcontrol::Request request;
-    request.mutable_set_key()->set_name(key);
-    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    const QString name = QString::fromStdString(key);
-    state_->setText(
-        tr("Asked %1 for %2 (debug key)").arg(QString::fromStdString(robotPart(source.stream)), name));
-    ask(session(), robotPart(source.stream), std::move(request), this,
-        [this, name](bool accepted, const QString& reason) {
-          if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
-        });
+std::vector<PlotChoice> PlotsView::choices() const {
+  std::vector<LoggedStream> logged;
+  for (const auto& log : openLogs(context()).logs()) {
+    for (const auto& stream : log->overview->streams)
+      logged.push_back({OpenLogs::sessionPath(*log, stream.path), stream.type});
   }
-}
-
-void PlotsView::followLogs() {
-  OpenLogs& logs = openLogs(context());
-  LoggedCurves& logged = LoggedCurves::of(logs);
-  logged.tick();
-  findChild<QToolButton*>(QStringLiteral("plotsWholeLog"))->setVisible(!logs.logs().empty());
-  const bool isOther = logsVersion_ != logs.version();
-  for (auto& curve : curves_.curves()) {
-    if (isOther) curve->logged = wholeLog_->isChecked() ? logged.curve(curve->source()) : nullptr;
-    const bool isRecomputed =
-        replayed(logs.replay().status(), curve->source().stream) == robotcontrol::ControlReplay::RECOMPUTED;
-    dirty_ = dirty_ || isOther || curve->isRecomputed != isRecomputed;
-    curve->isRecomputed = isRecomputed;
-  }
-  if (isOther) showBookmarks(logs);
-  logsVersion_ = logs.version();
-  const QString text = logged.stateText();
-  if (text == readingText_) return;
-  readingText_ = text;
-  state_->setText(text);
-}
-
-void PlotsView::showBookmarks(const OpenLogs& logs) {
-  std::vector<PlotMarker> markers;
-  for (const auto& log : logs.logs()) {
-    if (!log->bookmarks) continue;
-    for (const logplayer::Bookmark& bookmark : log->bookmarks->all()) {
-      markers.push_back({robotlink::seconds(bookmark.from + log->offset),
-                         robotlink::seconds(bookmark.to + log->offset),
-                         QString::fromStdString(bookmark.text)});
-    }
-  }
-  canvas_->setMarkers(std::move(markers));
+  return plotChoices(session().store(), logged);
 }
 
 void PlotsView::listSources() {
-  if (listVersion_ == session().store().listVersion()) return;
-  listVersion_ = session().store().listVersion();
-  sources_.setSources(plotSources(session().store()),
-                      [this](const PlotSource& source) { return jointOf(source); });
+  const auto& store = session().store();
+  decltype(listed_) now{store.listVersion(), openLogs(context()).version(), keyTables(store)};
+  if (now == listed_) return;
+  listed_ = std::move(now);
+  const auto all = choices();
+  std::vector<std::pair<QString, QString>> shown;
+  for (const PlotChoice& choice : all) shown.emplace_back(choice.source.text(), choice.missing);
+  if (shown == shownChoices_) return;
+  shownChoices_ = std::move(shown);
+  const std::set<QString> unfolded = unfolded_;
+  sources_.setChoices(all, [this](const PlotSource& source) { return jointOf(source); });
   tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
+  unfoldAgain({}, unfolded);
+}
+
+void PlotsView::unfoldAgain(const QModelIndex& parent, const std::set<QString>& unfolded) {
+  for (int row = 0; row < filter_->rowCount(parent); ++row) {
+    const QModelIndex index = filter_->index(row, 0, parent);
+    if (!unfolded.contains(index.data(PlotTreeModel::kPathRole).toString())) continue;
+    tree_->expand(index);
+    unfoldAgain(index, unfolded);
+  }
 }
 
 /// Returns "headPan" for "positions[1]" of a JointRequest; the robot's description numbers the joints.
@@ -449,10 +215,82 @@ double PlotsView::followedEnd(double time, double length) const {
   return std::max(std::min(time + length / 2, log->second), std::max(time, log->first + length));
 }
 
+void PlotsView::showWholeLogButton(bool on) {
+  findChild<QToolButton*>(QStringLiteral("plotsWholeLog"))->setVisible(on);
+}
+
+void PlotsView::showTimeMarks() {
+  TimeMarks& marks = TimeMarks::of(openLogs(context()));
+  marks.tick(session());
+  if (marksVersion_ == marks.version()) return;
+  marksVersion_ = marks.version();
+  const auto meaningOf = [](LogEntry::Level level) {
+    return level >= LogEntry::Level::kError     ? Meaning::kBad
+           : level == LogEntry::Level::kWarning ? Meaning::kWarning
+                                                : Meaning::kNote;
+  };
+  std::vector<PlotMarker> lines;
+  for (const TimeMark& text : marks.texts())
+    lines.push_back(
+        {robotlink::seconds(text.from), robotlink::seconds(text.to), text.text, meaningOf(text.level)});
+  for (const TimeMark& hit : marks.hits())
+    lines.push_back({robotlink::seconds(hit.from), robotlink::seconds(hit.to), hit.text, Meaning::kGood});
+  std::ranges::stable_sort(lines, {}, &PlotMarker::from);
+  canvas_->setTextMarks(std::move(lines));
+}
+
+void PlotsView::showPaths(double shown) {
+  const bool has =
+      std::ranges::any_of(curves_.curves(), [](const auto& curve) { return curve->across != nullptr; });
+  paths_->setVisible(has);
+  findChild<QToolButton*>(QStringLiteral("plotsEqual"))->setVisible(has);
+  const auto [from, to] = canvas_->shownTimes();
+  if (has) paths_->refresh(from, to, shown);
+}
+
+void PlotsView::setSpectrum(bool on, const QString& window) {
+  if (!window.isEmpty()) spectrum_->setWindow(window);
+  showSpectrum_->setChecked(on);
+}
+
+void PlotsView::setEqualAxes(bool on) {
+  equal_->setChecked(on);
+}
+
+void PlotsView::showSpectrum() {
+  if (!showSpectrum_->isChecked()) return;
+  const auto selected = selectedCurves();
+  std::vector<std::shared_ptr<CurveModel::Curve>> curves;
+  for (const auto& curve : curves_.curves()) {
+    const bool isWanted = selected.empty() || std::ranges::find(selected, curve.get()) != selected.end();
+    if (isWanted && !curve->across && !curve->isStrip()) curves.push_back(curve);
+  }
+  const auto cursors = between_.cursors();
+  const auto [from, to] = cursors ? std::pair(std::min(cursors->first, cursors->second),
+                                              std::max(cursors->first, cursors->second))
+                                  : canvas_->shownTimes();
+  spectrum_->showSpectra(std::move(curves), from, to);
+}
+
+void PlotsView::draw() {
+  const double time = shownTime();
+  const bool live = session().timeline().live();
+  drawnTime_ = time;
+  const bool hasFuture = std::ranges::any_of(curves_.curves(), [&](const auto& curve) {
+    return curve->isLogged() && curve->times()->second > time;
+  });
+  canvas_->setMark(live && !hasFuture ? std::optional<double>() : time);
+  const double length = window_->currentData().toInt();
+  canvas_->refresh(follow_->isChecked(), followedEnd(time, length), length, session().remoteRobots());
+  showPaths(time);
+  isSpectrumOld_ = true;
+}
+
 void PlotsView::tick() {
   listSources();
   requestMissing();
   followLogs();
+  showTimeMarks();
   const double origin = robotlink::seconds(session().timeline().origin());
   canvas_->setOrigin(origin);
   curves_.setOrigin(origin);
@@ -466,18 +304,12 @@ void PlotsView::tick() {
   ticks_ = (ticks_ + 1) % kTicks;
   if (pause_->isChecked()) return;
   dirty_ = curves_.update(session().store()) || dirty_;
-  const double time = shownTime();
-  const bool live = session().timeline().live();
-  dirty_ = dirty_ || (!live && time != drawnTime_);
+  // A transform of many points takes a while: five times a second are enough.
+  if (ticks_ == 0 && std::exchange(isSpectrumOld_, false)) showSpectrum();
+  dirty_ = dirty_ || (!session().timeline().live() && shownTime() != drawnTime_);
   if (!dirty_ || ticks_ >= kDrawn) return;
   dirty_ = false;
-  drawnTime_ = time;
-  const bool hasFuture = std::ranges::any_of(curves_.curves(), [&](const auto& curve) {
-    return curve->isLogged() && curve->times()->second > time;
-  });
-  canvas_->setMark(live && !hasFuture ? std::optional<double>() : time);
-  const double length = window_->currentData().toInt();
-  canvas_->refresh(follow_->isChecked(), followedEnd(time, length), length, session().remoteRobots());
+  draw();
 }
 
 }  // namespace widgets

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+#include <tuple>
+
 #include "widgets/View.h"
 #include "widgets/plots/CursorModel.h"
 #include "widgets/plots/CurveModel.h"
@@ -9,6 +12,7 @@
 class QAction;
 class QComboBox;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QMenu;
 class QSortFilterProxyModel;
@@ -19,15 +23,19 @@ namespace widgets {
 
 class EmptyHint;
 class OpenLogs;
+class PathCanvas;
 class PlotCanvas;
+class SpectrumCanvas;
 
 /// Plots of values over time: any plot value, and any number in the messages of any stream. Curves are added
 /// from a searchable tree by double click, Enter or drag and drop. If a robot does not yet publish a value,
 /// its debug key is requested, and the state line says so. The legend shows the current values and those
 /// under the cursor, another table what is at and between two cursors. The time axes of several plots can be
-/// linked. Of what a log has, the whole log is drawn, which is read in the background.
+/// linked. Of what a log has, the whole log is drawn, which is read in the background. States are strips
+/// below the curves; curves over other ones are drawn beside them, and spectra below.
 ///
-/// Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
+/// PlotsViewTools.cpp has its controls, PlotsViewCurves.cpp what is done with curves, PlotsViewState.cpp
+/// files and what it keeps of itself. Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
 class PlotsView final : public View {
   Q_OBJECT
  public:
@@ -36,20 +44,28 @@ class PlotsView final : public View {
 
   explicit PlotsView(ViewContext& context, QWidget* parent = nullptr);
   void setFileQuestion(FileQuestion question) { askForFile_ = std::move(question); }
-  /// Adds a curve by PlotSource::text(). Returns false if there is one already, or the text has no stream or
-  /// a wrong filter.
-  bool addCurve(const QString& source);
+  /// Adds a curve by PlotSource::text(); streams in expressions may be named without their robot. Fails if
+  /// there is one already, or if something is wrong with the text.
+  robotlink::Result<void> addCurve(const QString& source);
   /// Appends new points and redraws if something changed.
   void tick() override;
   QJsonObject saveState() const override;
   /// Takes kMaxRestored curves at most, and says so below the plot if there were more.
   void restoreState(const QJsonObject& state) override;
-  /// All points of all curves as a table (.csv), or the picture of the plot (.png, .svg).
+  /// All points of all curves as a table (.csv), the spectra that are shown as one (.spectrum.csv), or the
+  /// picture of the plots (.png, .svg).
   robotlink::Result<void> saveTo(const QString& file) override;
   /// removeCurve() and clear() remove one or all curves; removeCurve() returns false if there is none by this
   /// PlotSource::text().
   bool removeCurve(const QString& source);
   void clear();
+  /// Draws a curve as a strip of states, or as a curve. False if there is none by this text.
+  bool setStrip(const QString& source, bool on);
+  /// Shows spectra of the selected curves, or of all; `window` is a name as in SpectrumCanvas, empty: as it
+  /// is.
+  void setSpectrum(bool on, const QString& window);
+  /// Whether units have the same length on both axes of curves over each other.
+  void setEqualAxes(bool on);
   /// The PlotSource::text() of all curves, and of all that could be one.
   QStringList curves() const;
   QStringList sources() const;
@@ -59,20 +75,36 @@ class PlotsView final : public View {
 
  private:
   void createActions();
-  /// The tree of sources with its search field.
+  /// The actions that change what is shown of curves.
+  void createLookActions();
+  /// The tree of sources with its search field, and the field for expressions.
   void createTree();
   /// The table of the curves below the plot.
   void createLegend();
   /// The table of what is between the cursors.
   void createStatistics();
   void createViews();
+  /// The row of tools above the plots.
+  QLayout* createTools();
   void connectSignals();
+  void connectCanvas();
+  void connectExports();
   /// Adds the sources that are selected in the tree.
   void addSelected();
   /// The curves that are selected in the legend.
   std::vector<CurveModel::Curve*> selectedCurves();
   /// A menu of what can be computed of the selected curves.
   QMenu* createFilterMenu();
+  /// Adds what was typed as an expression.
+  void addExpression();
+  /// Shows the selected curves as strips of states, or as curves again.
+  void changeStrips();
+  /// Adds the lower one of two selected curves over the upper one.
+  void addAcross();
+  /// Shows the instant before or behind the shown one at which the selected curve changes.
+  void stepChange(const char* direction);
+  /// Asks which texts are marked.
+  void askForTextMarks();
   /// Adds curves of which this is computed of the selected ones.
   void addFiltered(const robotlink::PointFilter::Kind& kind);
   /// Moves the selected curves to the axis on the right; if all are there, to the one on the left.
@@ -85,12 +117,25 @@ class PlotsView final : public View {
   void removeSelected();
   /// Marks the bookmarks of the open logs.
   void showBookmarks(const OpenLogs& logs);
-  /// Rebuilds the tree when the store's list of streams changed.
+  /// Marks texts and what a search found.
+  void showTimeMarks();
+  /// Draws paths and spectra, if there are some to be shown.
+  void showPaths(double shown);
+  void showSpectrum();
+  /// Draws what is new.
+  void draw();
+  /// Everything that could be a curve.
+  std::vector<PlotChoice> choices() const;
+  /// Rebuilds the tree when there is something else to choose; what was unfolded stays so.
   void listSources();
+  void unfoldAgain(const QModelIndex& parent, const std::set<QString>& unfolded);
   /// Requests the debug keys of curves whose source is not published, each once.
   void requestMissing();
   /// Lets the curves of open logs be read, and says how far that is.
   void followLogs();
+  /// Requests the debug key of a stream of a curve, once.
+  void requestStream(CurveModel::Curve& curve, const std::string& stream);
+  void showWholeLogButton(bool on);
   /// Asks for a file with this suffix and saves to it.
   void exportAs(const QString& title, const QString& suffix);
   /// The end of the time axis while following: the shown time, or half a window later if the log is known.
@@ -109,12 +154,17 @@ class PlotsView final : public View {
   QSortFilterProxyModel* filter_;
   FileQuestion askForFile_;
   PlotCanvas* canvas_ = nullptr;
+  PathCanvas* paths_ = nullptr;
+  SpectrumCanvas* spectrum_ = nullptr;
+  /// What is in the pictures: the canvases.
+  QWidget* area_ = nullptr;
   QTreeView* tree_ = nullptr;
   QWidget* treePanel_ = nullptr;
   QTreeView* legend_ = nullptr;
   /// What is between the cursors.
   QTreeView* statistics_ = nullptr;
   QLineEdit* search_ = nullptr;
+  QLineEdit* expression_ = nullptr;
   /// Length of the time window while following, in s; 0: all.
   QComboBox* window_ = nullptr;
   QLabel* state_ = nullptr;
@@ -136,8 +186,23 @@ class PlotsView final : public View {
   QAction* link_ = nullptr;
   QAction* cursors_ = nullptr;
   QAction* right_ = nullptr;
-  /// Version of the store's list of streams that the tree shows.
-  std::uint64_t listVersion_ = 0;
+  QAction* strip_ = nullptr;
+  QAction* across_ = nullptr;
+  QAction* equal_ = nullptr;
+  QAction* showSpectrum_ = nullptr;
+  QAction* mark_ = nullptr;
+  QAction* previousChange_ = nullptr;
+  QAction* nextChange_ = nullptr;
+  QAction* spectrumCsv_ = nullptr;
+  /// What decides about what the tree shows: versions of the store's list of streams and of the open logs,
+  /// and the tables of debug keys.
+  std::tuple<std::uint64_t, std::uint64_t, std::vector<robotlink::PackagePtr>> listed_{};
+  /// The texts and reasons that the tree shows.
+  std::vector<std::pair<QString, QString>> shownChoices_;
+  /// The folders and streams that the user has unfolded.
+  std::set<QString> unfolded_;
+  /// TimeMarks::version() of what is marked.
+  std::uint64_t marksVersion_ = 0;
   /// Version of the open logs in which the curves were looked up; 0: they must be looked up again.
   std::uint64_t logsVersion_ = 0;
   /// What was said last of the reading of logs.
@@ -146,6 +211,8 @@ class PlotsView final : public View {
   int ticks_ = 0;
   /// Whether something changed since the last drawing.
   bool dirty_ = true;
+  /// Whether something was drawn since spectra were.
+  bool isSpectrumOld_ = false;
   /// The shown instant when the plot was drawn last, in s.
   double drawnTime_ = -1;
 };

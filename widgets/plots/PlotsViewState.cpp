@@ -8,8 +8,10 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "widgets/SplitterState.h"
-#include "widgets/plots/PlotCanvas.h"
+#include "widgets/log/TimeMarks.h"
+#include "widgets/plots/PlotPicture.h"
 #include "widgets/plots/PlotsView.h"
+#include "widgets/plots/SpectrumCanvas.h"
 
 namespace widgets {
 
@@ -22,19 +24,32 @@ void PlotsView::exportAs(const QString& title, const QString& suffix) {
 
 robotlink::Result<void> PlotsView::saveTo(const QString& file) {
   const std::string path = file.toStdString();
+  if (file.endsWith(QLatin1String(".spectrum.csv"), Qt::CaseInsensitive)) {
+    if (!spectrum_->spectra().empty())
+      return robotlink::writeFileAtomically(path, spectrum_->csv().toStdString());
+    return robotlink::failure("plots.spectrum", "no spectrum is shown: plots.spectrum on", {path, 0, 0});
+  }
   if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
     return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
-  const bool isSvg = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
-  if (isSvg ? canvas_->saveSvg(file) : canvas_->savePng(file)) return {};
+  if (savePlots(*area_, file)) return {};
   return robotlink::failure("plots.save", "the picture cannot be written", {path, 0, 0});
 }
 
 QJsonObject PlotsView::saveState() const {
   QJsonArray right;
+  QJsonObject strips;
   for (const auto& curve : curves_.curves()) {
     if (curve->isRight) right.append(curve->source().text());
+    if (curve->asStrip) strips.insert(curve->source().text(), *curve->asStrip);
   }
-  return {{QStringLiteral("right"), right},
+  const QJsonObject spectrum{{QStringLiteral("shown"), showSpectrum_->isChecked()},
+                             {QStringLiteral("window"), spectrum_->window()},
+                             {QStringLiteral("logarithmic"), spectrum_->isLogarithmic()}};
+  return {{QStringLiteral("strips"), strips},
+          {QStringLiteral("equal"), equal_->isChecked()},
+          {QStringLiteral("spectrum"), spectrum},
+          {QStringLiteral("marks"), TimeMarks::of(openLogs(context())).pattern()},
+          {QStringLiteral("right"), right},
           {QStringLiteral("link"), link_->isChecked()},
           {QStringLiteral("curves"), QJsonArray::fromStringList(curves())},
           {QStringLiteral("window"), window_->currentData().toInt()},
@@ -53,6 +68,18 @@ void PlotsView::restoreState(const QJsonObject& state) {
                         .arg(kMaxRestored));
   const QJsonArray right = state.value(QStringLiteral("right")).toArray();
   for (auto& curve : curves_.curves()) curve->isRight = right.contains(curve->source().text());
+  const QJsonObject strips = state.value(QStringLiteral("strips")).toObject();
+  for (auto& curve : curves_.curves()) {
+    const QJsonValue on = strips.value(curve->source().text());
+    if (on.isBool()) curve->asStrip = on.toBool();
+  }
+  equal_->setChecked(state.value(QStringLiteral("equal")).toBool());
+  const QJsonObject spectrum = state.value(QStringLiteral("spectrum")).toObject();
+  spectrum_->setWindow(spectrum.value(QStringLiteral("window")).toString());
+  spectrum_->setLogarithmic(spectrum.value(QStringLiteral("logarithmic")).toBool());
+  showSpectrum_->setChecked(spectrum.value(QStringLiteral("shown")).toBool());
+  const QString marks = state.value(QStringLiteral("marks")).toString();
+  if (!marks.isEmpty()) TimeMarks::of(openLogs(context())).setPattern(marks);
   link_->setChecked(state.value(QStringLiteral("link")).toBool());
   const int window = window_->findData(state.value(QStringLiteral("window")).toInt(kUsualWindow));
   window_->setCurrentIndex(window < 0 ? window_->findData(kUsualWindow) : window);

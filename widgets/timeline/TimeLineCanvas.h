@@ -22,7 +22,7 @@ namespace widgets {
 /// or an offset in place, or chooses the stream whose messages are stepped. Keys: F2 edits and Delete removes
 /// the chosen bookmark, Escape drops the range; other keys go to the parent.
 ///
-/// TimeLineMouse.cpp defines the reaction to mouse and keys.
+/// TimeLineMouse.cpp defines the reaction to mouse and keys, TimeLineMarks.cpp what is marked in the ruler.
 class TimeLineCanvas final : public QAbstractScrollArea {
   Q_OBJECT
  public:
@@ -45,6 +45,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void setFollow(bool on);
   /// Whether the play head can be dragged everywhere, since there are no ranges to be selected.
   void setScrubsEverywhere(bool on);
+  /// Marks in the ruler where texts are, and what a search found, each in order of time.
+  void setMarks(std::vector<TimeMark> texts, std::vector<TimeMark> hits);
   /// Marks a bookmark as the chosen one.
   void chooseBookmark(int band, std::uint64_t id);
 
@@ -123,6 +125,11 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   /// Scrolls by a page if the play head is not visible.
   void keepShownInSight();
   robotlink::Instant timeAt(const QPointF& point) const;
+  /// The marks of the ruler at an x.
+  std::vector<TimeMark> marksNear(double x) const;
+  /// The time at a point of the ruler: of the nearest mark if there is one.
+  robotlink::Instant rulerTimeAt(const QPointF& point) const;
+  QString markToolTip(double x) const;
   /// What a press at a point would begin.
   Hit hitAt(const QPointF& point, Qt::KeyboardModifiers modifiers) const;
   /// Id of the bookmark at a point of a lane; 0: none.

@@ -14,6 +14,7 @@
 #include "robotlink/session/HistoryArchive.h"
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/log/LogOverview.h"
+#include "widgets/log/TimeMark.h"
 #include "widgets/log/TimeScale.h"
 
 // Contents, look and geometry of a timeline: plain values and pure functions, shared by painting and mouse.
@@ -72,6 +73,8 @@ struct TimeLineLook {
   std::pair<int, std::uint64_t> bookmark{-1, 0};
   /// Band and path of the stream whose messages are stepped; -1: none.
   std::pair<int, std::string> stream{-1, {}};
+  /// What is marked in the ruler: texts, and what a search found, in order of time; may be null.
+  std::shared_ptr<const std::vector<TimeMark>> texts = {}, hits = {};
   /// Whether the widget has the focus.
   bool focused = false;
 };

@@ -101,7 +101,7 @@ void TimeLineCanvas::mousePressEvent(QMouseEvent* event) {
     chooseBookmark(held_.band, held_.bookmark);
   }
   if (held_.drag == Drag::kScrub) {
-    look_.shown = timeAt(point);
+    look_.shown = all.ruler.contains(point) ? rulerTimeAt(point) : timeAt(point);
     viewport()->update();
     Q_EMIT jumpWanted(look_.shown);
   }
@@ -326,6 +326,7 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const TimeLineLayout all = layout();
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
+    if (const QString marks = markToolTip(point.x()); !marks.isEmpty()) return marks;
     if (scrubsEverywhere_) return tr("Drag: show an earlier instant in all views. Wheel: zoom.");
     return tr("%1<br>Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.")
         .arg(timeToolTip(timeAt(point)));

@@ -64,6 +64,42 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("s"));
 }
 
+QColor markColor(const TimeMark& mark, const QPalette& palette) {
+  if (mark.level >= LogEntry::Level::kError) return colorOf(Meaning::kBad, palette);
+  return colorOf(mark.level == LogEntry::Level::kWarning ? Meaning::kWarning : Meaning::kNote, palette);
+}
+
+/// Paints texts as pins at the top of the ruler, and what a search found as bars at its bottom.
+void paintMarks(const Canvas& canvas, const TimeLineLayout& layout) {
+  constexpr double kPin = 5, kBar = 4;
+  QPainter& painter = canvas.painter;
+  painter.setClipRect(layout.ruler);
+  const auto seen = [&](const std::vector<TimeMark>& marks, const auto& paint) {
+    double painted = -1;
+    for (const TimeMark& mark : marks) {
+      const double left = std::round(canvas.look.scale.x(mark.from)), right = canvas.look.scale.x(mark.to);
+      if (right < layout.ruler.left() || left > layout.ruler.right() || right <= painted) continue;
+      paint(mark, left, std::max(left + 2, std::round(right)));
+      painted = std::max(left, right);
+    }
+  };
+  if (canvas.look.texts) {
+    seen(*canvas.look.texts, [&](const TimeMark& mark, double left, double) {
+      painter.fillRect(QRectF(left - 2, layout.ruler.top(), kPin, kPin), markColor(mark, canvas.palette));
+      painter.fillRect(QRectF(left, layout.ruler.top(), 1, layout.ruler.height()),
+                       markColor(mark, canvas.palette));
+    });
+  }
+  if (canvas.look.hits) {
+    const QColor color = colorOf(Meaning::kGood, canvas.palette);
+    seen(*canvas.look.hits, [&](const TimeMark&, double left, double right) {
+      painter.fillRect(QRectF(left, layout.ruler.bottom() - kBar, right - left, kBar), color);
+      painter.fillRect(QRectF(left, layout.ruler.bottom() - 3 * kBar, 1, 3 * kBar), color);
+    });
+  }
+  painter.setClipping(false);
+}
+
 void paintBookmark(const Canvas& canvas, const TimeLineBand& band, const logplayer::Bookmark& bookmark,
                    const Lane& lane) {
   QPainter& painter = canvas.painter;
@@ -330,6 +366,7 @@ void paintTimeLine(QPainter& painter, const std::vector<TimeLineBand>& bands, co
   painter.drawLine(QPointF(look.gutter - 0.5, 0), QPointF(look.gutter - 0.5, look.size.height()));
   painter.setClipping(false);
   paintRuler(canvas, layout);
+  paintMarks(canvas, layout);
   paintRange(canvas, layout);
   for (const Lane& lane : layout.lanes) {
     if (lane.kind != TimeLineLayout::Kind::kHeader || !lane.rect.intersects(layout.body)) continue;

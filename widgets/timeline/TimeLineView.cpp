@@ -45,6 +45,7 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
   createActions();
   createHistoryActions();
   createRangeActions();
+  createSteps();
   createViews();
   connectSignals();
   connectBookmarks();
@@ -107,6 +108,8 @@ QWidget* TimeLineView::createBar() {
   describe(*images_, {"timeLineImages", tr("Images"), tr("Whose images are shown")});
   images_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   layout->addWidget(images_);
+  layout->addWidget(stepBy_);
+  for (QAction* action : {changeBack_, changeOn_}) layout->addWidget(makeButton(bar, action));
   layout->addStretch(1);
   range_ = new QLabel(bar);
   range_->setObjectName(QStringLiteral("rangeText"));
@@ -244,6 +247,7 @@ void TimeLineView::tick() {
     showHistory();
   }
   showBands();
+  showMarks();
   showHistoryActions();
   canvas_->setRange(logs_.replay().range());
   showSteppedStream();
@@ -255,7 +259,8 @@ void TimeLineView::tick() {
   redo_->setEnabled(logs_.undoStack().canRedo());
   const auto* current = logs_.current();
   bookmark_->setEnabled(current != nullptr && current->bookmarks.has_value());
-  for (QAction* action : {zoomIn_, zoomOut_, fit_}) action->setEnabled(open || hasHistory());
+  for (QAction* action : {zoomIn_, zoomOut_, fit_, changeBack_, changeOn_})
+    action->setEnabled(open || hasHistory());
 }
 
 void TimeLineView::showBands() {

@@ -73,6 +73,14 @@ class TimeLineView final : public View {
   /// Runs a command; a failure is shown.
   void run(const char* command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
 
+  // TimeLineMarks.cpp: marks, and steps to changes.
+  /// The field for the value whose changes are stepped, and its actions.
+  void createSteps();
+  /// Shows the next or the previous instant at which that value changes.
+  void stepChange(const char* direction);
+  /// Passes texts and hits to the canvas.
+  void showMarks();
+
   /// Passes the range to the canvas and enables its actions.
   void showRange();
   /// Fills the combo box of the streams of images.
@@ -117,6 +125,11 @@ class TimeLineView final : public View {
   LogJobBar* job_ = nullptr;
   LogDamageBar* damage_ = nullptr;
   QComboBox* images_ = nullptr;
+  QComboBox* stepBy_ = nullptr;
+  QAction* changeBack_ = nullptr;
+  QAction* changeOn_ = nullptr;
+  /// TimeMarks::version() of what is marked.
+  std::uint64_t marksVersion_ = 0;
   QLabel* range_ = nullptr;
   /// An event of a log (its path), in the log's own time, by which another one is aligned.
   std::optional<std::pair<std::string, robotlink::Instant>> marked_;

@@ -50,6 +50,41 @@ TEST_F(NumberReaderTest, readsNumbersOfAWholeLog) {
   EXPECT_EQ(reader.take().progress, 1);
 }
 
+TEST_F(NumberReaderTest, anExpressionHasAPointWheneverOneOfItsStreamsHasAMessage) {
+  const LogNumber twice{
+      "", "2 * red1/models/ball.position_in_robot.x + 0 * red1/joints/states.joints[head_pan].position"};
+  NumberReader reader(folder_ / "a.mcap");
+  reader.read({kBall});
+  reader.read({kBall, twice});
+  ASSERT_NO_FATAL_FAILURE(readAll(reader, 2));
+  const auto& points = all_[twice];
+  ASSERT_GE(points.size(), std::size_t{kFrames});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ASSERT_GT(points[i].time, points[i - 1].time);
+    ASSERT_GE(points[i].value, points[i - 1].value);
+  }
+  EXPECT_EQ(points.back().value, 2.0 * (kFrames - 1));
+}
+
+TEST_F(NumberReaderTest, textsAreNumbersWithNamesAndWhatDoesNotFitSaysWhy) {
+  const LogNumber text{"red1/log", "message"}, wrong{"", "red1/models/bal.position_in_robot.x"};
+  NumberReader reader(folder_ / "a.mcap");
+  reader.read({text, wrong});
+  NumberReader::Texts texts;
+  std::string problem;
+  NumberReader::Points points;
+  ASSERT_TRUE(eventually([&] {
+    auto news = reader.take();
+    texts.merge(news.texts[text]);
+    points.insert(points.end(), news.points[text].begin(), news.points[text].end());
+    if (news.problems.contains(wrong)) problem = news.problems.at(wrong).text;
+    return news.complete.size() == 2;
+  }));
+  ASSERT_EQ(points.size(), std::size_t{kFrames / 10});
+  EXPECT_EQ(texts.at(points[3].value), "frame 30");
+  EXPECT_THAT(problem, HasSubstr("models/ball"));
+}
+
 TEST_F(NumberReaderTest, whatIsWantedLaterCatchesUpAndNothingIsReadTwice) {
   NumberReader reader(folder_ / "a.mcap");
   reader.read({kBall});

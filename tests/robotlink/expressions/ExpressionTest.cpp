@@ -110,5 +110,31 @@ TEST(Expression, saysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusal(std::string(Expression::kMaxLength + 1, '1')).text, HasSubstr("longer"));
 }
 
+TEST(Expression, streamsAreRenamedWhereverTheyStand) {
+  const auto expression = Expression::parse("sqrt(a/b.x^2 + c.y) > a/b.x || c.y =~ \"a/b.x\"");
+  ASSERT_TRUE(expression);
+  EXPECT_EQ(expression->withStreams([](const std::string& stream) { return "red1/" + stream; }),
+            "sqrt(red1/a/b.x^2 + red1/c.y) > red1/a/b.x || red1/c.y =~ \"a/b.x\"");
+}
+
+TEST(Expression, aSingleValueMayBeAText) {
+  auto one = Expression::parse("hosting.state");
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->valueOrText(Values{textual("RUNNING")})->text, "RUNNING");
+  EXPECT_EQ(one->valueOrText(Values{std::nullopt}), std::nullopt);
+  auto more = Expression::parse("hosting.state + 1");
+  ASSERT_TRUE(more);
+  EXPECT_EQ(more->valueOrText(Values{textual("RUNNING")}), std::nullopt);
+  EXPECT_EQ(more->valueOrText(Values{numeric(2)})->number, 3);
+}
+
+TEST(FieldValue, textsAreToldApartByNumbers) {
+  EXPECT_EQ(textual("").asNumber(), 2166136261.0);
+  EXPECT_EQ(textual("a").asNumber(), 3826002220.0) << "as published for FNV-1a";
+  EXPECT_NE(textual("walk").asNumber(), textual("stand").asNumber());
+  EXPECT_EQ(numeric(3).asNumber(), 3);
+  EXPECT_EQ(FieldValue().asNumber(), std::nullopt);
+}
+
 }  // namespace
 }  // namespace robotlink

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/Session.h"
@@ -240,4 +241,49 @@ TEST_F(HistoryTest, withFewerBytesTheOldestGoes) {
   session_.store().setBytes(200'000);
   EXPECT_LE(session_.store().bytes(), 200'000U);
   EXPECT_GT(session_.store().horizon(), moment(6.5));
+}
+
+TEST_F(HistoryTest, oneStepsToTheMessageAtWhichSomethingIsTrue) {
+  runUntil(8);
+  const auto isAt = [](double time) {
+    return [time](Instant at) { return std::abs(seconds(at - moment(time))) < 0.01; };
+  };
+  history_.show(moment(7));
+  history_.stepUntil({"red1/a", "red1/slow"}, false, isAt(2.5));
+  EXPECT_FALSE(history_.isStepping());
+  EXPECT_NEAR(shown("red1/a"), 2.5, 0.01);
+  history_.stepUntil({"red1/a"}, true, isAt(6.1));
+  EXPECT_NEAR(shown("red1/a"), 6.1, 0.01);
+  EXPECT_FALSE(history_.isMissed());
+  history_.stepUntil({"red1/a"}, true, isAt(100));
+  EXPECT_TRUE(history_.isMissed());
+  EXPECT_NEAR(shown("red1/a"), 6.1, 0.01) << "nothing was found, so that the same is shown";
+  history_.stepUntil({"nowhere"}, true, isAt(7));
+  EXPECT_TRUE(history_.isMissed());
+}
+
+TEST_F(HistoryTest, aLongSearchForAMessageGoesOnInLaterTicks) {
+  for (int i = 0; i < 5000; ++i) session_.push(reading("red1/b", 1e-3 * i, 1));
+  session_.tick();
+  history_.pause();
+  history_.stepUntil({"red1/b"}, false, [](Instant at) { return at <= moment(0.0105); });
+  EXPECT_TRUE(history_.isStepping());
+  EXPECT_NEAR(shown("red1/b"), 4.999, 1e-6);
+  for (int i = 0; i < 3; ++i) session_.tick();
+  EXPECT_FALSE(history_.isStepping());
+  EXPECT_NEAR(shown("red1/b"), 0.010, 1e-6);
+}
+
+TEST_F(HistoryTest, theSearchForAMessageReadsWhatIsArchived) {
+  archive();
+  runUntil(60);
+  history_.pause();
+  history_.stepUntil({"red1/a"}, false, [](Instant at) { return at < moment(20.05); });
+  for (int i = 0; i < 200 && history_.isStepping(); ++i) {
+    archive_->serve();
+    session_.tick();
+  }
+  EXPECT_FALSE(history_.isStepping());
+  EXPECT_FALSE(history_.isMissed());
+  EXPECT_NEAR(shown("red1/a"), 20.0, 0.01);
 }

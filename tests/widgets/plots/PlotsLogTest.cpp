@@ -164,6 +164,45 @@ class PlotsLogTest : public QObject {
     QVERIFY(toolTip().contains(QStringLiteral("memory")));
   }
 
+  void whatAFilterMakesOfALogIsBoundedAndSaid() {
+    constexpr std::size_t kBytes = 200'000;
+    CurveModel curves;
+    QVERIFY(curves.add(PlotSource::fromText(QLatin1String(kBallX) + QStringLiteral(" | scale 2"))));
+    auto logged = std::make_shared<LoggedCurve>();
+    for (int i = 0; i < 100'000; ++i) logged->series.append({0.01 * i, 1});
+    auto& curve = *curves.curves().front();
+    curve.logged = logged;
+    QVERIFY(curve.takeLogged(kBytes));
+    QVERIFY(curve.isFilteredCut);
+    QVERIFY(curve.points().size() > 5000 && curve.bytes() < kBytes + 40'000);
+    QVERIFY(curves.index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("memory")));
+  }
+
+  void anExpressionIsReadOfTheWholeLog() {
+    LogOnDisk log;
+    auto view = log.openView<widgets::PlotsView>();
+    QVERIFY(view->addCurve(QStringLiteral("= 2 * red1/models/ball.position_in_robot.x + 1")));
+    const auto& curve = log.readAll(*view);
+    QCOMPARE(curve.size(), std::size_t{LogOnDisk::kFrames});
+    QCOMPARE(curve.back().value, 2.0 * (LogOnDisk::kFrames - 1) + 1);
+    log.tick(*view);
+    // The session has nothing of it, and that is said.
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, CurveModel::kValue).data().toString(),
+             QStringLiteral("in the log only"));
+  }
+
+  void whatOnlyTheLogHasIsListedInGray() {
+    LogOnDisk log;
+    auto view = log.openView<widgets::PlotsView>();
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    tree.expandAll();
+    const QModelIndex index = find(tree, QStringLiteral("position_in_robot.x"));
+    QVERIFY(index.isValid());
+    QCOMPARE(index.data(Qt::ForegroundRole).value<QBrush>().color(),
+             colorOf(Meaning::kMuted, view->palette()));
+    QVERIFY(index.data(Qt::ToolTipRole).toString().contains(QStringLiteral("log")));
+  }
+
   void theWholeLogIsNotReadOnWish() {
     LogOnDisk log;
     auto view = log.openView<widgets::PlotsView>();

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSpinBox>
 #include <QTableView>
@@ -71,6 +72,27 @@ class TimeLineHistoryTest : public QObject {
   }
 
  private Q_SLOTS:
+  void changesOfAValueAreSteppedByButtonsAndKeys() {
+    Live live;
+    std::vector<std::pair<std::string, std::string>> steps;
+    live.attach("timeline.step-change", [&](const auto& values) {
+      steps.emplace_back(std::get<std::string>(values[0]), std::get<std::string>(values[1]));
+    });
+    auto view = live.bench.open<TimeLineView>({1000, 300});
+    auto& field = child<QLineEdit>(*view, "timeLineStepByText");
+    QTest::keyClicks(&field, QStringLiteral("frames/cognition.number > 7"));
+    QTest::keyClick(&field, Qt::Key_Return);
+    click(child<QToolButton>(*view, "timeLineChangeBack"));
+    QTest::keyClick(&child<QWidget>(*view, "timeLineCanvas"), Qt::Key_Period, Qt::ControlModifier);
+    const std::string value = "frames/cognition.number > 7";
+    const std::vector<std::pair<std::string, std::string>> expected{
+        {value, "next"}, {value, "previous"}, {value, "next"}};
+    QCOMPARE(steps, expected);
+    auto again = live.bench.open<TimeLineView>({1000, 300});
+    again->restoreState(view->saveState());
+    QCOMPARE(child<QLineEdit>(*again, "timeLineStepByText").text(), QString::fromStdString(value));
+  }
+
   void draggingShowsAnEarlierInstantWhileTheRobotContinues() {
     Live live;
     auto view = live.bench.open<TimeLineView>({900, 240});

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/search/SearchView.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QToolButton>
+
+#include "foxglove/Robot.pb.h"
+#include "logplayer/base/LogWriter.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "tests/widgets/LogBench.h"
+#include "widgets/Theme.h"
+#include "widgets/log/TimeMarks.h"
+#include "widgets/timeline/TimeLineCanvas.h"
+#include "widgets/timeline/TimeLineView.h"
+
+namespace widgets::test {
+namespace {
+
+/// A log from 10 to 40 s whose file exists: the ball goes from 0 to 3 m, and back at once, every 10 s; texts.
+struct SearchedLog : LogBench {
+  SearchedLog() {
+    auto writer = logplayer::LogWriter::create(file, {});
+    if (!writer) qFatal("the log cannot be written");
+    for (int i = 0; i < 300; ++i) {
+      auto ball = std::make_shared<robotcontrol::BallModel>();
+      ball->mutable_position_in_robot()->set_x(0.03 * (i % 100));
+      auto log = std::make_shared<foxglove::Log>();
+      log->set_message("frame " + std::to_string(i));
+      const auto time = at(10 + 0.1 * i);
+      if (!(*writer)->write({{"nao/models/ball", time, ball}, {"nao/log", time, log}}))
+        qFatal("the log cannot be written");
+    }
+    if (!(*writer)->container().close()) qFatal("the log cannot be written");
+    shapeOverview = [](LogOverview& overview) {
+      overview.streams.push_back({"nao/models/ball", "robotcontrol.BallModel", 300, 0, at(10), at(39.9)});
+    };
+    openLog(file.string());
+    status.mutable_logs(0)->add_robots("nao");
+    publish();
+  }
+  void type(SearchView& view, int kind, const char* wanted) {
+    child<QComboBox>(view, "searchKind").setCurrentIndex(kind);
+    auto& field = child<QLineEdit>(view, "searchWanted");
+    field.clear();
+    QTest::keyClicks(&field, QLatin1String(wanted));
+    QTest::keyClick(&field, Qt::Key_Return);
+  }
+  void finish(SearchView& view) {
+    if (!QTest::qWaitFor([&] {
+          tick(view);
+          return !view.isSearching();
+        }))
+      qFatal("the search does not end");
+  }
+
+  TestFolder folder;
+  std::filesystem::path file = folder / "game.mcap";
+};
+
+}  // namespace
+
+class SearchViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aConditionIsFoundInTheWholeLogAndAClickJumpsThere() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    log.finish(*view);
+    auto& table = child<QTableView>(*view, "searchTable");
+    QCOMPARE(table.model()->rowCount(), 3);
+    QCOMPARE(child<QLabel>(*view, "searchState").text(), QStringLiteral("3 hits"));
+    QCOMPARE(table.model()->index(0, SearchModel::kRobot).data().toString(), QStringLiteral("nao"));
+    QCOMPARE(table.model()->index(2, SearchModel::kLength).data().toString(), QStringLiteral("to the end"));
+    const QRect row = table.visualRect(table.model()->index(1, 0));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, row.center());
+    QCOMPARE(log.asked().action(), robotcontrol::ControlReplay::JUMP_TO_TIME);
+    QCOMPARE(log.asked().time(), at(26.7).time_since_epoch().count());
+    // From the shown time on.
+    log.answer(true);
+    log.tick(*view);
+    log.showTime(20);
+    log.tick(*view);
+    click(child<QToolButton>(*view, "searchNext"));
+    QCOMPARE(log.asked().time(), at(26.7).time_since_epoch().count());
+    log.answer(true);
+    log.tick(*view);
+    click(child<QToolButton>(*view, "searchPrevious"));
+    QCOMPARE(log.asked().time(), at(16.7).time_since_epoch().count());
+    keepPicture(*view, "search");
+    const auto csv = log.folder / "hits.csv";
+    QVERIFY(view->saveTo(QString::fromStdString(csv.string())));
+    const auto text = robotlink::readFile(csv);
+    QVERIFY(text && std::count(text->begin(), text->end(), '\n') == 4);
+  }
+
+  void textsAreFoundByARegularExpression() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 1, "FRAME 1[0-9]$");
+    log.finish(*view);
+    QCOMPARE(view->hits().rowCount(), 10);
+    QCOMPARE(view->hits().index(3, SearchModel::kText).data().toString(), QStringLiteral("frame 13"));
+    log.type(*view, 1, "no \"such\" text");
+    log.finish(*view);
+    QCOMPARE(view->hits().rowCount(), 0);
+    log.type(*view, 1, "(");
+    log.finish(*view);
+    QVERIFY(child<QLabel>(*view, "searchState").text().contains(QStringLiteral("regular expression")));
+  }
+
+  void whatIsWrongWithAConditionIsSaid() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 0, "models/bal.position_in_robot.x > 2");
+    log.finish(*view);
+    QVERIFY(child<QLabel>(*view, "searchState").text().contains(QStringLiteral("models/ball")));
+    log.type(*view, 0, "");
+    QVERIFY(!view->isSearching());
+    QVERIFY(!child<QLabel>(*view, "searchState").text().isEmpty());
+  }
+
+  void hitsAreMarkedInTheTimelineAndClicksInItsRulerMeetThem() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    auto line = log.openView<TimeLineView>({1000, 300});
+    auto& viewport = child<QWidget>(*line, "timeLineViewport");
+    const QColor color = colorOf(Meaning::kGood, line->palette());
+    const auto pixels = [&] {
+      log.tick(*line);
+      return countNear(viewport.grab().toImage(), color, 0);
+    };
+    const int none = pixels();
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    log.finish(*view);
+    QVERIFY(pixels() > none + 100);
+    keepPicture(*line, "timeline-hits");
+    const auto& look = line->findChild<TimeLineCanvas*>()->look();
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, QPoint(static_cast<int>(look.scale.x(at(26.7))) + 2, 4));
+    QCOMPARE(log.asked().time(), at(26.7).time_since_epoch().count());
+    // They go with the view.
+    view.reset();
+    QCOMPARE(pixels(), none);
+  }
+
+  void aSearchIsCanceledAndAnotherOneReplacesIt() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    click(child<QToolButton>(*view, "searchCancel"));
+    QVERIFY(!view->isSearching());
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2.9");
+    log.finish(*view);
+    QCOMPARE(view->hits().rowCount(), 3);
+    QVERIFY(view->hits().row(0).from > at(19));
+  }
+
+  void withoutALogItSaysWhatToOpen() {
+    LogBench bench;
+    auto view = bench.openView<SearchView>();
+    QVERIFY(!child<QToolButton>(*view, "searchStart").isEnabled());
+    QVERIFY(!view->search(QStringLiteral("a.b > 1"), false));
+    auto again = bench.openView<SearchView>();
+    child<QLineEdit>(*view, "searchWanted").setText(QStringLiteral("a.b > 1"));
+    child<QComboBox>(*view, "searchKind").setCurrentIndex(1);
+    again->restoreState(view->saveState());
+    QCOMPARE(child<QLineEdit>(*again, "searchWanted").text(), QStringLiteral("a.b > 1"));
+    QCOMPARE(child<QComboBox>(*again, "searchKind").currentIndex(), 1);
+  }
+};
+
+const GuiTest<SearchViewTest> kSearchViewTest;
+
+}  // namespace widgets::test
+
+#include "SearchViewTest.moc"

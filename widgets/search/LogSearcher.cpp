@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/search/LogSearcher.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "foxglove/Robot.pb.h"
+#include "logplayer/base/RobotNames.h"
+#include "robotlink/expressions/Expression.h"
+
+namespace widgets {
+namespace {
+
+using logplayer::LogFile;
+using logplayer::renamedStream;
+using robotlink::Result;
+
+constexpr char kTextType[] = "foxglove.Log";
+
+/// A text in quotation marks, as expressions have it.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+/// The streams of texts of a log; those of robots without the robot, so that all of them are meant.
+std::set<std::string> textStreams(const LogFile& log) {
+  std::set<std::string> streams;
+  const auto robots = log.robots();
+  for (const auto& stream : log.streams()) {
+    if (!stream.holds(kTextType)) continue;
+    const std::size_t slash = stream.path.find('/');
+    const bool isOfRobot =
+        slash != std::string::npos && std::ranges::find(robots, stream.path.substr(0, slash)) != robots.end();
+    streams.insert(isOfRobot ? stream.path.substr(slash + 1) : stream.path);
+  }
+  return streams;
+}
+
+/// The expressions to be searched for in a log.
+Result<std::vector<std::string>> expressionsIn(const LogFile& log, const LogSearcher::Plan& plan,
+                                               const std::vector<std::string>& robots) {
+  std::vector<std::string> expressions;
+  if (plan.isTexts) {
+    for (const std::string& stream : textStreams(log))
+      expressions.push_back(stream + ".message =~ " + quoted("(?i)" + plan.wanted));
+    if (!expressions.empty()) return expressions;
+    return robotlink::failure("search.texts", "the log holds no texts");
+  }
+  std::vector<std::string> known;
+  const auto own = log.robots();
+  for (const auto& stream : log.streams()) known.push_back(renamedStream(stream.path, own, robots));
+  const auto parsed = robotlink::Expression::parse(plan.wanted, known);
+  if (!parsed) return tl::unexpected(parsed.error());
+  return std::vector{
+      parsed->withStreams([&](const std::string& stream) { return renamedStream(stream, robots, own); })};
+}
+
+}  // namespace
+
+LogSearcher::LogSearcher()
+    : worker_([this](const Plan& plan, const std::stop_token& stop) { work(plan, stop); }) {}
+
+void LogSearcher::begin(Plan plan) {
+  worker_.cancel();
+  {
+    const std::lock_guard lock(mutex_);
+    news_ = {};
+  }
+  worker_.post(std::move(plan));
+}
+
+void LogSearcher::cancel() {
+  worker_.cancel();
+  const std::lock_guard lock(mutex_);
+  news_.isDone = true;
+}
+
+LogSearcher::News LogSearcher::take() {
+  const std::lock_guard lock(mutex_);
+  News news = news_;
+  news_.hits.clear();
+  return news;
+}
+
+template <typename Change>
+void LogSearcher::tell(const std::stop_token& stop, Change change) {
+  const std::lock_guard lock(mutex_);
+  if (!stop.stop_requested()) change(news_);
+}
+
+/// One search through one log.
+class LogSearcher::Run {
+ public:
+  Run(LogSearcher& searcher, const Plan& plan, const std::stop_token& stop)
+      : searcher_(searcher), plan_(plan), stop_(stop) {}
+
+  Result<void> search(std::size_t number) {
+    const Log& entry = plan_.logs[number];
+    LogFile::Options opening;
+    opening.progress = [this](double) { return !stop_.stop_requested(); };
+    const auto log = LogFile::open(entry.path, opening);
+    if (!log) return tl::unexpected(log.error());
+    const auto expressions = expressionsIn(**log, plan_, entry.robots);
+    if (!expressions) return tl::unexpected(expressions.error());
+    const auto own = (*log)->robots();
+    for (std::size_t i = 0; i < expressions->size() && !isFull(); ++i) {
+      const double passes = static_cast<double>(expressions->size());
+      const double before = static_cast<double>(number) + static_cast<double>(i) / passes;
+      const auto report =
+          logplayer::searchLog(*log, (*expressions)[i],
+                               {.progress = [&](double share) { return progress(before + share / passes); }},
+                               [&](const logplayer::SearchHit& hit) {
+                                 add(number, logplayer::renamedRobot(hit.robot, own, entry.robots), hit);
+                                 return !stop_.stop_requested() && !isFull();
+                               });
+      if (!report) return tl::unexpected(report.error());
+      searcher_.tell(stop_, [&](News& news) {
+        news.losses.insert(news.losses.end(), report->losses.begin(), report->losses.end());
+      });
+    }
+    return {};
+  }
+  bool isFull() const { return count_ >= kMaxHits; }
+
+ private:
+  bool progress(double logs) {
+    searcher_.tell(stop_, [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
+    return !stop_.stop_requested();
+  }
+  void add(std::size_t number, const std::string& robot, const logplayer::SearchHit& found) {
+    ++count_;
+    const robotlink::Duration offset = plan_.logs[number].offset;
+    Hit hit{number, robot, found.from + offset, std::nullopt, {}, 0};
+    if (found.until) hit.until = *found.until + offset;
+    const auto* text = found.text ? dynamic_cast<const foxglove::Log*>(found.text->value.get()) : nullptr;
+    if (text != nullptr) {
+      hit.text = text->message();
+      hit.level = static_cast<int>(text->level());
+    }
+    searcher_.tell(stop_, [&](News& news) { news.hits.push_back(std::move(hit)); });
+  }
+
+  LogSearcher& searcher_;
+  const Plan& plan_;
+  const std::stop_token& stop_;
+  std::size_t count_ = 0;
+};
+
+void LogSearcher::work(const Plan& plan, const std::stop_token& stop) {
+  Run run(*this, plan, stop);
+  std::optional<robotlink::Error> failure;
+  bool some = false;
+  for (std::size_t i = 0; i < plan.logs.size() && !stop.stop_requested() && !run.isFull(); ++i) {
+    const auto done = run.search(i);
+    // A log that does not have what is searched for is none of several to fail for.
+    some = some || done;
+    if (!done && !failure) failure = done.error();
+  }
+  tell(stop, [&](News& news) {
+    news.isDone = true;
+    news.isCut = run.isFull();
+    if (some && failure) news.losses.push_back(failure->text);
+    if (!some) news.failure = failure;
+  });
+}
+
+}  // namespace widgets

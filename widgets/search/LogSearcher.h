@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logplayer/search/LogSearch.h"
+#include "robotlink/base/Worker.h"
+
+namespace widgets {
+
+/// Searches whole logs in a thread of its own, without playing them. One search at a time; a newer one
+/// replaces it. The public functions are called by one thread and do not block; the destructor waits for at
+/// most one read.
+class LogSearcher {
+ public:
+  struct Log {
+    std::filesystem::path path;
+    /// Is added to the times of hits.
+    robotlink::Duration offset{0};
+    /// The names of its robots in the session, in the log's order.
+    std::vector<std::string> robots;
+  };
+  struct Plan {
+    std::vector<Log> logs;
+    /// An expression (robotlink/expressions/EXPRESSIONS.md) with streams as in the session, or what text
+    /// messages contain: a regular expression (RE2), in any case of letters.
+    std::string wanted;
+    bool isTexts = false;
+  };
+  struct Hit {
+    /// Which of the logs.
+    std::size_t log = 0;
+    std::string robot;
+    /// On the timeline. Equal for texts; unset `until`: to the end of the log.
+    robotlink::Instant from;
+    std::optional<robotlink::Instant> until;
+    /// Of texts; and their level, as in foxglove.Log.
+    std::string text;
+    int level = 0;
+  };
+  /// What came since the last call.
+  struct News {
+    std::vector<Hit> hits = {};
+    /// Of all logs, 0 to 1.
+    double progress = 0;
+    /// What could not be searched, and why nothing could; with isDone only.
+    std::vector<std::string> losses = {};
+    std::optional<robotlink::Error> failure = {};
+    /// Whether it ended, by itself or since there were too many hits.
+    bool isDone = false;
+    bool isCut = false;
+  };
+  static constexpr std::size_t kMaxHits = 10'000;
+
+  LogSearcher();
+  void begin(Plan plan);
+  void cancel();
+  News take();
+
+ private:
+  class Run;
+  void work(const Plan& plan, const std::stop_token& stop);
+  /// Adds to the news of a search that has not been replaced.
+  template <typename Change>
+  void tell(const std::stop_token& stop, Change change);
+
+  /// Protects the news.
+  std::mutex mutex_;
+  News news_;
+  robotlink::Worker<Plan> worker_;
+};
+
+}  // namespace widgets

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/search/SearchView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <algorithm>
+
+#include "robotlink/base/AtomicFile.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/Counted.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/log/TimeMarks.h"
+
+namespace widgets {
+
+using robotlink::Result;
+
+namespace {
+
+const ViewRegistration kSearchViewRegistration{
+    {"search", QT_TRANSLATE_NOOP("View", "Search"),
+     QT_TRANSLATE_NOOP("View", "Searches whole logs for conditions and texts, without playing them."),
+     "search", false, create<SearchView>}};
+
+}  // namespace
+
+SearchView::SearchView(ViewContext& context, QWidget* parent)
+    : View(context, parent), logs_(openLogs(context)) {
+  setObjectName(QStringLiteral("searchView"));
+  createActions();
+  createViews();
+  connectSignals();
+  keep("kind", kind_);  // condition, texts
+  keep("wanted", wanted_);
+  keep("columns", table_->horizontalHeader());
+  tick();
+}
+
+SearchView::~SearchView() {
+  TimeMarks::of(logs_).setHits({});
+}
+
+void SearchView::createActions() {
+  search_ = makeAction(this, "search",
+                       {"searchStart", tr("Search"), tr("Searches the whole of the open logs (Enter)")});
+  cancel_ =
+      makeAction(this, "stop", {"searchCancel", tr("Cancel"), tr("Ends the search; what was found stays")});
+  previous_ = makeAction(this, "previous",
+                         {"searchPrevious", tr("Previous hit"), tr("Jumps to the hit before the shown time"),
+                          QKeySequence::FindPrevious});
+  next_ = makeAction(this, "next",
+                     {"searchNext", tr("Next hit"), tr("Jumps to the next hit"), QKeySequence::FindNext});
+}
+
+void SearchView::createViews() {
+  kind_ = new QComboBox(this);
+  describe(*kind_,
+           {"searchKind", tr("What is searched for"), tr("A condition on values, or a part of messages")});
+  kind_->addItem(tr("Condition"));
+  kind_->addItem(tr("Texts"));
+  wanted_ = makeSearchField(this, {"searchWanted", tr("Search logs"),
+                                   tr("A condition, such as models/ball.position.x > 1, or, for texts, a "
+                                      "regular expression; Enter searches")});
+  table_ = makeTable(this, {"searchTable", tr("Hits"), {}}, &model_);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kText,
+                          ColumnKind::kName});
+  hint_ = new EmptyHint(table_);
+  state_ = makeNote(this, "searchState", tr("State of the search"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(kind_);
+  row->addWidget(wanted_, 1);
+  for (QAction* action : {search_, cancel_, previous_, next_}) row->addWidget(makeButton(this, action));
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
+  layout->addLayout(row);
+  layout->addWidget(table_, 1);
+  layout->addWidget(state_);
+}
+
+void SearchView::connectSignals() {
+  connect(search_, &QAction::triggered, this, &SearchView::searchTyped);
+  connect(wanted_, &QLineEdit::returnPressed, this, &SearchView::searchTyped);
+  connect(cancel_, &QAction::triggered, this, &SearchView::cancel);
+  for (const auto& [action, direction] : {std::pair(previous_, -1), std::pair(next_, 1)}) {
+    connect(action, &QAction::triggered, this, [this, direction = direction] {
+      if (const auto done = go(direction); !done)
+        showOutcome(*state_, QString::fromStdString(done.error().text), true);
+    });
+  }
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { jumpTo(index.row()); });
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) { jumpTo(index.row()); });
+}
+
+void SearchView::searchTyped() {
+  const auto begun = search(wanted_->text(), kind_->currentIndex() == 1);
+  if (!begun) showOutcome(*state_, QString::fromStdString(begun.error().text), true);
+}
+
+Result<void> SearchView::search(const QString& wanted, bool isTexts) {
+  if (logs_.logs().empty())
+    return robotlink::failure("search.log", "no log is open; open one first: log.open FILE");
+  if (wanted.trimmed().isEmpty()) return robotlink::failure("search.empty", "say what is to be searched for");
+  wanted_->setText(wanted);
+  kind_->setCurrentIndex(isTexts ? 1 : 0);
+  plan_ = {{}, wanted.trimmed().toStdString(), isTexts};
+  for (const auto& log : logs_.logs()) plan_.logs.push_back({log->path, log->offset, log->robots});
+  model_.clear();
+  showMarks();
+  isSearching_ = true;
+  searcher_.begin(plan_);
+  showOutcome(*state_, tr("Searching…"), false);
+  return {};
+}
+
+void SearchView::cancel() {
+  if (!isSearching_) return;
+  searcher_.cancel();
+  takeNews();
+  showOutcome(*state_, tr("Canceled; hits so far: %1").arg(model_.rowCount()), false);
+}
+
+void SearchView::jumpTo(int row) {
+  if (row < 0 || row >= model_.rowCount()) return;
+  logs_.replay().jumpTo(model_.row(row).from);
+}
+
+Result<void> SearchView::go(int direction) {
+  const robotlink::Instant shown = logs_.replay().shown();
+  const int at = model_.rowAt(shown);
+  int row = at + 1;
+  if (direction < 0) {
+    row = at;
+    while (row >= 0 && model_.row(row).from >= shown) --row;
+  }
+  if (row < 0 || row >= model_.rowCount())
+    return robotlink::failure("search.end",
+                              direction > 0 ? "there is no hit later" : "there is no hit before");
+  table_->selectRow(row);
+  jumpTo(row);
+  return {};
+}
+
+void SearchView::takeNews() {
+  const LogSearcher::News news = searcher_.take();
+  std::vector<SearchRow> rows;
+  for (const LogSearcher::Hit& hit : news.hits) {
+    const QString text = QString::fromStdString(plan_.isTexts || !hit.text.empty() ? hit.text : plan_.wanted);
+    rows.push_back({hit.from, hit.until, QString::fromStdString(hit.robot), text,
+                    QFileInfo(QString::fromStdString(plan_.logs[hit.log].path.string())).fileName()});
+  }
+  model_.add(rows);
+  if (!rows.empty()) showMarks();
+  isSearching_ = !news.isDone;
+  showState(news);
+}
+
+void SearchView::showState(const LogSearcher::News& news) {
+  constexpr double kPercent = 100;
+  const QString count = counted(model_.rowCount(), tr("1 hit"), tr("%1 hits"));
+  if (!news.isDone)
+    return showOutcome(
+        *state_, tr("Searching: %1 %, %2").arg(static_cast<int>(news.progress * kPercent)).arg(count), false);
+  if (news.failure) {
+    const int column = news.failure->where.column;
+    const QString reason = QString::fromStdString(news.failure->text);
+    return showOutcome(*state_, column > 0 ? tr("At character %1: %2").arg(column).arg(reason) : reason,
+                       true);
+  }
+  QStringList lines{news.isCut ? tr("%1; there are more, which are not shown").arg(count) : count};
+  for (const std::string& loss : news.losses) lines << QString::fromStdString(loss);
+  showOutcome(*state_, lines.join(QLatin1Char('\n')), false);
+}
+
+void SearchView::showMarks() {
+  std::vector<TimeMark> marks;
+  marks.reserve(model_.rows().size());
+  for (const SearchRow& row : model_.rows())
+    marks.push_back({row.from, row.until.value_or(logs_.replay().end()), row.text, LogEntry::Level::kInfo});
+  TimeMarks::of(logs_).setHits(std::move(marks));
+}
+
+void SearchView::tick() {
+  model_.setOrigin(session().timeline().origin());
+  const bool isOpen = !logs_.logs().empty();
+  if (!isOpen && model_.rowCount() > 0) {
+    model_.clear();
+    showMarks();
+    showOutcome(*state_, {}, false);
+  }
+  if (isSearching_) takeNews();
+  search_->setEnabled(isOpen);
+  cancel_->setEnabled(isSearching_);
+  for (QAction* action : {previous_, next_}) action->setEnabled(model_.rowCount() > 0);
+  hint_->setHint(
+      !isOpen ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window. "
+                   "For live robots, the timeline steps by changes of a value.")
+      : model_.rowCount() > 0 || isSearching_
+          ? QString()
+          : tr("Type a condition, such as models/ball.position.x > 1, or choose Texts, and press Enter."));
+}
+
+Result<void> SearchView::saveTo(const QString& file) {
+  if (!file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) return View::saveTo(file);
+  return robotlink::writeFileAtomically(file.toStdString(), model_.csv().toStdString());
+}
+
+}  // namespace widgets

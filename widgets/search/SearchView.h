@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/View.h"
+#include "widgets/log/OpenLogs.h"
+#include "widgets/search/LogSearcher.h"
+#include "widgets/search/SearchModel.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+
+namespace widgets {
+
+class EmptyHint;
+
+/// Searches the whole of the open logs in the background, without playing them: for where an expression is
+/// true, or for texts that match a regular expression. A click on a hit jumps there; hits are marked in the
+/// timeline and in plots.
+///
+/// Registered as "search". GUI thread.
+class SearchView final : public View {
+  Q_OBJECT
+ public:
+  explicit SearchView(ViewContext& context, QWidget* parent = nullptr);
+  ~SearchView() override;
+  void tick() override;
+  /// All hits as a table (.csv), or a picture.
+  robotlink::Result<void> saveTo(const QString& file) override;
+  /// Starts a search. Fails if no log is open, or nothing is wanted.
+  robotlink::Result<void> search(const QString& wanted, bool isTexts);
+  void cancel();
+  /// Jumps to the next (1) or previous (-1) hit from the shown instant. Fails if there is none.
+  robotlink::Result<void> go(int direction);
+  bool isSearching() const { return isSearching_; }
+  const SearchModel& hits() const { return model_; }
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Searches for what the field holds.
+  void searchTyped();
+  void jumpTo(int row);
+  void takeNews();
+  /// Marks the hits in timeline and plots.
+  void showMarks();
+  void showState(const LogSearcher::News& news);
+
+  OpenLogs& logs_;
+  SearchModel model_;
+  LogSearcher searcher_;
+  LogSearcher::Plan plan_;
+  bool isSearching_ = false;
+  QComboBox* kind_ = nullptr;
+  QLineEdit* wanted_ = nullptr;
+  QAction* search_ = nullptr;
+  QAction* cancel_ = nullptr;
+  QAction* previous_ = nullptr;
+  QAction* next_ = nullptr;
+  QTableView* table_ = nullptr;
+  QLabel* state_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+};
+
+}  // namespace widgets
