@@ -14,14 +14,14 @@ namespace app {
 
 class OpenPlatform;
 
-/// Steps what is shown to where a value changes: in open logs, which are read in a thread without being played,
-/// or in what is kept of live robots. One step at a time; a newer one replaces it. All functions in the thread
-/// of the platform's owner.
+/// Steps what is shown to where a value changes: in open logs, which are read in a thread without being
+/// played, or in what is kept of live robots. One step at a time; a newer one replaces it. All functions in
+/// the thread of the platform's owner.
 class ChangeSteps {
  public:
   struct Step {
-    /// The value, with streams as in the session (robotlink/expressions/EXPRESSIONS.md); without a robot those
-    /// of the selected one are meant.
+    /// The value, with streams as in the session (robotlink/expressions/EXPRESSIONS.md); without a robot
+    /// those of the selected one are meant.
     std::string expression;
     bool isForward = true;
     /// Set: only changes count at which the value reaches this, or falls below it.

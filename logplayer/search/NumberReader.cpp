@@ -94,7 +94,8 @@ bool NumberReader::open(const std::stop_token& stop) {
 NumberReader::Pass NumberReader::nextPass() {
   const std::lock_guard lock(mutex_);
   std::erase_if(memories_, [this](const auto& memory) {
-    return std::ranges::none_of(readings_, [&](const auto& reading) { return reading.second.id == memory.first; });
+    return std::ranges::none_of(readings_,
+                                [&](const auto& reading) { return reading.second.id == memory.first; });
   });
   Pass pass;
   pass.from = Instant::max();

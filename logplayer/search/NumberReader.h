@@ -32,8 +32,9 @@ struct LogNumber {
 /// Reads numbers of a whole log in a thread, without playing it. All of them share one pass over the file;
 /// one that is wanted later is read up to where the pass is, and with the others from there. An expression
 /// has a point at each instant at which one of its streams has a message; of the others their last values
-/// before count. Texts become numbers, see robotlink::FieldValue::asNumber(). Points wait until they are taken; if too many wait, the thread does. The public functions are called by one thread and
-/// do not block; the destructor waits for at most one read.
+/// before count. Texts become numbers, see robotlink::FieldValue::asNumber(). Points wait until they are
+/// taken; if too many wait, the thread does. The public functions are called by one thread and do not block;
+/// the destructor waits for at most one read.
 class NumberReader {
  public:
   using Points = std::vector<robotlink::Series::Point>;

@@ -195,7 +195,8 @@ Rows timelineRows() {
        {{"stream", Type::kText, "its path: red1/camera/image"},
         {"count", Type::kNumber, "how many; negative: backward", 1.0}}},
       {"timeline.step-change",
-       "Steps to where a value changes, or passes a number: in the open logs, without playing them, or in what "
+       "Steps to where a value changes, or passes a number: in the open logs, without playing them, or in "
+       "what "
        "is kept of robots, while they continue",
        {{"expression", Type::kText, "models/ball.position.x, or any expression"},
         {.name = "direction", .initial = std::string("next"), .choices = {"next", "previous"}},

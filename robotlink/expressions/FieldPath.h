@@ -24,8 +24,8 @@ struct FieldValue {
   std::optional<std::string> text;
   bool operator==(const FieldValue&) const = default;
 
-  /// A number that tells values apart: the number itself; of a text a checksum of it, which is the same in all
-  /// streams and programs (32 bits, FNV-1a). Empty if there is neither.
+  /// A number that tells values apart: the number itself; of a text a checksum of it, which is the same in
+  /// all streams and programs (32 bits, FNV-1a). Empty if there is neither.
   std::optional<double> asNumber() const;
 };
 

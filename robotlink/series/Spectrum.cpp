@@ -55,7 +55,8 @@ std::vector<Series::Point> numbersIn(const Series& series, double from, double t
   return points;
 }
 
-/// The nearest number of samples that is not greater and has small factors only, of which a transform is quick.
+/// The nearest number of samples that is not greater and has small factors only, of which a transform is
+/// quick.
 std::size_t fastCount(std::size_t most) {
   int count = static_cast<int>(most - most % 2);
   while (kiss_fftr_next_fast_size_real(count) != count) count -= 2;
@@ -92,7 +93,8 @@ Result<Spectrum> spectrumOf(const Series& series, double from, double to, Spectr
   spectrum.rate = static_cast<double>(count - 1) / length;
   spectrum.step = spectrum.rate / static_cast<double>(count);
   for (std::size_t i = 1; i < points.size(); ++i)
-    spectrum.largestGap = std::max(spectrum.largestGap, (points[i].time - points[i - 1].time) * spectrum.rate);
+    spectrum.largestGap =
+        std::max(spectrum.largestGap, (points[i].time - points[i - 1].time) * spectrum.rate);
 
   const auto samples = sampled(points, count);
   const auto shape = weights(window, count);
@@ -106,7 +108,8 @@ Result<Spectrum> spectrumOf(const Series& series, double from, double to, Spectr
     in[i] = static_cast<kiss_fft_scalar>((samples[i] - mean) * shape[i]);
   std::vector<kiss_fft_cpx> out(count / 2 + 1);
   const std::unique_ptr<kiss_fftr_state, void (*)(void*)> plan(
-      kiss_fftr_alloc(static_cast<int>(count), 0, nullptr, nullptr), [](void* memory) { kiss_fftr_free(memory); });
+      kiss_fftr_alloc(static_cast<int>(count), 0, nullptr, nullptr),
+      [](void* memory) { kiss_fftr_free(memory); });
   if (!plan) return failure("spectrum.memory", "there is too little memory for a spectrum");
   kiss_fftr(plan.get(), in.data(), out.data());
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -78,7 +78,8 @@ Result<void> History::step(const std::string& stream, int count) {
   return {};
 }
 
-void History::stepUntil(std::vector<std::string> streams, bool forward, std::function<bool(Instant)> isThere) {
+void History::stepUntil(std::vector<std::string> streams, bool forward,
+                        std::function<bool(Instant)> isThere) {
   if (!reading_) show(timeline_.shown());
   isMissed_ = false;
   steps_ = {std::move(streams), forward ? 1 : -1, timeline_.shown(), std::move(isThere), timeline_.shown()};

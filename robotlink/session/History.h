@@ -45,8 +45,8 @@ class History {
   /// At the ends of the history it stays there. Fails if there is no such stream.
   Result<void> step(const std::string& stream, int count);
   /// Pauses at the next message of these streams behind the shown instant, or before it, at whose time
-  /// `isThere` is true; it is asked when the messages around that time are in the store. If there is none, the
-  /// timeline shows what it showed before. Takes several ticks if many messages have to be looked at.
+  /// `isThere` is true; it is asked when the messages around that time are in the store. If there is none,
+  /// the timeline shows what it showed before. Takes several ticks if many messages have to be looked at.
   void stepUntil(std::vector<std::string> streams, bool forward, std::function<bool(Instant)> isThere);
   /// Whether such a step is under way, and whether the last one found nothing.
   bool isStepping() const { return steps_.count != 0; }

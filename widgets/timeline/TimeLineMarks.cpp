@@ -47,9 +47,9 @@ Instant TimeLineCanvas::rulerTimeAt(const QPointF& point) const {
   const auto marks = marksNear(point.x());
   if (marks.empty()) return timeAt(point);
   const Instant time = timeAt(point);
-  return std::ranges::min_element(marks, {}, [time](const TimeMark& mark) {
-           return std::chrono::abs(mark.from - time);
-         })->from;
+  return std::ranges::min_element(marks, {},
+                                  [time](const TimeMark& mark) { return std::chrono::abs(mark.from - time); })
+      ->from;
 }
 
 QString TimeLineCanvas::markToolTip(double x) const {
@@ -67,8 +67,9 @@ QString TimeLineCanvas::markToolTip(double x) const {
 
 void TimeLineView::createSteps() {
   stepBy_ = new QComboBox(this);
-  describe(*stepBy_, {"timeLineStepBy", tr("Value whose changes are stepped"),
-                      tr("A value or expression, such as models/ball.position.x > 1; Enter goes to its next change")});
+  describe(*stepBy_,
+           {"timeLineStepBy", tr("Value whose changes are stepped"),
+            tr("A value or expression, such as models/ball.position.x > 1; Enter goes to its next change")});
   stepBy_->setEditable(true);
   stepBy_->setInsertPolicy(QComboBox::NoInsert);
   stepBy_->setMinimumContentsLength(18);
