@@ -27,7 +27,7 @@ inline constexpr double kMaxMotionDegrees = 210;
 tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
                                             const std::vector<std::string>& joints = {});
 
-/// The same for a file.
+/// Reads a motion from a file; fails also if that cannot be read.
 tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
                                                 const std::vector<std::string>& joints = {});
 
