@@ -37,7 +37,7 @@ class VectorField {
     double reach = 2.5;
     /// Free distance, from the robot's center, that makes a direction open, m.
     double need = 1.0;
-    /// The same for a direction that was closed, m; more, as hysteresis.
+    /// Free distance that opens a direction again which was closed, m; it is larger, as hysteresis.
     double needAgain = 1.2;
     /// A requested rotation means the direction that it would reach after this time, s.
     double desiredTime = 1.0;

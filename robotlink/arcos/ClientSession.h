@@ -173,7 +173,7 @@ class ClientSession {
   void restart(Instant now);
   /// Gives up the line after a failure and starts the pause.
   void giveUpLine(Error why, Instant now);
-  /// The same for an established connection, which counts as a loss.
+  /// Gives up the line of an established connection, which counts as a loss.
   void lose(Error why, Instant now);
   /// The error for a timeout, depending on what has been received.
   Error silence() const;

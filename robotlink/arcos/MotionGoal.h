@@ -31,7 +31,7 @@ class MotionGoal {
 
   /// Constructs the goal of a command sent at `now` in state `state`; `distance` in m, forwards.
   static MotionGoal move(const RobotState& state, Instant now, double distance);
-  /// The same for a turn; `heading` is in the odometry frame, rad.
+  /// Constructs the goal of a turn; `heading` is in the odometry frame, rad.
   static MotionGoal turn(const RobotState& state, Instant now, double heading);
 
   /// Processes the next state; returns nothing while the robot is on its way. States older than the command

@@ -18,7 +18,7 @@ std::optional<Number> parsedNumber(std::string_view text) {
   return number;
 }
 
-/// The same for files that people write, in which numbers may begin with a plus.
+/// Parses a number of a file that people write, in which numbers may begin with a plus.
 template <typename Number>
 std::optional<Number> parsedNumberWithSign(std::string_view text) {
   return parsedNumber<Number>(text.starts_with('+') ? text.substr(1) : text);

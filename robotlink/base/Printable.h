@@ -10,7 +10,7 @@ namespace robotlink {
 /// any other control character, also those of the range C1, is '?'.
 std::string printable(const std::string& text);
 
-/// The same for texts of several lines, which also keep their tabs; `indent` follows each new line.
+/// Makes a text of several lines printable, which also keeps its tabs; `indent` follows each new line.
 std::string printableLines(const std::string& text, const std::string& indent = {});
 
 }  // namespace robotlink

@@ -88,7 +88,7 @@ struct FieldDescription {
 
   /// Reads a file. Every problem is reported with its line; ids begin with "field.", "yaml." or "file.".
   static tl::expected<FieldDescription, Errors> load(const std::filesystem::path& file);
-  /// The same for a text; `file` is the name that errors carry.
+  /// Reads a text as load() reads a file; `file` is the name that errors carry.
   static tl::expected<FieldDescription, Errors> parse(std::string_view text, std::string file);
 };
 

@@ -113,7 +113,7 @@ struct RobotDescription {
 
 /// Reads a description; all problems are reported, each with its line.
 tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesystem::path& file);
-/// The same for a text; `file` is the name that errors carry.
+/// Reads the text of a description; `file` is the name that errors carry.
 tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text,
                                                              const std::string& file);
 

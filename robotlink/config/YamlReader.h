@@ -81,7 +81,7 @@ class YamlReader {
   /// Fails only if the text is not YAML at all, or is too large or nested too deeply. `file` is the name that
   /// errors carry.
   static Result<YamlReader> parse(std::string_view text, std::string file);
-  /// The same for a file; fails also if it cannot be read.
+  /// Parses a file; fails also if it cannot be read.
   static Result<YamlReader> load(const std::filesystem::path& file);
   ~YamlReader();
   YamlReader(YamlReader&&) noexcept;

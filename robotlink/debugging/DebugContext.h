@@ -71,7 +71,7 @@ class DebugContext {
   void image(const ImageKey& key, const ImageView& image);
   /// Publishes a value of a curve, at the time of the frame.
   void plot(const PlotKey& key, double value, const char* unit = "");
-  /// The same for one of several curves of a key: key "ball-model/position", curve "x".
+  /// Publishes a value of one of several curves of a key: key "ball-model/position", curve "x".
   void plot(const PlotKey& key, const char* curve, double value, const char* unit = "");
 
   /// Logs a text from `source` ("ball-percept"); needs no key. Bytes that are not UTF-8 are replaced.

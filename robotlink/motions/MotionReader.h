@@ -32,11 +32,11 @@ struct MotionParse {
   MotionFile motion;
   Errors errors;
 };
-/// The same for an editor, which shows what can be read of a text with errors.
+/// Reads a motion for an editor, which shows what can be read of a text with errors.
 MotionParse parseMotion(std::string_view text, const std::string& path,
                         const std::vector<std::string>& joints = {});
 
-/// The same as readMotion() for a file.
+/// Reads a motion from a file; fails also if that cannot be read.
 tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
                                                 const std::vector<std::string>& joints = {});
 

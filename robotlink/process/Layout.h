@@ -106,7 +106,7 @@ struct PlatformPackages {
 
 /// Reads a layout and checks only its form, not its tasks; reports every problem with its position.
 tl::expected<Layout, Errors> readLayout(const std::filesystem::path& file);
-/// The same for a text; `file` is the name that errors carry.
+/// Reads the text of a layout as readLayout() does; `file` is the name that errors carry.
 tl::expected<Layout, Errors> parseLayout(const std::string& text, const std::string& file);
 
 /// A link between two processes, derived from their inputs and outputs. An empty process name is the

@@ -76,7 +76,7 @@ class Sender : public AnySender {
 /// Links two ends of one program. The names of their packages may differ; the types must agree.
 template <typename T>
 void connect(Sender<T>& sender, Receiver<T>& receiver);
-/// The same for ends whose types were checked in another way.
+/// Links two ends whose types were checked in another way.
 void connectUnchecked(AnySender& sender, AnyReceiver& receiver);
 
 template <typename T>

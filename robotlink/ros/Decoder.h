@@ -22,7 +22,7 @@ namespace robotlink::ros {
 Result<void> decodeCdr(std::span<const std::uint8_t> data, const StructPlan& plan,
                        google::protobuf::Message& to);
 
-/// The same for the encoding of ROS 1: little-endian values one after the other.
+/// Decodes a message in the encoding of ROS 1: little-endian values one after the other.
 Result<void> decodeRos1(std::span<const std::uint8_t> data, const StructPlan& plan,
                         google::protobuf::Message& to);
 

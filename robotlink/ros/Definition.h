@@ -27,7 +27,7 @@ enum class Kind {
   kWstring,
   /// Seconds and nanoseconds since the epoch, 32 bits each.
   kTime,
-  /// The same for a difference.
+  /// Seconds and nanoseconds of a difference of times, 32 bits each.
   kDuration,
   /// A message, or struct.
   kStruct

@@ -36,7 +36,7 @@ class IdlTokens {
   void drop(std::size_t count);
 
   std::string_view rest_, current_;
-  /// Of the current token, and of the rest.
+  /// The lines of the current token and of the rest.
   int line_ = 1, restLine_ = 1;
   bool isLineStart_ = true;
 };

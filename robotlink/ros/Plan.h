@@ -22,9 +22,9 @@ struct FieldPlan {
   Shape shape = Shape::kSingle;
   /// As in Field.
   std::uint64_t count = 0;
-  /// Of a struct.
+  /// The plan of a field that is a struct.
   const StructPlan* inner = nullptr;
-  /// Of a struct or a time: a message to make others like it.
+  /// For a field that is a struct or a time, a message to make others like it.
   const google::protobuf::Message* prototype = nullptr;
   bool isEnumeration = false;
   /// The fewest bytes that one value takes.

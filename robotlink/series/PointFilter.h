@@ -64,7 +64,7 @@ class PointFilter {
     std::vector<double> sorted = {};
     double sum = 0;
   };
-  /// Of first order.
+  /// A low pass of first order.
   struct LowPass {
     double timeConstant = 0;  ///< s
     std::optional<Point> before = {};

@@ -131,7 +131,7 @@ class StreamStore {
   HistoryArchive* archive_ = nullptr;
   Instant horizon_ = Instant::min();
   std::optional<Stretch> looked_;
-  /// Of all messages, and of those that are there only because they are looked at.
+  /// The sizes of all messages, and of those that are there only because they are looked at.
   std::size_t bytes_ = 0;
   std::size_t lookedBytes_ = 0;
   std::uint64_t listVersion_ = 0;

@@ -71,7 +71,7 @@ struct VisibilityBuffer {
   std::int32_t recordCount = 1;
   /// Buffer with four floats per vertex of the largest mesh.
   float* positions = nullptr;
-  /// The same for normals.
+  /// Buffer with four floats for the normal of each vertex of the largest mesh.
   float* normals = nullptr;
   /// Buffer with one number per triangle of the largest mesh, and eight more.
   std::int32_t* candidates = nullptr;

@@ -18,7 +18,8 @@ std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, co
                                                      const Palette& palette, const SdfSpec& spec,
                                                      robotlink::Errors& errors);
 
-/// The same for a world file without its <include> elements: everything except the included models.
+/// Converts the text of a world file without its <include> elements: everything except the included models.
+/// Errors are added as by readSdfModel().
 WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
                               const SdfSpec& spec, robotlink::Errors& errors);
 

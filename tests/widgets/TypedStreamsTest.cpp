@@ -31,7 +31,7 @@ class TypedStreamsTest : public testing::Test {
       texts += (texts.empty() ? "" : " ") + dynamic_cast<const foxglove::Log&>(*message->value).message();
     return texts;
   }
-  std::vector<std::string> pathsOf(const std::string& robot, const char* type) const {
+  std::vector<std::string> pathsOf(const std::string& robot, const char* type) {
     std::vector<std::string> paths;
     for (const auto* stream : streamsOfType(session_.store(), robot, type)) paths.push_back(stream->path);
     return paths;

@@ -78,7 +78,7 @@ class BodyLink {
   /// Engages or releases STOP at the body, ahead of all that waits. The handler is called in any thread, with
   /// the reason why it was not done; empty if it was.
   void engageStop(bool engaged, std::function<void(const std::string& why)> done);
-  /// The same for a request to its base.
+  /// Sends a request to the base of the body; the handler is called as that of engageStop().
   void control(const robotcontrol::ControlDrive& details, std::function<void(const std::string& why)> done);
 
   robotlink::websocket::ConnectionState state() const { return client_->state(); }

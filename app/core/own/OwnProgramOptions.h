@@ -25,7 +25,7 @@ struct OwnProgramOptions {
   std::filesystem::path executable = "/proc/self/exe";
   /// How long a step, or the answer to a question, may take before the program counts as not answering.
   std::chrono::milliseconds patience{2000};
-  /// The same for whoever can cut it short; null: nobody.
+  /// Ends that time early, such as for STOP; null: nothing does.
   std::shared_ptr<const ModulePatience> cut = nullptr;
   /// How long it may take to be made.
   std::chrono::milliseconds startLimit{20'000};

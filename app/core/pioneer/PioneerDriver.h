@@ -80,7 +80,7 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now) {
     return client_.takeOutgoing(now);
   }
-  /// The same for a line: the bytes of a packet each.
+  /// Removes and returns these packets as a line needs them: the bytes of a packet each.
   std::vector<robotlink::arcos::Bytes> takeOutgoingFrames(robotlink::Instant now) {
     return client_.takeOutgoingFrames(now);
   }

@@ -17,7 +17,7 @@ namespace app {
 struct FieldOptions {
   /// Values by the names of the fields; those that were not given are missing.
   FormValues values = {};
-  /// The same for fields that take several values, in order.
+  /// The values of fields that take several of them, in order.
   std::map<std::string, std::vector<FormValue>> lists = {};
 
   /// Adds the option of a field to a command, which checks the values that it gets; this object must outlive

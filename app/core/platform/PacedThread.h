@@ -39,7 +39,7 @@ class PacedThread {
 
   /// Enqueues a job. Any thread; never blocks for long. The queue is unbounded.
   void post(Job job);
-  /// The same for a job that is executed before all others that wait, but in order among its like.
+  /// Enqueues a job that is executed before all others that wait, behind earlier urgent ones.
   void postUrgent(Job job);
 
  private:

@@ -133,7 +133,7 @@ PlatformForm formOf(const PlatformAdapter& adapter);
 PlatformChoices choicesOf(const PlatformForm& form, const std::vector<FormValue>& arguments);
 /// Checks the values against the adapter's form, then prepares the opening.
 robotlink::Result<PlatformOpening> openingOf(const PlatformAdapter& adapter, const PlatformChoices& choices);
-/// The same for the adapter that opens the first source; all sources must be its own.
+/// Prepares the opening by the adapter that opens the first source; all sources must be its own.
 robotlink::Result<PlatformOpening> openingOf(const PlatformChoices& choices);
 
 /// Registers an adapter when it is constructed, which must be before main(): define one as a static constant.

@@ -157,7 +157,7 @@ FormValues initialValues(const PlatformForm& form);
 std::string rangeOf(const PlatformField& field);
 /// What is wrong with a value of a field, as a sentence; empty if nothing is.
 std::string problemOf(const PlatformField& field, const FormValue& value);
-/// The same for all fields that have a value.
+/// What is wrong with the first wrong value of a form, as a sentence; empty if nothing is.
 std::string problemOf(const PlatformForm& form, const FormValues& values);
 
 }  // namespace app

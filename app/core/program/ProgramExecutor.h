@@ -40,7 +40,7 @@ class ProgramExecutor {
     /// How long a frame may last, in real time, before it counts as not returning; 0: for ever, and in
     /// lockstep processes are executed in the caller's thread.
     std::chrono::milliseconds patience{0};
-    /// The same for whoever can cut it short in lockstep; null: nobody.
+    /// Ends that time early in lockstep, such as for STOP; null: nothing does.
     std::shared_ptr<const ModulePatience> cut = nullptr;
     /// Called by step() for a platform whose program has such a frame, with what does not return, as in
     /// "ball-percept (region) of process cognition"; and with an empty text when it has returned.
@@ -75,7 +75,7 @@ class ProgramExecutor {
   /// any more.
   bool stop();
   bool hasEnded() const;
-  /// The same for the processes of one platform.
+  /// Whether the frames of the processes of one platform have returned.
   bool hasEnded(const robotlink::Platform& platform) const;
 
  private:

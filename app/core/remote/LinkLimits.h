@@ -21,10 +21,10 @@ namespace app {
 /// How much a connection to robots elsewhere may carry. A plain value; the default is without limits.
 struct LinkLimits {
   using Images = robotlink::websocket::RemoteImages;
-  /// That the robot may send; 0: as much as the line takes.
+  /// How much the robot may send; 0: as much as the line takes.
   double bytesPerSecond = 0;
   Images images = Images::kAutomatic;
-  /// Of each stream; 0: all.
+  /// How many images of each stream it may send; 0: all.
   double imagesPerSecond = 0;
   bool operator==(const LinkLimits&) const = default;
 };

@@ -96,9 +96,9 @@ class RemoteRobots {
   std::uint64_t version() const { return version_; }
 
   /// What users do with the recordings at the robots of a connection; null if there is no such connection.
-  /// Valid until that ends or is connected anew.
+  /// Valid until that ends or is connected again.
   RecordingJobs* recordings(const std::string& url);
-  /// The same for what is deployed to its robots.
+  /// What is deployed to the robots of a connection; null if there is no such connection. Valid as long.
   DeployJobs* deployment(const std::string& url);
   /// Steers a robot from now on, whoever did before; or gives it up. Fails if it is none of these; what the
   /// robot objects to is among the notes.

@@ -152,7 +152,7 @@ class ReplayRobot {
   void takePackage(const std::string& package, const robotlink::StreamMessage& message);
   /// Enqueues a logged request for the debug process, unless the user's overrides take precedence.
   void takeRequest(const robotcontrol::Request& request);
-  /// The same for a package of the debug process, in logs without requests.
+  /// Enqueues the request that a package of the debug process stands for, in logs without requests.
   void takeRequest(const google::protobuf::Message& package);
   /// Whether the log contains requests.
   bool hasRequests() const { return streams_.contains(robotlink::streams::kRequests); }

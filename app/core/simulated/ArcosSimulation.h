@@ -42,7 +42,7 @@ class ArcosSimulation {
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
       Options options, ArcosPorts::Log logger = {});
 
-  /// The same for a scene that was loaded before; file and robots of the options are ignored.
+  /// Makes it of a scene that was loaded before; file and robots of the options are ignored.
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
       std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Log logger = {});
 

@@ -42,7 +42,7 @@ inline constexpr std::size_t kMaxConversationBytes = 256U << 20U;
 /// Parses a conversation. Empty lines and lines that begin with # are skipped. Fails at the first wrong line
 /// with file and line; the description of the bytes in a line must match them. Ids begin with "arcos.".
 Result<Conversation> readConversation(std::string_view text, const std::string& path);
-/// The same for a file.
+/// Parses the conversation in a file; fails also if that cannot be read.
 Result<Conversation> readConversationFile(const std::filesystem::path& file);
 
 /// The line of an event, with its line end, for recording while a conversation is in progress.

@@ -41,7 +41,7 @@ class OtherPrograms {
   /// Remembers a request to a process: its program gets it again when it was started again. Returns whether
   /// the process runs in another program.
   bool remember(const std::string& process, const robotcontrol::Request& request);
-  /// The same for all processes of all other programs.
+  /// Remembers a request to all processes of all other programs.
   void rememberForAll(const robotcontrol::Request& request);
   /// Adds what the processes of the other programs do.
   void fillProcesses(robotcontrol::ProcessTable& to) const;

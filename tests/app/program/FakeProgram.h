@@ -19,12 +19,14 @@
 
 namespace app::test {
 
-/// Refuses requests about these debug keys.
+/// Refuses requests about these debug keys and solutions.
 class FakePreview final : public ProgramPreview {
  public:
   explicit FakePreview(std::set<std::string> refused) : refused_(std::move(refused)) {}
   std::string add(const robotcontrol::Request& request) override {
-    return refused_.contains(request.set_key().name()) ? "there is no such key" : "";
+    const std::string& name =
+        request.has_set_key() ? request.set_key().name() : request.select_solution().solution();
+    return refused_.contains(name) ? "there is no " + name : "";
   }
   bool answer(const robotcontrol::Request& request) override { return add(request).empty(); }
   std::shared_ptr<const robotlink::SharedDebugQueue> takeQueue(robotlink::Instant) override {
@@ -58,7 +60,7 @@ class FakeProgram final : public HostedProgram {
     return true;
   }
   std::string refusal() const override { return why; }
-  std::unique_ptr<ProgramPreview> preview() override { return std::make_unique<FakePreview>(unknownKeys); }
+  std::unique_ptr<ProgramPreview> preview() override { return std::make_unique<FakePreview>(unknown); }
   robotcontrol::HostingStatus hosting() const override { return status; }
   void stop() override { ++stops; }
 
@@ -66,7 +68,8 @@ class FakeProgram final : public HostedProgram {
   std::set<std::string> recorded;
   std::map<std::string, robotcontrol::KeyMode> keys;
   std::vector<std::string> yielded;
-  std::set<std::string> unknownKeys;
+  /// The keys and solutions that it does not have.
+  std::set<std::string> unknown;
   std::vector<robotcontrol::Request> requests;
   /// Whether it takes no requests now.
   bool isFull = false;

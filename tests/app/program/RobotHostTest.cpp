@@ -63,7 +63,7 @@ class RobotHostTest : public testing::Test {
     parts.file = "walk.yaml";
     parts.maker = [this](HostedProgram::Parts) -> HostedProgram::Made {
       auto program = std::make_unique<FakeProgram>(clock_);
-      program->unknownKeys = unknownKeys_;
+      program->unknown = unknown_;
       program_ = program.get();
       return program;
     };
@@ -100,8 +100,8 @@ class RobotHostTest : public testing::Test {
   FakePlatform* platform_ = nullptr;
   FakeProgram* program_ = nullptr;
   std::vector<std::string> said_, overridden_;
-  /// Of the programs that are made from now on.
-  std::set<std::string> unknownKeys_;
+  /// What the programs that are made from now on do not have.
+  std::set<std::string> unknown_;
   HostingStatus hosting_;
   std::unique_ptr<RobotHost> host_;
   std::unique_ptr<ProgramExecutor> executor_;
@@ -233,17 +233,25 @@ TEST_F(RobotHostTest, whatWasAcceptedIsAppliedToTheNextProgram) {
 
 TEST_F(RobotHostTest, whatTheNextProgramCannotDoIsReportedAndKept) {
   start();
-  ASSERT_TRUE(host_->request(key("kept", 1)));
+  Request request;
+  request.set_id(1);
+  request.mutable_select_solution()->set_task("ball-percept");
+  request.mutable_select_solution()->set_solution("scan");
+  ASSERT_TRUE(host_->request(request));
+  ASSERT_TRUE(host_->request(key("drawings", 2)));
   host_->enqueueRequests();
   answer(1, true);
+  answer(2, true);
   host_->stop();
-  unknownKeys_ = {"kept"};
+  unknown_ = {"scan", "drawings"};
   host_->adopt(make(false));
-  EXPECT_THAT(begin(), ElementsAre(testing::AllOf(StartsWith("red1 could not keep "), HasSubstr("kept"),
-                                                  HasSubstr("there is no such key"))));
+  EXPECT_THAT(begin(), ElementsAre(testing::AllOf(StartsWith("red1 could not keep "), HasSubstr("scan"),
+                                                  HasSubstr("there is no scan"))))
+      << "a key that a layout does not have is nothing to report";
   host_->enqueueRequests();
   EXPECT_THAT(keysAsked(), IsEmpty());
-  EXPECT_TRUE(host_->overrides().keys().contains("kept")) << "for a layout that has it";
+  EXPECT_TRUE(host_->overrides().keys().contains("drawings")) << "for a layout that has it";
+  EXPECT_EQ(host_->overrides().solutions().at("ball-percept"), "scan");
 }
 
 TEST_F(RobotHostTest, whatHasNoAnswerIsAskedOfTheNextProgramAgain) {

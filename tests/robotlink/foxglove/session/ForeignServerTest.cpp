@@ -39,7 +39,7 @@ class ForeignServerTest : public testing::Test {
     return soon([&] { return channels_[channel]->isWanted(); });
   }
   /// The newest message of a stream as a text; empty if there is none.
-  std::string shown(const std::string& stream) const {
+  std::string shown(const std::string& stream) {
     const auto* message = session_.store().latest("foxglove_bridge/" + stream, Instant::max());
     return message == nullptr ? std::string() : message->value->ShortDebugString();
   }
