@@ -129,6 +129,9 @@ std::string parametersChosen(const Request& request) {
 std::string tableChosen(const Request&) {
   return "the color table that was sent";
 }
+std::string goalChosen(const Request&) {
+  return "its goal";
+}
 
 // ---- The task that it concerns
 
@@ -154,6 +157,9 @@ bool keyEnds(const Request& request) {
 }
 bool tableIsBuiltIn(const Request& request) {
   return request.set_color_table().table().cells().empty();
+}
+bool goalIsCancelled(const Request& request) {
+  return request.set_goal().cancelled();
 }
 bool nothingIsRecorded(const Request& request) {
   return request.record_packages().packages().empty();
@@ -221,7 +227,11 @@ constexpr std::array<RequestKind, 17> kKinds{{
      .doer = Doer::kDebugProcess,
      .words = "set goal",
      .effect = Effect::kBehavior,
-     .wrong = wrongGoal},
+     .isContinued = true,
+     .subject = theOnlyOne,
+     .wrong = wrongGoal,
+     .choice = goalChosen,
+     .removes = goalIsCancelled},
     {.what = Request::kStop, .doer = Doer::kPlatform, .words = "stop", .subject = theOnlyOne},
     {.what = Request::kControlDrive, .doer = Doer::kPlatform, .words = "control drive"},
     {.what = Request::kControlSimulation,

@@ -284,12 +284,11 @@ void BodyFeed::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   tap_->askForPackages();
-  if (spread_) platform_->setUnattended(robot_->isUnattended());
   followLimits();
   executor_->step();
   noteRefusal();
   robot_->startStep();
-  robot_->reportPlatform();
+  robot_->endStep();
   tap_->endStep();
   const auto real = Clock::now();
   // Missed steps are not made up for.

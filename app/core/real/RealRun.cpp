@@ -149,10 +149,9 @@ void RealRun::step() {
   leftOver_.forgetEnded();
   robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
-  if (spread_) platform_->setUnattended(robot_->isUnattended());
   executor_->step();
   robot_->startStep();
-  robot_->reportPlatform();
+  robot_->endStep();
   if (tap_) tap_->endStep();
 }
 

@@ -40,11 +40,13 @@ bool OtherPrograms::isCommanding(const Program& program) {
   return std::ranges::any_of(program.seats, &Seat::isCommanding);
 }
 
-bool OtherPrograms::isUnattended() const {
-  return std::ranges::any_of(programs_, [](const Program& program) {
-    return std::ranges::any_of(
-        program.seats, [](const Seat& seat) { return seat.isCommanding && !seat.channel->connected(); });
-  });
+std::string OtherPrograms::missingProcess() const {
+  for (const Program& program : programs_) {
+    for (const Seat& seat : program.seats) {
+      if (seat.isCommanding && !seat.channel->connected()) return seat.channel->process();
+    }
+  }
+  return {};
 }
 
 std::vector<std::string> OtherPrograms::update() {
@@ -97,6 +99,11 @@ std::string OtherPrograms::stateOf(const Program& program, const std::string& pr
   const auto* row = rowOf(program, process);
   if (row != nullptr && row->state() != "running") return row->state();
   return seatOf(program, process)->channel->connected() ? "running" : "stopped";
+}
+
+bool OtherPrograms::runs(const std::string& process) const {
+  return std::ranges::any_of(programs_,
+                             [&](const Program& program) { return seatOf(program, process) != nullptr; });
 }
 
 std::string OtherPrograms::whyNot(const std::string& process) const {

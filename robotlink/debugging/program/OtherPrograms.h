@@ -32,9 +32,11 @@ class OtherPrograms {
   /// Looks who came and went since the last call. Returns a sentence for each program that did.
   std::vector<std::string> update();
 
-  /// Whether a process that decides what the platform does cannot be reached, so that the robot has to stand.
-  /// Any thread.
-  bool isUnattended() const;
+  /// The name of a process that decides what the platform does and cannot be reached, so that the robot has
+  /// to stand; empty if there is none. Any thread.
+  std::string missingProcess() const;
+  /// Whether a process belongs to one of them.
+  bool runs(const std::string& process) const;
   /// Why a process can do nothing now, as "program vision, which runs process ball, does not run"; empty if
   /// it can, or if it runs in this program.
   std::string whyNot(const std::string& process) const;

@@ -295,16 +295,17 @@ bool RobotProgram::hasDebugProcess() const {
 DebugProcess::Tables RobotProgram::tables(const std::map<std::string, std::string>& chosenSolutions) const {
   return implementation_->tables(chosenSolutions);
 }
-bool RobotProgram::isUnattended() const {
-  // A receiver that no task sends to has no peer.
-  const auto isCut = [](const AnyReceiver* receiver) {
-    return !receiver->peer().empty() && !receiver->connected();
-  };
-  const auto isMissingSomething = [&](const Process* process) {
-    return std::ranges::any_of(process->receivers(), isCut);
-  };
-  return std::ranges::any_of(implementation_->commandedBy, isMissingSomething) ||
-         implementation_->debugProcess->isUnattended();
+std::string RobotProgram::missingProcess() const {
+  for (const Process* process : implementation_->commandedBy) {
+    // What has stopped has closed its ends itself.
+    if (process->stopped()) return process->name();
+    for (const AnyReceiver* receiver : process->receivers()) {
+      if (receiver->connected()) continue;
+      // A receiver that no task sends to has no peer.
+      if (std::string peer = receiver->peer(); !peer.empty()) return peer;
+    }
+  }
+  return implementation_->debugProcess->missingProcess();
 }
 
 std::vector<std::string> RobotProgram::yieldedPackages() const {

@@ -40,6 +40,7 @@ class SpreadPioneerTest : public testing::Test {
     RealRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);
+      ++queues_;
       for (const auto& result : robotlink::messagesOf(robot, *queue, {}).results)
         accepted_ = accepted_ || (result->id() == kGoalId && result->accepted());
     };
@@ -87,6 +88,30 @@ class SpreadPioneerTest : public testing::Test {
       return accepted_;
     });
   }
+  /// While the program that plans is missing, nobody else would tell it later.
+  void cancelGoal() {
+    robotcontrol::Request request;
+    request.set_id(kGoalId);
+    request.set_robot("p3at1");
+    request.mutable_set_goal()->set_cancelled(true);
+    accepted_ = false;
+    EXPECT_TRUE(run_->request(request));
+    EXPECT_TRUE(playUntil([this] {
+      const std::lock_guard lock(mutex_);
+      return accepted_;
+    }));
+  }
+  /// How far it drives while the program publishes so many queues, about a second, m.
+  double wayDuring(int queues) {
+    const double from = world_.x();
+    const auto count = [this] {
+      const std::lock_guard lock(mutex_);
+      return queues_;
+    };
+    const int before = count();
+    EXPECT_TRUE(playUntil([&] { return count() >= before + queues; }));
+    return world_.x() - from;
+  }
   bool drivesOn() {
     const double from = world_.x();
     return playUntil([&] { return world_.x() > from + 0.1; });
@@ -96,6 +121,7 @@ class SpreadPioneerTest : public testing::Test {
   ServedWorld world_;
   std::mutex mutex_;  // protects what follows
   bool accepted_ = false;
+  int queues_ = 0;
   std::unique_ptr<RealRun> run_;
   std::unique_ptr<OtherProgram> plan_;
 };
@@ -113,6 +139,19 @@ TEST_F(SpreadPioneerTest, itStandsWhileTheProgramThatPlansIsMissingAndThenGoesOn
     ASSERT_TRUE(playUntil([&] { return !stands(); }));
     EXPECT_TRUE(drivesOn());
   }
+}
+
+TEST_F(SpreadPioneerTest, itDoesNotGoOnToAGoalThatWasCancelledWhileTheProgramThatPlansWasMissing) {
+  startDrive();
+  startPlan();
+  ASSERT_TRUE(setGoal(4.5));
+  ASSERT_TRUE(drivesOn());
+  plan_.reset();
+  ASSERT_TRUE(playUntil([&] { return stands(); }));
+  cancelGoal();
+  startPlan();
+  ASSERT_TRUE(playUntil([&] { return !stands(); }));
+  EXPECT_LT(wayDuring(60), 0.05);
 }
 
 }  // namespace
