@@ -239,10 +239,12 @@ void RobotHost::endStep() {
 void RobotHost::noteMissing() {
   const std::string missing = program_->missingProcess();
   isComplete_ = missing.empty();
-  missingText_ = isComplete_ ? "All processes that decide what " + robot_.name + " does run."
-                             : "Process " + missing + ", which decides what " + robot_.name +
-                                   " does, has stopped or cannot be reached. The robot stands until it is "
-                                   "back or its program is started again.";
+  missingText_ =
+      isComplete_
+          ? "All processes that decide what " + robot_.name + " does run."
+          : "Process " + missing + ", which decides what " + robot_.name +
+                " does, has stopped, does not return, or cannot be reached. The robot stands until it is "
+                "back or its program is started again.";
 }
 
 void RobotHost::reportHosting() {

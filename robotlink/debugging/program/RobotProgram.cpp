@@ -69,7 +69,9 @@ struct RobotProgram::Implementation {
   TaskCatalog catalog = registeredTasks();
   std::vector<std::unique_ptr<Process>> owned;
   std::vector<Process*> processes;
+  /// One of the two is null.
   DebugProcess* debugProcess = nullptr;
+  ProcessReporter* reporter = nullptr;
   /// The platform, and what decides here what it does.
   std::vector<const Process*> commandedBy;
 };
@@ -169,9 +171,10 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
     }
   }
   if (debugProcess == nullptr) {
-    auto reporter = std::make_unique<ProcessReporter>(part.program, clock);
-    for (const auto& process : owned) reporter->watch(*process);
-    owned.push_back(std::move(reporter));
+    auto made = std::make_unique<ProcessReporter>(part.program, clock);
+    for (const auto& process : owned) made->watch(*process);
+    reporter = made.get();
+    owned.push_back(std::move(made));
   }
   for (const auto& process : owned) processes.push_back(process.get());
   return errors;
@@ -306,6 +309,10 @@ std::string RobotProgram::missingProcess() const {
     }
   }
   return implementation_->debugProcess->missingProcess();
+}
+
+void RobotProgram::noteStuck(const std::string& process, const std::string& task) {
+  implementation_->reporter->noteStuck(process, task);
 }
 
 std::vector<std::string> RobotProgram::yieldedPackages() const {

@@ -66,6 +66,9 @@ class RobotProgram {
   /// out of reach for so long that its links are closed. The robot has to stand then. Empty: all are there.
   /// Only if hasDebugProcess(); any thread.
   std::string missingProcess() const;
+  /// Notes the task from which a process does not return, as in "ball-percept (region)", for the program with
+  /// the debug process; empty: it has returned. Only without hasDebugProcess(); any thread.
+  void noteStuck(const std::string& process, const std::string& task);
 
   /// All packages that its tasks yield, but not those of the platform or the debug process. Sorted.
   std::vector<std::string> yieldedPackages() const;

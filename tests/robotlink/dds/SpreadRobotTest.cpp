@@ -166,6 +166,18 @@ TEST_F(SpreadRobotTest, theRobotIsUnattendedIfAProcessElsewhereThatDecidesHasSto
   EXPECT_TRUE(until([&] { return !body_.program().missingProcess().empty(); }));
 }
 
+TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProcessElsewhereThatDecidesDoesNotReturn) {
+  startHead();
+  ASSERT_TRUE(until([&] { return body_.program().missingProcess().empty() && stateOf("cognition") != ""; }));
+  head_->program().noteStuck("cognition", "ball-model (last)");
+  EXPECT_TRUE(until([&] { return body_.program().missingProcess() == "cognition"; }));
+  EXPECT_TRUE(until([&] { return stateOf("cognition") == "does not return from ball-model (last)"; }));
+  EXPECT_EQ("process cognition of program head does not return from ball-model (last)",
+            select("behavior", "obey"));
+  head_->program().noteStuck("cognition", {});
+  EXPECT_TRUE(until([&] { return body_.program().missingProcess().empty(); }));
+}
+
 TEST_F(SpreadRobotTest, theParametersOfAProgramComeWheneverItBegins) {
   for (int i = 0; i < 2; ++i) {
     heard_.clear();
