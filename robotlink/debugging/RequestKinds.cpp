@@ -152,6 +152,9 @@ std::string tableChosen(const Request&) {
 std::string motionChosen(const Request& request) {
   return "the motion " + motionOf(request) + " that was sent";
 }
+std::string goalChosen(const Request&) {
+  return "its goal";
+}
 
 // ---- The task that it concerns
 
@@ -180,6 +183,9 @@ bool tableIsBuiltIn(const Request& request) {
 }
 bool motionIsOfFile(const Request& request) {
   return request.set_motion().motion().text().empty();
+}
+bool goalIsCancelled(const Request& request) {
+  return request.set_goal().cancelled();
 }
 bool nothingIsRecorded(const Request& request) {
   return request.record_packages().packages().empty();
@@ -256,7 +262,11 @@ constexpr std::array<RequestKind, 18> kKinds{{
      .doer = Doer::kDebugProcess,
      .words = "set goal",
      .effect = Effect::kBehavior,
-     .wrong = wrongGoal},
+     .isContinued = true,
+     .subject = theOnlyOne,
+     .wrong = wrongGoal,
+     .choice = goalChosen,
+     .removes = goalIsCancelled},
     {.what = Request::kStop, .doer = Doer::kPlatform, .words = "stop", .subject = theOnlyOne},
     {.what = Request::kControlDrive, .doer = Doer::kPlatform, .words = "control drive"},
     {.what = Request::kControlSimulation,

@@ -40,6 +40,9 @@ struct RequestKind {
   /// Whether it overrides what the robot's layout and files say, and so holds for later programs of the
   /// robot, too, after a reset or in another layout.
   bool isOverride = false;
+  /// Whether a program continues with it that takes the place of the one that was asked, such as with a goal,
+  /// unless the robot was put back to its start. It does not hold for robots that are opened later.
+  bool isContinued = false;
   /// What it sets: of two requests of one kind with the same subject the later one counts, and holds until
   /// there is another. Null: it sets nothing, each request counts.
   Text subject = nullptr;
@@ -53,7 +56,7 @@ struct RequestKind {
   /// The file or folder of this machine that it names; empty: none. Only a person here may name one: what
   /// others ask for is refused then. Null: it never names one.
   Text file = nullptr;
-  /// Whether it removes the override of its subject instead of being one. Null: it never does.
+  /// Whether it removes what was chosen for its subject instead of choosing. Null: it never does.
   bool (*removes)(const robotcontrol::Request& request) = nullptr;
   /// Whether the program publishes its tables of keys, solutions and processes afterwards.
   bool publishesTables = false;

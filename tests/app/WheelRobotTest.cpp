@@ -129,6 +129,38 @@ TEST_F(WheelRobot, itsLaserIsFoundWhateverItIsCalledAndMeasuresFiveTimesASecond)
   EXPECT_LT(*std::min_element(ranges.begin(), ranges.end()), 3.5) << "it sees a wall";
 }
 
+TEST_F(WheelRobot, itsNextProgramGoesOnToItsGoalButNotAfterAReset) {
+  robotcontrol::Request request;
+  request.set_robot("burger1");
+  const auto choose = [&](const char* task, const char* solution) {
+    request.mutable_select_solution()->set_task(task);
+    request.mutable_select_solution()->set_solution(solution);
+    ASSERT_TRUE(run_->request(request));
+  };
+  choose("driving", "follow-path");
+  choose("path-planning", "direct");
+  choose("self-localisation", "oracle");
+  play(1);
+  const robotlink::Pose2 start = truePose();
+  const Eigen::Vector2d goal = start * Eigen::Vector2d(0.8, 0);
+  request.mutable_set_goal()->mutable_pose_in_field()->set_x(goal.x());
+  request.mutable_set_goal()->mutable_pose_in_field()->set_y(goal.y());
+  request.mutable_set_goal()->set_any_heading(true);
+  ASSERT_TRUE(run_->request(request));
+  play(2);
+  const auto way = [&] { return (truePose().translation() - start.translation()).norm(); };
+  const double before = way();
+  ASSERT_GT(before, 0.1);
+  robotcontrol::HostProgram again;
+  again.set_start_again(true);
+  ASSERT_EQ(robotlink::describe(run_->hostProgram("burger1", again)), "");
+  play(2);
+  EXPECT_GT(way(), before + 0.1);
+  ASSERT_EQ(robotlink::describe(run_->reset(1)), "");
+  play(2);
+  EXPECT_LT(way(), 0.05);
+}
+
 TEST(MapInCapitals, hasARobotAsAnyMap) {
   const TestFolder folder;
   std::filesystem::copy_file(robotlink::resource("scenes/house.map"), folder / "HOUSE.MAP");

@@ -113,6 +113,8 @@ struct OwnProgram::Implementation {
   bool hasBegun = false;
   /// The frames of the platform when the last step was sent.
   std::uint64_t platformFrames = 0;
+  /// As in the newest result.
+  std::string missingProcess;
   WireOrder order;
   WireAnswer answer;
   HostingStatus status;
@@ -278,6 +280,7 @@ void OwnProgram::Implementation::apply(const robotcontrol::WireResult& result) {
   } else {
     events();
   }
+  missingProcess = result.missing_process();
   ports.send(result.packages());
   ports.setConnected(result.connected());
 }
@@ -469,6 +472,10 @@ const std::vector<robotlink::Process*>& OwnProgram::processes() const {
 
 const robotlink::Process& OwnProgram::debugProcess() const {
   return *implementation_->debugProcess;
+}
+
+std::string OwnProgram::missingProcess() const {
+  return implementation_->missingProcess;
 }
 
 HostingStatus OwnProgram::hosting() const {

@@ -31,6 +31,7 @@ class OwnProgram final : public HostedProgram {
   std::string refusal() const override;
   std::unique_ptr<ProgramPreview> preview() override;
   void startStep() override;
+  std::string missingProcess() const override;
   robotcontrol::HostingStatus hosting() const override;
   void stop() override;
 

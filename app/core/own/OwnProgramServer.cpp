@@ -291,6 +291,7 @@ void OwnProgramServer::takeResult(robotcontrol::WireResult& result) {
   }
   platform_.takeTo(*result.mutable_packages());
   platform_.connectedTo(*result.mutable_connected());
+  result.set_missing_process(program_->missingProcess());
   result.set_debug_frames(program_->debugProcess().frames());
 }
 

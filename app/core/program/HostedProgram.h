@@ -109,6 +109,9 @@ class HostedProgram {
   /// A program elsewhere begins to compute. To be called in lockstep before a step, when no more requests
   /// come, and with threads after a step.
   virtual void startStep() {}
+  /// The name of one of its processes that decides what the robot does and has stopped, or cannot be reached,
+  /// so that the robot has to stand; empty: all run.
+  virtual std::string missingProcess() const { return {}; }
   /// Where it runs, and whether it does.
   virtual robotcontrol::HostingStatus hosting() const = 0;
   /// Ends it. Its processes must not be in an executor any more. Idempotent.

@@ -91,6 +91,10 @@ std::unique_ptr<ProgramPreview> InsideProgram::preview() {
   return std::make_unique<InsidePreview>(*program_);
 }
 
+std::string InsideProgram::missingProcess() const {
+  return program_->missingProcess();
+}
+
 void InsideProgram::stop() {
   program_->stop();
 }

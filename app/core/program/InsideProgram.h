@@ -28,6 +28,7 @@ class InsideProgram final : public HostedProgram {
   robotlink::RobotProgram* inside() override { return program_.get(); }
   bool request(const robotcontrol::Request& request) override;
   std::unique_ptr<ProgramPreview> preview() override;
+  std::string missingProcess() const override;
   robotcontrol::HostingStatus hosting() const override { return {}; }
   void stop() override;
 

@@ -27,6 +27,11 @@ std::string whatRuns(const Process* process) {
 
 }  // namespace
 
+std::string taskOf(const Process& process) {
+  const std::string* activity = process.activity();
+  return activity != nullptr ? *activity : "its program";
+}
+
 const char* nameOf(ExecutorKind kind) {
   return kind == ExecutorKind::kLockstep ? "lockstep" : "threads";
 }

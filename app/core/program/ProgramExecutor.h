@@ -21,6 +21,9 @@ enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 /// The name that is logged in ProgramSetup.executor: "lockstep" or "threads".
 const char* nameOf(ExecutorKind kind);
 
+/// The task that a process executes: "ball-percept (region)"; "its program" if that is not known.
+std::string taskOf(const robotlink::Process& process);
+
 /// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
 /// process in turn, or each process in a thread of its own, with the platforms stepped by the caller.
 ///

@@ -30,12 +30,17 @@ std::vector<std::string> ProgramRequests::begin(HostedProgram& program) {
   std::erase_if(asked, [](const Open& open) { return open.reported || robotlink::isRepeated(open.request); });
   std::vector<std::string> lost;
   const auto preview = program.preview();
-  for (Request& request : overrides_.requests(robot_)) {
-    if (const std::string why = preview->add(request); why.empty()) {
+  std::vector<Request> own = overrides_.requests(robot_);
+  own.insert(own.end(), continued_.begin(), continued_.end());
+  for (Request& request : own) {
+    const std::string why = preview->add(request);
+    if (why.empty()) {
       addOwn(std::move(request));
-    } else if (const std::string what = choiceOf(request); !what.empty()) {
-      lost.push_back(robot_ + " could not keep " + what + ": " + why);
+      continue;
     }
+    if (const std::string what = choiceOf(request); !what.empty())
+      lost.push_back(robot_ + " could not keep " + what + ": " + why);
+    std::erase_if(continued_, [&](const Request& before) { return robotlink::setTheSame(before, request); });
   }
   for (Open& open : asked) open_.push_back({std::move(open.request)});
   return lost;
@@ -49,6 +54,22 @@ void ProgramRequests::beginOverridden() {
 
 void ProgramRequests::note(const Request& request) {
   if (overrides_.note(request) && overridden_) overridden_(request);
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  if (!kind.isContinued) return;
+  std::erase_if(continued_, [&](const Request& before) { return robotlink::setTheSame(before, request); });
+  if (!kind.removes(request)) continued_.push_back(request);
+}
+
+bool ProgramRequests::takeBack(const Request& request) {
+  const std::lock_guard lock(mutex_);
+  return std::erase_if(continued_, [&](const Request& before) {
+           return robotlink::setTheSame(before, request) && robotlink::kindOf(request).removes(request);
+         }) > 0;
+}
+
+void ProgramRequests::beginAnew() {
+  const std::lock_guard lock(mutex_);
+  continued_.clear();
 }
 
 void ProgramRequests::addOwn(Request request) {

@@ -19,11 +19,12 @@ struct SharedDebugQueue;
 namespace app {
 
 /// The requests to one robot's program, across all programs that are made for the robot: a queue of requests
-/// that have no answer yet, and the overrides that follow from the accepted ones and are applied to the next
-/// program, too.
+/// that have no answer yet, the overrides that follow from the accepted ones and are applied to the next
+/// program, too, and what a program was about to do that the next one continues with: its goal.
 ///
-/// ask(), hand(), answered() and overrides() may be called from any thread. begin() and answersToCome() may
-/// be called only while no process of the program runs; ran() only by the thread that calls these.
+/// ask(), takeBack(), hand(), answered() and overrides() may be called from any thread. begin() and
+/// answersToCome() may be called only while no process of the program runs; ran() only by the thread that
+/// calls these.
 class ProgramRequests {
  public:
   /// Called with each request that became an override; it must not call this object.
@@ -33,9 +34,9 @@ class ProgramRequests {
   explicit ProgramRequests(std::string robot, ProgramOverrides overrides = {}, OverrideListener listener = {})
       : robot_(std::move(robot)), overridden_(std::move(listener)), overrides_(std::move(overrides)) {}
 
-  /// To be called with each new program before it runs. Enqueues requests for the overrides so far, followed
-  /// by the requests that the previous program did not answer; hand() passes them on. Returns a sentence for
-  /// each override that this program cannot fulfill.
+  /// To be called with each new program before it runs. Enqueues requests for the overrides so far and for
+  /// what it continues with, followed by the requests that the previous program did not answer; hand() passes
+  /// them on. Returns a sentence for each of the former that this program cannot fulfill.
   std::vector<std::string> begin(HostedProgram& program);
   /// The same for a program that was made with the overrides in it: only the requests that the previous
   /// program did not answer are enqueued again.
@@ -43,6 +44,11 @@ class ProgramRequests {
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);
+  /// To be called with each request that the user makes, also if nobody can be asked now: the next program
+  /// does not continue with what it takes back. Returns whether it takes something back.
+  bool takeBack(const robotcontrol::Request& request);
+  /// To be called when the robot is put back to its start: the next program continues with nothing.
+  void beginAnew();
   /// Passes the requests that the program has not got yet to `give`, in order, until that returns false; the
   /// others wait for the next call. `give` must not call this object.
   void hand(const std::function<bool(const robotcontrol::Request&)>& give);
@@ -75,7 +81,7 @@ class ProgramRequests {
   bool replacesLast(const robotcontrol::Request& request) const;
   /// Enqueues a request on behalf of the user, with an id that no session uses.
   void addOwn(robotcontrol::Request request);
-  /// Keeps an accepted request if it is an override.
+  /// Keeps an accepted request if it is an override, or something to continue with.
   void note(const robotcontrol::Request& request);
 
   const std::string robot_;
@@ -89,6 +95,8 @@ class ProgramRequests {
   /// Counts the ids that addOwn() assigned.
   std::uint64_t ownRequests_ = 0;
   ProgramOverrides overrides_;
+  /// What the next program continues with.
+  std::vector<robotcontrol::Request> continued_;
 };
 
 }  // namespace app

@@ -98,6 +98,8 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   executor_ = executor.kind();
   stuck_.clear();
   stuckText_.clear();
+  missingText_.clear();
+  if (isComplete_ = program_->missingProcess().empty(); !isComplete_) noteMissing();
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
@@ -180,12 +182,14 @@ robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request)
       return robotlink::failure("platform.refused", std::move(why), {}, {robot_.name});
     return (this->*row->handler)(request);
   }
-  if (std::string why = program_ ? program_->refusal() : std::string(); !why.empty())
-    return robotlink::failure("program.ended", std::move(why), {}, {robot_.name});
+  const std::string takenBack =
+      requests_.takeBack(request) ? "; " + robotlink::kindOf(request).choice(request) + " is forgotten" : "";
+  if (const std::string why = program_ ? program_->refusal() : std::string(); !why.empty())
+    return robotlink::failure("program.ended", why + takenBack, {}, {robot_.name});
   if (isStuck())
     return robotlink::failure("program.stuck",
                               "the program of " + robot_.name + " does not return from " + stuck_ +
-                                  "; start it again in the view Processes",
+                                  "; start it again in the view Processes" + takenBack,
                               {}, {robot_.name});
   if (requests_.ask(request)) return {};
   return robotlink::failure("request.queue-full",
@@ -224,18 +228,37 @@ void RobotHost::reportPlatform(const std::string& text) const {
   if (listeners_.platform) listeners_.platform(robot_.name, platform_->clock().now(), text);
 }
 
-bool RobotHost::isUnattended() const {
-  const robotlink::RobotProgram* program = insideProgram();
-  return isStuck() || (program != nullptr && program->isUnattended());
+void RobotHost::endStep() {
+  if (program_ && program_->missingProcess().empty() == isComplete_) {
+    noteMissing();
+    reportHosting();
+  }
+  reportPlatform();
+}
+
+void RobotHost::noteMissing() {
+  const std::string missing = program_->missingProcess();
+  isComplete_ = missing.empty();
+  missingText_ =
+      isComplete_
+          ? "All processes that decide what " + robot_.name + " does run."
+          : "Process " + missing + ", which decides what " + robot_.name +
+                " does, has stopped, does not return, or cannot be reached. The robot stands until it is "
+                "back or its program is started again.";
 }
 
 void RobotHost::reportHosting() {
   if (!program_) return;
-  robotcontrol::HostingStatus status = program_->hosting();
+  using robotcontrol::HostingStatus;
+  HostingStatus status = program_->hosting();
   status.set_threads(executor_ == ExecutorKind::kThreads);
-  if (isStuck()) status.set_state(robotcontrol::HostingStatus::NOT_ANSWERING);
+  if (isStuck()) status.set_state(HostingStatus::NOT_ANSWERING);
   if (!stuckText_.empty()) status.set_text(stuckText_);
-  platform_->setUnattended(status.state() != robotcontrol::HostingStatus::RUNNING);
+  if (status.state() == HostingStatus::RUNNING && !missingText_.empty()) {
+    if (!isComplete_) status.set_state(HostingStatus::INCOMPLETE);
+    status.set_text(missingText_);
+  }
+  platform_->setUnattended(status.state() != HostingStatus::RUNNING);
   if (listeners_.hosting) listeners_.hosting(robot_.name, platform_->clock().now(), status);
 }
 

@@ -127,9 +127,6 @@ class RobotHost {
   /// Meanwhile the robot stands.
   void noteStuck(const std::string& what);
   bool isStuck() const { return !stuck_.empty(); }
-  /// Whether a part of the program that decides what the robot does is stuck or missing, so that it has to
-  /// stand.
-  bool isUnattended() const;
   /// Shuts the platform down before this object is destroyed.
   void endPlatform() { shutDown(); }
 
@@ -138,13 +135,16 @@ class RobotHost {
   /// Enqueues a request for the program, or has the platform fulfill it (STOP, motors, sonars). Fails if the
   /// platform refuses or if too many requests are waiting.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// To be called when the robot is put back to its start: its next program does not continue to its goal.
+  void beginAnew() { requests_.beginAnew(); }
   /// To be called before each step: passes the requests since the last step to the program.
   void enqueueRequests();
   /// Has a program in a process of its own compute from what the platform has sent. To be called in lockstep
   /// before each step, when no more requests come, and with threads after each step.
   void startStep() { program_->startStep(); }
-  /// To be called after each step: passes what the platform reports to the listener.
-  void reportPlatform();
+  /// To be called after each step: has the robot stand while a process that decides what it does is missing,
+  /// and passes what the platform reports to the listener.
+  void endStep();
   /// The results that the program will give in its next frames, each only once; null if there are none. Only
   /// in lockstep, between steps.
   std::shared_ptr<const robotlink::SharedDebugQueue> answersToCome();
@@ -161,8 +161,12 @@ class RobotHost {
   void record(ExecutorKind executor);
   /// Initializes the platform once, and reports how long that took.
   void setUp();
-  /// Passes where the program runs to the listener; a robot without one stands.
+  /// Passes where the program runs to the listener; a robot without one, or with a part of one, stands.
   void reportHosting();
+  /// To be called when a process that decides what the robot does is missing, or is back.
+  void noteMissing();
+  /// Passes what the platform reports to the listener.
+  void reportPlatform();
   /// Shuts the platform down, if there is one, and reports how long that took if it was set up.
   void shutDown();
   /// Passes a sentence about the platform to the listener.
@@ -186,6 +190,9 @@ class RobotHost {
   /// Since the last begin().
   ExecutorKind executor_ = ExecutorKind::kLockstep;
   std::string stuck_;
+  /// Whether all processes that decide what the robot does run, and a sentence when that has changed.
+  bool isComplete_ = true;
+  std::string missingText_;
   /// A sentence, when it has changed.
   std::string stuckText_;
   /// Whether initialize() was called for platform_.

@@ -141,10 +141,9 @@ void RealTimeProgram::step() {
   leftOver_.forgetEnded();
   host_.enqueueRequests();
   if (tap_) tap_->askForPackages();
-  if (spread_) host_.platform()->setUnattended(host_.isUnattended());
   executor_->step();
   host_.startStep();
-  host_.reportPlatform();
+  host_.endStep();
   if (tap_) tap_->endStep();
 }
 

@@ -364,7 +364,7 @@ void SimulatedRun::step() {
     for (const auto& robot : robots_) robot->startStep();
   }
   if (ports_) ports_->deliver();
-  for (const auto& robot : robots_) robot->reportPlatform();
+  for (const auto& robot : robots_) robot->endStep();
   if (kickOff_) watchGame();
   if (tap_) recordStep();
 }
@@ -387,6 +387,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   // Their processes must not read a clock that jumps.
   stopPrograms();
   world_->reset(seed);
+  for (const auto& robot : robots_) robot->beginAnew();
   if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;
   // Made again, so that what they have is that of the new world. If a file was broken just now, those of

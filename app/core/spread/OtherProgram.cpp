@@ -1,71 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/spread/OtherProgram.h"
 
+#include <unistd.h>
+
 #include <thread>
 
+#include "app/core/program/Abandoned.h"
+#include "app/core/program/ProgramExecutor.h"
 #include "app/core/program/RobotFiles.h"
 #include "robotlink/debugging/program/RobotProgram.h"
 
 namespace app {
 
 using robotlink::Errors;
+using robotlink::Process;
 
 namespace {
 
 constexpr std::chrono::milliseconds kOtherLook{10};
+/// How long the end of frames is waited for.
+constexpr std::chrono::milliseconds kOtherEnd{300};
+
+robotlink::ThreadExecutor::Options executorOptions(const std::function<void(const std::string&)>& report) {
+  return {.onFailed =
+              [report](const Process& process) {
+                report("Process " + process.name() + " was stopped because it threw: " + process.failure());
+              },
+          .onPriorityRefused =
+              [report](const Process& process, const std::string& why) {
+                report("Process " + process.name() + " runs with normal priority: " + why);
+              }};
+}
 
 }  // namespace
 
-OtherProgram::OtherProgram(Parts parts) : parts_(std::move(parts)) {}
+OtherProgram::Running::Running() = default;
+
+OtherProgram::Running::~Running() {
+  executor.reset();
+  program.reset();
+}
+
+OtherProgram::OtherProgram(Parts parts) : parts_(std::move(parts)), running_(std::make_shared<Running>()) {}
 
 OtherProgram::~OtherProgram() {
-  executor_.reset();
-  program_.reset();
+  const auto* executor = running_->executor.get();
+  if (executor == nullptr || running_->executor->stopWithin(kOtherEnd)) return;
+  // For the others it has ended.
+  running_->life.reset();
+  running_->presence.reset();
+  abandon(std::move(running_), [executor] { return executor->hasEnded(); });
 }
 
 tl::expected<std::unique_ptr<OtherProgram>, Errors> OtherProgram::create(Parts parts) {
   std::unique_ptr<OtherProgram> made(new OtherProgram(std::move(parts)));
-  if (Errors errors = made->make(); !errors.empty()) return tl::unexpected(std::move(errors));
+  for (const auto part : {&OtherProgram::join, &OtherProgram::make})
+    if (Errors errors = (made.get()->*part)(); !errors.empty()) return tl::unexpected(std::move(errors));
   return made;
 }
 
-Errors OtherProgram::make() {
-  const HostedRobot& robot = parts_.robot;
+/// Finds its place among the robot's programs.
+Errors OtherProgram::join() {
+  const std::string& robot = parts_.robot.name;
+  const std::string& name = parts_.options.program;
   const auto network = spreadNetworkOf(parts_.layout, parts_.options);
   if (!network) return {network.error()};
   auto node = robotlink::dds::Node::open(network->node);
   if (!node) return {node.error()};
-  node_ = std::move(*node);
+  running_->node = std::move(*node);
   auto presence = robotlink::dds::ProgramPresence::claim(
-      node_, {robot.name, parts_.options.program, robotlink::dds::ProgramPresence::here()}, parts_.report);
+      running_->node, {robot, name, robotlink::dds::ProgramPresence::here()}, parts_.report);
   if (!presence) return {presence.error()};
-  presence_ = std::move(*presence);
-  if (const auto followed = clock_.follow(node_, robot.name); !followed) return {followed.error()};
-  auto life = robotlink::dds::LifeSign::open(node_, robot.name);
+  running_->presence = std::move(*presence);
+  if (const auto followed = running_->clock.follow(running_->node, robot); !followed)
+    return {followed.error()};
+  auto life = robotlink::dds::LifeSign::open(running_->node, robot);
   if (!life) return {life.error()};
-  life_ = std::move(*life);
-  net_ = std::make_unique<robotlink::dds::ProgramNet>(
-      node_, robotlink::dds::ProgramNet::Identity{robot.name, parts_.options.program}, clock_,
+  running_->life = std::move(*life);
+  running_->net = std::make_unique<robotlink::dds::ProgramNet>(
+      running_->node, robotlink::dds::ProgramNet::Identity{robot, name}, running_->clock,
       robotlink::dds::ProgramNet::Behavior{{}, parts_.report});
-  platform_ = parts_.platform(clock_);
-  auto program = robotlink::RobotProgram::create(
-      {robot.name, robot.team, *robot.description, robot.field, robot.map}, parts_.layout, *platform_,
-      {.folder = parameterFolder(*robot.description), .recorded = {}},
-      robotlink::RobotProgram::Part{parts_.options.program, net_.get()});
-  if (!program) return program.error();
-  program_ = std::move(*program);
   parts_.report(network->note);
-  executor_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-      .onFailed =
-          [this](const robotlink::Process& process) {
-            parts_.report("Process " + process.name() +
-                          " was stopped because it threw: " + process.failure());
-          },
-      .onPriorityRefused =
-          [this](const robotlink::Process& process, const std::string& why) {
-            parts_.report("Process " + process.name() + " runs with normal priority: " + why);
-          }});
-  for (robotlink::Process* process : program_->processes()) executor_->add(*process);
+  return {};
+}
+
+Errors OtherProgram::make() {
+  const HostedRobot& robot = parts_.robot;
+  running_->platform = parts_.platform(running_->clock);
+  auto program = robotlink::RobotProgram::create(
+      {robot.name, robot.team, *robot.description, robot.field, robot.map}, parts_.layout,
+      *running_->platform, {.folder = parameterFolder(*robot.description), .recorded = {}},
+      robotlink::RobotProgram::Part{parts_.options.program, running_->net.get()});
+  if (!program) return program.error();
+  running_->program = std::move(*program);
+  running_->executor = std::make_unique<robotlink::ThreadExecutor>(executorOptions(parts_.report));
+  for (Process* process : running_->program->processes()) running_->executor->add(*process);
   return {};
 }
 
@@ -73,16 +102,42 @@ bool OtherProgram::run(double seconds, const std::function<bool()>& interrupted)
   const auto end = std::chrono::steady_clock::now() + robotlink::fromSeconds(seconds);
   while (!interrupted() && (seconds == 0 || std::chrono::steady_clock::now() < end)) {
     const bool before = begun_;
-    if (begin() && !before) parts_.report("The program with the platform runs.");
+    if (look() && !before) parts_.report("The program with the platform runs.");
     std::this_thread::sleep_for(kOtherLook);
   }
   return begun_;
 }
 
-bool OtherProgram::begin() {
-  if (begun_ || !clock_.isSet()) return begun_;
-  executor_->start();
-  return begun_ = true;
+bool OtherProgram::look() {
+  if (begun_) {
+    lookForStuck();
+  } else if (running_->clock.isSet()) {
+    running_->executor->start();
+    begun_ = true;
+  }
+  return begun_;
+}
+
+void OtherProgram::lookForStuck() {
+  for (const Process* process : running_->program->processes()) {
+    const bool isStuck = running_->executor->busyFor(*process) > parts_.patience;
+    if (isStuck == stuck_.contains(process)) continue;
+    const std::string name = "Process " + process->name();
+    if (isStuck) {
+      stuck_.insert(process);
+      const std::string task = taskOf(*process);
+      running_->program->noteStuck(process->name(), task);
+      parts_.report(
+          name + " does not return from " + task +
+          ". If it decides what the robot does, that stands meanwhile. A debugger looks at it with: "
+          "gdb -p " +
+          std::to_string(::getpid()));
+    } else {
+      stuck_.erase(process);
+      running_->program->noteStuck(process->name(), {});
+      parts_.report(name + " has returned and goes on.");
+    }
+  }
 }
 
 }  // namespace app

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "app/core/program/HostedRobot.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/spread/SpreadNetwork.h"
 #include "robotlink/dds/FollowedClock.h"
 #include "robotlink/dds/ProgramNet.h"
@@ -15,6 +17,7 @@
 
 namespace robotlink {
 class Platform;
+class Process;
 class RobotProgram;
 }  // namespace robotlink
 
@@ -22,7 +25,8 @@ namespace app {
 
 /// One of the programs that run the processes of a robot's layout, but not the one with the debug process and
 /// the platform: each of its processes runs in a thread, by the clock of that program. It goes on whatever
-/// the others do; what they send is missing while they do not run.
+/// the others do; what they send is missing while they do not run. A module that does not return is named
+/// here, and in the program with the platform, whose robot stands meanwhile.
 class OtherProgram {
  public:
   /// What it is made of. A plain value.
@@ -35,6 +39,8 @@ class OtherProgram {
     std::function<std::unique_ptr<robotlink::Platform>(const robotlink::Clock& clock)> platform;
     /// Called with sentences for the user, from any thread.
     std::function<void(const std::string& text)> report;
+    /// How long a frame may last before it counts as not returning.
+    std::chrono::milliseconds patience = kModulePatience;
   };
 
   /// Fails with all reasons why it cannot run. It ends when it is destroyed.
@@ -42,26 +48,36 @@ class OtherProgram {
   ~OtherProgram();
 
   /// To be called again and again: starts the processes when the program with the platform is heard for the
-  /// first time, since there is no time before. Returns whether they were started.
-  bool begin();
+  /// first time, since there is no time before, and looks whether their modules return. Returns whether they
+  /// were started.
+  bool look();
   /// Runs it until `seconds` of real time have passed (0: for ever) or `interrupted` says so. Returns whether
   /// the program with the platform was heard.
   bool run(double seconds, const std::function<bool()>& interrupted);
 
  private:
+  /// What exists as long as a module does not return.
+  struct Running {
+    robotlink::dds::FollowedClock clock;
+    std::shared_ptr<robotlink::dds::Node> node;
+    std::unique_ptr<robotlink::dds::ProgramPresence> presence;
+    std::unique_ptr<robotlink::dds::ProgramNet> net;
+    std::unique_ptr<robotlink::dds::LifeSign> life;
+    std::unique_ptr<robotlink::Platform> platform;
+    std::unique_ptr<robotlink::RobotProgram> program;
+    std::unique_ptr<robotlink::ThreadExecutor> executor;
+    Running();
+    ~Running();
+  };
   explicit OtherProgram(Parts parts);
+  robotlink::Errors join();
   robotlink::Errors make();
+  void lookForStuck();
 
   Parts parts_;
-  robotlink::dds::FollowedClock clock_;
-  std::shared_ptr<robotlink::dds::Node> node_;
-  std::unique_ptr<robotlink::dds::ProgramPresence> presence_;
-  std::unique_ptr<robotlink::dds::ProgramNet> net_;
-  std::unique_ptr<robotlink::dds::LifeSign> life_;
-  std::unique_ptr<robotlink::Platform> platform_;
-  std::unique_ptr<robotlink::RobotProgram> program_;
-  std::unique_ptr<robotlink::ThreadExecutor> executor_;
+  std::shared_ptr<Running> running_;
   bool begun_ = false;
+  std::set<const robotlink::Process*> stuck_;
 };
 
 }  // namespace app

@@ -73,6 +73,7 @@ struct DebugProcess::Implementation {
   void sendGoal(const Request& request);
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
+  bool isForLater(const Request& request, const AnySender& sender) const;
   std::string whyNobodyReceives(const AnySender& sender, const char* use) const;
   void sendToAll(const Request& request);
   /// `taken` is the checksum of the value that was passed on.
@@ -154,8 +155,8 @@ void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
 }
 
-bool DebugProcess::isUnattended() const {
-  return implementation_->others.isUnattended();
+std::string DebugProcess::missingProcess() const {
+  return implementation_->others.missingProcess();
 }
 
 void DebugProcess::addProgram(const std::string& program, const OtherPrograms::Questions& processes,
@@ -320,17 +321,28 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
   if (row == nullptr) return "a robot's program cannot do this; ask its platform or the simulation";
   const auto& [handle, sender, use] = row->handler;
   if (sender == nullptr) return "";
-  if (std::string why = whyNobodyReceives((this->*sender)(), use); !why.empty()) return why;
+  if (const std::string why = whyNobodyReceives((this->*sender)(), use); !why.empty())
+    return isForLater(request, (this->*sender)()) ? "" : why;
   // What is repeated was accepted before, perhaps beside motions that are still to come.
   const bool isNewMotion = request.has_set_motion() && !isRepeated(request);
   return isNewMotion ? motions.whyNot(request.set_motion().motion()) : "";
+}
+
+/// Whether a program that does not run now gets to know that something was taken back when it runs again: it
+/// must not continue to a goal that nobody wants any more.
+bool DebugProcess::Implementation::isForLater(const Request& request, const AnySender& sender) const {
+  const RequestKind& kind = kindOf(request);
+  const auto receiver = routes.packages.find(sender.package());
+  return kind.removes != nullptr && kind.removes(request) && receiver != routes.packages.end() &&
+         others.runs(receiver->second);
 }
 
 /// Empty if a task receives what is sent.
 std::string DebugProcess::Implementation::whyNobodyReceives(const AnySender& sender, const char* use) const {
   if (sender.connected()) return "";
   const auto receiver = routes.packages.find(sender.package());
-  const std::string why = receiver == routes.packages.end() ? "" : others.whyNot(receiver->second);
+  const std::string why =
+      receiver == routes.packages.end() ? "" : whyNotBy({receiver->second, receiver->second});
   return why.empty() ? std::string("no task of this layout ") + use : why;
 }
 

@@ -58,8 +58,9 @@ class DebugProcess final : public Process {
   void addProgram(const std::string& program,
                   const std::map<std::string, std::vector<robotcontrol::Request>>& processes,
                   const std::set<std::string>& commanding);
-  /// Whether a process of another program that decides what the platform does cannot be reached. Any thread.
-  bool isUnattended() const;
+  /// The name of a process of another program that decides what the platform does and cannot be reached;
+  /// empty if there is none. Any thread.
+  std::string missingProcess() const;
   /// Processes of other programs get a request, now and whenever their program was started again; the others
   /// do not. Call it before the process runs.
   void askOtherPrograms(const robotcontrol::Request& request);

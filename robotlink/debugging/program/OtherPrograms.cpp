@@ -6,6 +6,7 @@
 
 #include "robotlink/debugging/ProcessChannel.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/program/ProcessTable.h"
 
 namespace robotlink {
 
@@ -27,7 +28,10 @@ void OtherPrograms::add(const std::string& program, std::vector<ProcessChannel*>
       std::make_unique<Receiver<ProcessTable>>(debugProcess_, "debug/processes/" + program, Blocking::kNo);
   for (ProcessChannel* channel : channels) {
     const std::string& process = channel->process();
-    added.seats.push_back({channel, 0, std::move(questions[process]), commanding.contains(process)});
+    Seat& seat = added.seats.emplace_back();
+    seat.channel = channel;
+    seat.questions = std::move(questions[process]);
+    seat.isCommanding = commanding.contains(process);
   }
 }
 
@@ -40,11 +44,13 @@ bool OtherPrograms::isCommanding(const Program& program) {
   return std::ranges::any_of(program.seats, &Seat::isCommanding);
 }
 
-bool OtherPrograms::isUnattended() const {
-  return std::ranges::any_of(programs_, [](const Program& program) {
-    return std::ranges::any_of(
-        program.seats, [](const Seat& seat) { return seat.isCommanding && !seat.channel->connected(); });
-  });
+std::string OtherPrograms::missingProcess() const {
+  for (const Program& program : programs_) {
+    for (const Seat& seat : program.seats) {
+      if (seat.isCommanding && (seat.isStuck || !seat.channel->connected())) return seat.channel->process();
+    }
+  }
+  return {};
 }
 
 std::vector<std::string> OtherPrograms::update() {
@@ -67,8 +73,21 @@ std::vector<std::string> OtherPrograms::update() {
                      "; start it again.");
     }
     program.running = running;
+    for (Seat& seat : program.seats) {
+      if (std::string text = followStuck(program, seat); !text.empty()) news.push_back(std::move(text));
+    }
   }
   return news;
+}
+
+std::string OtherPrograms::followStuck(const Program& program, Seat& seat) {
+  const auto* row = program.running ? rowOf(program, seat.channel->process()) : nullptr;
+  const bool isStuck = row != nullptr && row->state().starts_with(kDoesNotReturn);
+  if (seat.isStuck.exchange(isStuck) == isStuck || row == nullptr) return {};
+  const std::string who = "Process " + row->name() + " of program " + program.name;
+  if (!isStuck) return who + " has returned and goes on.";
+  return who + " " + row->state() + "." +
+         (seat.isCommanding ? " The robot stands until it returns or its program is started again." : "");
 }
 
 /// A program that was started again, or that was out of reach, gets all requests that still matter.
@@ -99,13 +118,20 @@ std::string OtherPrograms::stateOf(const Program& program, const std::string& pr
   return seatOf(program, process)->channel->connected() ? "running" : "stopped";
 }
 
+bool OtherPrograms::runs(const std::string& process) const {
+  return std::ranges::any_of(programs_,
+                             [&](const Program& program) { return seatOf(program, process) != nullptr; });
+}
+
 std::string OtherPrograms::whyNot(const std::string& process) const {
   for (const Program& program : programs_) {
     if (seatOf(program, process) == nullptr) continue;
     if (!program.running)
       return "program " + program.name + ", which runs process " + process + ", does not run";
     const std::string state = stateOf(program, process);
-    return state == "running" ? "" : "process " + process + " of program " + program.name + " has " + state;
+    if (state == "running") return "";
+    const bool isStuck = state.starts_with(kDoesNotReturn);
+    return "process " + process + " of program " + program.name + (isStuck ? " " : " has ") + state;
   }
   return "";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
@@ -17,8 +18,8 @@ namespace robotlink {
 class ProcessChannel;
 
 /// What the debug process knows of the programs that run the other processes of its layout: whether they
-/// run, and what they were asked for, which a program gets again when it was started again. Used by the debug
-/// process; internal to this folder.
+/// run and their processes return, and what they were asked for, which a program gets again when it was
+/// started again. Used by the debug process; internal to this folder.
 class OtherPrograms {
  public:
   explicit OtherPrograms(Process& debugProcess) : debugProcess_(debugProcess) {}
@@ -32,9 +33,11 @@ class OtherPrograms {
   /// Looks who came and went since the last call. Returns a sentence for each program that did.
   std::vector<std::string> update();
 
-  /// Whether a process that decides what the platform does cannot be reached, so that the robot has to stand.
-  /// Any thread.
-  bool isUnattended() const;
+  /// The name of a process that decides what the platform does and cannot be reached, or does not return, so
+  /// that the robot has to stand; empty if there is none. Any thread.
+  std::string missingProcess() const;
+  /// Whether a process belongs to one of them.
+  bool runs(const std::string& process) const;
   /// Why a process can do nothing now, as "program vision, which runs process ball, does not run"; empty if
   /// it can, or if it runs in this program.
   std::string whyNot(const std::string& process) const;
@@ -49,17 +52,19 @@ class OtherPrograms {
  private:
   /// A process of another program.
   struct Seat {
-    ProcessChannel* channel;
+    ProcessChannel* channel = nullptr;
     /// The generation of its link when it was asked for everything.
     std::uint64_t generation = 0;
     std::vector<robotcontrol::Request> questions = {};
     bool isCommanding = false;
     std::vector<robotcontrol::Request> remembered = {};
+    /// Its program says that it does not return.
+    std::atomic<bool> isStuck{false};
   };
   struct Program {
     std::string name;
     std::unique_ptr<Receiver<robotcontrol::ProcessTable>> table;
-    std::vector<Seat> seats;
+    std::deque<Seat> seats;
     bool running = false;
     bool ranBefore = false;
     std::uint64_t generation = 0;
@@ -67,6 +72,8 @@ class OtherPrograms {
   static bool isConnected(const Program& program);
   static bool isCommanding(const Program& program);
   void askAgain(Seat& seat);
+  /// Looks whether a process returns. Returns a sentence if that has changed.
+  static std::string followStuck(const Program& program, Seat& seat);
   static const robotcontrol::ProcessTable::Process* rowOf(const Program& program, const std::string& process);
   static const Seat* seatOf(const Program& program, const std::string& process);
   /// "running", "stopped", "failed: ...", while its program runs.

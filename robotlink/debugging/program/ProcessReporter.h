@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,9 @@ class ProcessReporter final : public Process {
 
   /// Adds a process, which must outlive this object. Before it runs.
   void watch(const Process& process) { watched_.push_back(&process); }
+  /// Notes the task from which a process does not return, as in "ball-percept (region)"; empty: it has
+  /// returned. Any thread.
+  void noteStuck(const std::string& process, const std::string& task);
 
  protected:
   void execute() override;
@@ -25,6 +30,9 @@ class ProcessReporter final : public Process {
  private:
   Sender<robotcontrol::ProcessTable> table_;
   std::vector<const Process*> watched_;
+  /// Protects stuck_: tasks by process.
+  std::mutex mutex_;
+  std::map<std::string, std::string> stuck_;
 };
 
 }  // namespace robotlink

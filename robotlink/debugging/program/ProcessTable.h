@@ -7,6 +7,9 @@ namespace robotlink {
 
 class Process;
 
+/// How the state of a process begins whose task does not return; that task follows.
+inline constexpr char kDoesNotReturn[] = "does not return from ";
+
 /// Describes a process's state and its senders and receivers, but not its tasks, which it does not know. Any
 /// thread.
 void describe(const Process& process, robotcontrol::ProcessTable::Process& to);

@@ -69,7 +69,9 @@ struct RobotProgram::Implementation {
   TaskCatalog catalog = registeredTasks();
   std::vector<std::unique_ptr<Process>> owned;
   std::vector<Process*> processes;
+  /// One of the two is null.
   DebugProcess* debugProcess = nullptr;
+  ProcessReporter* reporter = nullptr;
   /// The platform, and what decides here what it does.
   std::vector<const Process*> commandedBy;
 };
@@ -170,9 +172,10 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
     }
   }
   if (debugProcess == nullptr) {
-    auto reporter = std::make_unique<ProcessReporter>(part.program, clock);
-    for (const auto& process : owned) reporter->watch(*process);
-    owned.push_back(std::move(reporter));
+    auto made = std::make_unique<ProcessReporter>(part.program, clock);
+    for (const auto& process : owned) made->watch(*process);
+    reporter = made.get();
+    owned.push_back(std::move(made));
   }
   for (const auto& process : owned) processes.push_back(process.get());
   return errors;
@@ -296,16 +299,21 @@ bool RobotProgram::hasDebugProcess() const {
 DebugProcess::Tables RobotProgram::tables(const std::map<std::string, std::string>& chosenSolutions) const {
   return implementation_->tables(chosenSolutions);
 }
-bool RobotProgram::isUnattended() const {
-  // A receiver that no task sends to has no peer.
-  const auto isCut = [](const AnyReceiver* receiver) {
-    return !receiver->peer().empty() && !receiver->connected();
-  };
-  const auto isMissingSomething = [&](const Process* process) {
-    return std::ranges::any_of(process->receivers(), isCut);
-  };
-  return std::ranges::any_of(implementation_->commandedBy, isMissingSomething) ||
-         implementation_->debugProcess->isUnattended();
+std::string RobotProgram::missingProcess() const {
+  for (const Process* process : implementation_->commandedBy) {
+    // What has stopped has closed its ends itself.
+    if (process->stopped()) return process->name();
+    for (const AnyReceiver* receiver : process->receivers()) {
+      if (receiver->connected()) continue;
+      // A receiver that no task sends to has no peer.
+      if (std::string peer = receiver->peer(); !peer.empty()) return peer;
+    }
+  }
+  return implementation_->debugProcess->missingProcess();
+}
+
+void RobotProgram::noteStuck(const std::string& process, const std::string& task) {
+  implementation_->reporter->noteStuck(process, task);
 }
 
 std::vector<std::string> RobotProgram::yieldedPackages() const {

@@ -61,10 +61,14 @@ class RobotProgram {
   /// The tables of the processes here as they would be if the solutions in `chosenSolutions` (by task) were
   /// active. While no process runs.
   DebugProcess::Tables tables(const std::map<std::string, std::string>& chosenSolutions) const;
-  /// Whether a process that decides what the platform does, directly or through others, cannot be heard: it
-  /// was stopped, or its program has ended, is of another version, or was out of reach for so long that its
-  /// links are closed. The robot has to stand then. Only if hasDebugProcess(); any thread.
-  bool isUnattended() const;
+  /// The name of a process that decides what the platform does, directly or through others, and cannot be
+  /// heard: it was stopped, such as by an exception, or its program has ended, is of another version, or was
+  /// out of reach for so long that its links are closed. The robot has to stand then. Empty: all are there.
+  /// Only if hasDebugProcess(); any thread.
+  std::string missingProcess() const;
+  /// Notes the task from which a process does not return, as in "ball-percept (region)", for the program with
+  /// the debug process; empty: it has returned. Only without hasDebugProcess(); any thread.
+  void noteStuck(const std::string& process, const std::string& task);
 
   /// All packages that its tasks yield, but not those of the platform or the debug process. Sorted.
   std::vector<std::string> yieldedPackages() const;

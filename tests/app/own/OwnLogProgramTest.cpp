@@ -7,6 +7,7 @@
 #include "robotcontrol/Hosting.pb.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Packages.h"
+#include "tests/app/own/TroubleLayout.h"
 #include "tests/app/replay/ReplayFixture.h"
 
 namespace app {
@@ -50,10 +51,7 @@ class OwnLogProgramTest : public testing::Test {
   /// A log on which a program in its own process runs with this solution.
   void play(const std::string& solution) {
     ReplayOptions troubled = options(true);
-    troubled.layout = folder_->write("trouble.yaml",
-                                     "version: 1\nname: trouble\nprocesses:\n"
-                                     "  - name: worker\n    period_ms: 8\n    tasks:\n      - trouble: " +
-                                         solution + "\n  - {name: debug, debug: true, period_ms: 16}\n");
+    troubled.layout = folder_->write("trouble.yaml", test::troubleLayout(solution));
     troubled.own.patience = std::chrono::milliseconds(200);
     ReplayRun::Listeners listeners;
     listeners.hosting = [this](const std::string&, robotlink::Instant, const HostingStatus& status) {

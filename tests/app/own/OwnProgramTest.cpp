@@ -16,6 +16,7 @@
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
+#include "tests/app/own/TroubleLayout.h"
 
 using namespace app;
 using robotcontrol::HostingStatus;
@@ -74,10 +75,7 @@ class OwnProgramTest : public ::testing::Test {
     RunOptions options;
     options.scene = robotlink::resource("scenes/house.map");
     options.robots = simcore::RobotsToAdd{.model = "p3at", .count = 2};
-    options.layout = folder_.write("trouble.yaml",
-                                   "version: 1\nname: trouble\nprocesses:\n"
-                                   "  - name: worker\n    period_ms: 8\n    tasks:\n      - trouble: " +
-                                       solution + "\n  - {name: debug, debug: true, period_ms: 16}\n");
+    options.layout = folder_.write("trouble.yaml", test::troubleLayout(solution, otherProcesses_));
     options.hosting.ownProcesses = true;
     options.hosting.threads = executor_ == ExecutorKind::kThreads;
     options.own.executable = OWN_PROGRAM_CHILD;
@@ -108,6 +106,8 @@ class OwnProgramTest : public ::testing::Test {
     return run_->world().clock().now() == before + 20 * SimulatedWorld::kStep;
   }
 
+  /// Further processes of that layout, each with its lines.
+  std::string otherProcesses_;
   TestFolder folder_;
   ExecutorKind executor_ = ExecutorKind::kLockstep;
   ProgramEars ears_;
@@ -184,12 +184,18 @@ TEST_F(OwnProgramTest, aModuleThatTakesAllMemoryIsStopped) {
 #ifdef ROBOTCONTROL_SANITIZED
   GTEST_SKIP() << "sanitizers need more memory than a program is left";
 #endif
+  otherProcesses_ = test::kTroubleDriver;
   play("memory");
   ASSERT_TRUE(run_);
-  for (int i = 0; i < 20 && ears_.troubles.empty() && state() == HostingStatus::RUNNING; ++i) run_->step();
-  steps(5);
+  EXPECT_TRUE(goesOnAfter(HostingStatus::INCOMPLETE));
   ASSERT_FALSE(ears_.troubles.empty());
   EXPECT_THAT(ears_.troubles.front(), HasSubstr("trouble (memory): std::bad_alloc"));
+  EXPECT_THAT(status().text(), HasSubstr("Process worker, which decides what " + first_ + " does"));
+  EXPECT_THAT(status().text(), HasSubstr("The robot stands"));
+  HostProgram again;
+  again.set_start_again(true);
+  ASSERT_EQ(robotlink::describe(run_->hostProgram(first_, again)), "");
+  EXPECT_EQ(state(), HostingStatus::RUNNING);
 }
 
 TEST_F(OwnProgramTest, anEndlessLoopIsNamedAndTheRobotStands) {

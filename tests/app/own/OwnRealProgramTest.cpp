@@ -16,6 +16,7 @@
 #include "robotlink/session/QueueMessages.h"
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
+#include "tests/app/own/TroubleLayout.h"
 #include "tests/app/served/ServedWorld.h"
 
 namespace {
@@ -29,15 +30,13 @@ using testing::HasSubstr;
 class OwnRealProgramTest : public testing::Test {
  protected:
   void play(const std::string& solution, bool own = true) {
-    layout_ = folder_.write("trouble.yaml",
-                            "version: 1\nname: trouble\nprocesses:\n"
-                            "  - name: worker\n    period_ms: 8\n    tasks:\n      - trouble: " +
-                                solution + "\n  - {name: debug, debug: true, period_ms: 16}\n");
+    layout_ = folder_.write("trouble.yaml", test::troubleLayout(solution, otherProcesses_));
     playLayout(layout_, own);
   }
   void playLayout(const std::filesystem::path& layout, bool own = true) {
-    RealRobotOptions options = pioneerOptions(world_.url());
+    RealRobotOptions options = pioneerOptions(world_.url(), motors_);
     options.program.layout = layout;
+    options.program.solutions = solutions_;
     options.program.hosting.ownProcesses = own;
     options.program.own.executable = OWN_PROGRAM_CHILD;
     options.program.own.patience = 300ms;
@@ -94,6 +93,25 @@ class OwnRealProgramTest : public testing::Test {
     asked.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
     EXPECT_TRUE(run_->request(asked));
   }
+  /// Goals need no map here: straight on, by the odometry.
+  void driveToGoal(double x, bool own) {
+    solutions_ = {{"path-planning", "direct"}, {"self-localisation", "wheel-odometry"}};
+    motors_ = true;
+    playLayout(robotlink::resource("layouts/pioneer.yaml"), own);
+    auto goal = request();
+    goal.mutable_set_goal()->mutable_pose_in_field()->set_x(x);
+    goal.mutable_set_goal()->set_any_heading(true);
+    ASSERT_TRUE(run_->request(goal));
+  }
+  bool drivesOn() {
+    const double from = world_.x();
+    return playUntil([&] { return world_.x() > from + 0.1; });
+  }
+  void startAgain() {
+    HostProgram again;
+    again.set_start_again(true);
+    choose(again);
+  }
   void choose(const HostProgram& choice) {
     ASSERT_EQ(robotlink::describe(run_->hostProgram("p3at1", choice)), "");
   }
@@ -106,6 +124,10 @@ class OwnRealProgramTest : public testing::Test {
   ServedWorld world_;
   const TestFolder folder_;
   std::filesystem::path layout_;
+  /// Further processes of a layout with trouble, each with its lines.
+  std::string otherProcesses_;
+  std::map<std::string, std::string> solutions_;
+  bool motors_ = false;
   std::mutex mutex_;  // protects the next three
   std::map<std::string, std::shared_ptr<const google::protobuf::Message>> newest_;
   int queues_ = 0;
@@ -162,6 +184,37 @@ TEST_F(OwnRealProgramTest, aProgramThatEndedIsStartedAgain) {
   EXPECT_TRUE(isConnected()) << "the robot stayed connected";
 }
 
+TEST_F(OwnRealProgramTest, aProgramThatIsStartedAgainGoesOnToItsGoalUnlessThatWasCancelled) {
+  driveToGoal(4.5, true);
+  ASSERT_TRUE(drivesOn());
+  ASSERT_EQ(::kill(static_cast<pid_t>(hosting_.pid()), SIGKILL), 0);
+  ASSERT_TRUE(onlyTheProgramEnds());
+  startAgain();
+  ASSERT_TRUE(drivesOn());
+  ASSERT_EQ(::kill(static_cast<pid_t>(hosting_.pid()), SIGKILL), 0);
+  ASSERT_TRUE(onlyTheProgramEnds());
+  auto cancelled = request();
+  cancelled.mutable_set_goal()->set_cancelled(true);
+  const auto refused = run_->request(cancelled);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text, HasSubstr("its goal is forgotten"));
+  startAgain();
+  ASSERT_TRUE(playUntil([&] { return world_.motorsOn(); }));
+  const double from = world_.x();
+  const int before = queues();
+  ASSERT_TRUE(playUntil([&] { return queues() > before + 60; }));
+  EXPECT_LT(world_.x() - from, 0.05);
+}
+
+TEST_F(OwnRealProgramTest, aProgramThatMovesToItsOwnProcessGoesOnToItsGoal) {
+  driveToGoal(4.5, false);
+  ASSERT_TRUE(drivesOn());
+  HostProgram own;
+  own.set_where(HostProgram::OWN_PROCESS);
+  choose(own);
+  EXPECT_TRUE(drivesOn());
+}
+
 TEST_F(OwnRealProgramTest, abortAndExitEndOnlyTheProgram) {
   play("abort");
   ASSERT_TRUE(onlyTheProgramEnds());
@@ -183,13 +236,16 @@ TEST_F(OwnRealProgramTest, aModuleThatTakesAllMemoryIsStopped) {
 #ifdef ROBOTCONTROL_SANITIZED
   GTEST_SKIP() << "sanitizers need more memory than a program is left";
 #endif
+  otherProcesses_ = test::kTroubleDriver;
   play("memory");
   EXPECT_TRUE(playUntil([&] {
     const std::lock_guard lock(mutex_);
     return troubles_.find("trouble (memory): std::bad_alloc") != std::string::npos;
   })) << hosting_.text();
   // Allocating so much may have taken longer than the patience.
-  EXPECT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::RUNNING; }));
+  EXPECT_TRUE(playUntil([&] { return hosting_.state() == HostingStatus::INCOMPLETE; }));
+  EXPECT_THAT(hosting_.text(), HasSubstr("Process worker, which decides what p3at1 does"));
+  EXPECT_TRUE(run_->platform().unattended());
 }
 
 TEST_F(OwnRealProgramTest, anEndlessLoopIsNamedTheRestGoesOnAndTheRobotStands) {

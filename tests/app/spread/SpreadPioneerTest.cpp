@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Pioneer whose layout is spread over two programs; here both are parts of the test.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <atomic>
 #include <mutex>
 
 #include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/pioneer/PioneerPlatform.h"
+#include "app/core/program/Abandoned.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/ShippedFiles.h"
@@ -14,8 +16,11 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
 #include "tests/Eventually.h"
+#include "tests/TestFolder.h"
 #include "tests/app/served/ServedWorld.h"
 #include "tests/robotlink/dds/TestNodes.h"
 
@@ -26,6 +31,35 @@ namespace {
 const std::map<std::string, std::string> kSolutions{{"path-planning", "direct"},
                                                     {"self-localisation", "wheel-odometry"}};
 
+/// Plans nothing, and does not return while it is told to hang.
+class HangingPlan final : public robotlink::Solution {
+ public:
+  static inline std::atomic<bool> shallHang{false};
+
+  explicit HangingPlan(robotlink::SolutionContext& context) : state_(context.input(robotlink::kDriveState)) {}
+  void execute() override { shallHang.wait(true); }
+  static void setHanging(bool hanging) {
+    shallHang = hanging;
+    shallHang.notify_all();
+  }
+
+ private:
+  robotlink::Input<robotcontrol::DriveState> state_;
+};
+
+const robotlink::SolutionRegistration kHangingPlan =
+    robotlink::SolutionBuilder<HangingPlan>("spread-test", "hang", "Never returns.")
+        .needs(robotlink::kDriveState)
+        .yields(robotlink::kDrivePath);
+
+constexpr char kHangingLayout[] =
+    "version: 1\nname: hanging\nhelp: A process that hangs in a program of its own.\nprocesses:\n"
+    "  - {name: planning, blocking: [drive/state], tasks: [spread-test: hang]}\n"
+    "  - name: driving\n    blocking: [drive/state]\n    tasks:\n      - self-localisation: wheel-odometry\n"
+    "      - driving: follow-path\n      - obstacle-avoidance: vector-field\n"
+    "  - {name: debug, debug: true, period_ms: 16}\n"
+    "programs:\n  - {name: plan, processes: [planning]}\n  - {name: drive, processes: [driving, debug]}\n";
+
 class SpreadPioneerTest : public testing::Test {
  protected:
   static SpreadOptions partOf(const std::string& program) {
@@ -34,12 +68,13 @@ class SpreadPioneerTest : public testing::Test {
   /// The program with the platform and the debug process.
   void startDrive() {
     RealRobotOptions options = pioneerOptions(world_.url(), true);
-    options.program.layout = layoutNamed("pioneer-programs");
-    options.program.solutions = kSolutions;
+    options.program.layout = layout_;
+    options.program.solutions = solutions_;
     options.program.spread = partOf("drive");
     RealRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);
+      ++queues_;
       for (const auto& result : robotlink::messagesOf(robot, *queue, {}).results)
         accepted_ = accepted_ || (result->id() == kGoalId && result->accepted());
     };
@@ -51,13 +86,18 @@ class SpreadPioneerTest : public testing::Test {
   void startPlan() {
     OtherProgram::Parts parts{
         .robot = {.name = "p3at1", .description = *readRobot("p3at"), .field = *readField({})},
-        .layout = *readLayoutWith(layoutNamed("pioneer-programs"), kSolutions),
+        .layout = *readLayoutWith(layout_, solutions_),
         .options = partOf("plan"),
         .platform = [this](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
           return std::make_unique<PioneerPlatform>(clock, "p3at1", **readRobot("p3at"),
                                                    PioneerDriver::Options{.address = world_.url()});
         },
-        .report = [](const std::string&) {}};
+        .report =
+            [this](const std::string& text) {
+              const std::lock_guard lock(mutex_);
+              reports_ += text + "\n";
+            },
+        .patience = std::chrono::milliseconds(300)};
     auto plan = OtherProgram::create(std::move(parts));
     ASSERT_TRUE(plan) << robotlink::describe(plan.error());
     plan_ = std::move(*plan);
@@ -65,7 +105,7 @@ class SpreadPioneerTest : public testing::Test {
   bool playUntil(const std::function<bool()>& happens) {
     return eventually([&] {
       run_->step();
-      if (plan_) plan_->begin();
+      if (plan_) plan_->look();
       return happens();
     });
   }
@@ -81,11 +121,35 @@ class SpreadPioneerTest : public testing::Test {
       EXPECT_TRUE(run_->request(request));
       for (int i = 0; i < 10; ++i) {
         run_->step();
-        plan_->begin();
+        plan_->look();
       }
       const std::lock_guard lock(mutex_);
       return accepted_;
     });
+  }
+  /// While the program that plans is missing, nobody else would tell it later.
+  void cancelGoal() {
+    robotcontrol::Request request;
+    request.set_id(kGoalId);
+    request.set_robot("p3at1");
+    request.mutable_set_goal()->set_cancelled(true);
+    accepted_ = false;
+    EXPECT_TRUE(run_->request(request));
+    EXPECT_TRUE(playUntil([this] {
+      const std::lock_guard lock(mutex_);
+      return accepted_;
+    }));
+  }
+  /// How far it drives while the program publishes so many queues, about a second, m.
+  double wayDuring(int queues) {
+    const double from = world_.x();
+    const auto count = [this] {
+      const std::lock_guard lock(mutex_);
+      return queues_;
+    };
+    const int before = count();
+    EXPECT_TRUE(playUntil([&] { return count() >= before + queues; }));
+    return world_.x() - from;
   }
   bool drivesOn() {
     const double from = world_.x();
@@ -93,9 +157,13 @@ class SpreadPioneerTest : public testing::Test {
   }
   bool stands() const { return run_->platform().unattended() && !world_.motorsOn(); }
 
+  std::filesystem::path layout_ = layoutNamed("pioneer-programs");
+  std::map<std::string, std::string> solutions_ = kSolutions;
   ServedWorld world_;
   std::mutex mutex_;  // protects what follows
   bool accepted_ = false;
+  int queues_ = 0;
+  std::string reports_;
   std::unique_ptr<RealRun> run_;
   std::unique_ptr<OtherProgram> plan_;
 };
@@ -113,6 +181,52 @@ TEST_F(SpreadPioneerTest, itStandsWhileTheProgramThatPlansIsMissingAndThenGoesOn
     ASSERT_TRUE(playUntil([&] { return !stands(); }));
     EXPECT_TRUE(drivesOn());
   }
+}
+
+TEST_F(SpreadPioneerTest, itDoesNotGoOnToAGoalThatWasCancelledWhileTheProgramThatPlansWasMissing) {
+  startDrive();
+  startPlan();
+  ASSERT_TRUE(setGoal(4.5));
+  ASSERT_TRUE(drivesOn());
+  plan_.reset();
+  ASSERT_TRUE(playUntil([&] { return stands(); }));
+  cancelGoal();
+  startPlan();
+  ASSERT_TRUE(playUntil([&] { return !stands(); }));
+  EXPECT_LT(wayDuring(60), 0.05);
+}
+
+TEST_F(SpreadPioneerTest, itStandsWhileAModuleOfTheProgramThatPlansDoesNotReturn) {
+  const TestFolder folder;
+  layout_ = folder.write("hanging.yaml", kHangingLayout);
+  solutions_.clear();
+  startDrive();
+  startPlan();
+  ASSERT_TRUE(playUntil([&] { return !run_->platform().unattended() && world_.motorsOn(); }));
+  HangingPlan::setHanging(true);
+  EXPECT_TRUE(playUntil([&] { return stands(); }));
+  {
+    const std::lock_guard lock(mutex_);
+    EXPECT_THAT(reports_, testing::HasSubstr("Process planning does not return from spread-test (hang)"));
+    EXPECT_THAT(reports_, testing::HasSubstr("gdb -p"));
+  }
+  HangingPlan::setHanging(false);
+  EXPECT_TRUE(playUntil([&] { return !run_->platform().unattended(); }));
+}
+
+TEST_F(SpreadPioneerTest, aProgramEndsAlthoughOneOfItsModulesDoesNotReturn) {
+  const TestFolder folder;
+  layout_ = folder.write("hanging.yaml", kHangingLayout);
+  solutions_.clear();
+  startDrive();
+  startPlan();
+  ASSERT_TRUE(playUntil([&] { return !run_->platform().unattended(); }));
+  HangingPlan::setHanging(true);
+  EXPECT_TRUE(playUntil([&] { return stands(); }));
+  plan_.reset();
+  EXPECT_EQ(abandonedCount(), 1);
+  HangingPlan::setHanging(false);
+  EXPECT_TRUE(eventually([] { return abandonedCount() == 0; }));
 }
 
 }  // namespace

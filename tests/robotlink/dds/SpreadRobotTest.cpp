@@ -149,7 +149,7 @@ TEST_F(SpreadRobotTest, aProgramThatWouldTakeWhatTheUserSendsIsNamedIfItDoesNotR
 }
 
 TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProgramThatDecidesThroughOthersIsMissing) {
-  const auto unattended = [&] { return body_.program().isUnattended(); };
+  const auto unattended = [&] { return !body_.program().missingProcess().empty(); };
   EXPECT_TRUE(unattended()) << "what the platform takes comes from here, but the head decides about it";
   for (int i = 0; i < 2; ++i) {
     startHead();
@@ -161,9 +161,21 @@ TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProgramThatDecidesThroughOther
 
 TEST_F(SpreadRobotTest, theRobotIsUnattendedIfAProcessElsewhereThatDecidesHasStopped) {
   startHead();
-  ASSERT_TRUE(until([&] { return !body_.program().isUnattended() && stateOf("cognition") != ""; }));
+  ASSERT_TRUE(until([&] { return body_.program().missingProcess().empty() && stateOf("cognition") != ""; }));
   select("ball-model", "throwing");
-  EXPECT_TRUE(until([&] { return body_.program().isUnattended(); }));
+  EXPECT_TRUE(until([&] { return !body_.program().missingProcess().empty(); }));
+}
+
+TEST_F(SpreadRobotTest, theRobotIsUnattendedWhileAProcessElsewhereThatDecidesDoesNotReturn) {
+  startHead();
+  ASSERT_TRUE(until([&] { return body_.program().missingProcess().empty() && stateOf("cognition") != ""; }));
+  head_->program().noteStuck("cognition", "ball-model (last)");
+  EXPECT_TRUE(until([&] { return body_.program().missingProcess() == "cognition"; }));
+  EXPECT_TRUE(until([&] { return stateOf("cognition") == "does not return from ball-model (last)"; }));
+  EXPECT_EQ("process cognition of program head does not return from ball-model (last)",
+            select("behavior", "obey"));
+  head_->program().noteStuck("cognition", {});
+  EXPECT_TRUE(until([&] { return body_.program().missingProcess().empty(); }));
 }
 
 TEST_F(SpreadRobotTest, theParametersOfAProgramComeWheneverItBegins) {
