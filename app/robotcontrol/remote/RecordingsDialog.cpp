@@ -61,7 +61,7 @@ RecordingsDialog::RecordingsDialog(Workbench& workbench, CommandActions& actions
   createProgress();
   createButtons();
   connectSignals();
-  setMinimumWidth(fontMetrics().averageCharWidth() * 100);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 112);
   enableButtons();
 }
 

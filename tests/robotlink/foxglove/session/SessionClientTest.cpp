@@ -422,68 +422,6 @@ TEST_F(SessionClientTest, aResetInTheFirstSecondIsKnownByTheStreamsOfTheWorld) {
   EXPECT_EQ(session_.store().newest(), Instant(1008ms));
 }
 
-TEST(SessionClientOfAForeignServer, isOneRobotWhoseMessagesAreDecoded) {
-  const auto server = Server::make({.name = "foxglove bridge"}, {});
-  const auto channels =
-      server->addChannels({{"/battery", "json", "Battery",
-                            R"({"type":"object","properties":{"volts":{"type":"number"}}})", "jsonschema"},
-                           {"/rosout", "protobuf", "foxglove.Log", "", "protobuf"},
-                           {"/camera", "protobuf", "foxglove.RawImage", "", "protobuf"},
-                           {"/cloud", "flatbuffer", "foxglove.PointCloud", "table", "flatbuffer"},
-                           {"/scan/width", "cdr", "std_msgs/msg/UInt32", "uint32 data"},
-                           {"/old/width", "ros1", "std_msgs/UInt32", "uint32 data", "ros1msg"},
-                           {"/status", "ros1", "rosgraph_msgs/Log", "string msg", "ros1msg"}});
-  Listener::Options listening;
-  listening.address.port = 0;
-  const auto listener = *Listener::open(server, listening);
-  Session session;
-  SessionClient::Options options;
-  options.connection.url = {false, "127.0.0.1", listener->address().port, "/"};
-  SessionClient client(session, options);
-  const auto soon = [&](const auto& condition) {
-    return eventually([&] {
-      client.tick();
-      session.tick();
-      return condition();
-    });
-  };
-  EXPECT_TRUE(soon([&] { return channels[0]->isWanted() && channels[1]->isWanted(); }));
-  EXPECT_THAT(client.robots(), ElementsAre("foxglove_bridge"));
-  EXPECT_FALSE(channels[2]->isWanted());
-  EXPECT_FALSE(channels[3]->isWanted());
-  channels[0]->publish(Instant(1s), R"({"volts": 11.5})");
-  foxglove::Log text;
-  text.set_message("hello");
-  channels[1]->publish(Instant(1s), text.SerializeAsString());
-  EXPECT_TRUE(soon([&] { return session.store().find("foxglove_bridge/battery") != nullptr; }));
-  EXPECT_TRUE(soon([&] { return session.store().find("foxglove_bridge/log") != nullptr; }));
-  EXPECT_TRUE(soon([&] { return channels[4]->isWanted() && channels[5]->isWanted(); }));
-  channels[4]->publish(Instant(1s), std::string("\0\1\0\0\7\0\0\0", 8));
-  channels[5]->publish(Instant(1s), std::string("\10\0\0\0", 4));
-  const auto shown = [&](const std::string& stream) {
-    const auto* message = session.store().latest("foxglove_bridge/" + stream, Instant::max());
-    return message == nullptr ? std::string() : message->value->ShortDebugString();
-  };
-  EXPECT_TRUE(soon([&] { return shown("scan/width") == "data: 7" && shown("old/width") == "data: 8"; }))
-      << shown("scan/width") << shown("old/width");
-  EXPECT_TRUE(soon([&] { return channels[6]->isWanted(); }));
-  channels[6]->publish(Instant(2s), std::string("\2\0\0\0hi", 6));
-  EXPECT_TRUE(soon([&] { return shown("log").find("\"hi\"") != std::string::npos; }))
-      << "texts of ROS are where all texts are: " << shown("log");
-  // Images are switched on like debug keys.
-  Request request;
-  request.set_robot("foxglove_bridge");
-  request.mutable_set_key()->set_name("channel/camera");
-  request.mutable_set_key()->mutable_mode()->set_kind(KeyMode::ALWAYS);
-  client.request(request);
-  EXPECT_TRUE(soon([&] { return channels[2]->isWanted(); }));
-  const auto streams = client.streams();
-  ASSERT_EQ(streams.size(), 7U);
-  EXPECT_EQ(streams[2].encoding, "flatbuffer");
-  EXPECT_FALSE(streams[2].isDecoded);
-  EXPECT_TRUE(streams[0].isDecoded);
-}
-
 TEST_F(SessionClientTest, oneSessionSteersAndBothKnowWho) {
   connect();
   ASSERT_TRUE(hasKeys());
