@@ -15,12 +15,14 @@
 #include "app/core/platform/TextMessages.h"
 #include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ImageCodings.h"
+#include "app/core/remote/OfferAddress.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "app/core/remote/RobotAnnouncer.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Printable.h"
+#include "robotlink/dds/LocalAddresses.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
@@ -56,9 +58,11 @@ Request startOf(const LoadedPlatform& platform, double speed) {
 
 /// "red1, red2 at ws://127.0.0.1:8765".
 std::string offerOf(const LoadedPlatform& platform, const std::string& scheme, const Listener& listener) {
-  std::string robots;
+  std::string robots, urls;
   for (const auto& [name, robot] : platform.robots) robots += (robots.empty() ? "" : ", ") + name;
-  return (robots.empty() ? platform.title : robots) + " at " + scheme + "://" + toString(listener.address());
+  for (const std::string& url : offerUrls(scheme, listener.address(), robotlink::dds::localAddresses()))
+    urls += (urls.empty() ? "" : ", ") + url;
+  return (robots.empty() ? platform.title : robots) + " at " + urls;
 }
 
 /// Prints a text of a program.

@@ -45,9 +45,10 @@ robotlink::Result<void> SessionOffer::begin(const std::string& address) {
   end();
   server_ = std::move(server);
   listener_ = std::move(*listener);
-  scheme_ = access->scheme();
-  for (const std::string& note : access->notes) reported_->push(note);
   localAddresses_ = robotlink::dds::localAddresses();
+  urls_ = offerUrls(access->scheme(), listener_->address(), localAddresses_);
+  notes_ = access->notes;
+  admission_ = access->listening.admission;
   announcer_ = std::make_unique<RobotAnnouncer>(listener_->address(), *access, nodes_);
   announce();
   return {};
@@ -59,6 +60,9 @@ void SessionOffer::end() {
   server_.reset();
   clients_.clear();
   sent_.clear();
+  urls_.clear();
+  notes_.clear();
+  admission_ = {};
 }
 
 robotlink::Result<void> SessionOffer::steer(const std::string& robot, bool giveUp) {
@@ -68,10 +72,6 @@ robotlink::Result<void> SessionOffer::steer(const std::string& robot, bool giveU
                               {robot});
   server_->steer(robot, giveUp);
   return {};
-}
-
-std::string SessionOffer::url() const {
-  return isOffered() ? scheme_ + "://" + toString(listener_->address()) : std::string();
 }
 
 bool SessionOffer::isOfferedAt(const std::string& address, std::uint16_t port) const {
@@ -103,8 +103,8 @@ void SessionOffer::measure(robotlink::Duration passed) {
     sent[state.info.id] = state.sentBytes;
     const double bytes = before == sent_.end() ? 0 : static_cast<double>(state.sentBytes - before->second);
     const double seconds = robotlink::seconds(passed);
-    clients_.push_back(
-        {state.info.address, state.info.name, seconds > 0 ? bytes / seconds : 0, state.waitingBytes});
+    clients_.push_back({state.info.address, state.info.name, seconds > 0 ? bytes / seconds : 0,
+                        state.waitingBytes, state.info.isReadOnly});
   }
   sent_ = std::move(sent);
 }

@@ -10,6 +10,7 @@
 #include "app/core/remote/RobotAnnouncer.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Clock.h"
+#include "robotlink/foxglove/server/Admission.h"
 #include "robotlink/foxglove/server/ListenAddress.h"
 #include "robotlink/session/Session.h"
 
@@ -32,6 +33,8 @@ class SessionOffer {
     double bytesPerSecond = 0;
     /// What waits to be sent to it.
     std::size_t waitingBytes = 0;
+    /// Whether it may only watch.
+    bool isReadOnly = false;
     bool operator==(const Client&) const = default;
   };
 
@@ -50,8 +53,16 @@ class SessionOffer {
   /// offered.
   robotlink::Result<void> steer(const std::string& robot, bool giveUp);
   bool isOffered() const { return listener_ != nullptr; }
-  /// What others connect to: "ws://127.0.0.1:8765"; empty if nothing is offered.
-  std::string url() const;
+  /// What others connect to, "ws://127.0.0.1:8765": one for each network of this machine; none if nothing is
+  /// offered.
+  const std::vector<std::string>& urls() const { return urls_; }
+  /// The first of them; empty if nothing is offered.
+  std::string url() const { return urls_.empty() ? std::string() : urls_.front(); }
+  /// The tokens that others have to show, to do everything or to watch; empty if they need none.
+  const std::string& controlToken() const { return admission_.token; }
+  const std::string& watchToken() const { return admission_.watchToken; }
+  /// What the person here has to know of the offer, as sentences: how it is protected, the fingerprint.
+  const std::vector<std::string>& notes() const { return notes_; }
   /// Whether this is where the session is offered, by an address of this machine.
   bool isOfferedAt(const std::string& address, std::uint16_t port) const;
   /// See SessionServer::onSteerElsewhere(); from the next begin() on.
@@ -79,8 +90,8 @@ class SessionOffer {
   std::shared_ptr<robotlink::BoundedQueue<std::string>> reported_;
   std::unique_ptr<robotlink::websocket::SessionServer> server_;
   std::unique_ptr<robotlink::websocket::Listener> listener_;
-  /// "ws" or "wss".
-  std::string scheme_;
+  robotlink::websocket::Admission::Options admission_;
+  std::vector<std::string> urls_, notes_;
   std::vector<Client> clients_;
   std::deque<std::string> reports_;
   /// What each client was sent until clients_ was measured, by its id.

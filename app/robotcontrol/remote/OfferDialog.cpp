@@ -26,6 +26,12 @@ namespace {
 
 constexpr int kClientLines = 5;
 
+QString joined(const std::vector<std::string>& texts, const QString& separator) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list.join(separator);
+}
+
 }  // namespace
 
 OfferDialog::OfferDialog(robotlink::CommandTable& commands, const SessionOffer& offer, QWidget* parent)
@@ -79,9 +85,35 @@ void OfferDialog::createFields() {
   others->addWidget(url_, 1);
   others->addWidget(copy_);
   form->addRow(tr("Others connect to:"), others);
+  form->addRow(tr("They need a token:"), createTokens());
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   state_ = widgets::makeNote(this, "offerState", tr("State"));
   layout()->addWidget(state_);
+  notes_ = widgets::makeNote(this, "offerNotes", tr("How it is protected"));
+  notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  layout()->addWidget(notes_);
+}
+
+QLayout* OfferDialog::createTokens() {
+  auto* row = new QHBoxLayout;
+  const auto add = [&](const char* name, const QString& text, const QString& help,
+                       const std::string& (SessionOffer::*token)() const) {
+    auto* button = new QPushButton(widgets::icon("copy"), text, this);
+    widgets::describe(*button, {name, QString(text).remove(QLatin1Char('&')), help});
+    connect(button, &QPushButton::clicked, this, [this, token] {
+      QGuiApplication::clipboard()->setText(QString::fromStdString((offer_.*token)()));
+    });
+    row->addWidget(button);
+    return button;
+  };
+  copyControl_ = add("offerCopyControl", tr("Copy the one to &control"),
+                     tr("Copies the token of those who may do everything to the clipboard"),
+                     &SessionOffer::controlToken);
+  copyWatch_ = add("offerCopyWatch", tr("Copy the one to &watch"),
+                   tr("Copies the token of those who may only watch, and engage STOP, to the clipboard"),
+                   &SessionOffer::watchToken);
+  row->addStretch(1);
+  return row;
 }
 
 void OfferDialog::createClients() {
@@ -127,7 +159,11 @@ void OfferDialog::showOffer() {
   port_->setEnabled(!offered);
   url_->setText(QString::fromStdString(offer_.url()));
   url_->setPlaceholderText(tr("nothing is offered"));
+  url_->setToolTip(tr("What others connect to: %1").arg(joined(offer_.urls(), QStringLiteral(", "))));
   copy_->setEnabled(offered);
+  copyControl_->setEnabled(!offer_.controlToken().empty());
+  copyWatch_->setEnabled(!offer_.watchToken().empty());
+  notes_->setText(joined(offer_.notes(), QStringLiteral("\n")));
   offerButton_->setText(offered ? tr("Stop &offering") : tr("&Offer"));
 }
 
@@ -154,7 +190,8 @@ void OfferDialog::showClients() {
   for (int i = 0; i < count; ++i) {
     const auto& client = clients[static_cast<std::size_t>(i)];
     QTreeWidgetItem& row = *clients_->topLevelItem(i);
-    row.setText(0, client.name.empty() ? tr("unnamed") : QString::fromStdString(client.name));
+    const QString name = client.name.empty() ? tr("unnamed") : QString::fromStdString(client.name);
+    row.setText(0, client.isReadOnly ? tr("%1 (may only watch)").arg(name) : name);
     row.setText(1, QString::fromStdString(client.address));
     row.setText(2, tr("%1/s").arg(size(static_cast<qint64>(client.bytesPerSecond))));
     row.setText(3, client.waitingBytes == 0 ? QString() : size(static_cast<qint64>(client.waitingBytes)));

@@ -33,6 +33,7 @@ class OfferDialog final : public QDialog {
 
  private:
   void createFields();
+  QLayout* createTokens();
   void createClients();
   /// Offers, or ends that.
   void toggle();
@@ -45,7 +46,8 @@ class OfferDialog final : public QDialog {
   QSpinBox* port_ = nullptr;
   QLineEdit* url_ = nullptr;
   QPushButton *copy_ = nullptr, *offerButton_ = nullptr;
-  QLabel *state_ = nullptr, *refused_ = nullptr;
+  QPushButton *copyControl_ = nullptr, *copyWatch_ = nullptr;
+  QLabel *state_ = nullptr, *notes_ = nullptr, *refused_ = nullptr;
   QTreeWidget* clients_ = nullptr;
   /// Whether what the dialog shows was offered when it was last looked at.
   bool wasOffered_ = false;

@@ -60,7 +60,7 @@ RecordingsDialog::RecordingsDialog(Workbench& workbench, CommandActions& actions
   createProgress();
   createButtons();
   connectSignals();
-  setMinimumWidth(fontMetrics().averageCharWidth() * 100);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 112);
   enableButtons();
 }
 

@@ -37,6 +37,16 @@ QString joined(const std::vector<std::string>& robots) {
   return names.join(QStringLiteral(", "));
 }
 
+/// Empty: the whole stream is here.
+QString leftOutOf(const robotlink::websocket::RemoteStream& stream) {
+  const auto thinned = stream.thinned.value_or(0), dropped = stream.dropped.value_or(0);
+  if (!stream.isDecoded)
+    return RemoteDialog::tr("not decoded: %1").arg(QString::fromStdString(stream.encoding));
+  if (thinned + dropped == 0) return {};
+  return dropped == 0 ? RemoteDialog::tr("%1 thinned").arg(thinned)
+                      : RemoteDialog::tr("%1 thinned, %2 lost").arg(thinned).arg(dropped);
+}
+
 }  // namespace
 
 RemoteDialog::RemoteDialog(robotlink::CommandTable& commands, const RemoteRobots& robots, QWidget* parent)
@@ -397,22 +407,21 @@ void RemoteDialog::showConnections() {
     row.setToolTip(1, row.text(1));
     row.setText(2, QString::fromStdString(connection.url));
     row.setData(0, Qt::UserRole, connection.state.connections == 0);
-    showThinned(row, connection.url);
+    showLeftOut(row, connection.url);
     if (connections_->currentItem() == nullptr || row.text(2) == wanted_) connections_->setCurrentItem(&row);
   }
   showSelected();
 }
 
-void RemoteDialog::showThinned(QTreeWidgetItem& row, const std::string& url) {
+void RemoteDialog::showLeftOut(QTreeWidgetItem& row, const std::string& url) {
   row.setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
   if (!row.isExpanded()) return;
   int count = 0;
   for (const auto& stream : robots_.streams(url)) {
-    const auto thinned = stream.thinned.value_or(0), dropped = stream.dropped.value_or(0);
-    if (thinned + dropped == 0) continue;
+    const QString text = leftOutOf(stream);
+    if (text.isEmpty()) continue;
     QTreeWidgetItem* child = count < row.childCount() ? row.child(count) : new QTreeWidgetItem(&row);
-    child->setText(0, dropped == 0 ? tr("%1 thinned").arg(thinned)
-                                   : tr("%1 thinned, %2 lost").arg(thinned).arg(dropped));
+    child->setText(0, text);
     child->setText(1, QString::fromStdString(stream.path));
     child->setToolTip(1, child->text(1));
     ++count;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What RobotsDialog does with the robots that are ticked: connect them, compare and send their files.
 #include <QLabel>
+#include <QPushButton>
 #include <QTreeWidget>
 #include <algorithm>
 
@@ -53,10 +54,10 @@ QString textOf(const DeployJobs::State& state) {
                               : text;
 }
 
-void showIn(QTreeWidgetItem& row, int column, const QString& text) {
-  if (row.text(column) == text) return;
-  row.setText(column, text);
-  row.setToolTip(column, text);
+void showIn(QTreeWidgetItem& row, int column, const QString& text, const QString& toolTip = {}) {
+  if (row.text(column) != text) row.setText(column, text);
+  const QString& help = toolTip.isEmpty() ? text : toolTip;
+  if (row.toolTip(column) != help) row.setToolTip(column, help);
 }
 
 }  // namespace
@@ -151,8 +152,11 @@ void RobotsDialog::showStates() {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     QTreeWidgetItem& row = *table_->topLevelItem(i);
     const auto* connection = connectionTo(connections, row.text(kSetAddress).trimmed().toStdString());
-    showIn(row, kSetState,
-           connection == nullptr ? tr("not connected") : QString::fromStdString(connection->text));
+    const QString text =
+        connection == nullptr ? tr("not connected") : QString::fromStdString(connection->text);
+    // The figures of the line are for the tool tip, reasons are not.
+    const bool isUp = connection != nullptr && connection->state.isConnected();
+    showIn(row, kSetState, isUp ? text.section(QLatin1Char(','), 0, 0) : text, text);
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "app/core/platform/JsonOutput.h"
 #include "robotlink/base/Printable.h"
+#include "robotlink/base/Spelling.h"
+#include "robotlink/foxglove/session/LinkNames.h"
 
 namespace app {
 namespace {
@@ -21,6 +23,9 @@ std::string bytesRateText(double bytes) {
 std::string noteOn(const StreamList::Stream& stream) {
   std::string note;
   if (!stream.isDecoded) note = stream.encoding + ", not decoded";
+  // The same images are offered three times.
+  if (stream.topic.ends_with(robotlink::websocket::kJpegChannel)) note = "as JPEG";
+  if (stream.topic.ends_with(robotlink::websocket::kPngChannel)) note = "as PNG";
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) note += fmt::format("{}{} {}", note.empty() ? "" : ", ", count, what);
   };
@@ -48,6 +53,12 @@ void StreamList::update(std::vector<Stream> streams, double seconds) {
 
 bool StreamList::has(const std::string& path) const {
   return std::ranges::any_of(rows_, [&](const Row& row) { return row.stream.path == path; });
+}
+
+std::string StreamList::near(const std::string& path) const {
+  std::vector<std::string> paths;
+  for (const Row& row : rows_) paths.push_back(row.stream.path);
+  return robotlink::nearest(path, paths);
 }
 
 std::string StreamList::text() const {

@@ -17,6 +17,8 @@ class StreamList {
   /// `seconds` is the time of this update.
   void update(std::vector<Stream> streams, double seconds);
   bool has(const std::string& path) const;
+  /// The path that may have been meant; empty: none is near.
+  std::string near(const std::string& path) const;
 
   std::string text() const;
   std::string json(const std::string& url, const std::vector<std::string>& robots,

@@ -170,12 +170,13 @@ class Watch {
       std::cout << list_.json(toString(client_.url()), client_.robots(), client_.stateText());
     else if (!printsMessages() && !isInteractive())
       std::cout << title() << list_.text();
-    if (!arguments_.csv.empty() && !list_.has(arguments_.csv) && wasConnected_)
-      return printErrors({{"watch.stream",
-                           "there is no stream '" + arguments_.csv + "': see what 'robotctl watch " +
-                               toString(client_.url()) + "' lists",
-                           {},
-                           {}}});
+    if (!arguments_.csv.empty() && !list_.has(arguments_.csv) && wasConnected_) {
+      const std::string near = list_.near(arguments_.csv);
+      const std::string advice = near.empty()
+                                     ? ": see what 'robotctl watch " + toString(client_.url()) + "' lists"
+                                     : "; did you mean '" + near + "'?";
+      return printErrors({{"watch.stream", "there is no stream '" + arguments_.csv + "'" + advice, {}, {}}});
+    }
     return wasConnected_ ? kDone : kFailed;
   }
 

@@ -178,25 +178,6 @@ void Client::getParameters(std::vector<std::string> names) {
   if (can("parameters")) send(GetParameters{std::move(names), "get"});
 }
 
-void Client::fetchAsset(std::string name, AnswerHandler handler) {
-  std::string problem;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!can("assets")) problem = "the robot is not connected, or offers no files";
-    if (assets_.size() >= limits_.calls) problem = "too many files are being fetched: wait for them";
-    if (problem.empty()) {
-      const std::uint32_t id = nextCall_++;
-      send(FetchAsset{name, id});
-      Call call;
-      call.service = std::move(name);
-      call.answerTime = std::chrono::seconds(60);
-      const Instant deadline = clock_->now() + call.answerTime;
-      assets_[id] = {std::move(call), std::move(handler), deadline, true};
-    }
-  }
-  if (!problem.empty() && handler) handler(failure("foxglove.asset", problem));
-}
-
 ConnectionState Client::state() const {
   const std::lock_guard lock(mutex_);
   return state_;
@@ -314,20 +295,18 @@ void Client::lost() {
 
 void Client::failAll(Calls& calls, const std::function<bool(const PendingCall&)>& which,
                      const std::string& why) {
-  for (auto* pendings : {&calls_, &assets_}) {
-    for (auto it = pendings->begin(); it != pendings->end();) {
-      if (!which(it->second)) {
-        ++it;
-        continue;
-      }
-      const std::string reason = why.empty() ? reasonFor(it->second) : why;
-      const bool isAnswer = !it->second.isSent && conversation_.isGreeted;
-      std::erase_if(conversation_.longCalls, [&](const LongCall& part) { return part.id == it->first; });
-      calls.push_back([handler = std::move(it->second.handler), reason, isAnswer] {
-        if (handler) handler(failure(isAnswer ? kServiceFailure : "foxglove.call", reason));
-      });
-      it = pendings->erase(it);
+  for (auto it = calls_.begin(); it != calls_.end();) {
+    if (!which(it->second)) {
+      ++it;
+      continue;
     }
+    const std::string reason = why.empty() ? reasonFor(it->second) : why;
+    const bool isAnswer = !it->second.isSent && conversation_.isGreeted;
+    std::erase_if(conversation_.longCalls, [&](const LongCall& part) { return part.id == it->first; });
+    calls.push_back([handler = std::move(it->second.handler), reason, isAnswer] {
+      if (handler) handler(failure(isAnswer ? kServiceFailure : "foxglove.call", reason));
+    });
+    it = calls_.erase(it);
   }
 }
 

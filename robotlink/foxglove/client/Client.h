@@ -71,7 +71,6 @@ class Client {
   /// The new values come as parameters; if the server objects, as a status.
   void setParameters(std::vector<Parameter> parameters);
   void getParameters(std::vector<std::string> names);
-  void fetchAsset(std::string name, AnswerHandler handler);
 
   ConnectionState state() const;
   /// What became of a topic's messages for this client, as the server counts: replaced by newer ones, lost.
@@ -111,7 +110,7 @@ class Client {
  private:
   using Calls = std::vector<std::function<void()>>;
   using OfferedChannel = std::shared_ptr<const Channel>;
-  /// A call, or an asset that is fetched, without an answer yet.
+  /// A call without an answer yet.
   struct PendingCall {
     Call call;
     AnswerHandler handler;
@@ -198,7 +197,7 @@ class Client {
   mutable std::mutex mutex_;
   Wishes wishes_;
   Conversation conversation_;
-  std::map<std::uint32_t, PendingCall> calls_, assets_;
+  std::map<std::uint32_t, PendingCall> calls_;
   std::uint32_t nextCall_ = 1;
   ConnectionState state_;
   /// Bytes until the second that bytesPerSecond is measured in.

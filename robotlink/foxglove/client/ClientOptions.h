@@ -30,11 +30,9 @@ struct ClientHandlers {
   std::function<void(const std::vector<std::string>& names)> servicesRemoved = {};
   /// Called with each message of a subscribed topic. The payload is valid during the call.
   std::function<void(const Channel&, Instant time, std::string_view payload)> message = {};
-  std::function<void(Instant)> time = {};
   std::function<void(const std::vector<Parameter>&)> parameters = {};
   std::function<void(const ConnectionGraphUpdate&)> graph = {};
   std::function<void(const Status&)> status = {};
-  std::function<void(const PlaybackState&)> playback = {};
 };
 
 }  // namespace robotlink::websocket

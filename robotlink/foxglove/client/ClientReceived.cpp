@@ -141,8 +141,8 @@ Result<void> Client::handle(const MessageData&, Calls&) {
   return {};
 }
 
-Result<void> Client::handle(const Time& message, Calls& calls) {
-  if (handlers_.time) calls.push_back([this, time = message.time] { handlers_.time(time); });
+/// Each message has its own time.
+Result<void> Client::handle(const Time&, Calls&) {
   return {};
 }
 
@@ -182,12 +182,12 @@ Result<void> Client::handle(const ConnectionGraphUpdate& message, Calls& calls) 
   return {};
 }
 
-Result<void> Client::handle(const PlaybackState& message, Calls& calls) {
-  if (handlers_.playback) calls.push_back([this, message] { handlers_.playback(message); });
+/// Where a log stands is known by the robots' own streams.
+Result<void> Client::handle(const PlaybackState&, Calls&) {
   return {};
 }
 
-// Services and assets.
+// Services.
 
 Result<void> Client::handle(const AdvertiseServices& message, Calls& calls) {
   for (const Service& service : message.services) {
@@ -233,14 +233,8 @@ Result<void> Client::handle(const ServiceCallResponse& message, Calls& calls) {
   return {};
 }
 
-Result<void> Client::handle(const FetchAssetResponse& message, Calls& calls) {
-  const auto node = assets_.extract(message.requestId);
-  if (node.empty()) return {};
-  Result<Answer> answer = Answer{"", std::string(message.data)};
-  if (!message.error.empty()) answer = failure("foxglove.asset", message.error);
-  calls.push_back([handler = std::move(node.mapped().handler), answer = std::move(answer)] {
-    if (handler) handler(answer);
-  });
+/// None was asked for.
+Result<void> Client::handle(const FetchAssetResponse&, Calls&) {
   return {};
 }
 

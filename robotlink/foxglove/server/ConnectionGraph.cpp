@@ -8,6 +8,8 @@ namespace {
 
 using Ids = ConnectionGraphUpdate::Ids;
 
+constexpr std::size_t kMaxNames = 10'000, kMaxIds = 100;
+
 /// The names whose ids have changed; those that are gone have none.
 Ids changes(const Ids& before, const Ids& now) {
   Ids changed;
@@ -18,6 +20,15 @@ Ids changes(const Ids& before, const Ids& now) {
   for (const auto& [name, ids] : before)
     if (!now.contains(name)) changed.emplace(name, std::vector<std::string>());
   return changed;
+}
+
+void replace(const Ids& changed, Ids& known) {
+  for (const auto& [name, ids] : changed) {
+    if (ids.empty())
+      known.erase(name);
+    else if (known.size() < kMaxNames || known.contains(name))
+      known[name] = {ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(std::min(ids.size(), kMaxIds))};
+  }
 }
 
 /// Removing a topic removes it from both lists, so it has to be in neither any more.
@@ -41,6 +52,17 @@ ConnectionGraphUpdate difference(const ConnectionGraph& before, const Connection
   moveRemoved(update.subscribedTopics, now.subscribedTopics, now.publishedTopics, update.removedTopics);
   moveRemoved(update.advertisedServices, now.advertisedServices, {}, update.removedServices);
   return update;
+}
+
+void apply(const ConnectionGraphUpdate& update, ConnectionGraph& graph) {
+  replace(update.publishedTopics, graph.publishedTopics);
+  replace(update.subscribedTopics, graph.subscribedTopics);
+  replace(update.advertisedServices, graph.advertisedServices);
+  for (const std::string& topic : update.removedTopics) {
+    graph.publishedTopics.erase(topic);
+    graph.subscribedTopics.erase(topic);
+  }
+  for (const std::string& service : update.removedServices) graph.advertisedServices.erase(service);
 }
 
 }  // namespace robotlink::websocket

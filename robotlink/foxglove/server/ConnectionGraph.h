@@ -13,4 +13,8 @@ struct ConnectionGraph {
 /// What has to be sent to a client that knows `before`.
 ConnectionGraphUpdate difference(const ConnectionGraph& before, const ConnectionGraph& now);
 
+/// What a client knows after an update. A server may invent names: 10,000 of each kind are kept, with 100 ids
+/// each.
+void apply(const ConnectionGraphUpdate& update, ConnectionGraph& graph);
+
 }  // namespace robotlink::websocket

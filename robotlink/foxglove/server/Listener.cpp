@@ -77,9 +77,19 @@ void ListenerPort::run() {
       context.run();
     } catch (const std::exception& problem) {
       // Memory ran out, say. Other clients go on.
-      server->report(std::string("A message of a client could not be handled: ") + problem.what());
+      report(std::string("A message of a client could not be handled: ") + problem.what());
     }
   }
+}
+
+void ListenerPort::report(const std::string& sentence) {
+  if (now() - reportsSince_ >= kReportTime) {
+    if (reports_ > kMaxReports)
+      server->report(std::to_string(reports_ - kMaxReports) + " more sentences about clients were left out");
+    reportsSince_ = now();
+    reports_ = 0;
+  }
+  if (++reports_ <= kMaxReports) server->report(sentence);
 }
 
 void ListenerPort::accept() {

@@ -73,6 +73,9 @@ class ListenerPort {
     return {options.address.address, acceptor_.local_endpoint(ignored).port()};
   }
   Instant now() const { return options.clock->now(); }
+  /// Tells the robot's log. A page or program that tries again and again must not fill that: at most
+  /// kMaxReports of kReportTime are told, the others are counted.
+  void report(const std::string& sentence);
   void add(const ConnectionPtr& connection);
   void remove(const ConnectionPtr& connection) { connections_.erase(connection); }
 
@@ -94,9 +97,15 @@ class ListenerPort {
   bool makeRoomFor(const std::string& machine);
   void tickLater();
 
+  static constexpr std::size_t kMaxReports = 50;
+  static constexpr Duration kReportTime = std::chrono::seconds(10);
+
   ListenerAcceptor acceptor_{context};
   asio::steady_timer timer_{context};
   bool isTicking_ = false, isAccepting_ = false;
+  /// Since `reportsSince_`.
+  std::size_t reports_ = 0;
+  Instant reportsSince_;
   std::set<ConnectionPtr> connections_;
   std::thread thread_;
 };

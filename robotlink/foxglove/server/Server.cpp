@@ -49,7 +49,6 @@ std::vector<std::string> Server::capabilities(const ServedClient& client) const 
   std::vector<std::string> names{"parameters", "parametersSubscribe", "services", "connectionGraph"};
   if (options_.publishesTime) names.emplace_back("time");
   if (handlers_.clientMessage && !client.info.isReadOnly) names.emplace_back("clientPublish");
-  if (handlers_.fetchAsset) names.emplace_back("assets");
   if (handlers_.playbackControl && playable_) names.emplace_back("playbackControl");
   return names;
 }
@@ -181,11 +180,6 @@ void Server::setPlayable(const std::optional<TimeRange>& range) {
   playable_ = range;
   if (!range) playback_.reset();
   for (const ClientPtr& client : clients_) send(*client, info(*client));
-}
-
-void Server::setAssets(std::set<std::string> names) {
-  const std::lock_guard lock(mutex_);
-  assets_ = std::move(names);
 }
 
 void Server::publishStatus(const Status& status) {

@@ -51,8 +51,6 @@ class Server : public std::enable_shared_from_this<Server> {
   /// What clients can play: the range of time of the log that is open; none: there is no log. At first it is
   /// that of the options. If it changes, clients are told anew who the server is.
   void setPlayable(const std::optional<TimeRange>& range);
-  /// The names of assets that clients may fetch.
-  void setAssets(std::set<std::string> names);
   /// Sends a status to all clients that are connected.
   void publishStatus(const Status& status);
 
@@ -163,7 +161,6 @@ class Server : public std::enable_shared_from_this<Server> {
   std::optional<std::vector<SharedFrame>> offer_;
   std::map<std::string, Value> parameters_;
   ConnectionGraph graph_;
-  std::set<std::string> assets_;
   std::optional<PlaybackState> playback_;
   std::optional<TimeRange> playable_;
   std::uint64_t nextClientId_ = 1, nextChannelId_ = 1;

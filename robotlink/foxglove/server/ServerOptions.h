@@ -44,7 +44,7 @@ struct ServerLimits {
   std::size_t clients = 16;
   /// Limits of each client.
   std::size_t subscriptions = 4096, channels = 64, parameterNames = 4096;
-  /// Calls of services, assets and parameters of each client that are not answered yet.
+  /// Calls of services and settings of parameters of each client that are not answered yet.
   std::size_t calls = 32;
   /// The argument of a call that is sent in parts.
   std::size_t callBytes = 8U << 20U;
@@ -87,8 +87,6 @@ struct ServerHandlers {
   std::function<void(const ClientInfo&, const ClientChannel&, std::string_view payload)> clientMessage = {};
   std::function<void(const ClientInfo&, const ClientChannel&)> clientAdvertised = {}, clientUnadvertised = {};
 
-  /// Only for names that Server::setAssets() was given.
-  std::function<void(const ClientInfo&, const std::string& name, Reply)> fetchAsset = {};
   std::function<void(const ClientInfo&, const PlaybackControl&)> playbackControl = {};
 
   /// Sentences for the robot's log: clients that were refused, and why.

@@ -362,19 +362,9 @@ void Server::call(const ClientPtr& client, const ServiceCallRequest& message,
   });
 }
 
-void Server::handle(const ClientPtr& client, const FetchAsset& message, Calls& calls) {
-  const auto answer = [this, id = message.requestId](ServedClient& to, const Result<Reply::Answer>& result) {
-    const std::string_view data = result ? std::string_view(result->data) : std::string_view();
-    send(to, FetchAssetResponse{id, result ? std::string() : result.error().text, data});
-  };
-  if (!handlers_.fetchAsset || !assets_.contains(message.uri))
-    return answer(*client, failure("foxglove.asset", "there is no asset called '" + message.uri + "'"));
-  if (client->calls >= options_.limits.calls)
-    return answer(*client,
-                  failure("foxglove.calls", "too many of your requests have no answer yet: try again later"));
-  calls.push_back([this, client, uri = message.uri, reply = replyTo(client, answer)] {
-    handlers_.fetchAsset(client->info, uri, reply);
-  });
+/// No request reads a file.
+void Server::handle(const ClientPtr& client, const FetchAsset& message, Calls&) {
+  send(*client, FetchAssetResponse{message.requestId, "this robot offers no files", {}});
 }
 
 }  // namespace robotlink::websocket

@@ -107,7 +107,7 @@ class StreamConnection final : public Connection,
   void onClosed(error_code) { end(); }
   void onPinged(error_code) { isPinging_ = false; }
   void reportEnd(const std::string& reason) {
-    port_.server->report("The client at " + from_ + " was disconnected: " + reason);
+    port_.report("The client at " + from_ + " was disconnected: " + reason);
   }
 
   ListenerPort& port_;
@@ -149,7 +149,7 @@ void StreamConnection<Stream>::decide(Instant now) {
   if (now < port_.admission.decidableAt(knock_.address)) return;  // tick() comes back
   const auto decision = port_.admission.decide(knock_, now);
   if (const auto* refusal = std::get_if<Refusal>(&decision)) {
-    port_.server->report("A client at " + from_ + " was refused: " + refusal->sentence);
+    port_.report("A client at " + from_ + " was refused: " + refusal->sentence);
     return refuse(*refusal);
   }
   ClientInfo info{0, from_,
@@ -162,7 +162,7 @@ void StreamConnection<Stream>::decide(Instant now) {
   };
   auto client = port_.server->connect(std::move(info), wake);
   if (!client) {
-    port_.server->report("A client at " + from_ + " was refused: " + client.error().text);
+    port_.report("A client at " + from_ + " was refused: " + client.error().text);
     return refuse({503, client.error().text});
   }
   client_ = *std::move(client);
@@ -294,7 +294,7 @@ template <typename Stream>
 void StreamConnection<Stream>::tick(Instant now) {
   const ListenerOptions& options = port_.options;
   if (state_ < State::kOpen && now - beganAt_ > options.handshakeTime) {
-    port_.server->report("A connection from " + from_ + " was closed, because its handshake took too long");
+    port_.report("A connection from " + from_ + " was closed, because its handshake took too long");
     return end();
   }
   if (state_ == State::kDecision) decide(now);

@@ -41,6 +41,13 @@ RemoteChannel::RemoteChannel(const Channel& channel)
       encoding(channel.encoding),
       isDecoded(isDecodable(encoding)) {}
 
+bool RemoteChannel::isHeavy() const {
+  constexpr const char* kHeavy[] = {"Image", "Video", "PointCloud", "Grid", "Mesh"};
+  return std::ranges::any_of(kHeavy,
+                             [this](const char* part) { return type.find(part) != std::string::npos; }) &&
+         type.find("Annotation") == std::string::npos;
+}
+
 std::vector<RemoteChannelPtr> RemoteInbox::add(const std::vector<Channel>& channels) {
   std::vector<RemoteChannelPtr> added;
   for (const Channel& channel : channels) {

@@ -20,6 +20,9 @@ namespace robotlink::websocket {
 struct RemoteChannel {
   explicit RemoteChannel(const Channel& channel);
 
+  /// Whether messages of its type are large and many.
+  bool isHeavy() const;
+
   const std::uint64_t id;
   /// `type`: what messages have that are decoded.
   const std::string topic, type, encoding;

@@ -10,6 +10,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/server/Server.h"
 #include "robotlink/foxglove/session/LinkNames.h"
+#include "robotlink/foxglove/session/ProcessTables.h"
 
 namespace robotlink::websocket {
 namespace {
@@ -32,14 +33,6 @@ bool isAlways(const std::string& stream) {
   constexpr const char* kAlways[] = {"tables/",     streams::kFrames,  streams::kParameters,
                                      streams::kLog, streams::kProgram, streams::kSteering};
   return std::ranges::any_of(kAlways, [&](const char* prefix) { return stream.starts_with(prefix); });
-}
-
-/// Messages of these foreign types are large and many.
-bool isHeavy(const std::string& type) {
-  constexpr const char* kHeavy[] = {"Image", "Video", "PointCloud", "Grid", "Mesh"};
-  return std::ranges::any_of(kHeavy,
-                             [&](const char* part) { return type.find(part) != std::string::npos; }) &&
-         type.find("Annotation") == std::string::npos;
 }
 
 /// Streams of a world are published by one thread, so each step back in their times is a reset.
@@ -127,6 +120,7 @@ ClientHandlers RemoteSession::handlers() {
   h.parameters = [this](const std::vector<Parameter>& parameters) {
     inbox.push([this, parameters] { onParameters(parameters); });
   };
+  h.graph = [this](const ConnectionGraphUpdate& update) { inbox.push([this, update] { onGraph(update); }); };
   h.status = [this](const Status& status) { inbox.push([this, status] { onStatus(status); }); };
   return h;
 }
@@ -142,11 +136,14 @@ void RemoteSession::tick() {
   const ConnectionState state = client->state();
   if (state.isConnected() && options.connection.clock->now() - connectedAt > kStaleTime) robots.removeStale();
   lookAtGaps(state);
+  if (state.isConnected()) nameUndecoded();
   const bool led = std::exchange(hasLed, leads());
   if (std::exchange(hasChanged, false) || led != hasLed) {
     updateChannelKeys();
     updateSubscriptions();
+    hasOtherGraph = true;  // the types of its topics may be known now
   }
+  if (std::exchange(hasOtherGraph, false)) pushProcesses();
   for (const std::string& name : std::exchange(changedKeys, {}))
     if (RemoteRobotList::Robot* robot = robots.findRemote(name)) pushKeys(*robot);
 }
@@ -200,6 +197,8 @@ void RemoteSession::onConnected(const ServerInfo& info) {
   for (auto& [name, robot] : robots.all()) robot.keys.setUnsent();
   if (!isOurs) robots.add("", info.name.empty() ? options.connection.url.host : info.name);
   client->subscribeParameters(isOurs);
+  graph = {};
+  client->subscribeGraph(!isOurs);  // ours publish tables of processes
   hasChanged = true;
 }
 
@@ -262,17 +261,20 @@ void RemoteSession::onNumber(std::uint64_t value) {
 /// What the server says about this client's doings is a text of the first robot.
 void RemoteSession::onStatus(const Status& status) {
   const bool isOffer = isOurs && status.id.starts_with(kNarrowStatus);
-  const std::string said = isOffer ? takeJpegOffer(status.message) : status.message;
+  publishText(status.level, isOffer ? takeJpegOffer(status.message) : status.message);
+}
+
+void RemoteSession::publishText(StatusLevel level, const std::string& text) {
   if (robots.names().empty()) return;
-  const auto text = std::make_shared<foxglove::Log>();
-  text->set_level(status.level == StatusLevel::kError     ? foxglove::Log::ERROR
-                  : status.level == StatusLevel::kWarning ? foxglove::Log::WARNING
-                                                          : foxglove::Log::INFO);
-  text->set_name("link/" + validUtf8(client->state().serverName));
-  text->set_message(validUtf8(said));
+  const auto log = std::make_shared<foxglove::Log>();
+  log->set_level(level == StatusLevel::kError     ? foxglove::Log::ERROR
+                 : level == StatusLevel::kWarning ? foxglove::Log::WARNING
+                                                  : foxglove::Log::INFO);
+  log->set_name("link/" + validUtf8(client->state().serverName));
+  log->set_message(validUtf8(text));
   const std::string path = robots.names().front() + "/" + streams::kLog;
   const Instant time = shift.newest().value_or(Instant());
-  enter({path, std::max(time, newestOf[path].mapped), text, "link"});
+  enter({path, std::max(time, newestOf[path].mapped), log, "link"});
 }
 
 /// An image is the same stream however it is sent. Foreign servers have texts and transforms under any name;
@@ -351,7 +353,7 @@ bool RemoteSession::wants(const RemoteChannel& channel) {
   if (options.wantsNothingElse) return false;
   if (place.robot == nullptr) return leads();
   const KeyWishes& keys = place.robot->keys;
-  if (!isOurs) return !isHeavy(channel.type) || keys.wants(place.stream);
+  if (!isOurs) return !channel.isHeavy() || keys.wants(place.stream);
   if (keys.isOfKey(place.stream)) return keys.wants(place.stream);
   return keys.hasTable() || isAlways(place.stream);
 }
@@ -400,24 +402,6 @@ void RemoteSession::updateRates() {
   for (const auto& [id, channel] : channels)
     if (isOurs && imageRate > 0 && isImage(*channel)) rates[channel->topic] = imageRate;
   if (!channels.empty() || imageRate == 0) client->setRates(std::move(rates));
-}
-
-/// A foreign server's heavy channels look like debug keys, which one switches on.
-void RemoteSession::updateChannelKeys() {
-  RemoteRobotList::Robot* robot = robots.findRemote("");
-  if (isOurs || robot == nullptr) return;
-  KeyTable table;
-  for (const auto& [id, channel] : channels) {
-    if (!channel->isDecoded || !isHeavy(channel->type)) continue;
-    KeyTable::Key& key = *table.add_keys();
-    const std::string stream = robots.placeOf(channel->topic).stream;
-    key.set_name(validUtf8("channel/" + stream));
-    key.set_help(validUtf8("Receives " + channel->type + " from " + toString(options.connection.url)));
-    key.set_stream(validUtf8(stream));
-    key.set_in_use(true);
-  }
-  robot->keys.setChannelKeys(table);
-  changedKeys.insert(robot->remote);
 }
 
 /// The table as it is shown here has changed, if the robot has one.

@@ -6,6 +6,7 @@
 
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/foxglove/server/ConnectionGraph.h"
 #include "robotlink/foxglove/session/RemoteInbox.h"
 #include "robotlink/foxglove/session/RemoteRobotList.h"
 #include "robotlink/foxglove/session/SessionClientOptions.h"
@@ -33,6 +34,11 @@ class RemoteSession {
   void onServices(const std::vector<std::string>& added, const std::vector<std::string>& removed);
   void onParameters(const std::vector<Parameter>& parameters);
   void onStatus(const Status& status);
+  void onGraph(const ConnectionGraphUpdate& update);
+  /// Puts a text about this connection among those of the first robot.
+  void publishText(StatusLevel level, const std::string& text);
+  /// Names the channels whose messages are not decoded, once each.
+  void nameUndecoded();
   void onMessage(const RemoteInbox::Arrival& arrival);
   void enter(StreamMessage message);
   void pushKeys(RemoteRobotList::Robot& robot);
@@ -51,6 +57,8 @@ class RemoteSession {
   void updateSubscriptions();
   void updateRates();
   void updateChannelKeys();
+  /// Publishes the nodes of a foreign server, as far as there are any.
+  void pushProcesses();
   void lookAtRestart();
   void lookAtGaps(const ConnectionState& state);
   void endGap(Instant time);
@@ -77,6 +85,8 @@ class RemoteSession {
   /// Topics of encoded images that are offered beside the raw ones.
   std::set<std::string> encoded;
   std::set<std::string> services, topics;
+  /// Topics that were named since their messages are not decoded.
+  std::set<std::string> undecoded;
   /// Robots, by their names at the server, whose tables of keys are shown differently now.
   std::set<std::string> changedKeys;
   /// To be pushed again when the session was restarted.
@@ -91,11 +101,15 @@ class RemoteSession {
   std::uint64_t number = 0;
   /// The steering of each robot, as the server says, by the path in the session.
   std::map<std::string, std::shared_ptr<const robotcontrol::SteeringStatus>> steering;
+  /// A foreign server's.
+  ConnectionGraph graph;
   std::string serverSession;
-  bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true;
+  bool isOurs = false, hasChanged = false, hasGap = false, hasLed = true, hasOtherGraph = false;
   std::uint64_t restarts = 0;
   /// When the connection was lost and made, by the client's clock.
   Instant lostAt, connectedAt;
+  /// When it was looked for channels that are not decoded.
+  Instant lookedAtChannels;
   const std::shared_ptr<Client> client;
   /// Calls the handlers, so it goes first. Null until connect().
   std::unique_ptr<Connector> connector;

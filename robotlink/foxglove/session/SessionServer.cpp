@@ -16,6 +16,7 @@
 #include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/LinkNames.h"
 #include "robotlink/foxglove/session/PostedWork.h"
+#include "robotlink/foxglove/session/ProcessTables.h"
 #include "robotlink/foxglove/session/RobotPath.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Schema.h"
@@ -297,20 +298,12 @@ void SessionServer::noticeTable(const std::string& robot, const std::string& str
 }
 
 void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable& table, Robot& to) {
-  ConnectionGraph graph;
   std::map<std::string, std::string> types;
   for (const auto& process : table.processes()) {
-    const std::string id = robot + "/" + process.name();
-    for (const auto& port : process.senders()) {
-      graph.publishedTopics[robot + "/" + port.package()].push_back(id);
-      types[port.package()] = port.type();
-    }
-    for (const auto& port : process.receivers()) {
-      graph.subscribedTopics[robot + "/" + port.package()].push_back(id);
-      types[port.package()] = port.type();
-    }
+    for (const auto* ports : {&process.senders(), &process.receivers()})
+      for (const auto& port : *ports) types[port.package()] = port.type();
   }
-  to.graph = std::move(graph);
+  to.graph = graphOf(robot, table);
   ConnectionGraph all;
   for (const auto& [name, other] : robots_) {
     all.publishedTopics.insert(other.graph.publishedTopics.begin(), other.graph.publishedTopics.end());

@@ -122,9 +122,10 @@ TEST_F(OfferedRobot, watchPrintsAStreamAsATable) {
   EXPECT_THAT(outcome.out, HasSubstr("time,"));
   EXPECT_THAT(outcome.out, HasSubstr("position_in_robot.x"));
   EXPECT_GT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5);
-  const auto wrong = robotctl("watch", "--seconds 0.7 --csv red1/balls");
+  const auto wrong = robotctl("watch", "--seconds 0.7 --csv red1/models/bal");
   EXPECT_EQ(wrong.status, 1);
-  EXPECT_THAT(wrong.errors, HasSubstr("there is no stream 'red1/balls'"));
+  EXPECT_THAT(wrong.errors,
+              HasSubstr("there is no stream 'red1/models/bal'; did you mean 'red1/models/ball'?"));
 }
 
 TEST_F(OfferedRobot, watchPrintsMessagesAsJsonForOtherPrograms) {

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a person is asked about robots elsewhere that encrypt and demand tokens.
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScopedPointer>
+#include <QSpinBox>
+#include <QTreeWidget>
 
+#include "robotlink/foxglove/client/Client.h"
+#include "robotlink/foxglove/client/Connector.h"
 #include "robotlink/foxglove/security/Certificate.h"
 #include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/RememberedTokens.h"
@@ -157,6 +163,41 @@ class RemoteTrustGuiTest : public WindowTest {
     bench.press("remoteForgetToken");
     QVERIFY(!RemoteRobots::hasToken(bench.url()));
     QVERIFY(bench.find<QPushButton>("remoteForgetToken") == nullptr);
+  }
+
+  void whoOffersASessionToOtherMachinesGetsItsTokens() {
+    qputenv("XDG_STATE_HOME", QByteArray::fromStdString((home_ / "state").string()));
+    EmptyDesk desk(home_ / "desk");
+    desk.choose("session.offer");
+    QVERIFY(!desk.find<QPushButton>("offerCopyControl").isEnabled());
+    desk.find<QLineEdit>("offerAddress").setText(QStringLiteral("0.0.0.0"));
+    desk.find<QSpinBox>("offerPort").setValue(0);
+    QTest::mouseClick(&desk.find<QPushButton>("offerButton"), Qt::LeftButton);
+    // Nobody can connect to 0.0.0.0.
+    auto url = websocket::parseServerUrl(desk.find<QLineEdit>("offerUrl").text().toStdString());
+    QVERIFY(url.has_value());
+    QVERIFY(url->host != "0.0.0.0");
+    const auto tokens = websocket::loadOrMakeTokens(home_ / "state/robotcontrol/tokens").value().tokens;
+    const QString notes = desk.find<QLabel>("offerNotes").text();
+    for (const std::string& said : {tokens.control, tokens.watch, std::string("SHA256:")})
+      QVERIFY2(notes.contains(QString::fromStdString(said)), qPrintable(notes));
+    QTest::mouseClick(&desk.find<QPushButton>("offerCopyControl"), Qt::LeftButton);
+    QCOMPARE(QGuiApplication::clipboard()->text().toStdString(), tokens.control);
+    QTest::mouseClick(&desk.find<QPushButton>("offerCopyWatch"), Qt::LeftButton);
+    QCOMPARE(QGuiApplication::clipboard()->text().toStdString(), tokens.watch);
+    widgets::test::keepPicture(desk.find<QDialog>("offerDialog"), "offer-secure");
+    // What was copied lets somebody watch.
+    const auto client = std::make_shared<websocket::Client>(websocket::ClientHandlers{});
+    websocket::Connector::Options options;
+    options.url = {true, "127.0.0.1", url->port, "/"};
+    options.token = tokens.watch;
+    options.name = "guest";
+    options.isTrusted = [](const std::string&, const std::string&) { return true; };
+    const websocket::Connector connector(client, options);
+    auto& clients = desk.find<QTreeWidget>("offerClients");
+    QTRY_COMPARE_WITH_TIMEOUT(clients.topLevelItemCount(), 1, kWaitMs);
+    QCOMPARE(clients.topLevelItem(0)->text(0), QStringLiteral("guest (may only watch)"));
+    qunsetenv("XDG_STATE_HOME");
   }
 };
 

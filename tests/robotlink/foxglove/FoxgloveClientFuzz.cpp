@@ -33,10 +33,6 @@ struct FuzzedClient {
     client->subscribeGraph(true);
     client->advertise({0, "red1/remote/drive", "json", "", "", ""});
   }
-  void fetch() {
-    ++calls;
-    client->fetchAsset("package://a.stl", [this](const auto&) { ++answers; });
-  }
   void call(const std::string& service, std::size_t size) {
     Client::Call call;
     call.service = service;
@@ -93,10 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       client.opened();
     }
     if (message->has(64)) static_cast<void>(fuzzed.inbox.take());
-    if (message->has(128)) {
-      fuzzed.fetch();
-      client.publish("red1/remote/drive", std::string(1 + (message->head & 127U), ' '));
-    }
+    if (message->has(128)) client.publish("red1/remote/drive", std::string(1 + (message->head & 127U), ' '));
     demand(client.channels().size() <= 20 && client.services().size() <= 20, "offers are bounded");
   }
   client.lost();

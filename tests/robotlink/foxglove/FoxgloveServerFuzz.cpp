@@ -19,7 +19,6 @@ std::shared_ptr<Server> makeServer(std::vector<Reply>& replies) {
   handlers.clientMessage = [](const auto&...) {};
   handlers.playbackControl = [](const auto&...) {};
   handlers.setParameters = [&](const auto&, const auto&, const Reply& reply) { replies.push_back(reply); };
-  handlers.fetchAsset = [](const auto&, const std::string& name, const Reply& reply) { reply.succeed(name); };
   ServerOptions options;
   options.sessionId = "s";
   options.limits.outbox = {100, kMaxWaiting, kMaxWaiting};
@@ -27,7 +26,6 @@ std::shared_ptr<Server> makeServer(std::vector<Reply>& replies) {
   server->addService({0, "s", "S", {}, {}},
                      [&](const auto&, const auto&, const Reply& reply) { replies.push_back(reply); });
   server->updateParameters(sampleParameters());
-  server->setAssets({"package://a.stl"});
   return server;
 }
 

@@ -103,9 +103,6 @@ class FoxgloveInterop : public testing::Test {
       server_->updateParameters(parameters);
       reply.succeed();
     };
-    handlers.fetchAsset = [](const ClientInfo&, const std::string& name, const Reply& reply) {
-      reply.succeed("of " + name);
-    };
     ServerOptions options;
     options.name = "red1";
     options.publishesTime = true;
@@ -121,7 +118,6 @@ class FoxgloveInterop : public testing::Test {
                           reply.succeed(R"({"success":true})");
                         });
     server_->updateParameters({{"flag", Value{true}}, {"speed", Value{3.0}}});
-    server_->setAssets({"a.stl"});
     server_->setConnectionGraph({{{"red1/log", {"cognition"}}}, {}, {}});
     Listener::Options listening;
     listening.address.port = 0;
@@ -154,12 +150,12 @@ TEST_F(FoxgloveInterop, theirClientUnderstandsAllThatWeSayAndWeIt) {
   server_->publishTime(Instant(Duration(77)));
   for (const char* line :
        {"serverInfo foxglove.sdk.v1 red1 parameters parametersSubscribe services connectionGraph time "
-        "clientPublish assets",
+        "clientPublish",
         R"(channel red1/log {"type":"object"})", "service set Request", R"(answer 7 json {"success":true})",
         R"(message 1000 {"text":"0"})", "time 77",
         R"(graph [{"name":"red1/log","publisherIds":["cognition"]}])",
         R"(parameters all [{"name":"flag","value":true},{"name":"speed","type":"float64","value":3})",
-        "asset 1 0 of a.stl", "asset 2 1 there is no asset called 'b.stl'", R"(status 0 drive {"speed":1})"})
+        "asset 1 1 this robot offers no files", R"(status 0 drive {"speed":1})"})
     EXPECT_TRUE(client.says(line)) << line << "\n" << client.output();
   dismissClient();
   EXPECT_TRUE(client.says("status 2 done") && client.says("close"));

@@ -98,6 +98,19 @@ TEST_F(ListenerTest, webPagesAndStrangersAreRefusedAndReported) {
   EXPECT_THAT(reports(), Contains(HasSubstr("https://b.org")));
 }
 
+TEST_F(ListenerTest, aPageThatTriesAgainAndAgainDoesNotFillTheLog) {
+  start();
+  const auto knock = [&] {
+    return RawClient(port_, {kSdkProtocol, "/", {{"Origin", "https://b.org"}}}).status();
+  };
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(knock(), 403U);
+  EXPECT_EQ(reports().size(), 50U);
+  clock_->advance(std::chrono::seconds(10));
+  EXPECT_EQ(knock(), 403U);
+  EXPECT_EQ(reports().size(), 52U);
+  EXPECT_THAT(reports(), Contains("10 more sentences about clients were left out"));
+}
+
 TEST_F(ListenerTest, afterAWrongTokenEvenTheRightOneWaits) {
   options_.admission.token = "secret";
   start();

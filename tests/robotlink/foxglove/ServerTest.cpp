@@ -403,22 +403,12 @@ TEST_F(ServerTest, theConnectionGraphIsUpdatedByDifferences) {
   EXPECT_THAT(heard(x), IsEmpty());
 }
 
-TEST_F(ServerTest, onlyAssetsThatAreListedAreAskedFor) {
-  handlers_.fetchAsset = [](const ClientInfo&, const std::string& name, const Reply& reply) {
-    reply.succeed("bytes of " + name);
-  };
+TEST_F(ServerTest, whoAsksForAFileGetsNone) {
   start();
-  server_->setAssets({"a.stl"});
   const auto x = join("x");
   heard(x);
-  say(x, FetchAsset{"a.stl", 1});
-  say(x, FetchAsset{"../a.stl", 2});
   say(x, FetchAsset{"file:///etc/passwd", 3});
-  EXPECT_THAT(
-      heard(x),
-      ElementsAre(ServerMessage(FetchAssetResponse{1, "", "bytes of a.stl"}),
-                  ServerMessage(FetchAssetResponse{2, "there is no asset called '../a.stl'", ""}),
-                  ServerMessage(FetchAssetResponse{3, "there is no asset called 'file:///etc/passwd'", ""})));
+  EXPECT_THAT(heard(x), ElementsAre(ServerMessage(FetchAssetResponse{3, "this robot offers no files", ""})));
 }
 
 TEST_F(ServerTest, playbackIsSteeredByClientsAndItsStateToldToAll) {

@@ -42,7 +42,6 @@ client.on("serverInfo", (event) => {
   client.subscribeConnectionGraph();
   client.getParameters([], "all");
   client.fetchAsset("a.stl", 1);
-  client.fetchAsset("b.stl", 2);
   const channel = client.advertise({ topic: "drive", encoding: "json", schemaName: "Drive" });
   client.sendMessage(channel, bytes('{"speed":1}'));
 });
