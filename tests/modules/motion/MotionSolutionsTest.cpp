@@ -99,6 +99,72 @@ TEST_P(MotionSolutionTest, everyShippedMotionCanBeRequested) {
   }
 }
 
+TEST_P(MotionSolutionTest, motionsThatAreSentArePlayedFromThenOn) {
+  motion_.run(100);
+  const int pan = motion_.robot().description.jointIndex("headPan");
+  const auto sendLook = [&](const std::string& text) {
+    robotcontrol::MotionTexts texts;
+    auto& look = *texts.add_motions();
+    look.set_name("look");
+    look.set_text(text);
+    motion_.set(robotlink::kMotionTexts, texts);
+  };
+  const auto playLook = [&] {
+    robotcontrol::MotionRequest request;
+    request.set_kind(robotcontrol::MotionRequest::KEY_FRAMES);
+    request.set_motion("look");
+    motion_.set(robotlink::kMotionRequest, request);
+    motion_.run(60);
+    const double angle = motion_.sent(robotlink::kJointRequest)->positions(pan);
+    motion_.set(robotlink::kMotionRequest, robotcontrol::MotionRequest());
+    motion_.run(400);
+    return angle;
+  };
+  const auto lookAt = [](const char* degrees) {
+    return "motion_id = look\njoints = headPan\nlabel start\n" + std::string(degrees) +
+           " 1 80\n* 1 1000\ntransition allMotions extern start\n";
+  };
+  sendLook(lookAt("45"));
+  EXPECT_NEAR(playLook(), robotlink::radians(45), 1e-6);
+  sendLook(lookAt("-30"));
+  EXPECT_NEAR(playLook(), robotlink::radians(-30), 1e-6);
+  // What does not compile is logged, and leaves the robot what it has.
+  static_cast<void>(motion_.takeReported());
+  sendLook("motion_id = look\nlabel start\n1 2 3\n");
+  EXPECT_NEAR(playLook(), robotlink::radians(-30), 1e-6);
+  const auto reported = motion_.takeReported();
+  EXPECT_TRUE(std::ranges::any_of(reported, [](const auto& text) { return text.starts_with("look.mof:3"); }));
+}
+
+TEST_P(MotionSolutionTest, jointsAreTurnedByTheirNames) {
+  motion_.run(100);
+  const auto& description = motion_.robot().description;
+  robotcontrol::MotionRequest request;
+  request.set_kind(robotcontrol::MotionRequest::JOINTS);
+  const auto turn = [&](const char* joint, double angle) {
+    auto& target = *request.add_joints();
+    target.set_name(joint);
+    target.set_position(angle);
+  };
+  turn("tailPan", 0.25);
+  turn("legFL2", 9);
+  turn("wing", 1);
+  motion_.set(robotlink::kMotionRequest, request);
+  motion_.run(200);
+  const auto& sent = *motion_.sent(robotlink::kJointRequest);
+  EXPECT_NEAR(sent.positions(description.jointIndex("tailPan")), 0.25, 1e-9);
+  EXPECT_NEAR(sent.positions(description.jointIndex("legFL2")), robotlink::radians(89), 1e-9);
+  EXPECT_EQ(motion_.sent(robotlink::kMotionStatus)->executed().kind(), robotcontrol::MotionRequest::JOINTS);
+  EXPECT_TRUE(motion_.takeReported().contains("the robot has no joint 'wing'"));
+  request.set_limp(true);
+  motion_.set(robotlink::kMotionRequest, request);
+  motion_.run(5);
+  EXPECT_EQ(motion_.sent(robotlink::kJointRequest)->stiffness(), 0);
+  EXPECT_NEAR(motion_.sent(robotlink::kJointRequest)->positions(description.jointIndex("legFL2")),
+              description.joints[static_cast<std::size_t>(description.jointIndex("legFL2"))].stance, 1e-9)
+      << "where it is measured";
+}
+
 TEST_P(MotionSolutionTest, anUnknownMotionIsToldOnce) {
   robotcontrol::MotionRequest request;
   request.set_kind(robotcontrol::MotionRequest::KEY_FRAMES);
