@@ -49,9 +49,8 @@ void ListenOptions::addTo(CLI::App& command) {
                      ->needs(option_)
                      ->type_name("FILE");
   command
-      .add_flag(
-          "--insecure", access_.isInsecure,
-          "No encryption and no tokens: everybody who reaches the address can watch and steer the robots")
+      .add_flag("--insecure", access_.isInsecure,
+                "No encryption, no tokens: all who reach the address can watch and steer the robots")
       ->needs(option_)
       ->excludes(secure)
       ->excludes(tokens);
