@@ -88,10 +88,11 @@ TEST(HostingIsRemembered, ofAPioneer) {
 
 TEST(HostingIsRemembered, ofABodyElsewhere) {
   const test::OfferedBodies hall("scenes/field2002.sdf");
-  expectRemembered(
-      BodyFeed::opening(
-          {.url = test::urlOf(hall.port()), .patience = std::chrono::seconds(30), .own = ownOptions()}),
-      "red1");
+  BodyOptions body;
+  body.url = test::urlOf(hall.port());
+  body.patience = std::chrono::seconds(30);
+  body.program.own = ownOptions();
+  expectRemembered(BodyFeed::opening(body), "red1");
 }
 
 TEST(HostingIsRemembered, ofTheRobotsOfALog) {

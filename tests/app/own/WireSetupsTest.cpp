@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "app/core/own/OwnProgramOptions.h"
+#include "robotlink/config/RobotDescription.h"
 #include "tests/app/program/FakeProgram.h"
 
 namespace app {

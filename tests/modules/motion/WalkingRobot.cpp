@@ -11,6 +11,7 @@
 #include "MotionParameters.pb.h"
 #include "modules/motion/ParameterConversion.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/motions/MotionLibrary.h"
 #include "simcore/Scene.h"
 
 namespace modules {
