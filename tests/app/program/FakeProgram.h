@@ -60,6 +60,7 @@ class FakeProgram final : public HostedProgram {
     return true;
   }
   std::string refusal() const override { return why; }
+  std::string missingProcess() const override { return missing; }
   std::unique_ptr<ProgramPreview> preview() override { return std::make_unique<FakePreview>(unknown); }
   robotcontrol::HostingStatus hosting() const override { return status; }
   void stop() override { ++stops; }
@@ -75,6 +76,7 @@ class FakeProgram final : public HostedProgram {
   bool isFull = false;
   /// Why it takes none.
   std::string why;
+  std::string missing;
   robotcontrol::HostingStatus status;
   int stops = 0;
   std::function<void()> onEnd;
@@ -109,11 +111,13 @@ class FakePlatform final : public robotlink::Platform {
     return {};
   }
   std::string refusal() const override { return why; }
+  std::string missingProcess() const override { return missing; }
 
   int initialized = 0, shut = 0, actuated = 0;
   bool stopped = false;
   std::vector<robotcontrol::ControlDrive> controls;
   std::string why;
+  std::string missing;
   std::function<void()> onEnd;
   /// Called in each frame, to send something.
   std::function<void()> frame;

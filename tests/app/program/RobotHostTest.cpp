@@ -273,12 +273,23 @@ TEST_F(RobotHostTest, aProgramThatHasEndedSaysSoItself) {
   EXPECT_EQ(refused.error().text, "the program of red1 crashed");
 }
 
+TEST_F(RobotHostTest, aRobotStandsWhileAProcessThatDecidesIsMissing) {
+  start();
+  program_->missing = "motion";
+  host_->endStep();
+  EXPECT_TRUE(platform_->unattended());
+  EXPECT_EQ(hosting_.state(), HostingStatus::INCOMPLETE);
+  EXPECT_THAT(hosting_.text(), HasSubstr("motion"));
+  program_->missing.clear();
+  host_->endStep();
+  EXPECT_FALSE(platform_->unattended());
+  EXPECT_EQ(hosting_.state(), HostingStatus::RUNNING);
+}
+
 TEST_F(RobotHostTest, aRobotWhoseProgramDoesNotReturnStands) {
   start();
-  EXPECT_FALSE(host_->isUnattended());
   host_->noteStuck("ball-percept (region) of process cognition");
   EXPECT_TRUE(host_->isStuck());
-  EXPECT_TRUE(host_->isUnattended());
   EXPECT_TRUE(platform_->unattended());
   EXPECT_EQ(hosting_.state(), HostingStatus::NOT_ANSWERING);
   EXPECT_THAT(hosting_.text(), StartsWith("The program of red1 does not return from ball-percept (region)"));
@@ -287,7 +298,6 @@ TEST_F(RobotHostTest, aRobotWhoseProgramDoesNotReturnStands) {
   EXPECT_THAT(refused.error().text, HasSubstr("does not return from ball-percept (region)"));
   EXPECT_TRUE(host_->request(stop(true))) << "STOP is obeyed whatever the program does";
   host_->noteStuck("");
-  EXPECT_FALSE(host_->isUnattended());
   EXPECT_FALSE(platform_->unattended());
   EXPECT_EQ(hosting_.state(), HostingStatus::RUNNING);
   EXPECT_EQ(hosting_.text(), "The program of red1 has returned and continues.");
