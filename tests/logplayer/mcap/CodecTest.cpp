@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "logplayer/mcap/Codec.h"
 #include "logplayer/mcap/Compression.h"
 #include "logplayer/mcap/Crc.h"

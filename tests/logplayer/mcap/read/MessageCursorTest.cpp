@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <random>
 
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
