@@ -111,13 +111,11 @@ class FakePlatform final : public robotlink::Platform {
     return {};
   }
   std::string refusal() const override { return why; }
-  std::string missingProcess() const override { return missing; }
 
   int initialized = 0, shut = 0, actuated = 0;
   bool stopped = false;
   std::vector<robotcontrol::ControlDrive> controls;
   std::string why;
-  std::string missing;
   std::function<void()> onEnd;
   /// Called in each frame, to send something.
   std::function<void()> frame;
