@@ -47,7 +47,8 @@ struct Heard {
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string& robot, const auto& queue) {
               if (robot != "red1") return;
-              for (const auto& message : toWire(*queue).messages()) hear(message);
+              const auto wire = toWire(*queue);
+              for (const auto& message : wire.messages()) hear(message);
             },
             {}};
   }

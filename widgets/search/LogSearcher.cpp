@@ -89,7 +89,7 @@ LogSearcher::News LogSearcher::take() {
 }
 
 template <typename Change>
-void LogSearcher::tell(const std::stop_token& stop, Change change) {
+void LogSearcher::report(const std::stop_token& stop, Change change) {
   const std::lock_guard lock(mutex_);
   if (!stop.stop_requested()) change(news_);
 }
@@ -120,7 +120,7 @@ class LogSearcher::Run {
                                  return !stop_.stop_requested() && !isFull();
                                });
       if (!report) return tl::unexpected(report.error());
-      searcher_.tell(stop_, [&](News& news) {
+      searcher_.report(stop_, [&](News& news) {
         news.losses.insert(news.losses.end(), report->losses.begin(), report->losses.end());
       });
     }
@@ -130,7 +130,7 @@ class LogSearcher::Run {
 
  private:
   bool progress(double logs) {
-    searcher_.tell(stop_, [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
+    searcher_.report(stop_, [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
     return !stop_.stop_requested();
   }
   void add(std::size_t number, const std::string& robot, const logplayer::SearchHit& found) {
@@ -143,7 +143,7 @@ class LogSearcher::Run {
       hit.text = text->message();
       hit.level = static_cast<int>(text->level());
     }
-    searcher_.tell(stop_, [&](News& news) { news.hits.push_back(std::move(hit)); });
+    searcher_.report(stop_, [&](News& news) { news.hits.push_back(std::move(hit)); });
   }
 
   LogSearcher& searcher_;
@@ -162,7 +162,7 @@ void LogSearcher::work(const Plan& plan, const std::stop_token& stop) {
     some = some || done;
     if (!done && !failure) failure = done.error();
   }
-  tell(stop, [&](News& news) {
+  report(stop, [&](News& news) {
     news.isDone = true;
     news.isCut = run.isFull();
     if (some && failure) news.losses.push_back(failure->text);

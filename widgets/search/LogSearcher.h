@@ -66,7 +66,7 @@ class LogSearcher {
   void work(const Plan& plan, const std::stop_token& stop);
   /// Adds to the news of a search that has not been replaced.
   template <typename Change>
-  void tell(const std::stop_token& stop, Change change);
+  void report(const std::stop_token& stop, Change change);
 
   /// Protects the news.
   std::mutex mutex_;

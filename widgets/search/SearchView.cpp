@@ -114,6 +114,7 @@ Result<void> SearchView::search(const QString& wanted, bool isTexts) {
   model_.clear();
   showMarks();
   isSearching_ = true;
+  cancel_->setEnabled(true);
   searcher_.begin(plan_);
   showOutcome(*state_, tr("Searching…"), false);
   return {};

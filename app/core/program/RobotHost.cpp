@@ -229,7 +229,7 @@ void RobotHost::reportPlatform(const std::string& text) const {
 }
 
 void RobotHost::endStep() {
-  if (program_ && program_->missingProcess().empty() == isComplete_) {
+  if (program_ && program_->missingProcess().empty() != isComplete_) {
     noteMissing();
     reportHosting();
   }

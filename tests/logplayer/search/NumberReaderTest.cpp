@@ -81,7 +81,7 @@ TEST_F(NumberReaderTest, textsAreNumbersWithNamesAndWhatDoesNotFitSaysWhy) {
     return news.complete.size() == 2;
   }));
   ASSERT_EQ(points.size(), std::size_t{kFrames / 10});
-  EXPECT_EQ(texts.at(points[3].value), "frame 30");
+  EXPECT_EQ(texts.at(points[3].value), "frame 30, \"quoted\"");
   EXPECT_THAT(problem, HasSubstr("models/ball"));
 }
 

@@ -126,7 +126,7 @@ class PlotsSourcesTest : public QObject {
     // It can be a curve, too.
     auto& legend = child<QTreeView>(*view, "plotsLegend");
     legend.setCurrentIndex(legend.model()->index(1, 0));
-    child<QAction>(*view, "plotsStrip").trigger();
+    child<QAction>(*view, "plotsStripAction").trigger();
     QVERIFY(!curve.isStrip());
     QVERIFY(countNear(picture(bench, *view), first, 1) < 50);
     auto again = bench.open<widgets::PlotsView>();
@@ -150,10 +150,10 @@ class PlotsSourcesTest : public QObject {
     auto& paths = child<QWidget>(*view, "pathCanvas");
     QVERIFY(!paths.isVisible());
     auto& legend = child<QTreeView>(*view, "plotsLegend");
-    child<QAction>(*view, "plotsAcross").trigger();
+    child<QAction>(*view, "plotsAcrossAction").trigger();
     QVERIFY(!child<QLabel>(*view, "plotsState").text().isEmpty());
     legend.selectAll();
-    child<QAction>(*view, "plotsAcross").trigger();
+    child<QAction>(*view, "plotsAcrossAction").trigger();
     QCOMPARE(view->curves().last(),
              textOf("red1/models/ball: position_in_robot.y over red1/models/ball: position_in_robot.x"));
     child<QComboBox>(*view, "plotsWindow").setCurrentText(textOf("all"));
@@ -239,7 +239,7 @@ class PlotsSourcesTest : public QObject {
     bench.push("red1/log", log, 9.5);
     log.set_message("something else");
     bench.push("red1/log", log, 9.4);
-    child<QAction>(*view, "plotsMark").trigger();
+    child<QAction>(*view, "plotsMarkAction").trigger();
     auto& dialog = child<QInputDialog>(*view, "plotsMarkDialog");
     dialog.setTextValue(textOf("ball (lost|found)"));
     dialog.accept();

@@ -87,6 +87,7 @@ class TimeLineHistoryTest : public QObject {
     const std::string value = "frames/cognition.number > 7";
     const std::vector<std::pair<std::string, std::string>> expected{
         {value, "next"}, {value, "previous"}, {value, "next"}};
+    for (const auto& [name, direction] : steps) qInfo("%s %s", name.c_str(), direction.c_str());
     QCOMPARE(steps, expected);
     auto again = live.bench.open<TimeLineView>({1000, 300});
     again->restoreState(view->saveState());
