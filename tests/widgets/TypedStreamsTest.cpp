@@ -15,10 +15,11 @@ using robotlink::Instant;
 
 class TypedStreamsTest : public testing::Test {
  protected:
-  void say(const std::string& path, std::chrono::milliseconds time, const std::string& text) {
+  void say(const std::string& path, std::chrono::milliseconds time, const std::string& text,
+           const std::string& process = {}) {
     auto message = std::make_shared<foxglove::Log>();
     message->set_message(text);
-    session_.push({path, Instant(time), std::move(message)});
+    session_.push({path, Instant(time), std::move(message), process});
     session_.tick();
   }
   /// The texts of what is new, separated by spaces; "restarted" comes first if the clock went back.
@@ -93,7 +94,8 @@ TEST_F(TypedStreamsTest, aMessageThatArrivesLateIsNewToo) {
   say("red1/log", 10ms, "a");
   say("red1/log", 30ms, "c");
   EXPECT_EQ(news(), "a c");
-  say("red1/log", 20ms, "b");
+  // Only messages of one process are in order.
+  say("red1/log", 20ms, "b", "motion");
   EXPECT_EQ(news(), "b");
   EXPECT_EQ(news(), "");
 }

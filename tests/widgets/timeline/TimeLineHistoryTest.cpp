@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Looking back at live robots in the timeline, and the shares of their streams.
 #include <QAction>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -79,7 +80,7 @@ class TimeLineHistoryTest : public QObject {
       steps.emplace_back(std::get<std::string>(values[0]), std::get<std::string>(values[1]));
     });
     auto view = live.bench.open<TimeLineView>({1000, 300});
-    auto& field = child<QLineEdit>(*view, "timeLineStepByText");
+    auto& field = child<QComboBox>(*view, "timeLineStepBy");  // which has the focus, as in the window
     QTest::keyClicks(&field, QStringLiteral("frames/cognition.number > 7"));
     QTest::keyClick(&field, Qt::Key_Return);
     click(child<QToolButton>(*view, "timeLineChangeBack"));
@@ -87,7 +88,6 @@ class TimeLineHistoryTest : public QObject {
     const std::string value = "frames/cognition.number > 7";
     const std::vector<std::pair<std::string, std::string>> expected{
         {value, "next"}, {value, "previous"}, {value, "next"}};
-    for (const auto& [name, direction] : steps) qInfo("%s %s", name.c_str(), direction.c_str());
     QCOMPARE(steps, expected);
     auto again = live.bench.open<TimeLineView>({1000, 300});
     again->restoreState(view->saveState());
