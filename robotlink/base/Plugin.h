@@ -42,11 +42,10 @@ struct PluginDescription {
   ROBOTCONTROL_PLUGIN_MARK ROBOTCONTROL_TEXT_OF( \
       ROBOTCONTROL_PLUGIN_VERSION) " (" ROBOTCONTROL_PLUGIN_COMPILER ")"
 
-#define ROBOTCONTROL_PLUGIN(name, version, help)                                                       \
-  static void robotcontrolRegisterAll();                                                               \
-  extern "C" __attribute__((visibility("default"), used)) const char robotcontrolPluginInterface[];    \
-  const char robotcontrolPluginInterface[] = ROBOTCONTROL_PLUGIN_INTERFACE;                            \
-  extern "C" __attribute__((visibility("default"), used))                                              \
-  const robotlink::PluginDescription robotcontrolPlugin;                                               \
-  const robotlink::PluginDescription robotcontrolPlugin{name, version, help, robotcontrolRegisterAll}; \
+#define ROBOTCONTROL_PLUGIN(name, version, help)                                                           \
+  static void robotcontrolRegisterAll();                                                                   \
+  extern "C" __attribute__((visibility("default"))) const char robotcontrolPluginInterface[];              \
+  const char robotcontrolPluginInterface[] = ROBOTCONTROL_PLUGIN_INTERFACE;                                \
+  extern "C" __attribute__((visibility("default"))) const robotlink::PluginDescription robotcontrolPlugin; \
+  const robotlink::PluginDescription robotcontrolPlugin{name, version, help, robotcontrolRegisterAll};     \
   static void robotcontrolRegisterAll()

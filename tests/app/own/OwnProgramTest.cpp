@@ -187,9 +187,14 @@ TEST_F(OwnProgramTest, aModuleThatTakesAllMemoryIsStopped) {
   otherProcesses_ = test::kTroubleDriver;
   play("memory");
   ASSERT_TRUE(run_);
-  EXPECT_TRUE(goesOnAfter(HostingStatus::INCOMPLETE));
+  // On a machine that does other things, too, it may seem not to answer while it fills the memory.
+  EXPECT_TRUE(eventually([&] {
+    run_->step();
+    return state() == HostingStatus::INCOMPLETE;
+  }));
+  EXPECT_TRUE(worldGoesOn());
   ASSERT_FALSE(ears_.troubles.empty());
-  EXPECT_THAT(ears_.troubles.front(), HasSubstr("trouble (memory): std::bad_alloc"));
+  EXPECT_THAT(ears_.troubles, testing::Contains(HasSubstr("trouble (memory): std::bad_alloc")));
   EXPECT_THAT(status().text(), HasSubstr("Process worker, which decides what " + first_ + " does"));
   EXPECT_THAT(status().text(), HasSubstr("The robot stands"));
   HostProgram again;
