@@ -91,5 +91,5 @@ TEST_F(ChangeStepsTest, whatIsKeptOfLiveRobotsIsSteppedThrough) {
   EXPECT_EQ(shown(), 4);
   EXPECT_THAT(step("frames/cognition.numbr"), HasSubstr("numbr"));
   EXPECT_THAT(step("frames/cogniton.number"), HasSubstr("frames/cognition"));
-  EXPECT_THAT(step("1 + 1"), HasSubstr("stream"));
+  EXPECT_THAT(step("\"1 + 1\""), HasSubstr("stream"));
 }

@@ -69,8 +69,10 @@ class FailedModuleTest : public testing::Test {
   }
   /// How far it goes meanwhile, m.
   double wayDuring(double seconds) {
-    const auto place = [this] { return run_->world().simulation().modelPose(robot_)->translation(); };
-    const auto before = place();
+    const auto place = [this]() -> robotlink::Vector3 {
+      return run_->world().simulation().modelPose(robot_)->translation();
+    };
+    const robotlink::Vector3 before = place();
     const robotlink::Instant end = run_->world().clock().now() + robotlink::fromSeconds(seconds);
     while (run_->world().clock().now() < end) run_->step();
     return (place() - before).norm();

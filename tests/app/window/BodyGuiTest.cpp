@@ -127,7 +127,7 @@ class BodyGuiTest : public WindowTest {
     desk.host(hall.url());
     QTRY_VERIFY_WITH_TIMEOUT(desk.visible<QDialog>("trustDialog") != nullptr, kWaitMs);
     QCOMPARE(desk.visible<QLineEdit>("trustFingerprint")->text(), fingerprint(options));
-    QVERIFY(desk.find<QLabel>("remoteState").text().contains(QStringLiteral("asks something")));
+    QVERIFY(desk.find<QLabel>("remoteState").text().contains(QStringLiteral("has a question")));
     QVERIFY(websocket::KnownServers().read().value().empty());
     desk.press("trustAccept");
     QTRY_VERIFY_WITH_TIMEOUT(desk.visible<QDialog>("tokenDialog") != nullptr, kWaitMs);
