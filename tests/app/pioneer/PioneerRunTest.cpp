@@ -217,7 +217,7 @@ TEST_F(PioneerRunTest, aProgramThatHangsIsNamedAndItsRobotStands) {
   EXPECT_TRUE(run_->platform().unattended());
   letGo = true;
   letGo.notify_all();
-  EXPECT_TRUE(playUntil([&] { return said.find("goes on") != said.npos; }));
+  EXPECT_TRUE(playUntil([&] { return said.find("continues") != said.npos; }));
   EXPECT_FALSE(run_->platform().unattended());
 }
 

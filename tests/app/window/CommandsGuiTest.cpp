@@ -135,7 +135,7 @@ class CommandsGuiTest : public WindowTest {
     QVERIFY(table.readLine().contains("simulation: time"));
     QVERIFY(!table.readLine().isEmpty());
     QCOMPARE(run(QStringLiteral("plots.remove ") + curve), QString());
-    QCOMPARE(run(QStringLiteral("plots.remove ") + curve), QStringLiteral("plots.remove"));
+    QCOMPARE(run(QStringLiteral("plots.remove ") + curve), QStringLiteral("plots.curve"));
     QCOMPARE(run(QStringLiteral("plots.add ") + curve), QString());
     QCOMPARE(run(QStringLiteral("plots.clear")), QString());
     QVERIFY(view->curves().isEmpty());
