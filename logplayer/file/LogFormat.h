@@ -32,7 +32,8 @@ struct LogFormat {
   Robot (*robot)() = nullptr;
   /// Whether the file, or folder, has this format, judged by its contents. Any thread; must not throw.
   bool (*recognizes)(const std::filesystem::path& file) = nullptr;
-  /// Passes all frames of a file to `sink`, with the streams of the robot `options.robot`. Fails if nothing
+  /// Passes all frames of a file to `sink`, with the streams of the robot `options.robot`. Messages that are
+  /// not of this project's types name a process, so that they are known to be of a robot. Fails if nothing
   /// can be read, if the sink fails, or with "log.given-up" if `options.progress` returns false. Any thread.
   robotlink::Result<ImportReport> (*import)(const std::filesystem::path& from, const ImportSink& sink,
                                             const ImportOptions& options) = nullptr;

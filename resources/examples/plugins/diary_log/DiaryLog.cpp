@@ -55,7 +55,7 @@ robotlink::Result<logplayer::ImportReport> import(const std::filesystem::path& f
     entry->set_name("diary");
     const robotlink::Instant time(std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9)));
     robotlink::assign(*entry->mutable_timestamp(), time);
-    if (auto passed = sink({{options.robot + "/log", time, std::move(entry)}}); !passed)
+    if (auto passed = sink({{options.robot + "/log", time, std::move(entry), "diary"}}); !passed)
       return tl::unexpected(passed.error());
     ++report.messages;
     ++report.imported["entry"];
@@ -69,7 +69,7 @@ robotlink::Result<logplayer::ImportReport> import(const std::filesystem::path& f
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("diary-log", "1.0", "Opens diaries, text files that begin with '# diary', as logs.") {
-  static const logplayer::LogFormatRegistration kDiary{
+  [[maybe_unused]] static const logplayer::LogFormatRegistration kDiary{
       {.name = "diary",
        .robot = [] { return logplayer::LogFormat::Robot{.name = "writer"}; },
        .recognizes = recognizes,
