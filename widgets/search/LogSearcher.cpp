@@ -130,7 +130,8 @@ class LogSearcher::Run {
 
  private:
   bool progress(double logs) {
-    searcher_.report(stop_, [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
+    searcher_.report(stop_,
+                     [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });
     return !stop_.stop_requested();
   }
   void add(std::size_t number, const std::string& robot, const logplayer::SearchHit& found) {
