@@ -213,8 +213,8 @@ class ColorQualityViewTest : public QObject {
         note().contains(QStringLiteral("Of the background's colors there it takes for a class: 100 % "
                                        "green.")),
         qPrintable(note()));
-    QVERIFY2(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")),
-             qPrintable(summary("strokes")));
+    QTRY_VERIFY2(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")),
+                 qPrintable(summary("strokes")));
     bench_->setLogImages({});
     QTRY_VERIFY(!note().contains(QStringLiteral("spread over the log")));
   }
