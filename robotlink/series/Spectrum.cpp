@@ -12,7 +12,7 @@
 namespace robotlink {
 namespace {
 
-constexpr std::size_t kLeastPoints = 16;
+constexpr std::size_t kMinPoints = 16;
 
 /// The weights of cos(0), cos(x), cos(2x), ... of a window, with alternating signs.
 std::array<double, 5> cosinesOf(SpectrumWindow window) {
@@ -84,8 +84,8 @@ std::vector<double> sampled(const std::vector<Series::Point>& points, std::size_
 
 Result<Spectrum> spectrumOf(const Series& series, double from, double to, SpectrumWindow window) {
   const auto points = numbersIn(series, from, to);
-  if (points.size() < kLeastPoints)
-    return failure("spectrum.points", "a spectrum needs " + std::to_string(kLeastPoints) + " points or more");
+  if (points.size() < kMinPoints)
+    return failure("spectrum.points", "a spectrum needs " + std::to_string(kMinPoints) + " points or more");
   Spectrum spectrum;
   const std::size_t count = fastCount(std::min(points.size(), kMaxSpectrumSamples));
   spectrum.isThinned = points.size() > kMaxSpectrumSamples;

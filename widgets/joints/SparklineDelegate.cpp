@@ -12,7 +12,7 @@ namespace widgets {
 namespace {
 
 /// Movements smaller than this fill only a part of the height, so that noise does not look like motion.
-constexpr double kLeastSparkRange = robotlink::radians(5);
+constexpr double kMinSparkRange = robotlink::radians(5);
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void SparklineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   const auto& history = model_.row(index.row()).history;
   if (history.size() < 2) return;
   const auto [low, high] = std::ranges::minmax(history);
-  const double middle = (low + high) / 2, range = std::max(high - low, kLeastSparkRange);
+  const double middle = (low + high) / 2, range = std::max(high - low, kMinSparkRange);
   const QRectF room = QRectF(option.rect).adjusted(3, 3, -3, -3);
   QPolygonF curve;
   for (std::size_t i = 0; i < history.size(); ++i) {

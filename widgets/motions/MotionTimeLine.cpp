@@ -21,7 +21,7 @@ using robotlink::Duration;
 using robotlink::JointValue;
 
 constexpr int kFramesMargin = 6, kGrabbedEnd = 5;
-constexpr Duration kLeastFramesTotal = std::chrono::milliseconds(100),
+constexpr Duration kMinFramesTotal = std::chrono::milliseconds(100),
                    kDurationStep = std::chrono::milliseconds(8);
 /// Angles are drawn from the lower to the upper end of what joints reach.
 constexpr double kShownAngles = robotlink::radians(150);
@@ -68,8 +68,8 @@ Duration MotionTimeLine::endOf(int frame) const {
 Duration MotionTimeLine::total() const {
   if (dragged_ >= 0) return scale_;
   const auto& frames = bench_.frames();
-  return frames.empty() ? kLeastFramesTotal
-                        : std::max(endOf(static_cast<int>(frames.size()) - 1), kLeastFramesTotal);
+  return frames.empty() ? kMinFramesTotal
+                        : std::max(endOf(static_cast<int>(frames.size()) - 1), kMinFramesTotal);
 }
 
 double MotionTimeLine::placeOf(Duration time) const {

@@ -29,7 +29,7 @@ constexpr double kPale = 0.45;
 
 /// The height of a strip, in lines of text, and the share of the plot that all may take.
 constexpr double kStripLines = 1.35;
-constexpr double kMostForStrips = 0.6;
+constexpr double kMaxForStrips = 0.6;
 /// The width of the names beside strips, in pixels.
 constexpr int kStripNameWidth = 120;
 
@@ -240,7 +240,7 @@ void PlotCanvas::layOutStrips(const QStringList& names) {
   const bool isShown = !names.isEmpty();
   const double row = kStripLines * fontMetrics().height();
   const int height =
-      static_cast<int>(std::min(row * static_cast<double>(names.size()), kMostForStrips * plot_->height()));
+      static_cast<int>(std::min(row * static_cast<double>(names.size()), kMaxForStrips * plot_->height()));
   strips_->setMinimumSize(0, height);
   strips_->setMaximumSize(kUnbounded, height);
   if (names == stripNames_) return;

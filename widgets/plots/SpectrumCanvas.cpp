@@ -183,7 +183,7 @@ void SpectrumCanvas::compute() {
 }
 
 void SpectrumCanvas::fit() {
-  constexpr double kLeastShare = 1e-6;
+  constexpr double kMinShare = 1e-6;
   double last = 0, largest = 0, smallest = std::numeric_limits<double>::infinity();
   for (const Spectrum& spectrum : spectra_) {
     if (spectrum.amplitudes.empty()) continue;
@@ -195,7 +195,7 @@ void SpectrumCanvas::fit() {
   }
   if (last > 0) plot_->xAxis->setRange(0, last);
   if (largest > 0)
-    plot_->yAxis->setRange(isLogarithmic() ? std::max(smallest, largest * kLeastShare) : 0, largest * 1.1);
+    plot_->yAxis->setRange(isLogarithmic() ? std::max(smallest, largest * kMinShare) : 0, largest * 1.1);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

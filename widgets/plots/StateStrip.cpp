@@ -25,12 +25,12 @@ void StateStrip::draw(QCPPainter* painter) {
 
 void StateStrip::drawState(QCPPainter& painter, const QRect& where, double value) const {
   if (where.width() <= 0) return;
-  constexpr int kTextMargin = 3, kLeastText = 14;
+  constexpr int kTextMargin = 3, kMinText = 14;
   const QColor &base = palette_.color(QPalette::Base), &text = palette_.color(QPalette::Text);
   const QColor color = curveColor(names_ ? names_->color(value) : 0, palette_);
   painter.fillRect(where, mixed(base, color, 0.4));
   painter.fillRect(QRect(where.left(), where.top(), 1, where.height()), mixed(color, text, 0.3));
-  if (where.width() < kLeastText || !names_) return;
+  if (where.width() < kMinText || !names_) return;
   const QRect room = where.adjusted(kTextMargin, 0, -kTextMargin, 0);
   painter.setPen(text);
   painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine,
