@@ -26,7 +26,7 @@ struct ToolBarType {
 const std::vector<ToolBarType>& registeredToolBars();
 
 /// Registers a toolbar when it is constructed, while a plug-in is loaded.
-class ToolBarRegistration {
+class [[maybe_unused]] ToolBarRegistration {
  public:
   explicit ToolBarRegistration(ToolBarType type);
 };

@@ -152,7 +152,7 @@ class ViewRegistry {
   static const ViewType* find(const std::string& id);
 };
 /// Registers a type of view when it is constructed; to be used as a namespace-scope constant.
-class ViewRegistration {
+class [[maybe_unused]] ViewRegistration {
  public:
   explicit ViewRegistration(ViewType type);
 };

@@ -43,7 +43,7 @@ struct LogFormat {
 const std::vector<LogFormat>& registeredLogFormats();
 
 /// Registers a format when it is constructed: before main(), or while a plug-in is loaded.
-class LogFormatRegistration {
+class [[maybe_unused]] LogFormatRegistration {
  public:
   explicit LogFormatRegistration(const LogFormat& format);
 };

@@ -4,7 +4,7 @@
 // What a plug-in has in one of its sources: PLUGINS.md has an example of each kind.
 //
 //     ROBOTCONTROL_PLUGIN("ball-counter", "1.0", "Counts the images in which a ball was seen.") {
-//       [[maybe_unused]] static const widgets::ViewRegistration kView{{...}};
+//       static const widgets::ViewRegistration kView{{...}};
 //     }
 //
 // The body is called once, in the thread of main(), before anything is opened; exceptions and registrations

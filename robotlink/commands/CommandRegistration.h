@@ -24,7 +24,7 @@ const std::vector<RegisteredCommand>& registeredCommands();
 
 /// Registers a command when it is constructed, while a plug-in is loaded. A name that another one has is
 /// refused.
-class CommandRegistration {
+class [[maybe_unused]] CommandRegistration {
  public:
   explicit CommandRegistration(RegisteredCommand command);
 };

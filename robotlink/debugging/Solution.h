@@ -206,7 +206,7 @@ class SolutionRegistry {
 /// Registers a solution when it is constructed, at namespace scope. A solution that is registered twice, or
 /// that names keys of another file (which may not be constructed yet), aborts the program at its start with a
 /// message.
-class SolutionRegistration {
+class [[maybe_unused]] SolutionRegistration {
  public:
   SolutionRegistration(SolutionDescription description);  // NOLINT: reads like a declaration
   template <typename S>
@@ -224,7 +224,7 @@ struct TaskDescription {
 const std::vector<TaskDescription>& describedTasks();
 
 /// Registers a description when it is constructed, at namespace scope.
-class TaskRegistration {
+class [[maybe_unused]] TaskRegistration {
  public:
   TaskRegistration(std::string task, std::string help);
 };

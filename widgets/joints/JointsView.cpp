@@ -18,11 +18,11 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/SteeringBar.h"
 #include "widgets/joints/JointSlider.h"
 #include "widgets/joints/SparklineDelegate.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motions/PoseCapture.h"
+#include "widgets/steering/SteeringBar.h"
 
 namespace widgets {
 namespace {

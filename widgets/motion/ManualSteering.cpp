@@ -11,8 +11,8 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/Requests.h"
-#include "widgets/SteeringState.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/steering/SteeringState.h"
 
 namespace widgets {
 

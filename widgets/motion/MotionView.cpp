@@ -18,13 +18,13 @@
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
-#include "widgets/SteeringBar.h"
-#include "widgets/SteeringState.h"
-#include "widgets/StopStyle.h"
 #include "widgets/motion/HeadPanel.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/SpeedPanel.h"
 #include "widgets/motion/WalkPad.h"
+#include "widgets/steering/SteeringBar.h"
+#include "widgets/steering/SteeringState.h"
+#include "widgets/steering/StopStyle.h"
 
 namespace widgets {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/core/remote/LinkLimits.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "robotcontrol/Body.pb.h"
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 #include "robotlink/session/Session.h"
 
 namespace robotcontrol {

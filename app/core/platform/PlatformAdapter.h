@@ -137,7 +137,7 @@ robotlink::Result<PlatformOpening> openingOf(const PlatformAdapter& adapter, con
 robotlink::Result<PlatformOpening> openingOf(const PlatformChoices& choices);
 
 /// Registers an adapter when it is constructed, which must be before main(): define one as a static constant.
-struct PlatformRegistration {
+struct [[maybe_unused]] PlatformRegistration {
   explicit PlatformRegistration(PlatformAdapter adapter);
 };
 

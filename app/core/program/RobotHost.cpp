@@ -99,7 +99,12 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   stuck_.clear();
   stuckText_.clear();
   missingText_.clear();
-  if (isComplete_ = program_->missingProcess().empty(); !isComplete_) noteMissing();
+  if (const std::string missing = program_->missingProcess(); !missing.empty()) {
+    isComplete_ = false;
+    missingText_ = "The robot stands until process " + missing + ", which decides what it does, runs.";
+  } else {
+    isComplete_ = true;
+  }
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 namespace app {
 namespace {

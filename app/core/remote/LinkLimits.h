@@ -9,7 +9,7 @@
 #include <string>
 
 #include "robotlink/base/Error.h"
-#include "robotlink/foxglove/session/SessionClientOptions.h"
+#include "robotlink/foxglove/session/remote/SessionClientOptions.h"
 #include "robotlink/session/Settings.h"
 
 namespace robotlink::websocket {

@@ -19,7 +19,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/RememberedTokens.h"
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/LatchedMessages.h"
 #include "robotlink/session/Session.h"

@@ -14,7 +14,7 @@
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/foxglove/client/ConnectionState.h"
-#include "robotlink/foxglove/session/SessionClientOptions.h"
+#include "robotlink/foxglove/session/remote/SessionClientOptions.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {

@@ -8,7 +8,7 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
-#include "widgets/SteeringState.h"
+#include "widgets/steering/SteeringState.h"
 
 namespace app {
 namespace {

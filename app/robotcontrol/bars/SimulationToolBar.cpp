@@ -17,7 +17,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/StopStyle.h"
+#include "widgets/steering/StopStyle.h"
 
 namespace app {
 namespace {

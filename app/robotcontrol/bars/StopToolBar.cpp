@@ -4,7 +4,7 @@
 #include <QAction>
 #include <QToolButton>
 
-#include "widgets/StopStyle.h"
+#include "widgets/steering/StopStyle.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 namespace app {
 

@@ -20,7 +20,7 @@
 #include "logplayer/export/JsonLine.h"
 #include "logplayer/export/MessageTable.h"
 #include "robotlink/base/Printable.h"
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 namespace app {
 namespace {

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "robotlink/base/BoundedQueue.h"
-#include "robotlink/debugging/ColorTableInUse.h"
 #include "robotlink/debugging/DebugContext.h"
 #include "robotlink/debugging/ProcessChannel.h"
 #include "robotlink/debugging/RequestKinds.h"
@@ -15,9 +14,7 @@
 #include "robotlink/debugging/program/OtherPrograms.h"
 #include "robotlink/debugging/program/ProcessTable.h"
 #include "robotlink/debugging/program/RequestedPackages.h"
-#include "robotlink/debugging/program/SentMotions.h"
-#include "robotlink/packages/Checksum.h"
-#include "robotlink/packages/Conversions.h"
+#include "robotlink/debugging/program/UserPackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace robotlink {
@@ -37,10 +34,7 @@ struct DebugProcess::Implementation {
         routes(std::move(given)),
         debug(owner.name(), clock, {}),
         requested(owner, debug),
-        remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
-        colorTable(owner, kColorTable.name, Blocking::kNo),
-        motions(owner, routes.joints),
-        driveGoal(owner, kDriveGoal.name, Blocking::kNo),
+        packages(owner, debug, routes.joints),
         others(owner),
         solutionsDue(!routes.absent.empty()) {
     for (const auto& list : routes.processes) {
@@ -67,22 +61,15 @@ struct DebugProcess::Implementation {
   void setKey(const Request& request);
   void sendTablesAgain(const Request& request);
   void recordPackages(const Request& request);
-  void sendMotion(const Request& request);
-  void sendColorTable(const Request& request);
-  void setMotion(const Request& request);
-  void sendGoal(const Request& request);
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
   bool isForLater(const Request& request, const AnySender& sender) const;
-  std::string whyNobodyReceives(const AnySender& sender, const char* use) const;
+  std::string whyNotSent(const Request& request) const;
   void sendToAll(const Request& request);
   /// `taken` is the checksum of the value that was passed on.
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
   void noticeStopped();
   void sendTables();
-  void useColorTable(std::shared_ptr<const robotcontrol::ColorTable> table);
-  void publishColorTable();
-  void publishMotions();
   void fillProcesses(robotcontrol::ProcessTable& to) const;
   const Process* watchedProcess(const std::string& name) const;
   std::string stoppedText(const Process& stopped) const;
@@ -91,10 +78,7 @@ struct DebugProcess::Implementation {
   DebugRoutes routes;
   DebugContext debug;
   RequestedPackages requested;
-  Sender<robotcontrol::RemoteMotion> remoteMotion;
-  Sender<robotcontrol::ColorTable> colorTable;
-  SentMotions motions;
-  Sender<robotcontrol::DriveGoal> driveGoal;
+  UserPackages packages;
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
   OtherPrograms others;
@@ -105,38 +89,17 @@ struct DebugProcess::Implementation {
   JoinedTables tables;
   std::optional<Instant> processTableDue;
   bool solutionsDue = false;  // to be sent although no process has sent its own
-  std::shared_ptr<const robotcontrol::ColorTable> colorTableInUse;  // null: the built-in one
-  bool colorTableDue = true, motionsDue = true;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 
-  /// How a request is handled.
-  struct Handler {
-    void (Implementation::*handle)(const Request& request);
-    /// The sender of its package, and what the task does that receives it: "drives to goals". Null: it sends
-    /// none.
-    const AnySender& (Implementation::*sender)() const;
-    const char* use;
-  };
-  const AnySender& motionSender() const { return remoteMotion; }
-  const AnySender& colorSender() const { return colorTable; }
-  const AnySender& motionTextSender() const { return motions.sender(); }
-  const AnySender& goalSender() const { return driveGoal; }
-  static constexpr RequestRow<Handler> kRows[]{
-      {Request::kSetKey, {&Implementation::setKey, nullptr, ""}},
-      {Request::kSendTables, {&Implementation::sendTablesAgain, nullptr, ""}},
-      {Request::kRecordPackages, {&Implementation::recordPackages, nullptr, ""}},
-      {Request::kMotion,
-       {&Implementation::sendMotion, &Implementation::motionSender, "obeys remote motions"}},
-      {Request::kSetColorTable,
-       {&Implementation::sendColorTable, &Implementation::colorSender, "uses a color table"}},
-      {Request::kSetMotion,
-       {&Implementation::setMotion, &Implementation::motionTextSender, "plays key-frame motions"}},
-      {Request::kSetGoal, {&Implementation::sendGoal, &Implementation::goalSender, "drives to goals"}}};
+  using Handler = void (Implementation::*)(const Request& request);
+  static constexpr RequestRow<Handler> kRows[]{{Request::kSetKey, &Implementation::setKey},
+                                               {Request::kSendTables, &Implementation::sendTablesAgain},
+                                               {Request::kRecordPackages, &Implementation::recordPackages}};
 };
 
 bool DebugProcess::fulfills(const Request& request) {
-  return rowOf(Implementation::kRows, request.what_case()) != nullptr;
+  return UserPackages::has(request) || rowOf(Implementation::kRows, request.what_case()) != nullptr;
 }
 
 DebugProcess::DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes)
@@ -178,17 +141,7 @@ void DebugProcess::showOnRequest(AnySender& sender) {
 }
 
 void DebugProcess::offer(const PackagePtr& package) {
-  if (dynamic_cast<const robotcontrol::RemoteMotion*>(package.get()) != nullptr) {
-    implementation_->remoteMotion.send(std::static_pointer_cast<const robotcontrol::RemoteMotion>(package));
-  } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(package.get())) {
-    if (!wrongWith(*table).empty()) return;
-    implementation_->useColorTable(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
-  } else if (const auto* motions = dynamic_cast<const robotcontrol::MotionTexts*>(package.get())) {
-    implementation_->motions.add(*motions, frameTime());
-    implementation_->motionsDue = true;
-  } else if (dynamic_cast<const robotcontrol::DriveGoal*>(package.get()) != nullptr) {
-    implementation_->driveGoal.send(std::static_pointer_cast<const robotcontrol::DriveGoal>(package));
-  }
+  implementation_->packages.offer(package);
 }
 
 bool DebugProcess::request(const Request& request) {
@@ -230,14 +183,12 @@ void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& k
 }
 
 std::optional<robotcontrol::ColorTable> DebugProcess::colorTableInUse() const {
-  if (!implementation_->colorTable.connected()) return std::nullopt;
-  return robotlink::colorTableInUse(implementation_->colorTableInUse.get());
+  return implementation_->packages.colorTableInUse();
 }
 
 std::optional<robotcontrol::MotionTable> DebugProcess::motions(
     const std::vector<robotcontrol::MotionText>& more) const {
-  if (!implementation_->motions.sender().connected()) return std::nullopt;
-  return implementation_->motions.table(more);
+  return implementation_->packages.motions(more);
 }
 
 void DebugProcess::execute() {
@@ -298,8 +249,8 @@ void DebugProcess::Implementation::route(const Request& request) {
     others.remember(target->process, request);
     return (*channel)->add(request);
   }
-  const auto* row = rowOf(kRows, request.what_case());
-  (this->*row->handler.handle)(request);
+  if (UserPackages::has(request)) return answer(request, "", packages.send(request));
+  (this->*rowOf(kRows, request.what_case())->handler)(request);
 }
 
 /// Returns nothing if the debug process itself handles the request.
@@ -317,15 +268,21 @@ std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation
 std::string DebugProcess::Implementation::refusal(const Request& request) const {
   if (std::string wrong = wrongWith(request); !wrong.empty()) return wrong;
   if (const auto target = targetOf(request)) return whyNotBy(*target);
-  const auto* row = rowOf(kRows, request.what_case());
-  if (row == nullptr) return "a robot's program cannot do this; ask its platform or the simulation";
-  const auto& [handle, sender, use] = row->handler;
-  if (sender == nullptr) return "";
-  if (const std::string why = whyNobodyReceives((this->*sender)(), use); !why.empty())
-    return isForLater(request, (this->*sender)()) ? "" : why;
-  // What is repeated was accepted before, perhaps beside motions that are still to come.
-  const bool isNewMotion = request.has_set_motion() && !isRepeated(request);
-  return isNewMotion ? motions.whyNot(request.set_motion().motion()) : "";
+  if (UserPackages::has(request)) return whyNotSent(request);
+  return rowOf(kRows, request.what_case()) != nullptr
+             ? ""
+             : "a robot's program cannot do this; ask its platform or the simulation";
+}
+
+/// Empty if a task can use the package that is asked for.
+std::string DebugProcess::Implementation::whyNotSent(const Request& request) const {
+  const AnySender& sender = packages.senderFor(request);
+  if (sender.connected()) return packages.whyNot(request);
+  if (isForLater(request, sender)) return "";
+  const auto receiver = routes.packages.find(sender.package());
+  const std::string why =
+      receiver == routes.packages.end() ? "" : whyNotBy({receiver->second, receiver->second});
+  return why.empty() ? std::string("no task of this layout ") + UserPackages::useOf(request) : why;
 }
 
 /// Whether a program that does not run now gets to know that something was taken back when it runs again: it
@@ -335,15 +292,6 @@ bool DebugProcess::Implementation::isForLater(const Request& request, const AnyS
   const auto receiver = routes.packages.find(sender.package());
   return kind.removes != nullptr && kind.removes(request) && receiver != routes.packages.end() &&
          others.runs(receiver->second);
-}
-
-/// Empty if a task receives what is sent.
-std::string DebugProcess::Implementation::whyNobodyReceives(const AnySender& sender, const char* use) const {
-  if (sender.connected()) return "";
-  const auto receiver = routes.packages.find(sender.package());
-  const std::string why =
-      receiver == routes.packages.end() ? "" : whyNotBy({receiver->second, receiver->second});
-  return why.empty() ? std::string("no task of this layout ") + use : why;
 }
 
 void DebugProcess::Implementation::setKey(const Request& request) {
@@ -360,55 +308,12 @@ void DebugProcess::Implementation::sendTablesAgain(const Request& request) {
   sendToAll(request);
   processTableDue.reset();
   solutionsDue = !routes.absent.empty();
-  colorTableDue = motionsDue = true;
+  packages.publishAgain();
   answer(request, "");
 }
 
 void DebugProcess::Implementation::recordPackages(const Request& request) {
   sendToAll(request);
-  answer(request, "");
-}
-
-void DebugProcess::Implementation::sendMotion(const Request& request) {
-  auto motion = std::make_shared<robotcontrol::RemoteMotion>(request.motion());
-  assign(*motion->mutable_timestamp(), process.frameTime());
-  remoteMotion.send(std::move(motion));
-  answer(request, "");
-}
-
-/// A table without cells removes the one that was set. Nothing changes for a person by a request that is
-/// repeated.
-void DebugProcess::Implementation::sendColorTable(const Request& request) {
-  const robotcontrol::ColorTable& table = request.set_color_table().table();
-  useColorTable(std::make_shared<robotcontrol::ColorTable>(table));
-  if (!isRepeated(request))
-    debug.text(Level::kInfo, "colors", describeColorTable(robotlink::colorTableInUse(&table)));
-  answer(request, "", checksum(table));
-}
-
-void DebugProcess::Implementation::useColorTable(std::shared_ptr<const robotcontrol::ColorTable> table) {
-  colorTableInUse = table;
-  colorTableDue = true;
-  colorTable.send(std::move(table));
-}
-
-/// A motion without a text takes back the one that was sent.
-void DebugProcess::Implementation::setMotion(const Request& request) {
-  const robotcontrol::MotionText& motion = request.set_motion().motion();
-  motions.set(motion, process.frameTime());
-  motionsDue = true;
-  if (!isRepeated(request)) {
-    debug.text(Level::kInfo, "motion",
-               "the motion '" + motion.name() + "' is now that " +
-                   (motion.text().empty() ? "of the robot's files" : "which was sent"));
-  }
-  answer(request, "");
-}
-
-void DebugProcess::Implementation::sendGoal(const Request& request) {
-  auto goal = std::make_shared<robotcontrol::DriveGoal>(request.set_goal());
-  assign(*goal->mutable_timestamp(), process.frameTime());
-  driveGoal.send(std::move(goal));
   answer(request, "");
 }
 
@@ -485,26 +390,13 @@ void DebugProcess::Implementation::sendTables() {
     tables.fillSolutions(names, table);
     addAbsentTasks(routes.absent, table);
   }
-  if (std::exchange(colorTableDue, false)) publishColorTable();
-  if (std::exchange(motionsDue, false)) publishMotions();
+  packages.publishChanged();
   const Instant now = process.frameTime();
   const bool due =
       !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
   if (!due) return;
   processTableDue = now + kProcessTablePeriod;
   fillProcesses(debug.add<robotcontrol::ProcessTable>(streams::kProcesses));
-}
-
-/// A program that does not look at colors has none.
-void DebugProcess::Implementation::publishColorTable() {
-  if (!colorTable.connected()) return;
-  debug.add<robotcontrol::ColorTable>(streams::kColorTableInUse) =
-      robotlink::colorTableInUse(colorTableInUse.get());
-}
-
-/// A program that plays no motions has none.
-void DebugProcess::Implementation::publishMotions() {
-  if (motions.sender().connected()) debug.add<robotcontrol::MotionTable>(streams::kMotions) = motions.table();
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {

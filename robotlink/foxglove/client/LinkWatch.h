@@ -23,7 +23,7 @@ class LinkWatch {
     Duration connectTime = std::chrono::seconds(1), stepTime = std::chrono::seconds(1),
              firstStepTime = std::chrono::seconds(5);
     /// Between two tries, and after a refusal.
-    Duration retryTime = std::chrono::milliseconds(300), refusedTime = std::chrono::seconds(5);
+    Duration retryTime = std::chrono::milliseconds(200), refusedTime = std::chrono::seconds(5);
   };
   enum class Action {
     kNone,

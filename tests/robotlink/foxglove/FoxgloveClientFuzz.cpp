@@ -7,7 +7,7 @@
 #include "robotlink/foxglove/client/Refusals.h"
 #include "robotlink/foxglove/client/ServerUrl.h"
 #include "robotlink/foxglove/protocol/CallPart.h"
-#include "robotlink/foxglove/session/RemoteInbox.h"
+#include "robotlink/foxglove/session/remote/RemoteInbox.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/foxglove/FuzzedConversation.h"
 #include "tests/robotlink/foxglove/Samples.h"

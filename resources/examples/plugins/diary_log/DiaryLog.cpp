@@ -69,7 +69,7 @@ robotlink::Result<logplayer::ImportReport> import(const std::filesystem::path& f
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("diary-log", "1.0", "Opens diaries, text files that begin with '# diary', as logs.") {
-  [[maybe_unused]] static const logplayer::LogFormatRegistration kDiary{
+  static const logplayer::LogFormatRegistration kDiary{
       {.name = "diary",
        .robot = [] { return logplayer::LogFormat::Robot{.name = "writer"}; },
        .recognizes = recognizes,

@@ -55,7 +55,7 @@ class MeanBall final : public robotlink::Solution {
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("mean-ball", "1.0", "Adds the solution 'mean' of the task ball-model.") {
-  [[maybe_unused]] static const robotlink::SolutionRegistration kMean =
+  static const robotlink::SolutionRegistration kMean =
       robotlink::SolutionBuilder<MeanBall>("ball-model", "mean", "Averages the places of the last percepts.")
           .needs(robotlink::kBallPercept)
           .yields(robotlink::kBallModel)

@@ -35,11 +35,11 @@ class LinkWatchTest : public testing::Test {
 TEST_F(LinkWatchTest, whatDoesNotAnswerIsTriedAgainWithPausesOfLessThanASecond) {
   EXPECT_EQ(actions(4500ms), (std::vector<std::pair<Action, int>>{{Action::kConnect, 0},
                                                                   {Action::kGiveUp, 1000},
-                                                                  {Action::kConnect, 1300},
-                                                                  {Action::kGiveUp, 2300},
-                                                                  {Action::kConnect, 2600},
-                                                                  {Action::kGiveUp, 3600},
-                                                                  {Action::kConnect, 3900}}));
+                                                                  {Action::kConnect, 1200},
+                                                                  {Action::kGiveUp, 2200},
+                                                                  {Action::kConnect, 2400},
+                                                                  {Action::kGiveUp, 3400},
+                                                                  {Action::kConnect, 3600}}));
   EXPECT_EQ(watch_.phase(), Phase::kConnecting);
   EXPECT_THAT(watch_.reason(), testing::HasSubstr("nothing answers"));
 }
@@ -88,7 +88,7 @@ TEST_F(LinkWatchTest, afterTheFirstSuccessItIsBackWithinTwoSecondsOfTheLinesRetu
     Instant back = now_;
     LinkWatch copy = watch_;
     while (copy.next(back) != Action::kConnect) back += 10ms;
-    EXPECT_LE(back - now_, 1300ms);
+    EXPECT_LE(back - now_, 1200ms);
   }
 }
 

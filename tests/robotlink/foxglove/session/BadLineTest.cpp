@@ -11,8 +11,8 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/LinkNames.h"
-#include "robotlink/foxglove/session/SessionClient.h"
 #include "robotlink/foxglove/session/SessionServer.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 #include "tests/Eventually.h"
 #include "tests/robotlink/foxglove/Relay.h"
 

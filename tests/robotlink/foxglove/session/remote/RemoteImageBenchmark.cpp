@@ -12,8 +12,8 @@
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
-#include "robotlink/foxglove/session/SessionClient.h"
 #include "robotlink/foxglove/session/SessionServer.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 namespace robotlink::websocket::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/server/Listener.h"
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 #include "tests/Eventually.h"
 
 namespace robotlink::websocket::test {

@@ -4,7 +4,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "robotlink/foxglove/session/LinkNames.h"
-#include "robotlink/foxglove/session/RemoteSession.h"
+#include "robotlink/foxglove/session/remote/RemoteSession.h"
 
 namespace robotlink::websocket {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/StopStyle.h"
+#include "widgets/steering/StopStyle.h"
 
 #include <QCoreApplication>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/session/RemoteInbox.h"
+#include "robotlink/foxglove/session/remote/RemoteInbox.h"
 
 #include <google/protobuf/message.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/session/TimeShift.h"
+#include "robotlink/foxglove/session/remote/TimeShift.h"
 
 #include <gtest/gtest.h>
 

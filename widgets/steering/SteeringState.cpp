@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/SteeringState.h"
+#include "widgets/steering/SteeringState.h"
 
 #include <QCoreApplication>
 

@@ -6,7 +6,7 @@
 #include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/session/ProcessTables.h"
-#include "robotlink/foxglove/session/RemoteSession.h"
+#include "robotlink/foxglove/session/remote/RemoteSession.h"
 
 namespace robotlink::websocket {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/SteeringBar.h"
+#include "widgets/steering/SteeringBar.h"
 
 #include <QAction>
 #include <QBoxLayout>

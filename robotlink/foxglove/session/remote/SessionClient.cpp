@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 #include <google/protobuf/util/json_util.h>
 
@@ -7,8 +7,8 @@
 
 #include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
-#include "robotlink/foxglove/session/RemoteSession.h"
 #include "robotlink/foxglove/session/RobotPath.h"
+#include "robotlink/foxglove/session/remote/RemoteSession.h"
 
 namespace robotlink::websocket {
 

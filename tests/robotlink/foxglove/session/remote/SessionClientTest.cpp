@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session at one end, its robots in another session at the other end, and a line between them.
-#include "robotlink/foxglove/session/SessionClient.h"
+#include "robotlink/foxglove/session/remote/SessionClient.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/foxglove/session/SessionClientOptions.h"
+#include "robotlink/foxglove/session/remote/SessionClientOptions.h"
 #include "robotlink/session/Session.h"
 
 namespace robotlink::websocket {

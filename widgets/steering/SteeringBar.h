@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "widgets/SteeringState.h"
+#include "widgets/steering/SteeringState.h"
 
 class QAction;
 class QLabel;

@@ -5,7 +5,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
 #include "robotlink/foxglove/session/LinkNames.h"
-#include "robotlink/foxglove/session/RemoteSession.h"
+#include "robotlink/foxglove/session/remote/RemoteSession.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/FrameDrawings.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes from the server, and what is subscribed to.
-#include "robotlink/foxglove/session/RemoteSession.h"
+#include "robotlink/foxglove/session/remote/RemoteSession.h"
 
 #include <algorithm>
 
