@@ -14,11 +14,11 @@
 namespace widgets {
 namespace {
 
-constexpr int kMinTitle = 32;                          // pixels: a sort indicator and two letters
-constexpr int kMinNameTitle = 64;                      // pixels
-constexpr int kTextWidth = 160, kLeastTextWidth = 80;  // pixels
-constexpr int kFitInterval = 250;                      // ms between two fits to changed contents
-constexpr int kLeastWidth = 8, kMaxWidth = 4'000;      // pixels
+constexpr int kMinTitle = 32;                        // pixels: a sort indicator and two letters
+constexpr int kMinNameTitle = 64;                    // pixels
+constexpr int kTextWidth = 160, kMinTextWidth = 80;  // pixels
+constexpr int kFitInterval = 250;                    // ms between two fits to changed contents
+constexpr int kMinWidth = 8, kMaxWidth = 4'000;      // pixels
 
 int totalWidth(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
@@ -33,7 +33,7 @@ int comfortableWidth(const ColumnNeed& column, int room) {
 
 int leastWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
-  if (column.kind == ColumnKind::kText) return kLeastTextWidth;
+  if (column.kind == ColumnKind::kText) return kMinTextWidth;
   const int title = column.kind == ColumnKind::kName ? kMinNameTitle : kMinTitle;
   return std::min(std::max(column.contents, std::min(column.title, title)), comfortableWidth(column, room));
 }
@@ -110,7 +110,7 @@ ColumnFit::ColumnFit(QAbstractItemView& view, QHeaderView& header, std::vector<C
   header.setStretchLastSection(false);
   header.setHighlightSections(false);
   header.setSectionResizeMode(QHeaderView::Interactive);
-  header.setMinimumSectionSize(kLeastWidth);
+  header.setMinimumSectionSize(kMinWidth);
   header.setTextElideMode(Qt::ElideRight);
   header.setResizeContentsPrecision(0);  // what is seen, not all rows
   connect(&header, &QHeaderView::sectionResized, this, [this](int column, int before, int width) {
@@ -161,8 +161,7 @@ void ColumnFit::schedule() {
 
 void ColumnFit::pin(int column, int width) {
   if (column < 0 || column >= static_cast<int>(needs_.size())) return;
-  needs_[static_cast<std::size_t>(column)].pinned =
-      width <= 0 ? 0 : std::clamp(width, kLeastWidth, kMaxWidth);
+  needs_[static_cast<std::size_t>(column)].pinned = width <= 0 ? 0 : std::clamp(width, kMinWidth, kMaxWidth);
   schedule();
 }
 

@@ -111,7 +111,7 @@ class NumberReader {
   const std::size_t maxWaiting_;
   /// Opened by the thread.
   std::shared_ptr<LogFile> log_;
-  /// Of the thread alone, by the ids of the readings.
+  /// Only the thread uses it. The keys are the ids of the readings.
   std::map<std::uint64_t, Memory> memories_;
   /// Protects all following members but the worker.
   mutable std::mutex mutex_;

@@ -10,7 +10,7 @@ namespace {
 
 /// A packet whose rest has not come after this time never will.
 constexpr Duration kPartialTime = std::chrono::milliseconds(100);
-/// Of the laser's commands: a reading each degree, and packets with reflectances.
+/// What the laser's commands ask for: a reading each degree, and packets with reflectances.
 constexpr int kEachDegree = 100, kExtendedPackets = 2;
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr double kTireSoftness = 1.5e-3;
 constexpr double kCreep = 0.0005;
 constexpr double kLoadSmoothing = 0.5;
 /// As a fraction of the load at rest: a wheel that is about to land grips a little.
-constexpr double kLeastLoad = 0.1;
+constexpr double kMinLoad = 0.1;
 // A contact is with the flank if the axial component of its normal is larger than this.
 constexpr double kFlank = 0.6;
 /// Fraction of the motors' maximum force.
@@ -138,7 +138,7 @@ void settleWheels(OdeWorld& ode) {
   for (std::size_t i = 0; i < loads.size(); ++i) {
     OdeWheel& wheel = ode.wheels[i];
     wheel.load += kLoadSmoothing * (loads[i] - wheel.load);
-    wheel.load = std::max(wheel.load, kLeastLoad * wheel.restLoad);
+    wheel.load = std::max(wheel.load, kMinLoad * wheel.restLoad);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const bool kinematic = ode.models[static_cast<std::size_t>(ode.drives[i / 2].model)].kinematic;

@@ -70,7 +70,7 @@ void openCvHsvRanges(benchmark::State& state) {
   countPixels(state);
 }
 
-/// Of the field's class alone.
+/// Counts the field's class alone.
 void openCvComponents(benchmark::State& state) {
   cv::setNumThreads(1);
   const Image image = segmentationImage(state, PixelFormat::kYuyv);

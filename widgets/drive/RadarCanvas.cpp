@@ -40,7 +40,7 @@ RadarLook RadarCanvas::look() const {
 }
 
 void RadarCanvas::setRange(double meters) {
-  const double range = std::clamp(meters, RadarLook::kLeastRange, RadarLook::kGreatestRange);
+  const double range = std::clamp(meters, RadarLook::kMinRange, RadarLook::kMaxRange);
   if (range == look_.range) return;
   look_.range = range;
   update();

@@ -224,8 +224,7 @@ void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPale
 }  // namespace
 
 double RadarLook::scale() const {
-  return std::max(1.0, std::min(size.width(), size.height())) / 2 /
-         std::clamp(range, kLeastRange, kGreatestRange);
+  return std::max(1.0, std::min(size.width(), size.height())) / 2 / std::clamp(range, kMinRange, kMaxRange);
 }
 
 QTransform robotToWidget(const RadarLook& look, double heading) {

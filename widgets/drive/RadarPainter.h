@@ -14,7 +14,7 @@ struct RadarReadings;
 /// How a radar is shown. A plain value; logical pixels.
 struct RadarLook {
   /// Limits of the range, m.
-  static constexpr double kLeastRange = 0.5, kGreatestRange = 40;
+  static constexpr double kMinRange = 0.5, kMaxRange = 40;
   /// Size of the widget.
   QSizeF size;
   /// Meters from the middle to the nearer edges.

@@ -299,7 +299,7 @@ void FieldView::restoreState(const QJsonObject& state) {
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   FieldViewport viewport;
   viewport.fit = state[QStringLiteral("fit")].toBool(true);
-  viewport.scale = std::clamp(state[QStringLiteral("scale")].toDouble(100), FieldViewport::kMinimumScale,
+  viewport.scale = std::clamp(state[QStringLiteral("scale")].toDouble(100), FieldViewport::kMinScale,
                               FieldViewport::kMaxScale);
   viewport.center = {center.at(0).toDouble(), center.at(1).toDouble()};
   viewport.quarterTurns = std::clamp(state[QStringLiteral("quarterTurns")].toInt(), 0, 3);

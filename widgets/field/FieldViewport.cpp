@@ -29,7 +29,7 @@ double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSi
   if (!viewport.fit || extent.isEmpty()) return viewport.scale;
   const QSizeF turned = viewport.quarterTurns % 2 == 0 ? extent.size() : extent.size().transposed();
   const double fitting = std::min(widget.width() / turned.width(), widget.height() / turned.height());
-  return std::clamp(fitting, FieldViewport::kMinimumScale, FieldViewport::kMaxScale);
+  return std::clamp(fitting, FieldViewport::kMinScale, FieldViewport::kMaxScale);
 }
 
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
@@ -55,7 +55,7 @@ FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const 
                      const QPointF& at) {
   FieldViewport result = unfittedField(viewport, extent, widget);
   const Vector2 before = groundAt(fieldToWidget(viewport, extent, widget), at);
-  result.scale = std::clamp(result.scale * factor, FieldViewport::kMinimumScale, FieldViewport::kMaxScale);
+  result.scale = std::clamp(result.scale * factor, FieldViewport::kMinScale, FieldViewport::kMaxScale);
   const Vector2 after = groundAt(fieldToWidget(result, extent, widget), at);
   result.center = nearTo(extent, result.center + before - after);
   return result;

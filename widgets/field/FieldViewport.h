@@ -17,7 +17,7 @@ namespace widgets {
 /// coordinates are Qt's logical pixels, y down.
 struct FieldViewport {
   /// Limits of the scale, pixels per meter.
-  static constexpr double kMinimumScale = 1, kMaxScale = 5000;
+  static constexpr double kMinScale = 1, kMaxScale = 5000;
 
   /// Whether the whole ground is shown as large as possible; scale and center are not used then.
   bool fit = true;

@@ -187,7 +187,7 @@ void ImageStreamView::restoreState(const QJsonObject& state) {
   PictureView::restoreState(state);
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),
-                        std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,
+                        std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinZoom,
                                    ImageViewport::kMaxZoom),
                         {center.at(0).toDouble(), center.at(1).toDouble()}});
 }

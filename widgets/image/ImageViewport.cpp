@@ -22,7 +22,7 @@ QPointF clampedCenter(const QPointF& center, const QSizeF& image) {
 double shownZoom(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget) {
   if (!viewport.fit || image.isEmpty()) return viewport.zoom;
   const double fitting = std::min(widget.width() / image.width(), widget.height() / image.height());
-  return std::clamp(fitting, ImageViewport::kMinimumZoom, ImageViewport::kMaxZoom);
+  return std::clamp(fitting, ImageViewport::kMinZoom, ImageViewport::kMaxZoom);
 }
 
 QTransform imageToWidget(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget) {
@@ -37,7 +37,7 @@ ImageViewport zoomed(const ImageViewport& viewport, const QSizeF& image, const Q
                      const QPointF& at) {
   ImageViewport result = unfitted(viewport, image, widget);
   const QPointF fixed = imageToWidget(viewport, image, widget).inverted().map(at);
-  result.zoom = std::clamp(result.zoom * factor, ImageViewport::kMinimumZoom, ImageViewport::kMaxZoom);
+  result.zoom = std::clamp(result.zoom * factor, ImageViewport::kMinZoom, ImageViewport::kMaxZoom);
   const QPointF middle(widget.width() / 2, widget.height() / 2);
   result.center = clampedCenter(fixed + (middle - at) / result.zoom, image);
   return result;

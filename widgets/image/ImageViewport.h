@@ -13,7 +13,7 @@ namespace widgets {
 /// coordinates are Qt's logical pixels.
 struct ImageViewport {
   /// Limits of the zoom.
-  static constexpr double kMinimumZoom = 0.1, kMaxZoom = 64;
+  static constexpr double kMinZoom = 0.1, kMaxZoom = 64;
 
   /// Whether the whole image is shown as large as possible; zoom and center are not used then.
   bool fit = true;

@@ -79,7 +79,7 @@ class CurveModel final : public QAbstractTableModel {
     bool isRight = false;
     /// Those of its streams whose debug keys were requested.
     std::set<std::string> requested = {};
-    /// Of values that are states.
+    /// Set for values that are states.
     StateNames names = {};
     /// Whether it is drawn as a strip; empty: as its values are.
     std::optional<bool> asStrip = {};

@@ -12,7 +12,7 @@ namespace widgets {
 struct LoggedCurve {
   /// Times are seconds on the session's timeline.
   robotlink::Series series = {};
-  /// Of values that are states.
+  /// Set for values that are states.
   StateNames names = {};
   /// Why there are no values; empty if there are.
   QString problem = {};

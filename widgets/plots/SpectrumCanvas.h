@@ -38,14 +38,14 @@ class SpectrumCanvas final : public QWidget {
   void setLogarithmic(bool on);
   /// Adds a button for an action beside the controls.
   void addTool(QAction& action);
-  /// Of what was shown last.
+  /// What was shown last.
   const std::vector<robotlink::Spectrum>& spectra() const { return spectra_; }
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  /// Of which points a spectrum is.
+  /// The points that a spectrum is computed from.
   struct Seen {
     std::shared_ptr<CurveModel::Curve> curve;
     std::size_t begin = 0, end = 0;

@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastContrast = 20;    // of 255; smaller differences are no edge
+constexpr int kMinContrast = 20;      // of 255; smaller differences are no edge
 constexpr int kShareOfBrightest = 8;  // nor are differences below this fraction of the brightest pixel around
 constexpr int kReach = 14;            // pixels searched along an edge in each direction
 
@@ -39,7 +39,7 @@ void findContrasts(const std::uint8_t* row, std::ptrdiff_t width, std::uint8_t* 
     const std::uint8_t least = std::min(center, std::min(std::min(left, right), std::min(above, below)));
     const auto difference = static_cast<std::uint8_t>(most - least);
     contrasts[x] =
-        static_cast<std::uint8_t>((difference >= kLeastContrast) & (difference > most / kShareOfBrightest));
+        static_cast<std::uint8_t>((difference >= kMinContrast) & (difference > most / kShareOfBrightest));
   }
 }
 

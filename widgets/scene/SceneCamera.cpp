@@ -90,7 +90,7 @@ void SceneCamera::pan(const QSizeF& widget, const QPointF& by) {
 void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
   const auto fixed = ray(widget, at).onPlane(target.z());
   const double before = distance;
-  distance = std::clamp(distance / factor, kMinimumDistance, kMaxDistance);
+  distance = std::clamp(distance / factor, kMinDistance, kMaxDistance);
   if (!fixed) return;
   const double share = 1 - distance / before;
   target += share * (*fixed - target);
@@ -111,7 +111,7 @@ void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
     }
     return true;
   };
-  double nearest = kMinimumDistance, farthest = kMaxDistance;
+  double nearest = kMinDistance, farthest = kMaxDistance;
   for (int i = 0; i < 24; ++i) {
     distance = (nearest + farthest) / 2;
     (allSeen() ? farthest : nearest) = distance;
@@ -169,7 +169,7 @@ SceneCamera cameraOf(const QJsonObject& state) {
   const QJsonArray target = state[QStringLiteral("target")].toArray();
   for (int i = 0; i < 3; ++i) camera.target[i] = std::clamp(target.at(i).toDouble(), -10.0, 10.0);
   camera.distance = std::clamp(state[QStringLiteral("distance")].toDouble(camera.distance),
-                               SceneCamera::kMinimumDistance, SceneCamera::kMaxDistance);
+                               SceneCamera::kMinDistance, SceneCamera::kMaxDistance);
   camera.azimuth = state[QStringLiteral("azimuth")].toDouble(camera.azimuth);
   camera.elevation =
       std::clamp(state[QStringLiteral("elevation")].toDouble(camera.elevation), kLowest, kHighest);

@@ -33,7 +33,7 @@ struct SceneBox {
 /// frame, widget coordinates in Qt's logical pixels.
 struct SceneCamera {
   /// Limits of the distance.
-  static constexpr double kMinimumDistance = 0.15, kMaxDistance = 200;
+  static constexpr double kMinDistance = 0.15, kMaxDistance = 200;
   /// The whole vertical opening angle.
   static constexpr double kVerticalAngle = robotlink::radians(36);
 

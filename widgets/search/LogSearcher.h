@@ -45,7 +45,7 @@ class LogSearcher {
   /// What came since the last call.
   struct News {
     std::vector<Hit> hits = {};
-    /// Of all logs, 0 to 1.
+    /// The share of all logs that was searched, 0 to 1.
     double progress = 0;
     /// What could not be searched, and why nothing could; with isDone only.
     std::vector<std::string> losses = {};

@@ -292,11 +292,11 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
       return toolTipOf(node);
     case kNumberRole:
       return isNumber(value) ? value : QVariant();
-    case kMinimumRole:
-    case kMaximumRole: {
+    case kMinRole:
+    case kMaxRole: {
       const auto* limits = limitsOf(node);
       if (limits == nullptr) return {};
-      return role == kMinimumRole ? limits->minimum() : limits->maximum();
+      return role == kMinRole ? limits->minimum() : limits->maximum();
     }
     case Qt::BackgroundRole: {
       if (index.column() != kValue || !node.children.empty() || !differs(node)) return {};

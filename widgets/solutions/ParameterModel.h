@@ -36,8 +36,8 @@ class ParameterModel final : public QAbstractItemModel {
     /// A number as it is; invalid for other values.
     kNumberRole,
     /// double: the limits of a number; invalid if it has none. The maximum may be infinite.
-    kMinimumRole,
-    kMaximumRole,
+    kMinRole,
+    kMaxRole,
   };
 
   explicit ParameterModel(QObject* parent = nullptr);

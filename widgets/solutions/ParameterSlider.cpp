@@ -56,8 +56,8 @@ void ParameterSlider::show(const QModelIndex& index) {
   const double builtIn = index.siblingAtColumn(ParameterModel::kBuiltIn).data().toDouble();
   const double largest = std::max({std::abs(value.toDouble()), std::abs(inFile), std::abs(builtIn)});
   const double around = largest > 0 ? 2 * largest : 1;
-  const QVariant minimum = index.data(ParameterModel::kMinimumRole);
-  const QVariant maximum = index.data(ParameterModel::kMaximumRole);
+  const QVariant minimum = index.data(ParameterModel::kMinRole);
+  const QVariant maximum = index.data(ParameterModel::kMaxRole);
   low_ = minimum.isValid() && std::isfinite(minimum.toDouble()) ? minimum.toDouble() : -around;
   high_ = maximum.isValid() && std::isfinite(maximum.toDouble()) ? maximum.toDouble()
                                                                  : std::max(around, low_ + around);

@@ -17,14 +17,14 @@ using Bytes = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t kHeader1 = 0xFA;
 inline constexpr std::uint8_t kHeader2 = 0xFB;
 /// The COUNT of a packet without data.
-inline constexpr std::size_t kMinimumCount = 3;
+inline constexpr std::size_t kMinCount = 3;
 /// Larger counts are treated as damage, as real clients do.
 inline constexpr std::size_t kMaxCount = 249;
 /// Robots ignore packets with a COUNT above 204, some clients those above 200, so none should be sent.
 inline constexpr std::size_t kMaxSentCount = 200;
 /// The most data that can be received, and that should be sent.
-inline constexpr std::size_t kMaxData = kMaxCount - kMinimumCount;
-inline constexpr std::size_t kMaxSentData = kMaxSentCount - kMinimumCount;
+inline constexpr std::size_t kMaxData = kMaxCount - kMinCount;
+inline constexpr std::size_t kMaxSentData = kMaxSentCount - kMinCount;
 
 /// The sender of a packet, which determines the meaning of its id and data.
 enum class Direction { kFromClient, kFromRobot };
@@ -35,7 +35,7 @@ struct Packet {
   Bytes data;
 
   /// The COUNT of its frame.
-  std::size_t count() const { return data.size() + kMinimumCount; }
+  std::size_t count() const { return data.size() + kMinCount; }
   /// The size of its frame: header and COUNT come before what COUNT counts.
   std::size_t frameSize() const { return count() + 3; }
   bool operator==(const Packet&) const = default;

@@ -73,7 +73,7 @@ std::optional<PacketParser::Found> PacketParser::next() {
   const std::size_t available = buffer_.size() - begin_;
   if (available < 3) return needMore();
   const std::size_t count = buffer_[begin_ + 2];
-  if (count < kMinimumCount || count > kMaxCount) {
+  if (count < kMinCount || count > kMaxCount) {
     return takeDamage(Damage::Kind::kCount, nextHeader(begin_ + 2, begin_ + 3));
   }
   if (available < count + 3) return needMore();

@@ -47,7 +47,7 @@ struct Outgoing {
 
 /// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
 /// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
-/// Of a stream with a rate the newest message waits until it is due. Memory is bounded; payloads are shared.
+/// A stream with a rate keeps its newest message until that is due. Memory is bounded; payloads are shared.
 /// Not thread-safe.
 class Outbox {
  public:

@@ -16,7 +16,7 @@ namespace {
 using robotlink::YCbCr;
 
 constexpr int kWidth = 320, kHeight = 240;
-/// Of the classes from 1 on.
+/// The colors of the classes from 1 on.
 constexpr std::array<YCbCr, 3> kColors = {{{140, 60, 200}, {90, 110, 90}, {200, 128, 128}}};
 
 /// A camera that is made like others by `correction`, and pictures of things of one color taken with it.

@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (quads)
     require(quads->data.size() == static_cast<std::size_t>(quads->width * quads->height * 4),
             "the data suits the components");
-  // Of what is large only the size is looked at, or a run would take hours.
+  // Only the size of a large image is looked at, or a run would take hours.
   const bool large = !quads && quads.error().id == "image.size";
   if (!large || size % 16 == 0) check(decodeJpeg(bytes));
   check(decodePng(bytes));

@@ -34,7 +34,7 @@ TEST(Solutions, haveDefaultsForAllTheirParameters) {
   const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/parameters";
   for (const SolutionDescription& solution : SolutionRegistry::all()) {
     if (solution.parameters == nullptr) continue;
-    // Of the robot that it is for.
+    // They are in the folder of the robot that it is for.
     const std::string name = solution.task + "." + solution.name + ".textproto";
     std::filesystem::path file;
     for (const char* robot : {"ers210", "p3at", "camera"}) {

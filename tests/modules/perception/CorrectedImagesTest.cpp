@@ -23,7 +23,7 @@ constexpr int kWidth = 208, kHeight = 160, kSide = 24;
 constexpr YCbCr kOrangeColor{150, 90, 190}, kWall{90, 90, 190};  // the wall is orange in the shade
 constexpr double kDarkening = -0.5, kTint = 20;
 
-/// Of the image's corners and its middle: places of orange squares of kSide pixels.
+/// The places of orange squares of kSide pixels: the image's corners and its middle.
 constexpr std::pair<int, int> kSquares[] = {{0, 0}, {184, 0}, {0, 136}, {184, 136}, {92, 68}};
 
 /// What a camera with a poor lens sees.

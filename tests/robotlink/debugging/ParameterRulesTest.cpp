@@ -9,7 +9,7 @@
 namespace robotlink {
 namespace {
 
-// Of a cube: its pose (1), in it the position (1), in it x (1); its color (3), in it the red (1).
+// The fields of a cube: its pose (1), in it the position (1), in it x (1); its color (3), in it the red (1).
 const ParameterField kX{1, 1, 1};
 
 TEST(ParameterRules, aRangeIsDescribedInWords) {

@@ -175,7 +175,7 @@ class RadarViewTest : public QObject {
     click(*view, "radarZoomOut");
     QVERIFY(std::abs(canvas.look().range - 4 * std::sqrt(2.0) / 1.44) < 1e-9);
     for (int i = 0; i < 12; ++i) QTest::keyClick(&canvas, Qt::Key_Plus);
-    QCOMPARE(canvas.look().range, RadarLook::kLeastRange);
+    QCOMPARE(canvas.look().range, RadarLook::kMinRange);
     moveMouse(canvas, {canvas.width() / 2, 0});
     QVERIFY(child<QLabel>(*view, "radarCursor").text().endsWith(QStringLiteral("at 0°")));
     QTest::keyClick(&canvas, Qt::Key_N);

@@ -93,7 +93,7 @@ class RemoteSession {
   LatchedMessages latched;
   std::vector<SessionGap> gaps;
   RemoteImages images = RemoteImages::kAutomatic;
-  /// Of each stream, in images a second; 0: all.
+  /// The rate of each stream, in images a second; 0: all.
   double imageRate = 0;
   /// Whether the server has found that the line does not carry raw images.
   bool isNarrow = false;

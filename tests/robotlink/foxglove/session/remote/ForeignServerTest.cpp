@@ -104,7 +104,7 @@ TEST_F(ForeignServerTest, whatIsNotDecodedIsNamedOnce) {
   EXPECT_EQ(streams[2].encoding, "flatbuffer");
   EXPECT_FALSE(streams[2].isDecoded);
   EXPECT_TRUE(streams[0].isDecoded);
-  // Of another one only that is news.
+  // For another one, only that is news.
   server_->addChannels({{"/odd", "msgpack", "Odd", "", ""}});
   EXPECT_TRUE(soon([&] {
     return shown("log").find("not decoded here: /odd (msgpack)") != std::string::npos;

@@ -159,7 +159,7 @@ void imageOfAFarRobot(benchmark::State& state) {
   state.counters["max_ms"] = quantile(ages, 1) * 1e3;
   state.counters["missed"] = missed;
 }
-// Of an ERS-210 (208 x 160 pixels), and of 640 x 480.
+// Images of an ERS-210 (208 x 160 pixels), and of 640 x 480.
 BENCHMARK(imageOfAFarRobot)
     ->ArgNames({"bytes", "period_ms"})
     ->Args({66'560, 40})
