@@ -35,6 +35,10 @@ bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Base).lightness() < palette.color(QPalette::Text).lightness();
 }
 
+bool isHighContrast(const QPalette& palette) {
+  return palette.color(QPalette::Base) == Qt::black && palette.color(QPalette::Text) == Qt::white;
+}
+
 QColor mixed(const QColor& a, const QColor& b, double share) {
   const auto mix = [share](double x, double y) { return x + (y - x) * share; };
   return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()),
@@ -54,7 +58,8 @@ QColor colorOf(Meaning meaning, const QPalette& palette) {
     case Meaning::kMuted:
       break;
   }
-  return mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.45);
+  return mixed(palette.color(QPalette::Text), palette.color(QPalette::Base),
+               isHighContrast(palette) ? 0.25 : 0.45);
 }
 
 QColor curveColor(int index, const QPalette& palette) {

@@ -13,6 +13,8 @@ enum class Meaning : std::uint8_t { kGood, kNote, kWarning, kBad, kMuted };
 
 /// Whether the palette's text is lighter than its base.
 bool isDark(const QPalette& palette);
+/// Whether the palette is that of high contrast: texts in white on black.
+bool isHighContrast(const QPalette& palette);
 /// The color for a meaning on the palette's base color.
 QColor colorOf(Meaning meaning, const QPalette& palette);
 /// Color of the n-th curve (from 0); they repeat after twelve.

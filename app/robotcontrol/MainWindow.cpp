@@ -18,6 +18,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/plugins/Plugins.h"
+#include "app/robotcontrol/actions/AppearanceMenu.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/PlatformMenus.h"
@@ -246,6 +247,12 @@ void MainWindow::showEnded(const std::vector<std::string>& reported) {
 /// Changes the perspective if the current one is the default for what was loaded before; a perspective that
 /// the user has chosen stays. Has no effect at the start, when the window is restored as it was.
 void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
+  const QString chosen = loaded.sources.empty() ? QString() : perspectives_.chosenFor(loaded.sources.front());
+  if (!std::exchange(isPerspectiveWanted_, false) && !chosen.isEmpty()) {
+    beginning_ = Perspectives::beginningWith(loaded);
+    if (chosen != perspectives_.current()) showPerspective(chosen);
+    return;
+  }
   const QString beginning = Perspectives::beginningWith(loaded);
   if (beginning.isEmpty()) return;
   const QString before = std::exchange(beginning_, beginning);
@@ -292,9 +299,10 @@ void MainWindow::tick() {
 
 void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
+  isFirstStart_ = window.isEmpty();
   resize(firstSize(screen()));
   create();  // so that floating docks can have it as their parent
-  setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
+  appearance_->load(window);
   platforms_->memory().load(window);
   remote_->load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
@@ -320,8 +328,8 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("palette"), QJsonArray::fromStringList(palette_->recent())},
                      {QStringLiteral("command_history"),
                       QJsonArray::fromStringList(widgets::commandLog(context_).history())},
-                     {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
-                     {QStringLiteral("appearance"), nameOf(appearance_)}};
+                     {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()}};
+  appearance_->save(window);
   platforms_->memory().save(window);
   remote_->save(window);
   // What a workbench that ends properly had open is nothing to be offered.

@@ -8,7 +8,6 @@
 #include <functional>
 #include <memory>
 
-#include "app/robotcontrol/Appearance.h"
 #include "app/robotcontrol/docks/Perspectives.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
@@ -28,6 +27,7 @@ class ParameterSweep;
 
 namespace app {
 
+class AppearanceMenu;
 class CommandActions;
 class CommandPalette;
 class DockSpace;
@@ -48,6 +48,7 @@ class RemoteMenus;
 class Shortcuts;
 class SimulationToolBar;
 class StatusLine;
+class Tour;
 class UndoOrder;
 class ViewDocks;
 class WindowKeys;
@@ -69,6 +70,9 @@ class MainWindow : public QMainWindow {
 
   /// Shows a perspective as soon as no dock is being dragged; the current one is saved first.
   void showPerspective(const QString& name);
+  /// Does that for a user, who sees it again whenever what is open now is opened; before anything is open, it
+  /// stays when something is.
+  void choosePerspective(const QString& name);
   /// What all views share.
   const widgets::ViewContext& context() const { return context_; }
   /// Processes new messages and updates the visible views now; the timer calls it.
@@ -81,6 +85,10 @@ class MainWindow : public QMainWindow {
   ViewDocks& docks() { return *docks_; }
   /// All keys, and those that the user has chosen.
   Shortcuts& shortcuts() { return *shortcuts_; }
+  /// Whether nothing was saved by an earlier start.
+  bool isFirstStart() const { return isFirstStart_; }
+  /// Explains the parts of the window one after the other.
+  void showTour();
   /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples. To be
   /// called before the program ends.
   void keep();
@@ -149,6 +157,9 @@ class MainWindow : public QMainWindow {
   void stepLayout(void (LayoutHistory::*step)());
   /// Saves the layout as a perspective. Fails if the name is empty.
   robotlink::Result<void> savePerspective(const QString& name);
+  /// Writes the shown perspective to a file, and shows that of a file.
+  robotlink::Result<void> writePerspective(const std::filesystem::path& file);
+  robotlink::Result<void> readPerspective(const std::filesystem::path& file);
   /// Removes a perspective of the user; Play is shown if it was the current one. Fails for shipped ones.
   robotlink::Result<void> removePerspective(const QString& name);
   /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
@@ -185,7 +196,6 @@ class MainWindow : public QMainWindow {
   void createRobotMenus();
   void createLogMenu();
   void createWindowMenu();
-  void createAppearanceMenu(QMenu& menu);
   void createHelpMenu();
   /// Rebuilds the menu of perspectives after one was added, removed or shown.
   void fillPerspectiveMenu();
@@ -199,7 +209,8 @@ class MainWindow : public QMainWindow {
   void loadColorTable();
   void savePicture();
   void savePerspectiveAs();
-  void setAppearance(Appearance appearance);
+  void exportPerspective();
+  void importPerspective();
   void showShortcuts();
   /// Shows the manual's page of the view that has the focus.
   void showManual();
@@ -221,19 +232,23 @@ class MainWindow : public QMainWindow {
   Perspectives perspectives_;
   /// The default perspective for what was loaded last; empty: nothing was loaded.
   QString beginning_;
-  Appearance appearance_ = Appearance::kSystem;
+  /// Whether a perspective was chosen for what is opened next.
+  bool isPerspectiveWanted_ = false;
   /// Whether the window closes, so that nothing that is open was left so by a crash.
   bool isEnding_ = false;
+  bool isFirstStart_ = false;
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;
+  AppearanceMenu* appearance_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
   WindowKeys* keys_ = nullptr;
   Shortcuts* shortcuts_ = nullptr;
   UndoOrder* undoOrder_ = nullptr;
   CommandPalette* palette_ = nullptr;
   widgets::ParameterSweep* sweep_ = nullptr;
-  /// Null until it is shown for the first time.
+  /// Null until they are shown for the first time.
   ManualWindow* manual_ = nullptr;
+  Tour* tour_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
   /// Entries of the window menu that are enabled by tickDocks().

@@ -6,9 +6,11 @@
 #include <QMenu>
 #include <QPointer>
 #include <algorithm>
+#include <cmath>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/AppearanceMenu.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/commands/CommandPalette.h"
@@ -180,7 +182,7 @@ void MainWindow::attachPerspectiveCommands() {
     attach(name, act, names);
   };
   attachForPerspective("view.perspective", [](MainWindow& window, const QString& name) -> Result<void> {
-    window.showPerspective(name);
+    window.choosePerspective(name);
     return {};
   });
   attachForPerspective("view.delete-perspective", [](MainWindow& window, const QString& name) {
@@ -190,6 +192,12 @@ void MainWindow::attachPerspectiveCommands() {
       "view.save-perspective",
       [](MainWindow& window, const Values& values) { return window.savePerspective(argumentOf(values, 0)); },
       names);
+  attach("view.export-perspective", [](MainWindow& window, const Values& values) {
+    return window.writePerspective(std::get<std::string>(values[0]));
+  });
+  attach("view.import-perspective", [](MainWindow& window, const Values& values) {
+    return window.readPerspective(std::get<std::string>(values[0]));
+  });
   const auto attachSimple = [this](const char* name, void (*run)(MainWindow&)) {
     attach(name, [run](MainWindow& window, const Values&) -> Result<void> {
       run(window);
@@ -200,7 +208,16 @@ void MainWindow::attachPerspectiveCommands() {
   attachSimple("view.undo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::undo); });
   attachSimple("view.redo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::redo); });
   attach("view.appearance", [](MainWindow& window, const Values& values) -> Result<void> {
-    window.setAppearance(appearanceFromName(argumentOf(values, 0)));
+    window.appearance_->setAppearance(appearanceFromName(argumentOf(values, 0)));
+    return {};
+  });
+  attach("view.text-size", [](MainWindow& window, const Values& values) -> Result<void> {
+    const double percent = std::get<double>(values[0]);
+    if (!(percent >= AppearanceMenu::kMinTextSize && percent <= AppearanceMenu::kMaxTextSize))
+      return failure("view.text-size", "the size must be between " +
+                                           std::to_string(AppearanceMenu::kMinTextSize) + " and " +
+                                           std::to_string(AppearanceMenu::kMaxTextSize) + " percent");
+    window.appearance_->setTextSize(static_cast<int>(std::lround(percent)));
     return {};
   });
 }

@@ -2,12 +2,14 @@
 // MainWindow: docks, perspectives, and the undo history of the layout.
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QApplication>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 #include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/docks/DockSpace.h"
@@ -88,6 +90,42 @@ void MainWindow::showPerspective(const QString& name) {
   });
 }
 
+void MainWindow::choosePerspective(const QString& name) {
+  showPerspective(name);
+  const LoadedPlatform* loaded = workbench_.loaded();
+  isPerspectiveWanted_ = loaded == nullptr;
+  if (loaded == nullptr || loaded->sources.empty()) return;
+  // Later, if a dock is being dragged.
+  whenDocksRest([this, source = loaded->sources.front()] { perspectives_.chooseFor(source); });
+}
+
+void MainWindow::exportPerspective() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Export perspective"), perspectives_.current() + QStringLiteral(".perspective.json"),
+      tr("Perspectives (*.perspective.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  if (const auto written = writePerspective(file.toStdString()); !written) showErrors({written.error()});
+}
+
+void MainWindow::importPerspective() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Import perspective"), {}, tr("Perspectives (*.perspective.json *.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  if (const auto read = readPerspective(file.toStdString()); !read) showErrors({read.error()});
+}
+
+robotlink::Result<void> MainWindow::writePerspective(const std::filesystem::path& file) {
+  perspectives_.keep(perspectives_.current(), *docks_);
+  return perspectives_.write(perspectives_.current(), file);
+}
+
+robotlink::Result<void> MainWindow::readPerspective(const std::filesystem::path& file) {
+  const auto name = perspectives_.read(file);
+  if (!name) return tl::unexpected(name.error());
+  choosePerspective(*name);
+  return {};
+}
+
 void MainWindow::resetPerspective() {
   whenDocksRest([this] {
     layouts_->keepAll();
@@ -99,7 +137,7 @@ void MainWindow::fillPerspectiveMenu() {
   perspectiveMenu_->clear();
   int number = 1;
   for (const QString& name : perspectives_.names()) {
-    QAction* action = perspectiveMenu_->addAction(name, this, [this, name] { showPerspective(name); });
+    QAction* action = perspectiveMenu_->addAction(name, this, [this, name] { choosePerspective(name); });
     action->setObjectName(QStringLiteral("perspective.") + name);
     action->setCheckable(true);
     action->setChecked(name == perspectives_.current());

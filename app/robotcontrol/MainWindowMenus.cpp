@@ -9,6 +9,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/AppearanceMenu.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
 #include "app/robotcontrol/actions/ManualWindow.h"
@@ -21,6 +22,7 @@
 #include "app/robotcontrol/bars/LightMenu.h"
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "app/robotcontrol/bars/Tour.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/docks/ViewMenu.h"
@@ -111,6 +113,10 @@ void MainWindow::createWindowMenu() {
   perspectiveMenu_->setObjectName(QStringLiteral("perspectiveMenu"));
   menu->addAction(tr("&Save perspective as…"), this, &MainWindow::savePerspectiveAs)
       ->setObjectName(QStringLiteral("savePerspective"));
+  menu->addAction(tr("&Export perspective…"), this, &MainWindow::exportPerspective)
+      ->setObjectName(QStringLiteral("exportPerspective"));
+  menu->addAction(tr("&Import perspective…"), this, &MainWindow::importPerspective)
+      ->setObjectName(QStringLiteral("importPerspective"));
   menu->addAction(tr("&Reset perspective"), this, &MainWindow::resetPerspective)
       ->setObjectName(QStringLiteral("resetPerspective"));
   menu->addSeparator();
@@ -124,21 +130,14 @@ void MainWindow::createWindowMenu() {
   undoLayout_->setEnabled(false);
   redoLayout_->setEnabled(false);
   menu->addSeparator();
-  createAppearanceMenu(*menu);
-}
-
-void MainWindow::createAppearanceMenu(QMenu& menu) {
-  QMenu* appearance = menu.addMenu(tr("&Appearance"));
-  auto* group = new QActionGroup(appearance);
-  const std::pair<QString, Appearance> choices[] = {{tr("Same as the &system"), Appearance::kSystem},
-                                                    {tr("&Light"), Appearance::kLight},
-                                                    {tr("&Dark"), Appearance::kDark}};
-  for (const auto& [text, choice] : choices) {
-    QAction* action = appearance->addAction(text, this, [this, value = choice] { setAppearance(value); });
-    action->setObjectName(QStringLiteral("appearance.") + nameOf(choice));
-    action->setCheckable(true);
-    group->addAction(action);
-  }
+  appearance_ = new AppearanceMenu(menu);
+  menu->addMenu(appearance_);
+  // Existing docks keep the palette with which they were created, so they are created again.
+  connect(appearance_, &AppearanceMenu::changed, this, [this] {
+    whenDocksRest([this] {
+      if (!docks_->empty()) docks_->restore(docks_->save());
+    });
+  });
 }
 
 void MainWindow::createHelpMenu() {
@@ -148,6 +147,7 @@ void MainWindow::createHelpMenu() {
   manual->setObjectName(QStringLiteral("help.manual"));
   manual->setToolTip(tr("The manual, at the page of the view that has the focus"));
   manual->setShortcutContext(Qt::ApplicationShortcut);  // also in floating views
+  menu->addAction(tr("&Tour"), this, &MainWindow::showTour)->setObjectName(QStringLiteral("help.tour"));
   menu->addAction(tr("&Keyboard shortcuts…"), this, &MainWindow::showShortcuts,
                   QKeySequence(QStringLiteral("Shift+F1")))
       ->setObjectName(QStringLiteral("help.shortcuts"));
@@ -167,6 +167,11 @@ void MainWindow::showManual() {
   manual_->show();
   manual_->raise();
   manual_->activateWindow();
+}
+
+void MainWindow::showTour() {
+  if (tour_ == nullptr) tour_ = new Tour(*this, *docks_);
+  tour_->start();
 }
 
 void MainWindow::reportProblem() {
@@ -193,17 +198,6 @@ void MainWindow::savePicture() {
       this, tr("Save picture"), QStringLiteral("robotcontrol.png"), tr("Pictures (*.png)"));
   if (file.isEmpty()) return;
   if (const auto saved = saveScreenshot("window", file.toStdString()); !saved) showErrors({saved.error()});
-}
-
-void MainWindow::setAppearance(Appearance appearance) {
-  appearance_ = appearance;
-  app::apply(appearance, *qApp);
-  // Existing docks keep the palette with which they were created, so they are created again.
-  whenDocksRest([this] {
-    if (!docks_->empty()) docks_->restore(docks_->save());
-  });
-  if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance)))
-    action->setChecked(true);
 }
 
 void MainWindow::showShortcuts() {

@@ -191,6 +191,12 @@ void useFontOfDesktops() {
   QApplication::setFont(font);
 }
 
+/// A tour would cover what scripts and pictures show.
+bool wantsTour(const app::MainWindow& window, const Arguments& arguments) {
+  return window.isFirstStart() && arguments.script.empty() && arguments.screenshot.empty() &&
+         QGuiApplication::platformName() != QLatin1String("offscreen");
+}
+
 int takePicture(app::MainWindow& window, const std::string& file) {
   if (window.grab().save(QString::fromStdString(file))) return kDone;
   std::cerr << file << ": the picture could not be written\n";
@@ -219,7 +225,7 @@ int run(const Arguments& arguments) {
   robotlink::CommandSocket socket(app::scriptsOf(workbench));
   app::MainWindow window(workbench, robotlink::userDirectory());
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
-    window.showPerspective(QString::fromStdString(perspective));
+    window.choosePerspective(QString::fromStdString(perspective));
   }
   QObject::connect(&window, &app::MainWindow::closed, &window, [] { QApplication::quit(); });
   QObject::connect(&quitSignals, &app::QuitSignals::received, &window, [&window] {
@@ -227,6 +233,7 @@ int run(const Arguments& arguments) {
     QApplication::quit();
   });
   window.show();
+  if (wantsTour(window, arguments)) window.showTour();
   if (!load(workbench, arguments)) return kUsage;
   listenForCommands(socket, clock, window);
   std::vector<std::string> commands = arguments.commands;

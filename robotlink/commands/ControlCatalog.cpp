@@ -163,12 +163,21 @@ Rows viewRows() {
       {"view.delete-perspective",
        "Deletes a perspective of your own",
        {{"name", Type::kText, "of the perspective"}}},
+      {"view.export-perspective",
+       "Writes the shown perspective to a file",
+       {{"file", Type::kFile, "a .perspective.json file"}}},
+      {"view.import-perspective",
+       "Shows a perspective that was exported, and adds it to one's own",
+       {{"file", Type::kFile, "a .perspective.json file"}}},
       {"view.reset", "Shows the current perspective as it is shipped"},
       {"view.undo", "Undoes the last change of the arrangement of the views"},
       {"view.redo", "Redoes what was undone"},
       {"view.appearance",
        "Chooses the colors of the window",
-       {{"name", Type::kText, "", {}, {"system", "light", "dark"}}}},
+       {{"name", Type::kText, "", {}, {"system", "light", "dark", "high-contrast"}}}},
+      {"view.text-size",
+       "Sets the size of all texts",
+       {{"percent", Type::kNumber, "70 to 250; 100: as the system wants it"}}},
   };
 }
 

@@ -23,6 +23,7 @@
 #include "widgets/Requests.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/data/FieldTablePanel.h"
+#include "widgets/data/PublishPanel.h"
 #include "widgets/data/UnfoldedRows.h"
 
 namespace widgets {
@@ -59,6 +60,10 @@ DataView::DataView(ViewContext& context, QWidget* parent) : View(context, parent
   keep("search", search_);
   keep("columns", tree_->header());
   keep("splitter", splitter_);
+  keep("publishing", publish_);
+  keep(
+      "message", [this] { return publishing_->state(); },
+      [this](const QJsonValue& state) { publishing_->setState(state); });
   keep(
       "rows", [this] { return unfolded_->save(); },
       [this](const QJsonValue& rows) { unfolded_->restore(rows); });
@@ -82,6 +87,8 @@ void DataView::createActions() {
   listOverTime_ =
       makeAction(this, "time-line",
                  {"dataOverTime", tr("Table over time"), tr("Lists the selected values over time"), {}});
+  publish_ = makeToggle(this, "send",
+                        {"dataPublish", tr("Publish"), tr("Fills in a message to a robot and sends it"), {}});
   switchOn_ = makeAction(
       this, "keys", {"dataSwitchOn", tr("Switch on"), tr("Switches on the debug key of the stream"), {}});
   copyPath_ =
@@ -127,12 +134,15 @@ void DataView::createViews() {
   auto* top = new QHBoxLayout;
   top->addWidget(search_, 1);
   top->addWidget(comparison_);
-  for (QAction* action : {remember_, plot_, listOverTime_}) top->addWidget(makeButton(this, action));
+  for (QAction* action : {remember_, plot_, listOverTime_, publish_})
+    top->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
   layout->addLayout(top);
   table_ = new FieldTablePanel(context(), this);
   table_->hide();
-  splitter_ = makeSplitter(this, "dataSplitter", Qt::Vertical, {{tree_, 3}, {table_, 2}});
+  publishing_ = new PublishPanel(context(), this);
+  publishing_->hide();
+  splitter_ = makeSplitter(this, "dataSplitter", Qt::Vertical, {{tree_, 3}, {table_, 2}, {publishing_, 2}});
   layout->addWidget(splitter_, 1);
   layout->addWidget(path_);
   layout->addWidget(state_);
@@ -158,6 +168,7 @@ void DataView::connectSignals() {
   connect(tree_, &QTreeView::customContextMenuRequested, this, &DataView::showMenu);
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &DataView::showState);
   connect(plot_, &QAction::triggered, this, &DataView::plotSelected);
+  connect(publish_, &QAction::toggled, publishing_, &QWidget::setVisible);
   connect(listOverTime_, &QAction::triggered, this, &DataView::showTable);
   connect(switchOn_, &QAction::triggered, this, [this] {
     for (const QModelIndex& index : selectedRows()) switchOn(index);
@@ -180,6 +191,7 @@ void DataView::tick() {
   updateModel();
   listComparisons();
   table_->tick();
+  publishing_->tick();
   hint_->setHint(model_.rowCount() > 0 ? QString()
                  : model_.isFiltered()
                      ? tr("Nothing matches. Clear the search.")

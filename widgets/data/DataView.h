@@ -17,12 +17,14 @@ namespace widgets {
 
 class EmptyHint;
 class FieldTablePanel;
+class PublishPanel;
 class UnfoldedRows;
 
 /// All streams of the session, by robot, as a tree of the fields of their messages at the instant that the
 /// timeline shows. Values can be searched, copied, dragged into a plot, and compared with those of another
 /// robot, of a remembered instant, or of the log that is replayed. Streams behind debug keys that are off are
-/// gray; a click on their state switches the key on. Selected values are listed over time in a table below.
+/// gray; a click on their state switches the key on. Selected values are listed over time in a table below,
+/// and messages to a robot are filled in and sent there.
 ///
 /// Registered as "data". GUI thread.
 class DataView final : public View {
@@ -65,11 +67,13 @@ class DataView final : public View {
   QLabel* path_ = nullptr;
   QLabel* state_ = nullptr;
   FieldTablePanel* table_ = nullptr;
+  PublishPanel* publishing_ = nullptr;
   QSplitter* splitter_ = nullptr;
   EmptyHint* hint_ = nullptr;
   QAction* remember_ = nullptr;
   QAction* plot_ = nullptr;
   QAction* listOverTime_ = nullptr;
+  QAction* publish_ = nullptr;
   QAction* switchOn_ = nullptr;
   QAction* copyPath_ = nullptr;
   QAction* copyValue_ = nullptr;

@@ -22,7 +22,8 @@ namespace {
 
 using Place = ViewDocks::Place;
 constexpr int kVersion = 1;
-constexpr int kMaxPerspectives = 200;  // people keep five or ten
+constexpr int kMaxPerspectives = 200;         // people keep five or ten
+constexpr std::size_t kMaxFile = 16U << 20U;  // bytes
 
 /// Sets the sizes in the splitter that contains a dock, from the left or the top.
 void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
@@ -134,6 +135,10 @@ void build(const Shipped& perspective, ViewDocks& docks) {
     if (!dock.columns.isEmpty()) setColumns(made[dock.view], dock.columns);
 }
 
+tl::unexpected<robotlink::Error> failure(std::string text, const std::filesystem::path& file) {
+  return tl::unexpected(robotlink::Error{"window.perspective", std::move(text), {}, {file.string(), 0, 0}});
+}
+
 const Shipped* shipped(const QString& name) {
   const auto found = std::ranges::find_if(
       allShipped(), [&](const Shipped& candidate) { return name == QLatin1String(candidate.name); });
@@ -158,7 +163,7 @@ QString Perspectives::beginningWith(const LoadedPlatform& loaded) {
 void Perspectives::load() {
   std::error_code error;
   if (!std::filesystem::exists(file_, error)) return;
-  const auto text = robotlink::readFile(file_, 16U << 20U);
+  const auto text = robotlink::readFile(file_, kMaxFile);
   QJsonParseError problem{};
   const QJsonObject root =
       text ? QJsonDocument::fromJson(QByteArray::fromStdString(*text), &problem).object() : QJsonObject{};
@@ -188,6 +193,7 @@ void Perspectives::load() {
                          {file_.string(), 0, 0}});
   }
   window_ = root.value(QStringLiteral("window")).toObject();
+  chosen_ = root.value(QStringLiteral("chosen")).toArray();
   const QString current = root.value(QStringLiteral("current")).toString();
   if (names().contains(current)) current_ = current;
 }
@@ -231,10 +237,63 @@ void Perspectives::remove(const QString& name) {
   kept_.remove(name);
 }
 
+robotlink::Result<void> Perspectives::write(const QString& name, const std::filesystem::path& file) const {
+  if (!kept_.contains(name)) return failure("there is no perspective " + name.toStdString(), file);
+  const QJsonObject root{{QStringLiteral("version"), kVersion},
+                         {QStringLiteral("perspective"), name},
+                         {QStringLiteral("docks"), kept_.value(name)}};
+  const QByteArray text = QJsonDocument(root).toJson();
+  return robotlink::writeFileAtomically(
+      file, std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+}
+
+robotlink::Result<QString> Perspectives::read(const std::filesystem::path& file) {
+  const auto text = robotlink::readFile(file, kMaxFile);
+  if (!text) return tl::unexpected(text.error());
+  QJsonParseError problem{};
+  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(*text), &problem).object();
+  const QString wanted = root.value(QStringLiteral("perspective")).toString().trimmed();
+  const int version = root.value(QStringLiteral("version")).toInt();
+  if (problem.error != QJsonParseError::NoError)
+    return failure("it is no perspective: " + problem.errorString().toStdString() + " at byte " +
+                       std::to_string(problem.offset),
+                   file);
+  if (version > kVersion) return failure("it was written by a newer version of RobotControl", file);
+  const QJsonValue docks = root.value(QStringLiteral("docks"));
+  if (version < 1 || wanted.isEmpty() || !docks.isObject())
+    return failure("it is no perspective; Window > Export perspective writes one", file);
+  if (kept_.size() >= kMaxPerspectives)
+    return failure("there are " + std::to_string(kept_.size()) + " perspectives; delete one first", file);
+  QString name = wanted;
+  for (int number = 2; names().contains(name); ++number)
+    name = wanted + QStringLiteral(" ") + QString::number(number);
+  kept_.insert(name, docks);
+  return name;
+}
+
+QString Perspectives::chosenFor(const std::string& source) const {
+  const QString wanted = QString::fromStdString(source);
+  for (const QJsonValue& pair : chosen_) {
+    const QString name = pair.toArray().at(1).toString();
+    if (pair.toArray().at(0).toString() == wanted) return names().contains(name) ? name : QString();
+  }
+  return {};
+}
+
+void Perspectives::chooseFor(const std::string& source) {
+  const QString wanted = QString::fromStdString(source);
+  for (int i = chosen_.size() - 1; i >= 0; --i) {
+    if (chosen_.at(i).toArray().at(0).toString() == wanted) chosen_.removeAt(i);
+  }
+  chosen_.append(QJsonArray{wanted, current_});
+  while (chosen_.size() > kMaxSources) chosen_.removeFirst();
+}
+
 robotlink::Result<void> Perspectives::save() {
   const QJsonObject root{{QStringLiteral("version"), kVersion},
                          {QStringLiteral("current"), current_},
                          {QStringLiteral("perspectives"), kept_},
+                         {QStringLiteral("chosen"), chosen_},
                          {QStringLiteral("window"), window_}};
   const QByteArray text = QJsonDocument(root).toJson();
   if (text == saved_) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonArray>
 #include <QJsonObject>
 #include <QStringList>
 #include <filesystem>
@@ -45,6 +46,19 @@ class Perspectives {
   /// Removes a perspective of the user, or the user's changes of a shipped one.
   void remove(const QString& name);
 
+  /// Writes a kept perspective to a file of its own, which others can read with read(). Fails if there is
+  /// none of this name, or it cannot be written.
+  robotlink::Result<void> write(const QString& name, const std::filesystem::path& file) const;
+  /// Keeps what write() wrote, under its name, or with a number after it where there is one already. Returns
+  /// the name, or what is wrong with the file.
+  robotlink::Result<QString> read(const std::filesystem::path& file);
+
+  /// The perspective that the user has chosen while this was open; empty: none, or it is gone.
+  QString chosenFor(const std::string& source) const;
+  /// Remembers the current one, for the kMaxSources opened last.
+  void chooseFor(const std::string& source);
+  static constexpr int kMaxSources = 100;
+
   /// The state of the window itself (geometry, toolbars, recent files), stored in the same file.
   QJsonObject window() const { return window_; }
   void setWindow(QJsonObject window) { window_ = std::move(window); }
@@ -60,6 +74,8 @@ class Perspectives {
   /// The results of ViewDocks::save() by name.
   QJsonObject kept_;
   QJsonObject window_;
+  /// Pairs of a scene, log or robot and the name of the perspective that was chosen for it, the newest last.
+  QJsonArray chosen_;
   QString current_;
   /// The contents of the file at the last save.
   QByteArray saved_;

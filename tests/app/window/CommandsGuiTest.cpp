@@ -5,7 +5,7 @@
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 
-#include "app/robotcontrol/Appearance.h"
+#include "app/robotcontrol/actions/Appearance.h"
 #include "robotlink/commands/CommandTable.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"

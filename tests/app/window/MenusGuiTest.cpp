@@ -6,12 +6,15 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QToolBar>
 #include <QTreeWidget>
 
 #include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/bars/Tour.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/commands/CommandTable.h"
 #include "robotlink/debugging/Streams.h"
@@ -75,6 +78,80 @@ class MenusGuiTest : public WindowTest {
     QVERIFY(answer.asked());
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("layoutBox").currentText(), QStringLiteral("balanced"),
                               kWaitMs);
+  }
+
+  void aPerspectiveIsExportedAndImported() {
+    const std::filesystem::path file = home_ / "mine.perspective.json";
+    EmptyDesk desk(home_);
+    QVERIFY(desk.workbench.commands().runLine("view.close image"));
+    DialogAnswer out = DialogAnswer::file(QString::fromStdString(file.string()));
+    desk.choose("exportPerspective");
+    QVERIFY(out.asked());
+    QVERIFY(std::filesystem::exists(file));
+    QVERIFY(desk.workbench.commands().runLine("view.show image"));
+    DialogAnswer in = DialogAnswer::file(QString::fromStdString(file.string()));
+    desk.choose("importPerspective");
+    QVERIFY(in.asked());
+    QTRY_VERIFY(desk.find<QAction>("perspective.Play 2").isChecked());
+    QVERIFY(!desk.window.docks().isOpen(QStringLiteral("image")));
+    DialogAnswer wrong = DialogAnswer::file(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/README.md"));
+    desk.choose("importPerspective");
+    QVERIFY(wrong.asked());
+    QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("no perspective")));
+  }
+
+  void whatWasChosenForASceneIsShownWithItAgain() {
+    {
+      Desk desk(home_);
+      QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+      desk.choose("perspective.Processes");
+      QTRY_VERIFY(desk.find<QAction>("perspective.Processes").isChecked());
+      desk.window.keep();
+    }
+    EmptyDesk desk(home_);
+    desk.window.showPerspective(QStringLiteral("Play"));
+    QTRY_VERIFY(desk.find<QAction>("perspective.Play").isChecked());
+    desk.workbench.open(SimulationFeed::opening(defaultSimulation()));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QTRY_VERIFY(desk.find<QAction>("perspective.Processes").isChecked());
+    // What is chosen before something is opened is chosen for it.
+    EmptyDesk other(home_);
+    other.choose("perspective.Motion");
+    other.workbench.open(SimulationFeed::opening(defaultSimulation()));
+    QTRY_VERIFY_WITH_TIMEOUT(other.loaded(), kWaitMs);
+    other.window.tick();
+    QVERIFY(other.find<QAction>("perspective.Motion").isChecked());
+  }
+
+  void aTourExplainsThePartsAndEndsWithItsLastStepOrByEscape() {
+    EmptyDesk desk(home_);
+    QVERIFY(desk.window.isFirstStart());
+    desk.choose("help.tour");
+    auto& tour = desk.find<app::Tour>("tour");
+    auto& mark = desk.find<QWidget>("tourMark");
+    QVERIFY(tour.isVisible() && mark.isVisible());
+    QVERIFY(!desk.find<QPushButton>("tourBack").isEnabled());
+    QStringList titles;
+    for (int step = 0; step < tour.stepCount(); ++step) {
+      QCOMPARE(tour.step(), step);
+      QVERIFY(desk.window.rect().contains(tour.geometry()));
+      titles << desk.find<QLabel>("tourTitle").text();
+      click(desk.find<QPushButton>("tourNext"));
+    }
+    QCOMPARE(titles.removeDuplicates(), 0);
+    QVERIFY(!tour.isVisible() && !mark.isVisible());
+    desk.choose("help.tour");
+    QCOMPARE(tour.step(), 0);
+    click(desk.find<QPushButton>("tourNext"));
+    click(desk.find<QPushButton>("tourBack"));
+    QCOMPARE(tour.step(), 0);
+    // The frame is around the toolbar, and does not keep clicks from it.
+    click(desk.find<QPushButton>("tourNext"));
+    QVERIFY(mark.geometry().contains(desk.find<QToolBar>("simulationToolBar").geometry().center()));
+    QVERIFY(mark.testAttribute(Qt::WA_TransparentForMouseEvents));
+    QTest::keyClick(&desk.find<QPushButton>("tourNext"), Qt::Key_Escape);
+    QVERIFY(!tour.isVisible() && !mark.isVisible());
+    desk.window.keep();
   }
 
   void thePictureOfTheWindowIsSavedOrItIsSaidWhyNot() {

@@ -62,6 +62,56 @@ class PerspectivesTest : public WindowTest {
     QCOMPARE(Perspectives(file()).current(), QStringLiteral("Play"));
   }
 
+  void oneIsWrittenToAFileAndReadElsewhere() {
+    write(R"({"version": 1, "perspectives": {"Mine": {"a": 1}}})");
+    const Perspectives here(file());
+    const std::filesystem::path out = file().parent_path() / "mine.perspective.json";
+    QVERIFY(here.write(QStringLiteral("Mine"), out).has_value());
+    QVERIFY(!here.write(QStringLiteral("Other"), out).has_value());
+    QVERIFY(!here.write(QStringLiteral("Mine"), out / "below.json").has_value());
+    std::filesystem::remove(file());
+    Perspectives there(file());
+    QCOMPARE(there.read(out).value(), QStringLiteral("Mine"));
+    QCOMPARE(there.read(out).value(), QStringLiteral("Mine 2"));
+    QVERIFY(there.names().contains(QStringLiteral("Mine 2")));
+  }
+
+  void whatIsNoPerspectiveIsRefusedWithAReason() {
+    Perspectives perspectives(file());
+    const std::filesystem::path other = file().parent_path() / "other.json";
+    QVERIFY(!perspectives.read(other).has_value());
+    const std::pair<const char*, const char*> cases[] = {
+        {"{", "byte 1"},
+        {"[]", "no perspective"},
+        {R"({"version": 1, "perspective": " ", "docks": {}})", "no perspective"},
+        {R"({"version": 1, "perspective": "A", "docks": 7})", "no perspective"},
+        {R"({"version": 9, "perspective": "A", "docks": {}})", "newer version"}};
+    for (const auto& [text, reason] : cases) {
+      std::ofstream(other) << text;
+      const auto read = perspectives.read(other);
+      QVERIFY2(!read && read.error().describe().find(reason) != std::string::npos, text);
+    }
+    QCOMPARE(perspectives.names().size(), 6);
+  }
+
+  void whatWasChosenForASceneIsRememberedForTheNewestOnes() {
+    {
+      write(R"({"version": 1, "current": "Mine", "perspectives": {"Mine": {}}})");
+      Perspectives perspectives(file());
+      QVERIFY(perspectives.chosenFor("a.sdf").isEmpty());
+      for (int i = 0; i < Perspectives::kMaxSources; ++i) perspectives.chooseFor(std::to_string(i));
+      perspectives.chooseFor("0");
+      perspectives.chooseFor("a.sdf");
+      QVERIFY(perspectives.save().has_value());
+    }
+    Perspectives perspectives(file());
+    QCOMPARE(perspectives.chosenFor("a.sdf"), QStringLiteral("Mine"));
+    QCOMPARE(perspectives.chosenFor("0"), QStringLiteral("Mine"));
+    QVERIFY(perspectives.chosenFor("1").isEmpty());
+    perspectives.remove(QStringLiteral("Mine"));
+    QVERIFY(perspectives.chosenFor("a.sdf").isEmpty());
+  }
+
   void aFileThatCannotBeReadIsKeptAsideAndReported() {
     for (const char* text : {"{ no JSON", R"({"version": 2})", "[]"}) {
       write(text);

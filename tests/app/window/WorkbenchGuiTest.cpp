@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole workbench as a person uses it: mouse and keys on a window in which a robot plays.
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QTreeView>
@@ -9,6 +10,7 @@
 #include "tests/app/ShortLog.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
+#include "widgets/Theme.h"
 
 namespace app::test {
 namespace {
@@ -250,6 +252,34 @@ class WorkbenchGuiTest : public WindowTest {
     QVERIFY(lightness() < 100);
     desk.find<QAction>("appearance.light").trigger();
     QVERIFY(lightness() > 200);
+  }
+
+  void highContrastAndTheSizeOfTextsAreChosenAndRemembered() {
+    const std::filesystem::path home = home_ / "contrast";
+    const QFont before = QApplication::font();
+    {
+      EmptyDesk desk(home);
+      desk.find<QAction>("appearance.high-contrast").trigger();
+      const QPalette palette = desk.find<QTreeView>("keysTree").palette();
+      QVERIFY(widgets::isHighContrast(palette));
+      QVERIFY(widgets::colorOf(widgets::Meaning::kMuted, palette).lightness() > 180);
+      QVERIFY(palette.color(QPalette::Disabled, QPalette::Text).lightness() > 150);
+      desk.find<QAction>("textSize.150").trigger();
+      QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF() * 1.5);
+      QCOMPARE(desk.find<QTreeView>("keysTree").font().pointSizeF(), before.pointSizeF() * 1.5);
+      QVERIFY(!desk.workbench.commands().runLine("view.text-size 20"));
+      QVERIFY(!desk.workbench.commands().runLine("view.text-size 1000"));
+      QVERIFY(desk.workbench.commands().runLine("view.text-size 120"));
+      QVERIFY(!desk.find<QAction>("textSize.150").isChecked());
+      desk.window.keep();
+      QApplication::setFont(before);
+    }
+    EmptyDesk desk(home);
+    QVERIFY(desk.find<QAction>("appearance.high-contrast").isChecked());
+    QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF() * 1.2);
+    desk.find<QAction>("appearance.light").trigger();
+    desk.find<QAction>("textSize.100").trigger();
+    QCOMPARE(QApplication::font().pointSizeF(), before.pointSizeF());
   }
 
   void everyViewOfTheMenuOpens() {

@@ -8,12 +8,13 @@ class QApplication;
 namespace app {
 
 /// Colors of the application. kSystem follows the desktop (its settings portal on D-Bus) or, if that gives no
-/// answer, the palette that Qt got from the platform.
-enum class Appearance { kSystem, kLight, kDark };
+/// answer, the palette that Qt got from the platform. kHighContrast has white texts on black, with a contrast
+/// of at least 7 (WCAG 2.1, level AAA) also for what is disabled.
+enum class Appearance { kSystem, kLight, kDark, kHighContrast };
 
 /// The inverse of nameOf(); kSystem for unknown names.
 Appearance appearanceFromName(const QString& name);
-/// The name in settings: "system", "light", "dark".
+/// The name in settings: "system", "light", "dark", "high-contrast".
 QString nameOf(Appearance appearance);
 
 /// Sets style and palette of the application. May be called repeatedly; GUI thread. For kSystem it waits up

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotcontrol/Appearance.h"
+#include "app/robotcontrol/actions/Appearance.h"
 
 #include <QApplication>
 #include <QDBusConnection>
@@ -66,11 +66,26 @@ QPalette makePalette(const QColor& window, const QColor& base, const QColor& tex
   return palette;
 }
 
+/// Buttons are gray, since the style would draw their frames in black on black.
+QPalette highContrastPalette() {
+  const QColor accent(0xff, 0xd7, 0x00), faint(0xb8, 0xb8, 0xb8);
+  QPalette palette = makePalette(QColor(0x1c, 0x1c, 0x1c), Qt::black, Qt::white, accent);
+  palette.setColor(QPalette::Button, QColor(0x46, 0x46, 0x46));
+  palette.setColor(QPalette::HighlightedText, Qt::black);
+  palette.setColor(QPalette::PlaceholderText, faint);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ToolTipText})
+    palette.setColor(QPalette::Disabled, role, faint);
+  palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(0xd6, 0xd6, 0xd6));
+  palette.setColor(QPalette::Disabled, QPalette::Button, QColor(0x2a, 0x2a, 0x2a));
+  return palette;
+}
+
 }  // namespace
 
 Appearance appearanceFromName(const QString& name) {
   if (name == QLatin1String("light")) return Appearance::kLight;
   if (name == QLatin1String("dark")) return Appearance::kDark;
+  if (name == QLatin1String("high-contrast")) return Appearance::kHighContrast;
   return Appearance::kSystem;
 }
 
@@ -80,6 +95,8 @@ QString nameOf(Appearance appearance) {
       return QStringLiteral("light");
     case Appearance::kDark:
       return QStringLiteral("dark");
+    case Appearance::kHighContrast:
+      return QStringLiteral("high-contrast");
     case Appearance::kSystem:
       break;
   }
@@ -87,10 +104,11 @@ QString nameOf(Appearance appearance) {
 }
 
 void apply(Appearance appearance, QApplication& application) {
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  if (appearance == Appearance::kHighContrast) return application.setPalette(highContrastPalette());
   const bool dark = appearance == Appearance::kDark ||
                     (appearance == Appearance::kSystem &&
                      desktopPrefersDark().value_or(isDark(QApplication::style()->standardPalette())));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(dark ? makePalette(QColor(0x2b, 0x2e, 0x33), QColor(0x1f, 0x21, 0x25),
                                             QColor(0xe4, 0xe6, 0xea), QColor(0x3d, 0x7e, 0xd0))
                               : makePalette(QColor(0xf0, 0xf1, 0xf3), QColor(0xff, 0xff, 0xff),

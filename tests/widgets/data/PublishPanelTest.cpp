@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/data/PublishPanel.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <algorithm>
+
+#include "tests/widgets/Bench.h"
+#include "tests/widgets/GuiTest.h"
+#include "tests/widgets/data/DataFixture.h"
+#include "widgets/data/DataView.h"
+#include "widgets/data/RequestText.h"
+
+namespace widgets::test {
+namespace {
+
+using robotcontrol::Request;
+
+/// The view with its panel for messages, and the kind of message that is chosen in it.
+void openPanel(DataView& view, const char* kind) {
+  child<QAction>(view, "dataPublish").trigger();
+  auto& kinds = child<QComboBox>(view, "publishKind");
+  kinds.setCurrentIndex(kinds.findText(QLatin1String(kind)));
+}
+
+void write(DataView& view, const char* json) {
+  child<QPlainTextEdit>(view, "publishText").setPlainText(QLatin1String(json));
+}
+
+QString said(DataView& view) {
+  return child<QLabel>(view, "publishState").text();
+}
+
+}  // namespace
+
+class PublishPanelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allRequestsThatAreTextHaveATemplateThatCanBeRead() {
+    const auto forms = requestForms();
+    QVERIFY(forms.size() >= 12);
+    for (const RequestForm& form : forms) {
+      QVERIFY2(form.json.find('{') == 0, form.title.c_str());
+      const auto read = readRequest(form.what, "red1", form.json);
+      // By default some name nothing that exists; all are JSON of their type.
+      QVERIFY2(read || read.error().text.find("Cannot find field") == std::string::npos, form.title.c_str());
+    }
+    const auto has = [&forms](Request::WhatCase what) {
+      return std::ranges::find(forms, what, &RequestForm::what) != forms.end();
+    };
+    QVERIFY(has(Request::kSetGoal) && has(Request::kMotion) && has(Request::kPlaceModel));
+    QVERIFY(!has(Request::kSetColorTable) && !has(Request::kSetParameters));
+  }
+
+  void simulationsAreAskedForAllRobots() {
+    const auto placed =
+        readRequest(Request::kPlaceModel, "red1", R"({"model": "ball", "pose_in_field": {"x": 1}})");
+    QVERIFY(placed && placed->robot().empty() && placed->place_model().model() == "ball");
+    const auto goal = readRequest(Request::kSetGoal, "red1", "");
+    QVERIFY(goal && goal->robot() == "red1");
+    QVERIFY(!readRequest(Request::kSetGoal, "red1", R"({"pose_in_field": {"x": "NaN"}})"));
+    const auto wrong = readRequest(Request::kSetGoal, "red1", R"({"pose": 1})");
+    QVERIFY(!wrong && wrong.error().text.find("pose") != std::string::npos);
+    QVERIFY(!readRequest(Request::kSetGoal, "red1", std::string(2U << 20U, ' ')));
+  }
+
+  void aMessageIsFilledInAndSentOnce() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    bench.push("red1/joints/states", joints(0.5), 1);
+    bench.tick(*view);
+    QVERIFY(!child<QWidget>(*view, "publishPanel").isVisible());
+    openPanel(*view, "set goal");
+    QVERIFY(
+        child<QPlainTextEdit>(*view, "publishText").toPlainText().contains(QStringLiteral("\"heading\": 0")));
+    write(*view, R"({"pose_in_field": {"x": 1.5, "y": -0.5}})");
+    QTest::keyClick(&child<QPlainTextEdit>(*view, "publishText"), Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests.back().set_goal().pose_in_field().x(), 1.5);
+    QCOMPARE(QString::fromStdString(bench.requests.back().robot()), QStringLiteral("red1"));
+    bench.answer(true);
+    bench.tick(*view);
+    QCOMPARE(said(*view), QStringLiteral("1 message sent, 1 accepted"));
+  }
+
+  void whatIsNoMessageIsSaidAndNotSent() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    openPanel(*view, "set goal");
+    write(*view, R"({"pose_in_field": {"z": 1}})");
+    child<QAction>(*view, "publishSend").trigger();
+    QVERIFY(bench.requests.empty());
+    QVERIFY2(said(*view).startsWith(QStringLiteral("Not sent: ")) && said(*view).contains(QLatin1Char('z')),
+             qPrintable(said(*view)));
+    child<QAction>(*view, "publishRepeat").trigger();
+    QVERIFY(!child<QAction>(*view, "publishRepeat").isChecked());
+  }
+
+  void itIsRepeatedUntilItIsRefusedOrHidden() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    bench.push("red1/joints/states", joints(0.5), 1);
+    bench.tick(*view);
+    openPanel(*view, "set goal");
+    auto& repeat = child<QAction>(*view, "publishRepeat");
+    child<QDoubleSpinBox>(*view, "publishRate").setValue(50);
+    repeat.trigger();
+    QTRY_VERIFY(bench.requests.size() >= 3);
+    bench.answer(false, "no task of this layout drives to goals");
+    QTRY_VERIFY(!repeat.isChecked());
+    QCOMPARE(said(*view), QStringLiteral("Refused: no task of this layout drives to goals"));
+    repeat.trigger();
+    QVERIFY(repeat.isChecked());
+    child<QAction>(*view, "dataPublish").trigger();
+    QVERIFY(!repeat.isChecked());
+  }
+
+  void whatWasTypedIsRemembered() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    openPanel(*view, "set goal");
+    write(*view, R"({"cancelled": true})");
+    child<QComboBox>(*view, "publishKind").setCurrentText(QStringLiteral("stop"));
+    const QJsonObject state = view->saveState();
+    auto other = bench.open<DataView>();
+    other->restoreState(state);
+    QVERIFY(child<QWidget>(*other, "publishPanel").isVisible());
+    QCOMPARE(child<QComboBox>(*other, "publishKind").currentText(), QStringLiteral("stop"));
+    child<QComboBox>(*other, "publishKind").setCurrentText(QStringLiteral("set goal"));
+    auto& text = child<QPlainTextEdit>(*other, "publishText");
+    QCOMPARE(text.toPlainText(), QStringLiteral(R"({"cancelled": true})"));
+    child<QAction>(*other, "publishReset").trigger();
+    QVERIFY(text.toPlainText().contains(QStringLiteral("heading")));
+    QVERIFY(!child<QAction>(*other, "publishReset").isEnabled());
+  }
+};
+
+const GuiTest<PublishPanelTest> kPublishPanelTest;
+
+}  // namespace widgets::test
+
+#include "PublishPanelTest.moc"

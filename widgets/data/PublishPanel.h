@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QJsonValue>
+#include <QMap>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "widgets/View.h"
+
+class QAction;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPlainTextEdit;
+
+namespace widgets {
+
+class RobotChoice;
+struct RequestForm;
+
+/// Fills in a message to a robot (any request that can be written as text) and sends it, once or at a rate.
+/// What was typed for each kind of message is remembered. Repeating ends when a message is refused, when
+/// something else is chosen, and when the panel is hidden. GUI thread.
+class PublishPanel final : public QWidget {
+  Q_OBJECT
+ public:
+  static constexpr double kMinRate = 0.1, kMaxRate = 50;  // Hz
+
+  PublishPanel(ViewContext& context, QWidget* parent);
+  ~PublishPanel() override;
+
+  /// Lists the robots and shows what came of what was sent; to be called in each tick.
+  void tick();
+  /// What was typed, and what is chosen.
+  QJsonValue state() const;
+  void setState(const QJsonValue& state);
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void createActions();
+  void createViews();
+  /// Shows the text of the chosen kind.
+  void showForm();
+  /// The chosen kind; null if the list is empty.
+  const RequestForm* form() const;
+  /// Sends the text; false: it is wrong, and nothing was sent.
+  bool send();
+  void setRepeating(bool on);
+  void showCounts();
+
+  ViewContext& context_;
+  std::vector<RequestForm> forms_;
+  /// What was typed, by the title of the kind; without an entry it is as by default.
+  QMap<QString, QString> typed_;
+  QString shown_;
+  QComboBox* kind_ = nullptr;
+  RobotChoice* robot_ = nullptr;
+  QPlainTextEdit* text_ = nullptr;
+  QDoubleSpinBox* rate_ = nullptr;
+  QLabel* state_ = nullptr;
+  QAction* send_ = nullptr;
+  QAction* repeat_ = nullptr;
+  QAction* reset_ = nullptr;
+  QTimer repeating_;
+  /// Of what was sent since the last choice.
+  int sent_ = 0, accepted_ = 0;
+};
+
+}  // namespace widgets

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/data/RequestText.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+
+#include "robotlink/debugging/RequestKinds.h"
+
+namespace widgets {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using robotcontrol::Request;
+
+constexpr int kMaxDepth = 4;
+constexpr std::size_t kMaxText = 1U << 20U;  // bytes
+
+/// Whether a text can stand for all that a message holds.
+bool hasOnlyText(const google::protobuf::Descriptor& type, int depth) {
+  for (int i = 0; i < type.field_count(); ++i) {
+    const FieldDescriptor& field = *type.field(i);
+    if (field.type() == FieldDescriptor::TYPE_BYTES) return false;
+    const bool isMessage = field.type() == FieldDescriptor::TYPE_MESSAGE && depth < kMaxDepth;
+    if (isMessage && !hasOnlyText(*field.message_type(), depth + 1)) return false;
+  }
+  return true;
+}
+
+/// Sets the messages within a message, so that their fields are printed.
+void fill(Message& message, int depth) {
+  const auto& type = *message.GetDescriptor();
+  for (int i = 0; i < type.field_count() && depth < kMaxDepth; ++i) {
+    const FieldDescriptor& field = *type.field(i);
+    const auto* alternatives = field.real_containing_oneof();
+    const bool isFirst = alternatives == nullptr || alternatives->field(0) == &field;
+    if (field.type() != FieldDescriptor::TYPE_MESSAGE || field.is_repeated() || !isFirst) continue;
+    fill(*message.GetReflection()->MutableMessage(&message, &field), depth + 1);
+  }
+}
+
+const FieldDescriptor& fieldOf(Request::WhatCase what) {
+  return *Request::descriptor()->FindFieldByNumber(what);
+}
+
+std::string templateOf(Request::WhatCase what) {
+  Request request;
+  Message& message = *request.GetReflection()->MutableMessage(&request, &fieldOf(what));
+  fill(message, 0);
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  if (!google::protobuf::util::MessageToJsonString(message, &json, options).ok()) return "{}";
+  while (json.ends_with('\n')) json.pop_back();
+  return json;
+}
+
+tl::unexpected<robotlink::Error> wrong(std::string text) {
+  return tl::unexpected(robotlink::Error{"data.request", std::move(text), {}, {}});
+}
+
+}  // namespace
+
+std::vector<RequestForm> requestForms() {
+  std::vector<RequestForm> forms;
+  for (const robotlink::RequestKind& kind : robotlink::requestKinds()) {
+    if (!hasOnlyText(*fieldOf(kind.what).message_type(), 0)) continue;
+    forms.push_back({kind.what, kind.words, templateOf(kind.what)});
+  }
+  std::ranges::sort(forms, {}, &RequestForm::title);
+  return forms;
+}
+
+robotlink::Result<Request> readRequest(Request::WhatCase what, const std::string& robot,
+                                       const std::string& json) {
+  if (json.size() > kMaxText) return wrong("the text is longer than 1 MiB");
+  Request request;
+  Message& message = *request.GetReflection()->MutableMessage(&request, &fieldOf(what));
+  const auto status = google::protobuf::util::JsonStringToMessage(json.empty() ? "{}" : json, &message);
+  if (!status.ok()) return wrong(std::string(status.message()));
+  using enum robotlink::RequestDoer;
+  const auto doer = robotlink::kindOf(request).doer;
+  if (doer == kTask || doer == kDebugProcess || doer == kPlatform || request.has_host_program())
+    request.set_robot(robot);
+  if (std::string reason = robotlink::wrongWith(request); !reason.empty()) return wrong(std::move(reason));
+  return request;
+}
+
+}  // namespace widgets
