@@ -135,7 +135,7 @@ void build(const Shipped& perspective, ViewDocks& docks) {
     if (!dock.columns.isEmpty()) setColumns(made[dock.view], dock.columns);
 }
 
-tl::unexpected<robotlink::Error> failure(std::string text, const std::filesystem::path& file) {
+tl::unexpected<robotlink::Error> fileFailure(std::string text, const std::filesystem::path& file) {
   return tl::unexpected(robotlink::Error{"window.perspective", std::move(text), {}, {file.string(), 0, 0}});
 }
 
@@ -238,7 +238,7 @@ void Perspectives::remove(const QString& name) {
 }
 
 robotlink::Result<void> Perspectives::write(const QString& name, const std::filesystem::path& file) const {
-  if (!kept_.contains(name)) return failure("there is no perspective " + name.toStdString(), file);
+  if (!kept_.contains(name)) return fileFailure("there is no perspective " + name.toStdString(), file);
   const QJsonObject root{{QStringLiteral("version"), kVersion},
                          {QStringLiteral("perspective"), name},
                          {QStringLiteral("docks"), kept_.value(name)}};
@@ -255,15 +255,15 @@ robotlink::Result<QString> Perspectives::read(const std::filesystem::path& file)
   const QString wanted = root.value(QStringLiteral("perspective")).toString().trimmed();
   const int version = root.value(QStringLiteral("version")).toInt();
   if (problem.error != QJsonParseError::NoError)
-    return failure("it is no perspective: " + problem.errorString().toStdString() + " at byte " +
-                       std::to_string(problem.offset),
-                   file);
-  if (version > kVersion) return failure("it was written by a newer version of RobotControl", file);
+    return fileFailure("it is no perspective: " + problem.errorString().toStdString() + " at byte " +
+                           std::to_string(problem.offset),
+                       file);
+  if (version > kVersion) return fileFailure("it was written by a newer version of RobotControl", file);
   const QJsonValue docks = root.value(QStringLiteral("docks"));
   if (version < 1 || wanted.isEmpty() || !docks.isObject())
-    return failure("it is no perspective; Window > Export perspective writes one", file);
+    return fileFailure("it is no perspective; Window > Export perspective writes one", file);
   if (kept_.size() >= kMaxPerspectives)
-    return failure("there are " + std::to_string(kept_.size()) + " perspectives; delete one first", file);
+    return fileFailure("there are " + std::to_string(kept_.size()) + " perspectives; delete one first", file);
   QString name = wanted;
   for (int number = 2; names().contains(name); ++number)
     name = wanted + QStringLiteral(" ") + QString::number(number);
