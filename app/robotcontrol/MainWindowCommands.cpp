@@ -32,6 +32,7 @@
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
 #include "widgets/solutions/ParameterSweep.h"
+#include "widgets/timeline/TimeLineView.h"
 
 namespace app {
 namespace {
@@ -288,6 +289,20 @@ void MainWindow::attachSearchCommands() {
     const auto* view = window ? window->findView<widgets::SearchView>("search") : nullptr;
     return view != nullptr && view->isSearching();
   });
+  attach("timeline.track", [](MainWindow& window, const Values& values) -> Result<void> {
+    return window.shownView<widgets::TimeLineView>("time-line")->addTrack(argumentOf(values, 0));
+  });
+  attach(
+      "timeline.remove-track",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const QString value = argumentOf(values, 0);
+        auto* view = window.findView<widgets::TimeLineView>("time-line");
+        return view != nullptr && view->removeTrack(value) ? Result<void>() : noCurve(value);
+      },
+      [window = QPointer(this)](const auto&) {
+        const auto* view = window ? window->findView<widgets::TimeLineView>("time-line") : nullptr;
+        return view == nullptr ? std::vector<std::string>() : toStrings(view->tracks());
+      });
   attach("timeline.mark-texts", [](MainWindow& window, const Values& values) -> Result<void> {
     const QString wrong =
         widgets::TimeMarks::of(widgets::openLogs(window.context_)).setPattern(argumentOf(values, 0));

@@ -4,6 +4,7 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QShortcut>
@@ -15,6 +16,7 @@
 #include "widgets/timeline/TimeLineCanvas.h"
 
 #include "widgets/Counted.h"
+#include "widgets/plots/PlotTreeModel.h"
 
 namespace widgets {
 
@@ -348,6 +350,7 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
     }
     return of.log != nullptr ? QString::fromStdString(of.log->file).toHtmlEscaped() : QString();
   }
+  if (lane->kind == Kind::kTrack) return trackToolTip(of, lane->stream, timeAt(point));
   if (lane->kind == Kind::kTexts) return saidNear(of, timeAt(point) - of.offset);
   if (lane->kind != Kind::kStream)
     return tr("%1<br>Drag: move the playhead.").arg(timeToolTip(timeAt(point)));
@@ -360,6 +363,23 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
                .arg(counted(stream->count, tr("1 message"), tr("%1 messages")))
                .arg(stream->rate(), 0, 'f', 1),
            tr("Double click: step the messages of this stream. Drag: select a range."));
+}
+
+QString TimeLineCanvas::trackToolTip(const TimeLineBand& of, const std::string& source, Instant time) const {
+  for (const TimeLineTrack& track : of.tracks) {
+    if (track.source.toStdString() != source) continue;
+    const QString name = track.source.toHtmlEscaped();
+    const std::size_t after =
+        track.series ? track.series->firstAfter(robotlink::seconds(time.time_since_epoch())) : 0;
+    if (after == 0) return QStringLiteral("<b>%1</b>").arg(name);
+    return QStringLiteral("<b>%1</b><br>%2<br>%3")
+        .arg(name,
+             tr("%1 %2 at %3 s")
+                 .arg((*track.series)[after - 1].value)
+                 .arg(track.unit, timeText(time - look_.origin)),
+             tr("The context menu removes the curve."));
+  }
+  return {};
 }
 
 QString TimeLineCanvas::gapToolTip(const TimeLineBand& of, const QPointF& point) const {
@@ -406,6 +426,20 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
 }
 
 bool TimeLineCanvas::viewportEvent(QEvent* event) {
+  const QString type = QString::fromLatin1(PlotTreeModel::kMimeType);
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+    auto* drag = static_cast<QDragMoveEvent*>(event);
+    drag->setAccepted(drag->mimeData()->hasFormat(type));
+    if (drag->isAccepted()) drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    drop->acceptProposedAction();
+    const QString sources = QString::fromUtf8(drop->mimeData()->data(type));
+    Q_EMIT tracksDropped(sources.split(QLatin1Char('\n'), Qt::SkipEmptyParts));
+    return true;
+  }
   if (event->type() != QEvent::ToolTip) return QAbstractScrollArea::viewportEvent(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), viewport());

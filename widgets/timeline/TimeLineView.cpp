@@ -7,6 +7,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QJsonArray>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -40,7 +41,7 @@ QString withKey(const QString& text, ReplayKey key) {
 }  // namespace
 
 TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
-    : View(context, parent), logs_(openLogs(context)) {
+    : View(context, parent), logs_(openLogs(context)), tracks_(context.session, logs_) {
   setObjectName(QStringLiteral("timeLineView"));
   createActions();
   createHistoryActions();
@@ -50,6 +51,9 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
   connectSignals();
   connectBookmarks();
   keep("follow", follow_);
+  keep(
+      "tracks", [this] { return QJsonValue(QJsonArray::fromStringList(tracks_.sources())); },
+      [this](const QJsonValue& saved) { tracks_.setSources(saved.toVariant().toStringList()); });
   tick();
 }
 
@@ -160,6 +164,12 @@ void TimeLineView::connectSignals() {
     if (auto* log = logAt(band)) logs_.setCollapsed(*log, collapsed);
     showBands();
   });
+  connect(canvas_, &TimeLineCanvas::tracksDropped, this, [this](const QStringList& sources) {
+    for (const QString& source : sources) {
+      if (const auto added = addTrack(source); !added)
+        Q_EMIT logs_.failed(QString::fromStdString(added.error().text));
+    }
+  });
   connect(canvas_, &TimeLineCanvas::looked, this, &TimeLineView::wantThumbnails);
   connect(images_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     const std::string stream = images_->itemText(index).toStdString();
@@ -246,6 +256,7 @@ void TimeLineView::tick() {
   } else {
     showHistory();
   }
+  tracks_.tick();
   showBands();
   showMarks();
   showHistoryActions();
@@ -286,6 +297,12 @@ void TimeLineView::showBands() {
     bands.push_back(std::move(band));
   }
   if (bands.empty() && hasHistory()) bands = historyBands();
+  if (auto tracks = tracks_.shown(); !bands.empty() && !tracks.empty()) {
+    TimeLineBand band;
+    band.title = tr("values");
+    band.tracks = std::move(tracks);
+    bands.push_back(std::move(band));
+  }
   canvas_->setBands(std::move(bands));
 }
 
@@ -354,16 +371,34 @@ void TimeLineView::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+bool TimeLineView::removeTrack(const QString& source) {
+  const int before = tracks_.sources().size();
+  tracks_.remove(source);
+  showBands();
+  return tracks_.sources().size() < before;
+}
+
+void TimeLineView::addTrackEntry(QMenu& menu, const QPoint& at) {
+  const TimeLineLayout all = canvas_->layout();
+  const auto* lane = all.laneAt(at);
+  if (lane == nullptr || lane->kind != TimeLineLayout::Kind::kTrack) return;
+  const QString source = QString::fromStdString(lane->stream);
+  menu.addAction(tr("&Remove the curve of %1").arg(source), this, [this, source] { removeTrack(source); })
+      ->setObjectName(QStringLiteral("removeTrack"));
+  menu.addSeparator();
+}
+
 void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   if (!logs_.replay().open() && !hasHistory()) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("timeLineMenu"));
+  const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
+  addTrackEntry(*menu, at);
   if (hasHistory()) {
     fillHistoryMenu(*menu);
     return menu->popup(event->globalPos());
   }
-  const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
   const TimeLineLayout all = canvas_->layout();
   const auto* stream = all.laneAt(at);
   auto& replay = logs_.replay();

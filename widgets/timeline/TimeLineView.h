@@ -9,6 +9,7 @@
 #include "widgets/log/LogJob.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/ReplayKeys.h"
+#include "widgets/timeline/TimeLineTracks.h"
 
 class QAction;
 class QComboBox;
@@ -36,6 +37,11 @@ class TimeLineView final : public View {
   explicit TimeLineView(ViewContext& context, QWidget* parent = nullptr);
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
+  /// Shows a value as a curve: "red1/models/ball: position.x".
+  robotlink::Result<void> addTrack(const QString& source) { return tracks_.add(source); }
+  /// False: there is no such curve.
+  bool removeTrack(const QString& source);
+  QStringList tracks() const { return tracks_.sources(); }
 
  protected:
   /// Handles the keys of the replay, see ReplayKey.
@@ -68,6 +74,8 @@ class TimeLineView final : public View {
   void showHistoryActions();
   void pressInHistory(ReplayKey key, QKeyEvent& event);
   void fillHistoryMenu(QMenu& menu);
+  /// Adds the entry that removes the curve at a point of the canvas.
+  void addTrackEntry(QMenu& menu, const QPoint& at);
   /// Asks how much is to be kept.
   void askForLimits();
   /// Runs a command; a failure is shown.
@@ -120,6 +128,7 @@ class TimeLineView final : public View {
   void askForFile(const FileQuestion& question, std::function<void(const QString&)> chosen);
 
   OpenLogs& logs_;
+  TimeLineTracks tracks_;
   TimeLineCanvas* canvas_ = nullptr;
   EmptyHint* hint_ = nullptr;
   LogJobBar* job_ = nullptr;
