@@ -22,13 +22,13 @@ namespace {
 
 constexpr char kNumber[] = "red1/frames/cognition: number";
 
-TimeLineCanvas& canvasOf(TimeLineView& view) {
+TimeLineCanvas& trackCanvas(TimeLineView& view) {
   return child<TimeLineCanvas>(view, "timeLineCanvas");
 }
 
 /// The lane of a value; empty: there is none.
 QRectF laneOf(TimeLineView& view, const char* source) {
-  const TimeLineLayout all = canvasOf(view).layout();
+  const TimeLineLayout all = trackCanvas(view).layout();
   for (const auto& lane : all.lanes) {
     if (lane.kind == TimeLineLayout::Kind::kTrack && lane.stream == source) return lane.rect;
   }
@@ -38,7 +38,7 @@ QRectF laneOf(TimeLineView& view, const char* source) {
 void drop(TimeLineView& view, const QString& sources) {
   QMimeData data;
   data.setData(QString::fromLatin1(PlotTreeModel::kMimeType), sources.toUtf8());
-  QWidget& viewport = *canvasOf(view).viewport();
+  QWidget& viewport = *trackCanvas(view).viewport();
   QDragEnterEvent enter({300, 40}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&viewport, &enter);
   QVERIFY(enter.isAccepted());
@@ -48,7 +48,7 @@ void drop(TimeLineView& view, const QString& sources) {
 
 /// The band of the values, or null.
 const TimeLineBand* values(TimeLineView& view) {
-  const auto& bands = canvasOf(view).bands();
+  const auto& bands = trackCanvas(view).bands();
   return bands.empty() || bands.back().tracks.empty() ? nullptr : &bands.back();
 }
 
@@ -75,7 +75,7 @@ class TimeLineTracksTest : public QObject {
     bench.tick(*view);
     QVERIFY(values(*view) != nullptr);
     QCOMPARE(values(*view)->tracks.front().points, std::size_t{100});
-    QVERIFY(laneOf(*view, kNumber).height() > canvasOf(*view).look().row);
+    QVERIFY(laneOf(*view, kNumber).height() > trackCanvas(*view).look().row);
     robotcontrol::FrameInfo info;
     info.set_number(500);
     bench.push("red1/frames/cognition", info, 10.1);
@@ -90,7 +90,7 @@ class TimeLineTracksTest : public QObject {
     auto view = bench.open<TimeLineView>();
     QVERIFY(view->addTrack(QLatin1String(kNumber)));
     bench.tick(*view);
-    const TimeLineCanvas& canvas = canvasOf(*view);
+    const TimeLineCanvas& canvas = trackCanvas(*view);
     const QRectF lane = laneOf(*view, kNumber);
     const QImage image = canvas.viewport()->grab().toImage();
     const QColor color = curveColor(0, canvas.palette());
@@ -127,7 +127,7 @@ class TimeLineTracksTest : public QObject {
     QCOMPARE(view->tracks().size(), 1);
     bench.tick(*view);
     const QPoint point = laneOf(*view, kNumber).center().toPoint();
-    QWidget& viewport = *canvasOf(*view).viewport();
+    QWidget& viewport = *trackCanvas(*view).viewport();
     QContextMenuEvent event(QContextMenuEvent::Mouse, point, viewport.mapToGlobal(point));
     QApplication::sendEvent(&viewport, &event);
     auto& menu = child<QMenu>(*view, "timeLineMenu");
@@ -148,7 +148,7 @@ class TimeLineTracksTest : public QObject {
     QVERIFY(!refused && refused.error().text.find("at most") != std::string::npos);
     bench.tick(*view);
     QVERIFY(values(*view)->tracks.front().series->empty());
-    QVERIFY(!canvasOf(*view).viewport()->grab().isNull());
+    QVERIFY(!trackCanvas(*view).viewport()->grab().isNull());
   }
 
   void theValuesOfAWholeLogAreReadWithoutPlayingIt() {
