@@ -30,6 +30,7 @@
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/RemoteLine.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "app/robotcontrol/bars/StallWatch.h"
 #include "app/robotcontrol/bars/StatusLine.h"
 #include "app/robotcontrol/bars/StopToolBar.h"
 #include "app/robotcontrol/bars/ToolBarState.h"
@@ -125,6 +126,7 @@ void MainWindow::createActions() {
   addRegisteredToolBars();
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
+  if (StallWatch::isWanted()) new StallWatch(this, statusBar());
   history_ = new HistoryLine(workbench_, *actions_, *statusBar());
   remote_ = new RemoteMenus(workbench_, *actions_, this);
   remoteLine_ = new RemoteLine(workbench_, *actions_, *statusBar());
