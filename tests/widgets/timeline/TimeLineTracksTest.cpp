@@ -20,7 +20,7 @@
 namespace widgets::test {
 namespace {
 
-constexpr char kNumber[] = "red1/frames/cognition: number";
+constexpr char kFrameNumber[] = "red1/frames/cognition: number";
 
 TimeLineCanvas& trackCanvas(TimeLineView& view) {
   return child<TimeLineCanvas>(view, "timeLineCanvas");
@@ -71,11 +71,11 @@ class TimeLineTracksTest : public QObject {
     Bench bench;
     run(bench, 100);
     auto view = bench.open<TimeLineView>();
-    drop(*view, QLatin1String(kNumber));
+    drop(*view, QLatin1String(kFrameNumber));
     bench.tick(*view);
     QVERIFY(values(*view) != nullptr);
     QCOMPARE(values(*view)->tracks.front().points, std::size_t{100});
-    QVERIFY(laneOf(*view, kNumber).height() > trackCanvas(*view).look().row);
+    QVERIFY(laneOf(*view, kFrameNumber).height() > trackCanvas(*view).look().row);
     robotcontrol::FrameInfo info;
     info.set_number(500);
     bench.push("red1/frames/cognition", info, 10.1);
@@ -88,10 +88,10 @@ class TimeLineTracksTest : public QObject {
     Bench bench;
     run(bench, 100);
     auto view = bench.open<TimeLineView>();
-    QVERIFY(view->addTrack(QLatin1String(kNumber)));
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
     bench.tick(*view);
     const TimeLineCanvas& canvas = trackCanvas(*view);
-    const QRectF lane = laneOf(*view, kNumber);
+    const QRectF lane = laneOf(*view, kFrameNumber);
     const QImage image = canvas.viewport()->grab().toImage();
     const QColor color = curveColor(0, canvas.palette());
     // The number rises: its curve is low at the left and high at the right.
@@ -122,11 +122,11 @@ class TimeLineTracksTest : public QObject {
     Bench bench;
     run(bench, 100);
     auto view = bench.open<TimeLineView>();
-    QVERIFY(view->addTrack(QLatin1String(kNumber)));
-    QVERIFY(view->addTrack(QLatin1String(kNumber)));
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
     QCOMPARE(view->tracks().size(), 1);
     bench.tick(*view);
-    const QPoint point = laneOf(*view, kNumber).center().toPoint();
+    const QPoint point = laneOf(*view, kFrameNumber).center().toPoint();
     QWidget& viewport = *trackCanvas(*view).viewport();
     QContextMenuEvent event(QContextMenuEvent::Mouse, point, viewport.mapToGlobal(point));
     QApplication::sendEvent(&viewport, &event);
@@ -144,7 +144,7 @@ class TimeLineTracksTest : public QObject {
     QVERIFY(!view->addTrack(QStringLiteral("= 1 +")));
     for (int i = 0; i < TimeLineTracks::kMax; ++i)
       QVERIFY(view->addTrack(QStringLiteral("red1/models/ball: values[%1]").arg(i)));
-    const auto refused = view->addTrack(QLatin1String(kNumber));
+    const auto refused = view->addTrack(QLatin1String(kFrameNumber));
     QVERIFY(!refused && refused.error().text.find("at most") != std::string::npos);
     bench.tick(*view);
     QVERIFY(values(*view)->tracks.front().series->empty());
@@ -182,10 +182,10 @@ class TimeLineTracksTest : public QObject {
     Bench bench;
     run(bench, 3);
     auto view = bench.open<TimeLineView>();
-    QVERIFY(view->addTrack(QLatin1String(kNumber)));
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
     auto other = bench.open<TimeLineView>();
     other->restoreState(view->saveState());
-    QCOMPARE(other->tracks(), QStringList{QLatin1String(kNumber)});
+    QCOMPARE(other->tracks(), QStringList{QLatin1String(kFrameNumber)});
   }
 };
 
