@@ -77,9 +77,9 @@ void TimeLineView::showHistory() {
   const Instant newest = session().timeline().newest(), oldest = history.kept().front().from;
   const bool isOther = earliest_.first != generation || newest < earliest_.second;
   earliest_ = {generation, isOther ? oldest : std::min(earliest_.second, oldest)};
-  ticks_ = (ticks_ + 1) % kGrowEvery;
   const bool live = session().timeline().live();
-  if (isOther || ticks_ == 0 || newest < canvas_->look().end) {
+  const bool isDue = ticks_++ % kGrowEvery == 0;
+  if (isOther || isDue || newest < canvas_->look().end) {
     canvas_->setExtent(earliest_.second, newest);
     if (live) canvas_->setShown(newest);
   }

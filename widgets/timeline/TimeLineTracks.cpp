@@ -2,9 +2,12 @@
 #include "widgets/timeline/TimeLineTracks.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "robotlink/session/Session.h"
+#include "widgets/Requests.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/plots/LoggedCurves.h"
 
@@ -19,6 +22,8 @@ struct TimeLineTracks::Track {
   std::shared_ptr<robotlink::Series> live = std::make_shared<robotlink::Series>();
   /// Null: no open log has it.
   std::shared_ptr<const LoggedCurve> logged = {};
+  /// Streams whose debug keys were requested; what a user switches off afterwards stays off.
+  std::set<std::string> requested = {};
 };
 
 TimeLineTracks::TimeLineTracks(robotlink::Session& session, OpenLogs& logs)
@@ -57,6 +62,19 @@ void TimeLineTracks::setSources(const QStringList& sources) {
   }
 }
 
+void TimeLineTracks::requestMissing(Track& track) {
+  for (const std::string& stream : track.reader.streams()) {
+    if (track.requested.contains(stream)) continue;
+    const std::string key = keyFor(session_.store(), stream, session_.timeline().newest());
+    if (key.empty()) continue;
+    track.requested.insert(stream);
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(key);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    ask(session_, robotPart(stream), std::move(request));
+  }
+}
+
 void TimeLineTracks::tick() {
   if (tracks_.empty()) return;
   const bool readsLogs = logs_.replay().open();
@@ -67,6 +85,7 @@ void TimeLineTracks::tick() {
       continue;
     }
     track->logged.reset();
+    requestMissing(*track);
     auto news = track->reader.take(session_.store());
     if (news.restarted) track->live->clear();
     for (const robotlink::Series::Point& point : news.points) track->live->append(point);

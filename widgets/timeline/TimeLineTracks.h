@@ -42,6 +42,8 @@ class TimeLineTracks {
 
  private:
   struct Track;
+  /// Switches on the debug keys of streams that nobody publishes, each once.
+  void requestMissing(Track& track);
 
   robotlink::Session& session_;
   OpenLogs& logs_;

@@ -360,6 +360,11 @@ void TimeLineView::wantThumbnails() {
   }
 }
 
+void TimeLineView::showEvent(QShowEvent* event) {
+  ticks_ = 0;
+  View::showEvent(event);
+}
+
 void TimeLineView::keyPressEvent(QKeyEvent* event) {
   const auto key = replayKey(*event);
   if (key && hasHistory()) return pressInHistory(*key, *event);

@@ -44,6 +44,8 @@ class TimeLineView final : public View {
   QStringList tracks() const { return tracks_.sources(); }
 
  protected:
+  /// Shows the newest extent at once.
+  void showEvent(QShowEvent* event) override;
   /// Handles the keys of the replay, see ReplayKey.
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;

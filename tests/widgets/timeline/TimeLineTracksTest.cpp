@@ -84,6 +84,25 @@ class TimeLineTracksTest : public QObject {
     QCOMPARE(values(*view)->tracks.front().series->back().value, 500.0);
   }
 
+  void theKeyOfWhatNobodyPublishesIsSwitchedOnOnce() {
+    Bench bench;
+    run(bench, 3);
+    robotcontrol::KeyTable table;
+    auto& key = *table.add_keys();
+    key.set_name("package/models/ball");
+    key.set_stream("models/ball");
+    key.set_in_use(true);
+    key.mutable_mode()->set_kind(robotcontrol::KeyMode::OFF);
+    bench.push("red1/tables/keys", table, 0.3);
+    auto view = bench.open<TimeLineView>();
+    QVERIFY(view->addTrack(QStringLiteral("red1/models/ball: position_in_robot.x")));
+    bench.tick(*view);
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(bench.requests.front().set_key().name()),
+             QStringLiteral("package/models/ball"));
+  }
+
   void theCurveIsPaintedAndItsTipSaysTheValue() {
     Bench bench;
     run(bench, 100);
