@@ -10,8 +10,8 @@
 #include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/ReplayPackagesView.h"
-#include "widgets/log/StreamsView.h"
 #include "widgets/log/TimeScale.h"
+#include "widgets/streams/StreamsView.h"
 
 namespace widgets::test {
 

@@ -13,6 +13,7 @@
 #include "app/robotcontrol/docks/DockLayout.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/FailedView.h"
+#include "robotlink/session/Session.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -193,6 +194,9 @@ void ViewDocks::tick() {
   const auto docks = docks_;
   for (const Dock& dock : docks) {
     if (!dock.view || !dock.view->isVisible()) continue;
+    const robotlink::StreamReaders::Scope reading(context_.session.readers(),
+                                                  dock.dock->objectName().toStdString(),
+                                                  dock.dock->windowTitle().toStdString());
     try {
       dock.view->tick();
     } catch (const std::exception& thrown) {

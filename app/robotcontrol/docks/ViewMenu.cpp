@@ -21,9 +21,9 @@ std::vector<Group> groups() {
   const auto tr = [](const char* text) { return QCoreApplication::translate("ViewMenu", text); };
   std::vector<Group> groups = {
       {tr("The robot and its world"),
-       {QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"), QStringLiteral("radar"),
-        QStringLiteral("base-state"), QStringLiteral("motion"), QStringLiteral("joints"),
-        QStringLiteral("motion-editor")}},
+       {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"),
+        QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
+        QStringLiteral("joints"), QStringLiteral("motion-editor")}},
       {tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),

@@ -14,7 +14,7 @@
 #include "robotlink/commands/CommandCatalog.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/FieldBench.h"
-#include "widgets/log/StreamsView.h"
+#include "widgets/streams/StreamsView.h"
 #include "widgets/timeline/HistoryLimits.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLineView.h"
