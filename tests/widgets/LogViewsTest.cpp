@@ -98,7 +98,7 @@ class LogViewsTest : public QObject {
     auto view = bench.openView<StreamsView>();
     auto& table = child<QTableView>(*view, "streamsTable");
     const QPoint where =
-        table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kSchema)).center();
+        table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kRate)).center();
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, where);
     QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, where);
     QCOMPARE(bench.logs().replay().steppedStream(), std::string("nao/joints/states"));

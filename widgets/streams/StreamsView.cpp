@@ -127,6 +127,7 @@ void StreamsView::showStreams() {
   session().readers().beginPeriod();
   model_.setRows(std::move(rows), static_cast<StreamListModel::Which>(which_->currentIndex()));
   table_->setColumnHidden(StreamListModel::kLog, logs_.logs().size() < 2);
+  table_->setColumnHidden(StreamListModel::kLeftOut, session().remoteRobots().empty());
   const bool isAll = which_->currentIndex() == 0;
   hint_->setHint(
       model_.rowCount() > 0 ? QString()
