@@ -52,7 +52,6 @@
 namespace app {
 namespace {
 
-constexpr int kTickMs = 33;
 constexpr qint64 kKeepEveryMs = 5000;
 constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
@@ -88,6 +87,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   createErrorBar();
   createMenus();
   createMaximizing();
+  createExport();
   connectSignals();
   createPalette();
   restoreWindow();
@@ -107,6 +107,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
+  delete export_;        // it has a view, too
   docks_->destroyAll();  // views use the context, which is destroyed before child widgets
   // The focus changes once more when the window is hidden by the destructor of QWidget.
   disconnect(qApp, nullptr, this, nullptr);
@@ -192,7 +193,7 @@ void MainWindow::connectSignals() {
     widgets::commandLog(context_).add(widgets::CommandLog::Kind::kError, text);
   });
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
-  tick_.start(kTickMs);
+  tick_.start(kWindowTickMs);
   sinceKept_.start();
   sinceLooked_.start();
 }
@@ -280,6 +281,7 @@ void MainWindow::tick() {
   history_->refresh();
   remoteLine_->refresh();
   tickDocks();
+  tickExport();
   widgets::manualSteering(context_).tick();
   widgets::tickMotions(context_);
   sweep_->tick(clock_.now());
@@ -304,6 +306,7 @@ void MainWindow::restoreWindow() {
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
+  exportChoices_ = window.value(QStringLiteral("export")).toObject();
   leftOpen_->offer(window.value(QStringLiteral("open")).toObject());
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   const QByteArray toolBars = fromText(window.value(QStringLiteral("toolbars")));
@@ -321,6 +324,7 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("command_history"),
                       QJsonArray::fromStringList(widgets::commandLog(context_).history())},
                      {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
+                     {QStringLiteral("export"), exportChoices_},
                      {QStringLiteral("appearance"), nameOf(appearance_)}};
   platforms_->memory().save(window);
   remote_->save(window);

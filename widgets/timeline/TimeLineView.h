@@ -68,6 +68,8 @@ class TimeLineView final : public View {
   void showHistoryActions();
   void pressInHistory(ReplayKey key, QKeyEvent& event);
   void fillHistoryMenu(QMenu& menu);
+  /// Entries that begin and end the range at the shown instant.
+  void addRangeEnds(QMenu& menu);
   /// Asks how much is to be kept.
   void askForLimits();
   /// Runs a command; a failure is shown.
@@ -154,6 +156,8 @@ class TimeLineView final : public View {
   QAction* export_ = nullptr;
   QAction* clear_ = nullptr;
   QMenu* exportMenu_ = nullptr;
+  /// Exports that read a log.
+  std::vector<QAction*> logExports_;
   /// OpenLogs::version() of what is shown.
   std::uint64_t shownVersion_ = 0;
 };
