@@ -85,6 +85,7 @@ void MainWindow::attachCommands() {
   attachPerspectiveCommands();
   attachPlotCommands();
   attachSearchCommands();
+  attachExportCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {
@@ -327,7 +328,10 @@ V* MainWindow::shownView(const char* id) {
 }
 
 Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
-  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(QString::fromStdString(id));
+  const QString name = QString::fromStdString(id);
+  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(name);
+  // One of several of a kind: "field#2".
+  if (ads::CDockWidget* dock = name.contains(QLatin1Char('#')) ? docks_->named(name) : nullptr) return dock;
   return unknownView(id);
 }
 

@@ -118,6 +118,10 @@ void TimeLineView::pressInHistory(ReplayKey key, QKeyEvent& event) {
       return session().history().show(session().history().kept().front().from);
     case ReplayKey::kEnd:
       return run("timeline.live");
+    case ReplayKey::kRangeStart:
+      return logs_.replay().beginRangeHere();
+    case ReplayKey::kRangeEnd:
+      return logs_.replay().endRangeHere();
     default:
       return View::keyPressEvent(&event);
   }
@@ -125,6 +129,9 @@ void TimeLineView::pressInHistory(ReplayKey key, QKeyEvent& event) {
 
 void TimeLineView::fillHistoryMenu(QMenu& menu) {
   menu.addActions({pause_, back_, on_, live_});
+  menu.addSeparator();
+  addRangeEnds(menu);
+  menu.addAction(clear_);
   menu.addSeparator();
   menu.addAction(tr("How much is &kept…"), this, &TimeLineView::askForLimits)
       ->setObjectName(QStringLiteral("historyLimits"));

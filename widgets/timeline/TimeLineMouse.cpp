@@ -62,8 +62,8 @@ TimeLineCanvas::Hit TimeLineCanvas::hitAt(const QPointF& point, Qt::KeyboardModi
                         offsetRect(lane->rect, look_).contains(point);
     return {offset ? Drag::kOffset : Drag::kNone, lane != nullptr ? lane->band : -1};
   }
-  if (scrubsEverywhere_) return {Drag::kScrub};
   if ((modifiers & Qt::ShiftModifier) != 0) return {Drag::kSelect};
+  if (scrubsEverywhere_) return {Drag::kScrub};
   if (lane != nullptr && lane->kind == Kind::kHeader) {
     if (const auto id = bookmarkAt(*lane, point); id != 0) return {Drag::kBookmark, lane->band, id};
   }
@@ -329,7 +329,8 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
     if (const QString marks = markToolTip(point.x()); !marks.isEmpty()) return marks;
-    if (scrubsEverywhere_) return tr("Drag: show an earlier instant in all views. Wheel: zoom.");
+    if (scrubsEverywhere_)
+      return tr("Drag: show an earlier instant in all views. Shift+drag: select a range. Wheel: zoom.");
     return tr("%1<br>Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.")
         .arg(timeToolTip(timeAt(point)));
   }

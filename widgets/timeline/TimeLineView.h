@@ -78,6 +78,8 @@ class TimeLineView final : public View {
   void fillHistoryMenu(QMenu& menu);
   /// Adds the entry that removes the curve at a point of the canvas.
   void addTrackEntry(QMenu& menu, const QPoint& at);
+  /// Entries that begin and end the range at the shown instant.
+  void addRangeEnds(QMenu& menu);
   /// Asks how much is to be kept.
   void askForLimits();
   /// Runs a command; a failure is shown.
@@ -165,6 +167,8 @@ class TimeLineView final : public View {
   QAction* export_ = nullptr;
   QAction* clear_ = nullptr;
   QMenu* exportMenu_ = nullptr;
+  /// Exports that read a log.
+  std::vector<QAction*> logExports_;
   /// OpenLogs::version() of what is shown.
   std::uint64_t shownVersion_ = 0;
 };
