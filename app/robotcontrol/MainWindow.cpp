@@ -37,6 +37,7 @@
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/language/LanguageMenu.h"
 #include "app/robotcontrol/remote/RemoteMenus.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Counted.h"
@@ -303,6 +304,7 @@ void MainWindow::restoreWindow() {
   resize(firstSize(screen()));
   create();  // so that floating docks can have it as their parent
   appearance_->load(window);
+  language_->load(window);
   platforms_->memory().load(window);
   remote_->load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
@@ -330,6 +332,7 @@ void MainWindow::keepWindow() {
                       QJsonArray::fromStringList(widgets::commandLog(context_).history())},
                      {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()}};
   appearance_->save(window);
+  language_->save(window);
   platforms_->memory().save(window);
   remote_->save(window);
   // What a workbench that ends properly had open is nothing to be offered.
