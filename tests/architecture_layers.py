@@ -64,7 +64,7 @@ ROOMS = {
         "color/samples", "color/space"],
     "app/core": ["plugins", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "simulated", "remote", "body", "."],
     "app/robotctl": [".", "color", "link", "log", "run"],
-    "app/robotcontrol": ["actions", "commands", "presets", "remote", "docks", "bars", "."],
+    "app/robotcontrol": ["language", "actions", "commands", "presets", "remote", "docks", "bars", "."],
 }
 
 # Libraries whose headers only some targets may show or use.

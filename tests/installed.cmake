@@ -29,7 +29,7 @@ run("${prefix}/bin/robotctl" sim "${prefix}/share/robotcontrol/scenes/field2002.
 if(GUI)
   run("${prefix}/bin/robotcontrol" --version)
   run("${prefix}/bin/robotcontrol" --screenshot "${WORK_DIR}/window.png" --after 1)
-  foreach(file "${WORK_DIR}/window.png" "${prefix}/share/applications/robotcontrol.desktop"
+  foreach(file "${WORK_DIR}/window.png" "${prefix}/share/robotcontrol/translations/robotcontrol_de.qm" "${prefix}/share/applications/robotcontrol.desktop"
           "${prefix}/share/icons/hicolor/scalable/apps/robotcontrol.svg")
     if(NOT EXISTS "${file}")
       message(FATAL_ERROR "there is no ${file}")

@@ -38,6 +38,7 @@
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/language/LanguageMenu.h"
 #include "app/robotcontrol/remote/RemoteMenus.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Counted.h"
@@ -307,6 +308,7 @@ void MainWindow::restoreWindow() {
   resize(firstSize(screen()));
   create();  // so that floating docks can have it as their parent
   appearance_->load(window);
+  language_->load(window);
   platforms_->memory().load(window);
   remote_->load(window);
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
@@ -336,6 +338,7 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
                      {QStringLiteral("export"), exportChoices_}};
   appearance_->save(window);
+  language_->save(window);
   platforms_->memory().save(window);
   remote_->save(window);
   // What a workbench that ends properly had open is nothing to be offered.

@@ -35,6 +35,7 @@ class CommandActions;
 class CommandPalette;
 class DockSpace;
 class HistoryLine;
+class LanguageMenu;
 class LayoutHistory;
 class LogOpening;
 class ManualWindow;
@@ -256,6 +257,7 @@ class MainWindow : public QMainWindow {
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;
   AppearanceMenu* appearance_ = nullptr;
+  LanguageMenu* language_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
   WindowKeys* keys_ = nullptr;
   Shortcuts* shortcuts_ = nullptr;

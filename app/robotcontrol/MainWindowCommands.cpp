@@ -17,6 +17,7 @@
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/language/LanguageMenu.h"
 #include "app/robotcontrol/presets/PresetActions.h"
 #include "app/robotcontrol/presets/PresetMenu.h"
 #include "app/robotcontrol/presets/SweepDialog.h"
@@ -211,6 +212,10 @@ void MainWindow::attachPerspectiveCommands() {
   attachSimple("view.redo", [](MainWindow& window) { window.stepLayout(&LayoutHistory::redo); });
   attach("view.appearance", [](MainWindow& window, const Values& values) -> Result<void> {
     window.appearance_->setAppearance(appearanceFromName(argumentOf(values, 0)));
+    return {};
+  });
+  attach("view.language", [](MainWindow& window, const Values& values) -> Result<void> {
+    window.language_->setLanguage(languageFromName(argumentOf(values, 0)));
     return {};
   });
   attach("view.text-size", [](MainWindow& window, const Values& values) -> Result<void> {

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QStatusBar>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -26,12 +27,19 @@
 #include "app/robotcontrol/docks/LayoutHistory.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/docks/ViewMenu.h"
+#include "app/robotcontrol/language/LanguageMenu.h"
 #include "app/robotcontrol/remote/RemoteMenus.h"
 #include "robotlink/base/Resources.h"
 #include "widgets/Icon.h"
 #include "widgets/console/CommandLog.h"
 
 namespace app {
+namespace {
+
+constexpr int kLanguageShownMs = 15'000;
+
+}  // namespace
+
 void MainWindow::createMenus() {
   createFileMenu();
   createViewMenu();
@@ -141,6 +149,10 @@ void MainWindow::createWindowMenu() {
       if (!docks_->empty()) docks_->restore(docks_->save());
     });
   });
+  language_ = new LanguageMenu(menu);
+  menu->addMenu(language_);
+  connect(language_, &LanguageMenu::chosen, this,
+          [this](const QString& message) { statusBar()->showMessage(message, kLanguageShownMs); });
 }
 
 void MainWindow::createHelpMenu() {

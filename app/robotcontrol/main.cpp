@@ -22,6 +22,7 @@
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "app/robotcontrol/StartScript.h"
+#include "app/robotcontrol/language/Language.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/commands/CommandLine.h"
 #include "robotlink/commands/CommandSocket.h"
@@ -307,7 +308,11 @@ int start(int argc, char** argv) {
   QApplication application(qtArguments, argv);
   QApplication::setApplicationName(QStringLiteral("RobotControl"));
   QApplication::setApplicationVersion(QStringLiteral(ROBOTCONTROL_VERSION));
+  app::useNumbersWithPoints();
   useFontOfDesktops();
+  const app::Translation translation(app::savedLanguage(robotlink::userDirectory() / "window.json"));
+  if (!translation.problem().isEmpty())
+    std::cerr << "robotcontrol: " << translation.problem().toStdString() << "\n";
   const int status = run(arguments);
   // A module that never returns does not keep the program.
   app::leave(status);

@@ -7,9 +7,10 @@ include(GNUInstallDirs)
 include(PluginPackage)
 install(TARGETS robotctl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS robotcontrol_video LIBRARY DESTINATION lib/robotcontrol)  # beside the programs' folder, wherever that is
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/ DESTINATION ${CMAKE_INSTALL_DATADIR}/robotcontrol)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/ DESTINATION ${CMAKE_INSTALL_DATADIR}/robotcontrol PATTERN translations EXCLUDE)
 if(ROBOTCONTROL_GUI)
   install(TARGETS robotcontrol RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/translations DESTINATION ${CMAKE_INSTALL_DATADIR}/robotcontrol FILES_MATCHING PATTERN *.qm)
   install(FILES ${PROJECT_SOURCE_DIR}/packaging/robotcontrol.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${PROJECT_SOURCE_DIR}/resources/icons/app.svg
           DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps RENAME robotcontrol.svg)

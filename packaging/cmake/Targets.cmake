@@ -255,7 +255,8 @@ function(robotcontrol_add_test name)
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
     # A program that runs no test tests nothing; QtTest counts what it does before and after as two.
     FAIL_REGULAR_EXPRESSION "Running 0 tests from;Totals: [0-2] passed, 0 failed, 0 skipped"
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/lsan.supp:print_suppressions=0;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/tsan.supp")
+    # Texts are in English, whatever the language of who runs the tests.
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8;LANGUAGE=;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/lsan.supp:print_suppressions=0;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/tsan.supp")
 endfunction()
 
 # robotcontrol_test_program(NAME [QT] [LOOPS] [SOURCES file...] LIBS lib...): a program of tests that ctest does not know yet.

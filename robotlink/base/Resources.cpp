@@ -55,6 +55,18 @@ fs::path resource(const fs::path& relative) {
   return resourceDirectory() / relative;
 }
 
+fs::path builtResource(const fs::path& relative) {
+  std::error_code error;
+  fs::path installed = resource(relative);
+  if (fs::exists(installed, error)) return installed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (fs::path folder = program.parent_path(); folder != folder.parent_path();
+       folder = folder.parent_path()) {
+    if (fs::exists(folder / relative, error)) return folder / relative;
+  }
+  return installed;
+}
+
 fs::path userDirectory() {
   if (const char* config = environment("XDG_CONFIG_HOME")) return fs::path(config) / "robotcontrol";
   if (const char* home = environment("HOME")) return fs::path(home) / ".config/robotcontrol";

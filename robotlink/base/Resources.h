@@ -18,6 +18,10 @@ Result<void> checkResources();
 /// The path of a file below resourceDirectory(); the file need not exist.
 std::filesystem::path resource(const std::filesystem::path& relative);
 
+/// The path of a file that is not among the sources but made by the build: as resource() in an installation,
+/// in or above the program's folder in a build tree. The file need not exist.
+std::filesystem::path builtResource(const std::filesystem::path& relative);
+
 /// The folder of the user's own files (window layouts, presets): $XDG_CONFIG_HOME/robotcontrol, otherwise
 /// ~/.config/robotcontrol, otherwise a folder below the system's temporary one. It is not created.
 std::filesystem::path userDirectory();

@@ -12,9 +12,9 @@
 namespace widgets {
 namespace {
 
-QString actionText(const char* text) {
-  return QCoreApplication::translate("widgets::ColorActions", text);
-}
+struct ColorActionText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::ColorActions)
+};
 
 QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
   auto* shortcut = new QShortcut(key, &view);
@@ -25,7 +25,7 @@ QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
 }  // namespace
 
 QString strokesText(std::size_t count) {
-  return counted(count, actionText("1 stroke"), actionText("%1 strokes"));
+  return counted(count, ColorActionText::tr("1 stroke"), ColorActionText::tr("%1 strokes"));
 }
 
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench) {
@@ -33,11 +33,12 @@ ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& benc
   QUndoStack& stack = bench.undoStack();
   ColorActions actions{
       makeAction(&view, "undo",
-                 {undoName.constData(), actionText("Undo"),
-                  actionText("Undoes the last change of the samples"), QKeySequence::Undo}),
-      makeAction(&view, "redo",
-                 {redoName.constData(), actionText("Redo"), actionText("Redoes what was undone"),
-                  QKeySequence(actionText("Ctrl+Shift+Z"))})};
+                 {undoName.constData(), ColorActionText::tr("Undo"),
+                  ColorActionText::tr("Undoes the last change of the samples"), QKeySequence::Undo}),
+      makeAction(
+          &view, "redo",
+          {redoName.constData(), ColorActionText::tr("Redo"), ColorActionText::tr("Redoes what was undone"),
+           QKeySequence(ColorActionText::tr("Ctrl+Shift+Z"))})};
   QObject::connect(actions.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   QObject::connect(actions.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   QObject::connect(&stack, &QUndoStack::canUndoChanged, actions.undo, &QAction::setEnabled);

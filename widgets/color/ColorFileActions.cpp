@@ -17,17 +17,17 @@
 namespace widgets {
 namespace {
 
-QString fileText(const char* text) {
-  return QCoreApplication::translate("widgets::ColorFileActions", text);
-}
+struct ColorFileText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::ColorFileActions)
+};
 QString sampleFiles() {
-  return fileText("Samples of colors (*.samples);;All files (*)");
+  return ColorFileText::tr("Samples of colors (*.samples);;All files (*)");
 }
 QString tableFiles() {
-  return fileText("Color tables (*.c64)");
+  return ColorFileText::tr("Color tables (*.c64)");
 }
 QString anyTables() {
-  return fileText("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
+  return ColorFileText::tr("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
 }
 
 /// Asks for a file to write, in the last folder; empty: canceled.
@@ -53,8 +53,8 @@ bool saveTo(ColorFiles& files, const std::filesystem::path& file) {
 }
 
 bool askAndSave(ColorFiles& files, QWidget* parent) {
-  return saveTo(
-      files, fileToWrite(files, parent, fileText("Save samples"), sampleFiles(), QStringLiteral("samples")));
+  return saveTo(files, fileToWrite(files, parent, ColorFileText::tr("Save samples"), sampleFiles(),
+                                   QStringLiteral("samples")));
 }
 
 }  // namespace
@@ -66,13 +66,13 @@ bool saveSamples(ColorFiles& files, QWidget* parent) {
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
   QMessageBox box(
-      QMessageBox::Warning, fileText("Color samples"),
+      QMessageBox::Warning, ColorFileText::tr("Color samples"),
       files.file().empty()
-          ? fileText("The samples of the new color table were not saved yet.")
-          : fileText("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
+          ? ColorFileText::tr("The samples of the new color table were not saved yet.")
+          : ColorFileText::tr("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("unsavedSamples"));
-  box.setInformativeText(fileText("Save them?"));
+  box.setInformativeText(ColorFileText::tr("Save them?"));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:

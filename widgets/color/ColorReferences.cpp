@@ -9,9 +9,9 @@
 namespace widgets {
 namespace {
 
-QString referenceText(const char* text) {
-  return QCoreApplication::translate("widgets::ColorReferences", text);
-}
+struct ReferenceText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::ColorReferences)
+};
 
 }  // namespace
 
@@ -31,8 +31,8 @@ ReferenceTable trainedReference(const colortool::Samples& samples, const QString
 }
 
 QString stepName(const colortool::SampleDocument& document, std::size_t position) {
-  if (position == 0) return referenceText("the table before all steps");
-  return referenceText("the table after step %1, %2")
+  if (position == 0) return ReferenceText::tr("the table before all steps");
+  return ReferenceText::tr("the table after step %1, %2")
       .arg(position)
       .arg(QString::fromStdString(document.text(position - 1)));
 }

@@ -26,9 +26,9 @@ constexpr std::int64_t kCalendar = 100'000'000;  // s; later timestamps are date
 constexpr double kSecondsPerNanosecond = 1e-9;
 constexpr std::int64_t kNanosecondsPerMillisecond = 1'000'000;
 
-QString fieldTr(const char* text) {
-  return QCoreApplication::translate("Data", text);
-}
+struct DataText {
+  Q_DECLARE_TR_FUNCTIONS(Data)
+};
 
 template <typename Number>
 QString numberText(Number value, Precision precision) {
@@ -150,7 +150,7 @@ QString summaryText(const Message& message) {
 
 QString statisticsText(const FieldPlace& list, int first, int count) {
   count = std::clamp(count, 0, std::max(0, list.size() - first));
-  const QString elements = counted(count, fieldTr("1 element"), fieldTr("%1 elements"));
+  const QString elements = counted(count, DataText::tr("1 element"), DataText::tr("%1 elements"));
   const FieldDescriptor& field = *list.field;
   if (count == 0 || !holdsNumbers(field) || field.message_type() != nullptr ||
       field.cpp_type() == FieldDescriptor::CPPTYPE_ENUM || field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL)
@@ -167,7 +167,7 @@ QString statisticsText(const FieldPlace& list, int first, int count) {
   }
   if (finite == 0) return elements;
   const auto text = [](double value) { return QString::number(value, 'g', kDigits); };
-  return fieldTr("%1, %2 to %3, mean %4").arg(elements, text(least), text(greatest), text(sum / finite));
+  return DataText::tr("%1, %2 to %3, mean %4").arg(elements, text(least), text(greatest), text(sum / finite));
 }
 
 QString typeText(const FieldDescriptor& field) {
@@ -175,8 +175,8 @@ QString typeText(const FieldDescriptor& field) {
       QString::fromStdString(field.message_type() != nullptr ? field.message_type()->full_name()
                              : field.enum_type() != nullptr  ? field.enum_type()->full_name()
                                                              : field.type_name());
-  if (field.is_map()) return fieldTr("map of %1").arg(type);
-  return field.is_repeated() ? fieldTr("list of %1").arg(type) : type;
+  if (field.is_map()) return DataText::tr("map of %1").arg(type);
+  return field.is_repeated() ? DataText::tr("list of %1").arg(type) : type;
 }
 
 }  // namespace widgets

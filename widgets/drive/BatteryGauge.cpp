@@ -28,9 +28,9 @@ QColor colorFor(BatteryLevel::State state, const QPalette& palette) {
   return colorOf(Meaning::kMuted, palette);
 }
 
-QString batteryText(const char* source) {
-  return QCoreApplication::translate("BatteryGauge", source);
-}
+struct BatteryText {
+  Q_DECLARE_TR_FUNCTIONS(BatteryGauge)
+};
 
 }  // namespace
 
@@ -70,18 +70,18 @@ BatteryLevel BatteryLevel::ofShare(double share) {
 }
 
 QString BatteryLevel::text() const {
-  if (state == State::kUnknown) return batteryText("unknown");
-  if (!(volts > 0) && share) return batteryText("%1 %").arg(qRound(*share * 100));
-  const QString text = share ? batteryText("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(*share * 100))
-                             : batteryText("%1 V").arg(volts, 0, 'f', 1);
-  if (age) return batteryText("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
-  return charging ? batteryText("%1, charging").arg(text) : text;
+  if (state == State::kUnknown) return BatteryText::tr("unknown");
+  if (!(volts > 0) && share) return BatteryText::tr("%1 %").arg(qRound(*share * 100));
+  const QString text = share ? BatteryText::tr("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(*share * 100))
+                             : BatteryText::tr("%1 V").arg(volts, 0, 'f', 1);
+  if (age) return BatteryText::tr("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
+  return charging ? BatteryText::tr("%1, charging").arg(text) : text;
 }
 
 QString BatteryLevel::warning() const {
   if (charging || age) return {};
-  if (state == State::kEmpty) return batteryText("The battery is empty: charge it now.");
-  if (state == State::kLow) return batteryText("The battery is low: charge it soon.");
+  if (state == State::kEmpty) return BatteryText::tr("The battery is empty: charge it now.");
+  if (state == State::kLow) return BatteryText::tr("The battery is low: charge it soon.");
   return {};
 }
 

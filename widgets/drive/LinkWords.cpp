@@ -13,30 +13,30 @@ using robotcontrol::LinkStatus;
 constexpr double kSilence = 3;     // s without a status, after which it is reported as old
 constexpr double kLongGap = 0.25;  // s; ARIA's clients warn of longer gaps
 
-QString linkText(const char* source) {
-  return QCoreApplication::translate("LinkWords", source);
-}
+struct LinkText {
+  Q_DECLARE_TR_FUNCTIONS(LinkWords)
+};
 
 void nameState(LinkWords& words, const LinkStatus& status) {
   switch (status.state()) {
     case LinkStatus::CONNECTING:
-      words.state = linkText("connecting…");
+      words.state = LinkText::tr("connecting…");
       words.meaning = Meaning::kNote;
       return;
     case LinkStatus::CONNECTED:
-      words.state = linkText("connected");
+      words.state = LinkText::tr("connected");
       words.meaning = Meaning::kGood;
       return;
     case LinkStatus::LOST:
-      words.state = linkText("lost");
+      words.state = LinkText::tr("lost");
       words.meaning = Meaning::kBad;
       return;
     case LinkStatus::LISTENING:
-      words.state = linkText("waits for a client");
+      words.state = LinkText::tr("waits for a client");
       words.meaning = Meaning::kNote;
       return;
     default:
-      words.state = linkText("closed");
+      words.state = LinkText::tr("closed");
       words.meaning = Meaning::kMuted;
   }
 }
@@ -47,7 +47,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   LinkWords words;
   nameState(words, status);
   if (age > kSilence) {
-    words.state = linkText("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
+    words.state = LinkText::tr("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
     if (words.meaning == Meaning::kGood) words.meaning = Meaning::kWarning;
   }
   QStringList names;
@@ -56,7 +56,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   }
   words.robot = names.join(QStringLiteral(", "));
   if (!status.client().empty()) {
-    words.client = linkText("%1, %2 commands/s")
+    words.client = LinkText::tr("%1, %2 commands/s")
                        .arg(QString::fromStdString(status.client()))
                        .arg(status.commands_per_second(), 0, 'f', 1);
   }

@@ -14,6 +14,10 @@
 namespace widgets {
 namespace {
 
+struct RadarText {
+  Q_DECLARE_TR_FUNCTIONS(Radar)
+};
+
 using robotlink::Pose2;
 using robotlink::Vector2;
 
@@ -63,8 +67,7 @@ void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWi
     painter.setPen(QPen(line, 1));
     painter.drawEllipse(middle, radius, radius);
     painter.setPen(colorOf(Meaning::kMuted, palette));
-    painter.drawText(middle + QPointF(4, -radius - 3),
-                     QCoreApplication::translate("Radar", "%1 m").arg(i * step));
+    painter.drawText(middle + QPointF(4, -radius - 3), RadarText::tr("%1 m").arg(i * step));
   }
 }
 
@@ -200,19 +203,19 @@ void paintRobot(QPainter& painter, const RadarReadings& readings, const RadarLoo
 
 /// Problems in words at the upper left, so that color is not the only cue.
 void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPalette& palette) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Radar", text); };
   QStringList troubles;
-  if (readings.emergencyStop) troubles << tr("emergency stop");
+  if (readings.emergencyStop) troubles << RadarText::tr("emergency stop");
   if (readings.leftStalled && readings.rightStalled) {
-    troubles << tr("both sides are stalled");
+    troubles << RadarText::tr("both sides are stalled");
   } else if (readings.leftStalled || readings.rightStalled) {
-    troubles << (readings.leftStalled ? tr("the left side is stalled") : tr("the right side is stalled"));
+    troubles << (readings.leftStalled ? RadarText::tr("the left side is stalled")
+                                      : RadarText::tr("the right side is stalled"));
   }
   const auto pressed = [](const std::vector<bool>& bumpers) {
     return std::find(bumpers.begin(), bumpers.end(), true) != bumpers.end();
   };
-  if (pressed(readings.frontBumpers)) troubles << tr("a front bumper is pressed");
-  if (pressed(readings.rearBumpers)) troubles << tr("a rear bumper is pressed");
+  if (pressed(readings.frontBumpers)) troubles << RadarText::tr("a front bumper is pressed");
+  if (pressed(readings.rearBumpers)) troubles << RadarText::tr("a rear bumper is pressed");
   if (troubles.isEmpty()) return;
   QFont font = painter.font();
   font.setBold(true);

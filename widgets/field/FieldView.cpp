@@ -31,8 +31,8 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kFieldViewRegistration{
-    {"field", QT_TRANSLATE_NOOP("widgets::FieldView", "Field and map"),
-     QT_TRANSLATE_NOOP("widgets::FieldView",
+    {"field", QT_TRANSLATE_NOOP("View", "Field and map"),
+     QT_TRANSLATE_NOOP("View",
                        "The field or the building from above: true and estimated poses, goals, and drawings"),
      "field", true, create<FieldView>}};
 

@@ -12,9 +12,9 @@ namespace {
 /// m; robots plan no paths while their pose is less certain than this.
 constexpr double kLost = 1;
 
-QString placeText(const char* source) {
-  return QCoreApplication::translate("PlaceNotice", source);
-}
+struct PlaceText {
+  Q_DECLARE_TR_FUNCTIONS(PlaceNotice)
+};
 
 }  // namespace
 
@@ -25,21 +25,21 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : placeText(
+               : PlaceText::tr(
                      "%1 has no map for localization: connect it with one (Robot > Connect a Pioneer…, Map).")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())
-    return placeText(
+    return PlaceText::tr(
                "%1 does not know yet where it is, and stands: release its stop button or STOP, so that it "
                "can drive around.")
         .arg(name);
   if (base != nullptr && !base->motors_on())
-    return placeText(
+    return PlaceText::tr(
                "%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere "
                "(G, and a click on the map). It drives around until it has localized itself.")
         .arg(name);
-  return placeText(
+  return PlaceText::tr(
              "%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives "
              "around until it has localized itself; or steer it with the motion tester.")
       .arg(name);

@@ -25,10 +25,9 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kImageStreamViewRegistration{
-    {"image", QT_TRANSLATE_NOOP("widgets::ImageStreamView", "Image"),
-     QT_TRANSLATE_NOOP("widgets::ImageStreamView",
-                       "Images with the drawings of what the program sees in them"),
-     "image", true, create<ImageStreamView>}};
+    {"image", QT_TRANSLATE_NOOP("View", "Image"),
+     QT_TRANSLATE_NOOP("View", "Images with the drawings of what the program sees in them"), "image", true,
+     create<ImageStreamView>}};
 
 constexpr char kDefaultChoice[] = "*/camera/image";
 

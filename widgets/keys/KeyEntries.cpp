@@ -24,9 +24,9 @@ void merge(KeyEntry& entry, const robotcontrol::KeyTable::Key& key) {
   for (const std::string& solution : key.solutions()) addUnique(entry.solutions, solution);
 }
 
-QString valueText(const char* source) {
-  return QCoreApplication::translate("KeyValue", source);
-}
+struct KeyValueText {
+  Q_DECLARE_TR_FUNCTIONS(KeyValue)
+};
 
 }  // namespace
 
@@ -37,15 +37,15 @@ bool hasNumber(KeyValue::Kind kind) {
 QString kindName(KeyValue::Kind kind) {
   switch (kind) {
     case KeyValue::Kind::kOff:
-      return valueText("off");
+      return KeyValueText::tr("off");
     case KeyValue::Kind::kAlways:
-      return valueText("always");
+      return KeyValueText::tr("always");
     case KeyValue::Kind::kTimes:
-      return valueText("n times");
+      return KeyValueText::tr("n times");
     case KeyValue::Kind::kEveryNth:
-      return valueText("every n-th");
+      return KeyValueText::tr("every n-th");
     case KeyValue::Kind::kEveryMs:
-      return valueText("every n ms");
+      return KeyValueText::tr("every n ms");
   }
   return {};
 }
@@ -53,11 +53,11 @@ QString kindName(KeyValue::Kind kind) {
 QString keyValueText(const KeyValue& value) {
   switch (value.kind) {
     case KeyValue::Kind::kTimes:
-      return valueText("%1 left").arg(value.n);
+      return KeyValueText::tr("%1 left").arg(value.n);
     case KeyValue::Kind::kEveryNth:
       return QString::number(value.n);
     case KeyValue::Kind::kEveryMs:
-      return valueText("%1 ms").arg(value.n);
+      return KeyValueText::tr("%1 ms").arg(value.n);
     default:
       return {};
   }

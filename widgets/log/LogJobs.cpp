@@ -17,9 +17,9 @@ namespace {
 using Outcome = LogJob::Outcome;
 using Progress = LogJob::Progress;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("LogJobs", text);
-}
+struct LogJobsText {
+  Q_DECLARE_TR_FUNCTIONS(LogJobs)
+};
 
 QString fileNameOf(const std::filesystem::path& file) {
   return QString::fromStdString(file.filename().string());
@@ -57,7 +57,8 @@ Outcome exported(const std::string& path, const Progress& progress, const char* 
   if (!report) return failed(report.error());
   return {true,
           false,
-          withLines(tr(text).arg(QString::fromStdString(to.string()), QString::number(report->written)),
+          withLines(LogJobsText::tr(text).arg(QString::fromStdString(to.string()),
+                                              QString::number(report->written)),
                     report->losses),
           {}};
 }
@@ -78,12 +79,14 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
     const auto report = logplayer::rewriteLogs(options, to);
     if (!report) return failed(report.error());
     const QString text =
-        tr("%1: %2 in %3, %4")
-            .arg(fileNameOf(to), counted(report->messages, tr("1 message"), tr("%1 messages")),
-                 counted(report->frames, tr("1 frame"), tr("%1 frames")), bytesText(report->bytes));
+        LogJobsText::tr("%1: %2 in %3, %4")
+            .arg(fileNameOf(to),
+                 counted(report->messages, LogJobsText::tr("1 message"), LogJobsText::tr("%1 messages")),
+                 counted(report->frames, LogJobsText::tr("1 frame"), LogJobsText::tr("%1 frames")),
+                 bytesText(report->bytes));
     std::vector<std::string> lines;
     for (const auto& [robot, name] : report->renamed)
-      lines.push_back(tr("%1 is called %2")
+      lines.push_back(LogJobsText::tr("%1 is called %2")
                           .arg(QString::fromStdString(robot), QString::fromStdString(name))
                           .toStdString());
     lines.insert(lines.end(), report->notes.begin(), report->notes.end());
@@ -123,7 +126,7 @@ LogJob::Work repairLog(std::string log, std::filesystem::path to) {
   return [log = std::move(log), to = std::move(to)](const Progress& progress) -> Outcome {
     std::error_code error;
     if (std::filesystem::equivalent(log, to, error)) {
-      return {false, false, tr("A log is not repaired in place; choose another name."), {}};
+      return {false, false, LogJobsText::tr("A log is not repaired in place; choose another name."), {}};
     }
     // Whoever chose the name was asked whether an old file may go; it stays until the new one is complete.
     auto output = logplayer::OutputFile::create(to, true);
@@ -131,12 +134,13 @@ LogJob::Work repairLog(std::string log, std::filesystem::path to) {
     const auto report = logplayer::mcap::repair(log, output->temporary(), progress);
     if (!report) return failed(output->named(report.error()));
     if (const auto done = output->commit(); !done) return failed(done.error());
-    return {
-        true, false,
-        tr("%1: %2 saved; %3 and %4 were lost")
-            .arg(fileNameOf(to), counted(report->messages, tr("1 message"), tr("%1 messages")),
-                 counted(report->chunksLost, tr("1 chunk"), tr("%1 chunks")), bytesText(report->bytesLost)),
-        to};
+    return {true, false,
+            LogJobsText::tr("%1: %2 saved; %3 and %4 were lost")
+                .arg(fileNameOf(to),
+                     counted(report->messages, LogJobsText::tr("1 message"), LogJobsText::tr("%1 messages")),
+                     counted(report->chunksLost, LogJobsText::tr("1 chunk"), LogJobsText::tr("%1 chunks")),
+                     bytesText(report->bytesLost)),
+            to};
   };
 }
 

@@ -7,9 +7,9 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* source) {
-  return QCoreApplication::translate("ManualControl", source);
-}
+struct ManualText {
+  Q_DECLARE_TR_FUNCTIONS(ManualControl)
+};
 
 bool obeys(const TaskEntry& task) {
   return std::any_of(task.solutions.begin(), task.solutions.end(),
@@ -49,7 +49,7 @@ void ManualControl::update(const std::vector<TaskEntry>& tasks) {
   } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
     state_ = State::kUnavailable;
     reason_ = obey == task->solutions.end()
-                  ? translated("its %1 has no solution “obey”").arg(QString::fromStdString(task_))
+                  ? ManualText::tr("its %1 has no solution “obey”").arg(QString::fromStdString(task_))
                   : obey->unavailable;
   } else {
     state_ = State::kFree;
@@ -75,18 +75,18 @@ void ManualControl::refused(const QString& reason) {
 QString ManualControl::text() const {
   switch (state_) {
     case State::kUnknown:
-      return translated("The robot has not reported its behavior yet.");
+      return ManualText::tr("The robot has not reported its behavior yet.");
     case State::kUnavailable:
-      return translated("Cannot be taken over: %1").arg(reason_);
+      return ManualText::tr("Cannot be taken over: %1").arg(reason_);
     case State::kSwitching:
-      return translated("Switching to %1…").arg(QString::fromStdString(requested_));
+      return ManualText::tr("Switching to %1…").arg(QString::fromStdString(requested_));
     case State::kTaken:
-      return translated("You steer the robot.");
+      return ManualText::tr("You steer the robot.");
     case State::kFree:
       break;
   }
-  if (!reason_.isEmpty()) return translated("Refused: %1").arg(reason_);
-  return translated("%1 steers the robot.").arg(QString::fromStdString(active_));
+  if (!reason_.isEmpty()) return ManualText::tr("Refused: %1").arg(reason_);
+  return ManualText::tr("%1 steers the robot.").arg(QString::fromStdString(active_));
 }
 
 }  // namespace widgets

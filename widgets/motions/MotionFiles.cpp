@@ -25,9 +25,9 @@ namespace {
 
 constexpr int kTicksUntilMotionKept = 60;
 
-QString motionFileText(const char* text) {
-  return QCoreApplication::translate("widgets::MotionFiles", text);
-}
+struct MotionFileText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::MotionFiles)
+};
 QString shownMotionPath(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
 }
@@ -224,8 +224,8 @@ bool saveMotion(MotionFiles& files, QWidget* parent) {
 }
 
 bool saveMotionAs(MotionFiles& files, QWidget* parent) {
-  QFileDialog dialog(parent, motionFileText("Save motion"), shownMotionPath(files.folder()),
-                     motionFileText("Motions (*.mof)"));
+  QFileDialog dialog(parent, MotionFileText::tr("Save motion"), shownMotionPath(files.folder()),
+                     MotionFileText::tr("Motions (*.mof)"));
   dialog.setObjectName(QStringLiteral("saveMotionDialog"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(QStringLiteral("mof"));
@@ -236,8 +236,8 @@ bool saveMotionAs(MotionFiles& files, QWidget* parent) {
 
 bool openMotion(MotionFiles& files, QWidget* parent) {
   if (!mayLoseMotion(files, parent)) return false;
-  QFileDialog dialog(parent, motionFileText("Open motion"), shownMotionPath(files.folder()),
-                     motionFileText("Motions (*.mof *.pos *.mot);;All files (*)"));
+  QFileDialog dialog(parent, MotionFileText::tr("Open motion"), shownMotionPath(files.folder()),
+                     MotionFileText::tr("Motions (*.mof *.pos *.mot);;All files (*)"));
   dialog.setObjectName(QStringLiteral("openMotionDialog"));
   dialog.setFileMode(QFileDialog::ExistingFile);
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
@@ -247,11 +247,11 @@ bool openMotion(MotionFiles& files, QWidget* parent) {
 bool mayLoseMotion(MotionFiles& files, QWidget* parent) {
   if (!files.changed() || files.bench().isEmpty()) return true;
   const QString name = QString::fromStdString(files.bench().motion().name);
-  QMessageBox box(QMessageBox::Warning, motionFileText("Motion"),
-                  motionFileText("The motion %1 was changed and not saved.").arg(name),
+  QMessageBox box(QMessageBox::Warning, MotionFileText::tr("Motion"),
+                  MotionFileText::tr("The motion %1 was changed and not saved.").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("unsavedMotion"));
-  box.setInformativeText(motionFileText("Save it?"));
+  box.setInformativeText(MotionFileText::tr("Save it?"));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:

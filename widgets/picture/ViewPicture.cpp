@@ -14,9 +14,9 @@
 namespace widgets {
 namespace {
 
-QString pictureText(const char* text) {
-  return QCoreApplication::translate("widgets::PictureFile", text);
-}
+struct PictureText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::PictureFile)
+};
 
 }  // namespace
 
@@ -33,14 +33,14 @@ bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
   const auto written = writePicture(picture, file);
   if (written) return true;
   QMessageBox::warning(
-      view, pictureText("Save picture"),
-      pictureText("Nothing was saved to %1: %2").arg(file, QString::fromStdString(written.error().text)));
+      view, PictureText::tr("Save picture"),
+      PictureText::tr("Nothing was saved to %1: %2").arg(file, QString::fromStdString(written.error().text)));
   return false;
 }
 
 void savePictureAs(QWidget* view, const QImage& picture, const QString& proposal) {
-  const QString file = QFileDialog::getSaveFileName(view, pictureText("Save picture"), proposal,
-                                                    pictureText("Pictures (*.png)"));
+  const QString file = QFileDialog::getSaveFileName(view, PictureText::tr("Save picture"), proposal,
+                                                    PictureText::tr("Pictures (*.png)"));
   if (!file.isEmpty()) savePicture(view, picture, file);
 }
 

@@ -28,9 +28,9 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kSceneViewRegistration{
-    {"scene", QT_TRANSLATE_NOOP("widgets::SceneView", "Scene"),
-     QT_TRANSLATE_NOOP("widgets::SceneView", "The world in three dimensions, with the robots' drawings"),
-     "scene", true, create<SceneView>}};
+    {"scene", QT_TRANSLATE_NOOP("View", "Scene"),
+     QT_TRANSLATE_NOOP("View", "The world in three dimensions, with the robots' drawings"), "scene", true,
+     create<SceneView>}};
 
 constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wheels is seen well
 

@@ -178,9 +178,9 @@ bool exists(const Message& root, const FieldPath& path) {
   return true;
 }
 
-QString fieldText(const char* source) {
-  return QCoreApplication::translate("MessageFields", source);
-}
+struct FieldKindText {
+  Q_DECLARE_TR_FUNCTIONS(MessageFields)
+};
 
 }  // namespace
 
@@ -233,20 +233,20 @@ QString typeName(const FieldPath& path) {
   switch (path.back().field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
     case FieldDescriptor::CPPTYPE_FLOAT:
-      return fieldText("number");
+      return FieldKindText::tr("number");
     case FieldDescriptor::CPPTYPE_BOOL:
-      return fieldText("yes or no");
+      return FieldKindText::tr("yes or no");
     case FieldDescriptor::CPPTYPE_ENUM:
-      return fieldText("choice");
+      return FieldKindText::tr("choice");
     case FieldDescriptor::CPPTYPE_STRING:
-      return fieldText("text");
+      return FieldKindText::tr("text");
     case FieldDescriptor::CPPTYPE_MESSAGE:
-      return fieldText("group");
+      return FieldKindText::tr("group");
     case FieldDescriptor::CPPTYPE_UINT32:
     case FieldDescriptor::CPPTYPE_UINT64:
-      return fieldText("whole number, not negative");
+      return FieldKindText::tr("whole number, not negative");
     default:
-      return fieldText("whole number");
+      return FieldKindText::tr("whole number");
   }
 }
 

@@ -20,12 +20,15 @@ Who whoSteers(const robotcontrol::SteeringStatus& status, bool isElsewhere) {
   return isHere ? Who::kThisPerson : Who::kOther;
 }
 
+struct SteeringText {
+  Q_DECLARE_TR_FUNCTIONS(Steering)
+};
+
 QString sentenceFor(const SteeringState& state, const QString& robot) {
-  const auto text = [](const char* english) { return QCoreApplication::translate("Steering", english); };
-  if (state.who == Who::kNobody) return text("Nobody steers %1.").arg(robot);
-  if (state.who == Who::kThisPerson) return text("You steer %1.").arg(robot);
-  const QString sentence =
-      state.isSilent ? text("%1 steered %2, and is not heard any more.") : text("%1 steers %2.");
+  if (state.who == Who::kNobody) return SteeringText::tr("Nobody steers %1.").arg(robot);
+  if (state.who == Who::kThisPerson) return SteeringText::tr("You steer %1.").arg(robot);
+  const QString sentence = state.isSilent ? SteeringText::tr("%1 steered %2, and is not heard any more.")
+                                          : SteeringText::tr("%1 steers %2.");
   return sentence.arg(state.name, robot);
 }
 
@@ -44,7 +47,7 @@ std::optional<SteeringState> steeringState(robotlink::Session& session, const st
   state.who = whoSteers(*status, session.remoteRobots().contains(robot));
   state.name = QString::fromStdString(status->who());
   if (state.who == Who::kOther && status->client() == 0)
-    state.name = QCoreApplication::translate("Steering", "Somebody at the robot's own computer");
+    state.name = SteeringText::tr("Somebody at the robot's own computer");
   state.isSilent = status->silent();
   state.text = sentenceFor(state, QString::fromStdString(robot));
   state.details = QString::fromStdString(status->text());

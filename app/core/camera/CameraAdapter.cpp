@@ -42,9 +42,13 @@ PlatformField::Items sizeItems() {
 }
 
 PlatformField::Items formatItems() {
-  return {{"the best that the camera has", ""},
-          {"YUYV (uncompressed)", "YUYV", "No loss, but few images a second at large sizes"},
-          {"Motion JPEG", "MJPG", "More images a second at large sizes, with the losses of JPEG"}};
+  return {{.title = "the best that the camera has", .value = ""},
+          {.title = "YUYV (uncompressed)",
+           .value = "YUYV",
+           .help = "No loss, but few images a second at large sizes"},
+          {.title = "Motion JPEG",
+           .value = "MJPG",
+           .help = "More images a second at large sizes, with the losses of JPEG"}};
 }
 
 /// Sets the address from its parts.
@@ -153,7 +157,8 @@ PlatformForm cameraForm() {
        .noun = "layout",
        .items =
            [] {
-             return PlatformField::Items{{"of the camera", ""}, {"perception", "perception"}};
+             return PlatformField::Items{{.title = "of the camera", .value = ""},
+                                         {"perception", "perception"}};
            },
        .editable = true});
   form.fields.push_back(ownProcessField());

@@ -116,7 +116,7 @@ void normalizeAddress(FormValues& values) {
 
 /// The layouts that the program of such a robot can run in.
 PlatformField::Items layoutItems() {
-  PlatformField::Items items{{"of the robot", ""}};
+  PlatformField::Items items{{.title = "of the robot", .value = ""}};
   const auto description = readRobot(pioneerOptions({}).kind);
   if (!description) return items;
   for (const auto& file : layoutsFor(**description))
@@ -131,50 +131,53 @@ PlatformField::Items baudItems() {
 }
 
 std::vector<PlatformField> lineFields() {
-  return {{.name = "line",
-           .kind = Kind::kChoice,
-           .label = "Line:",
-           .initial = std::string(kNetwork),
-           .items =
-               [] {
-                 return PlatformField::Items{
-                     {"&Network (TCP)", kNetwork, "A simulated robot, or one whose line a computer forwards"},
-                     {"&Serial", kSerial, "A robot at a serial port of this computer"}};
-               },
-           .buttons = true,
-           .isArgument = false},
-          {.name = "host",
-           .label = "&Host:",
-           .help = "Name or address of the computer; localhost is this one",
-           .isArgument = false},
-          {.name = "port",
-           .kind = Kind::kNumber,
-           .label = "port",
-           .help = "8101 is the first robot's, 8102 the next one's",
-           .initial = static_cast<double>(arcos::kDefaultPort),
-           .noun = "port",
-           .min = 1,
-           .max = 65535,
-           .sameRow = true,
-           .isArgument = false},
-          {.name = "device",
-           .kind = Kind::kChoice,
-           .label = "&Port:",
-           .help = "Serial ports of this computer; another one can be typed",
-           .emptyText = "no serial port found; type its path",
-           .items = deviceItems,
-           .editable = true,
-           .listAgain = "Searches for serial ports",
-           .isArgument = false},
-          {.name = "baud",
-           .kind = Kind::kChoice,
-           .label = "at",
-           .help = "As set in the robot; Pioneers start with 9600",
-           .initial = std::string("9600"),
-           .unit = "baud",
-           .items = baudItems,
-           .sameRow = true,
-           .isArgument = false}};
+  return {
+      {.name = "line",
+       .kind = Kind::kChoice,
+       .label = "Line:",
+       .initial = std::string(kNetwork),
+       .items =
+           [] {
+             return PlatformField::Items{
+                 {.title = "&Network (TCP)",
+                  .value = kNetwork,
+                  .help = "A simulated robot, or one whose line a computer forwards"},
+                 {.title = "&Serial", .value = kSerial, .help = "A robot at a serial port of this computer"}};
+           },
+       .buttons = true,
+       .isArgument = false},
+      {.name = "host",
+       .label = "&Host:",
+       .help = "Name or address of the computer; localhost is this one",
+       .isArgument = false},
+      {.name = "port",
+       .kind = Kind::kNumber,
+       .label = "port",
+       .help = "8101 is the first robot's, 8102 the next one's",
+       .initial = static_cast<double>(arcos::kDefaultPort),
+       .noun = "port",
+       .min = 1,
+       .max = 65535,
+       .sameRow = true,
+       .isArgument = false},
+      {.name = "device",
+       .kind = Kind::kChoice,
+       .label = "&Port:",
+       .help = "Serial ports of this computer; another one can be typed",
+       .emptyText = "no serial port found; type its path",
+       .items = deviceItems,
+       .editable = true,
+       .listAgain = "Searches for serial ports",
+       .isArgument = false},
+      {.name = "baud",
+       .kind = Kind::kChoice,
+       .label = "at",
+       .help = "As set in the robot; Pioneers start with 9600",
+       .initial = std::string("9600"),
+       .unit = "baud",
+       .items = baudItems,
+       .sameRow = true,
+       .isArgument = false}};
 }
 
 PlatformForm pioneerForm() {

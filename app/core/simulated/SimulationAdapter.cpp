@@ -90,7 +90,7 @@ PlatformField::Items kindItems() {
 }
 
 PlatformField::Items teamItems() {
-  PlatformField::Items items{{"All, as many in each", kBothTeams}};
+  PlatformField::Items items{{.title = "All, as many in each", .value = kBothTeams}};
   for (const std::string& team : simulatedTeams()) {
     std::string title = team;
     title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));

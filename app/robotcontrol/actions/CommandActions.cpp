@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/actions/CommandActions.h"
 
+#include <QCoreApplication>
+
 #include "widgets/Icon.h"
 
 namespace app {
@@ -13,7 +15,7 @@ QAction* CommandActions::make(const QString& text, const char* icon, const QStri
   action->setShortcuts(shortcuts);
   action->setShortcutContext(Qt::ApplicationShortcut);
   const auto* known = commands_.find(command.toStdString());
-  QString tip = known != nullptr ? QString::fromStdString(known->help) : text;
+  QString tip = known != nullptr ? QCoreApplication::translate("Command", known->help.c_str()) : text;
   if (!shortcuts.isEmpty())
     tip += QStringLiteral(" (%1)").arg(QKeySequence::listToString(shortcuts, QKeySequence::NativeText));
   action->setToolTip(tip);

@@ -52,7 +52,7 @@ QString versions() {
       QStringLiteral("%1, kernel %2, %3, %4 cores")
           .arg(QSysInfo::prettyProductName(), QSysInfo::kernelVersion(), QSysInfo::currentCpuArchitecture())
           .arg(std::thread::hardware_concurrency()),
-      QStringLiteral("Locale %1").arg(QLocale().name())};
+      QStringLiteral("Locale %1").arg(QLocale::system().name())};
   for (const QScreen* screen : QApplication::screens()) {
     lines << QStringLiteral("Screen of %1x%2, scale %3")
                  .arg(screen->geometry().width())

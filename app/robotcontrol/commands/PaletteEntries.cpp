@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/commands/PaletteEntries.h"
 
+#include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <algorithm>
@@ -43,7 +44,7 @@ void collect(const QList<QAction*>& actions, const QString& path, std::vector<Pa
 PaletteEntry entryFor(const CommandTable::Command& command) {
   PaletteEntry entry;
   entry.title = entry.line = QString::fromStdString(command.name);
-  entry.help = QString::fromStdString(command.help);
+  entry.help = QCoreApplication::translate("Command", command.help.c_str());
   for (const auto& argument : command.arguments) {
     const QString name = QString::fromStdString(argument.name);
     entry.title += argument.isOptional() ? QStringLiteral(" [%1]").arg(name) : QLatin1Char(' ') + name;

@@ -18,24 +18,23 @@ struct Group {
 
 /// The groups in the order of the menu; views that are in no group are listed at the end.
 std::vector<Group> groups() {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("ViewMenu", text); };
   std::vector<Group> groups = {
-      {tr("The robot and its world"),
+      {ViewMenu::tr("The robot and its world"),
        {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"),
         QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
         QStringLiteral("joints"), QStringLiteral("motion-editor")}},
-      {tr("The robot's program"),
+      {ViewMenu::tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),
         QStringLiteral("processes"), QStringLiteral("packets"), QStringLiteral("console")}},
-      {tr("Logs"),
+      {ViewMenu::tr("Logs"),
        {QStringLiteral("time-line"), QStringLiteral("search"), QStringLiteral("replay-packages"),
         QStringLiteral("log-streams"), QStringLiteral("bookmarks")}},
-      {tr("Colors"),
+      {ViewMenu::tr("Colors"),
        {QStringLiteral("color-image"), QStringLiteral("color-classes"), QStringLiteral("color-space"),
         QStringLiteral("color-samples"), QStringLiteral("color-quality"), QStringLiteral("color-compare"),
         QStringLiteral("color-frames")}},
-      {tr("Others"), {}}};
+      {ViewMenu::tr("Others"), {}}};
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
     const QString id = QLatin1String(type.id);
     if (std::none_of(groups.begin(), groups.end(),

@@ -25,9 +25,8 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kColorFramesViewRegistration{
-    {"color-frames", QT_TRANSLATE_NOOP("widgets::ColorFramesView", "Find frames"),
-     QT_TRANSLATE_NOOP("widgets::ColorFramesView",
-                       "Finds the images of a log where the color table looks most suspicious"),
+    {"color-frames", QT_TRANSLATE_NOOP("View", "Find frames"),
+     QT_TRANSLATE_NOOP("View", "Finds the images of a log where the color table looks most suspicious"),
      "color-frames", false, create<ColorFramesView>}};
 
 constexpr QSize kThumbnail(72, 54);

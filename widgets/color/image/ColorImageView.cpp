@@ -27,10 +27,9 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kColorImageViewRegistration{
-    {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Color image"),
-     QT_TRANSLATE_NOOP("widgets::ColorImageView",
-                       "Draw strokes in images and see how the color table classifies them"),
-     "brush", false, create<ColorImageView>}};
+    {"color-image", QT_TRANSLATE_NOOP("View", "Color image"),
+     QT_TRANSLATE_NOOP("View", "Draw strokes in images and see how the color table classifies them"), "brush",
+     false, create<ColorImageView>}};
 
 constexpr char kDefaultColorChoice[] = "*/camera/image";
 /// Below this height the strip is low, so that the image has the room, pixels.

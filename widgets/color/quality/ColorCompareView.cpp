@@ -24,9 +24,8 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kColorCompareViewRegistration{
-    {"color-compare", QT_TRANSLATE_NOOP("widgets::ColorCompareView", "Compare tables"),
-     QT_TRANSLATE_NOOP("widgets::ColorCompareView",
-                       "Compares the color table with another one, or with itself some steps ago"),
+    {"color-compare", QT_TRANSLATE_NOOP("View", "Compare tables"),
+     QT_TRANSLATE_NOOP("View", "Compares the color table with another one, or with itself some steps ago"),
      "color-compare", false, create<ColorCompareView>}};
 
 constexpr std::size_t kStepsListed = 30;

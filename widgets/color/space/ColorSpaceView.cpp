@@ -21,9 +21,8 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kColorSpaceViewRegistration{
-    {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Color space"),
-     QT_TRANSLATE_NOOP("widgets::ColorSpaceView",
-                       "Pixels, samples and the table's classes in the three dimensions of color"),
+    {"color-space", QT_TRANSLATE_NOOP("View", "Color space"),
+     QT_TRANSLATE_NOOP("View", "Pixels, samples and the table's classes in the three dimensions of color"),
      "color-space", true, create<ColorSpaceView>}};
 
 constexpr int kTicksBetweenImages = 3;  // images are followed at 10 Hz
