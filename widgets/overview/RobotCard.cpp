@@ -114,7 +114,7 @@ CardText running(const Known& known) {
   return {cardTr("running"), Meaning::kGood};
 }
 
-CardText stateOf(const Known& known) {
+CardText cardStateOf(const Known& known) {
   if (CardText trouble = programTrouble(known); !trouble.text.isEmpty()) return trouble;
   if (CardText stop = stopped(known); !stop.text.isEmpty()) return stop;
   if (const auto* remote = known.remote())
@@ -209,7 +209,7 @@ RobotCard robotCard(const ViewContext& context, const std::string& robot, Instan
     card.kind = QString::fromStdString(described->second->title);
   card.color = teamColor(robot, context.field.get());
   card.isSelected = context.session.selectedRobot() == robot;
-  card.state = stateOf(known);
+  card.state = cardStateOf(known);
   card.behavior = behaviorOf(known);
   card.link = linkOf(known);
   card.battery = batteryOfRobot(known);
