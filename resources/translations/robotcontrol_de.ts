@@ -31,6 +31,10 @@
         <source>The battery is low: charge it soon.</source>
         <translation>Der Akku ist fast leer: bald laden.</translation>
     </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
 </context>
 <context>
     <name>Command</name>
@@ -693,6 +697,26 @@
     <message>
         <source>Writes the shown perspective to a file</source>
         <translation>Schreibt die gezeigte Perspektive in eine Datei</translation>
+    </message>
+    <message>
+        <source>Cancels the export of a view; a video is removed, images that were written stay</source>
+        <translation>Bricht den Export einer Ansicht ab; ein Video wird gelöscht, schon geschriebene Bilder bleiben</translation>
+    </message>
+    <message>
+        <source>Removes a curve from the timeline</source>
+        <translation>Entfernt eine Kurve aus der Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Shows a value as a curve in the timeline</source>
+        <translation>Zeigt einen Wert als Kurve in der Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Writes a view over time as a video: of the open logs, or of what is kept of live robots</source>
+        <translation>Schreibt eine Ansicht über der Zeit als Video: von den offenen Logs, oder von dem, was von laufenden Robotern aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>Writes a view over time as numbered PNG files into a folder</source>
+        <translation>Schreibt eine Ansicht über der Zeit als nummerierte PNG-Dateien in einen Ordner</translation>
     </message>
 </context>
 <context>
@@ -1550,6 +1574,10 @@
         <source>warnings: %1, errors: %2</source>
         <translation>Warnungen: %1, Fehler: %2</translation>
     </message>
+    <message>
+        <source>no values here</source>
+        <translation>hier keine Werte</translation>
+    </message>
 </context>
 <context>
     <name>TrainingPanel</name>
@@ -1777,10 +1805,6 @@
         <translation>Datenströme</translation>
     </message>
     <message>
-        <source>Lists the streams of logs or live robots with count, size, rate and schema.</source>
-        <translation>Listet die Datenströme von Logs oder laufenden Robotern mit Anzahl, Größe, Rate und Schema auf.</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
     </message>
@@ -1833,10 +1857,6 @@
         <translation>Laufzeiten</translation>
     </message>
     <message>
-        <source>Shows how long each task takes, and its share of its process&apos;s period.</source>
-        <translation>Zeigt, wie lange jede Aufgabe dauert und welchen Anteil sie an der Periode ihres Prozesses hat.</translation>
-    </message>
-    <message>
         <source>Scene</source>
         <translation>Szene</translation>
     </message>
@@ -1867,6 +1887,22 @@
     <message>
         <source>Shows logs over time: images, messages, warnings, bookmarks; lets you jump, select, cut and export. Of live robots, lets you look back while they continue.</source>
         <translation>Zeigt Logs über der Zeit: Bilder, Meldungen, Warnungen, Lesezeichen; zum Springen, Auswählen, Schneiden und Exportieren. Bei laufenden Robotern ein Blick zurück, während sie weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Shows all robots with image, state, battery and link; a click selects one.</source>
+        <translation>Zeigt alle Roboter mit Bild, Zustand, Akku und Verbindung; ein Klick wählt einen aus.</translation>
+    </message>
+    <message>
+        <source>Lists the streams of logs and live robots with rates, sizes, what was left out, and who asked for them.</source>
+        <translation>Listet die Datenströme von Logs und laufenden Robotern mit Raten, Größen, Ausgelassenem, und wer sie angefordert hat.</translation>
+    </message>
+    <message>
+        <source>Shows how long processes and tasks take, as a chart of the last seconds and as statistics, and how long images take to become commands.</source>
+        <translation>Zeigt, wie lange Prozesse und Aufgaben brauchen, als Diagramm der letzten Sekunden und als Statistik, und wie lange es vom Bild bis zum Befehl dauert.</translation>
     </message>
 </context>
 <context>
@@ -2881,6 +2917,10 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     <message>
         <source>&lt;b&gt;RobotControl %1&lt;/b&gt;&lt;p&gt;A workbench for developing and debugging the control programs of robots.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;b&gt;RobotControl %1&lt;/b&gt;&lt;p&gt;Eine Werkbank zum Entwickeln und Debuggen der Steuerprogramme von Robotern.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Export a &amp;view as video or images…</source>
+        <translation>&amp;Ansicht als Video oder Bilder exportieren…</translation>
     </message>
 </context>
 <context>
@@ -4510,6 +4550,17 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>as fast as possible</source>
         <translation>so schnell wie möglich</translation>
+    </message>
+</context>
+<context>
+    <name>app::StallWatch</name>
+    <message>
+        <source>How long the window did not answer: how often for more than %1 ms, and the longest time</source>
+        <translation>Wie lange das Fenster nicht geantwortet hat: wie oft länger als %1 ms, und die längste Zeit</translation>
+    </message>
+    <message>
+        <source>stalls: %1, longest %2 ms (CPU %3 ms)</source>
+        <translation>Hänger: %1, längster %2 ms (CPU %3 ms)</translation>
     </message>
 </context>
 <context>
@@ -7119,6 +7170,69 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::CompareRow</name>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>How both images are shown</source>
+        <translation>Wie beide Bilder gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Second image</source>
+        <translation>Zweites Bild</translation>
+    </message>
+    <message>
+        <source>With which images they are compared: another camera, another robot, or the logged ones (logged/…) where the program runs again</source>
+        <translation>Mit welchen Bildern verglichen wird: einer anderen Kamera, einem anderen Roboter, oder den aufgezeichneten (logged/…), wo das Programm wieder läuft</translation>
+    </message>
+    <message>
+        <source>Time shift</source>
+        <translation>Zeitversatz</translation>
+    </message>
+    <message>
+        <source>Shows the second image of so many seconds before (-) or after the first one</source>
+        <translation>Zeigt das zweite Bild so viele Sekunden vor (-) oder nach dem ersten</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Holds the second image while the first one goes on, also over jumps in a log</source>
+        <translation>Hält das zweite Bild fest, während das erste weiterläuft, auch über Sprünge in einem Log</translation>
+    </message>
+    <message>
+        <source>Left: the first image; right: the second</source>
+        <translation>Links: das erste Bild; rechts: das zweite</translation>
+    </message>
+    <message>
+        <source>Amplification</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>How many times larger differences are shown; black is where both are the same</source>
+        <translation>Wie viel größer Unterschiede gezeigt werden; schwarz ist, wo beide gleich sind</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ConfusionModel</name>
     <message>
         <source>background</source>
@@ -7701,6 +7815,246 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::ExportBar</name>
+    <message>
+        <source>Export of a view</source>
+        <translation>Export einer Ansicht</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the export; a video is removed, written images stay</source>
+        <translation>Beendet den Export; ein Video wird gelöscht, geschriebene Bilder bleiben</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Opens the folder it was written to</source>
+        <translation>Öffnet den Ordner, in den geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Hides this</source>
+        <translation>Blendet dies aus</translation>
+    </message>
+    <message>
+        <source>No program on this computer shows folders. It is %1</source>
+        <translation>Kein Programm auf diesem Rechner zeigt Ordner. Es ist %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ExportDialog</name>
+    <message>
+        <source>Export a view</source>
+        <translation>Eine Ansicht exportieren</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Which of the open views is written</source>
+        <translation>Welche der offenen Ansichten geschrieben wird</translation>
+    </message>
+    <message>
+        <source>As</source>
+        <translation>Als</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Video (.mp4)</source>
+        <translation>Video (.mp4)</translation>
+    </message>
+    <message>
+        <source>Video (.avi, Motion JPEG)</source>
+        <translation>Video (.avi, Motion JPEG)</translation>
+    </message>
+    <message>
+        <source>Images (.png), numbered</source>
+        <translation>Bilder (.png), nummeriert</translation>
+    </message>
+    <message>
+        <source>File or folder</source>
+        <translation>Datei oder Ordner</translation>
+    </message>
+    <message>
+        <source>Where it is written to</source>
+        <translation>Wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Chooses the file or folder</source>
+        <translation>Wählt die Datei oder den Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;As</source>
+        <translation>A&amp;ls</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>&amp;Nach</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben werden wird</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was falsch ist</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>The first instant, as the timeline shows it</source>
+        <translation>Der erste Zeitpunkt, wie die Zeitleiste ihn zeigt</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>The last instant, as the timeline shows it</source>
+        <translation>Der letzte Zeitpunkt, wie die Zeitleiste ihn zeigt</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All of the log, or all that is kept of live robots</source>
+        <translation>Das ganze Log, oder alles, was von laufenden Robotern aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>A–B</source>
+        <translation>A–B</translation>
+    </message>
+    <message>
+        <source>The range that is selected in the timeline (I and O select one)</source>
+        <translation>Der Bereich, der in der Zeitleiste ausgewählt ist (I und O wählen einen)</translation>
+    </message>
+    <message>
+        <source>until</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Pictures for each second; also that of the video</source>
+        <translation>Bilder pro Sekunde; auch die des Videos</translation>
+    </message>
+    <message>
+        <source> pictures/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source>&amp;Rate</source>
+        <translation>&amp;Rate</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the pictures</source>
+        <translation>Breite der Bilder</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of the pictures</source>
+        <translation>Höhe der Bilder</translation>
+    </message>
+    <message>
+        <source>As shown</source>
+        <translation>Wie gezeigt</translation>
+    </message>
+    <message>
+        <source>The size in which the view is shown now</source>
+        <translation>Die Größe, in der die Ansicht jetzt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Folder of the images</source>
+        <translation>Ordner der Bilder</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.avi)</source>
+        <translation>Videos (*.mp4 *.avi)</translation>
+    </message>
+    <message>
+        <source>
+The file exists, and will be replaced.</source>
+        <translation>
+Die Datei gibt es schon, sie wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>The end must not be before the beginning.</source>
+        <translation>Das Ende darf nicht vor dem Anfang liegen.</translation>
+    </message>
+    <message>
+        <source>Choose where it is written to.</source>
+        <translation>Wählen, wohin geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>1 picture</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source> of %1 s</source>
+        <translation> von %1 s</translation>
+    </message>
+</context>
+<context>
     <name>widgets::FieldCanvas</name>
     <message>
         <source>Field</source>
@@ -7840,10 +8194,6 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Spuren</translation>
     </message>
     <message>
-        <source>Shows where everything was in the last ten seconds, on maps in the last minute</source>
-        <translation>Zeigt, wo alles in den letzten zehn Sekunden war, auf Karten in der letzten Minute</translation>
-    </message>
-    <message>
         <source>Whose drawings and estimated poses are shown</source>
         <translation>Wessen Zeichnungen und geschätzte Posen gezeigt werden</translation>
     </message>
@@ -7898,6 +8248,38 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>%1 px/m</source>
         <translation>%1 px/m</translation>
+    </message>
+    <message>
+        <source>Shows where everything was in the last seconds; the arrow chooses how many, and of what</source>
+        <translation>Zeigt, wo in den letzten Sekunden alles war; der Pfeil wählt wie lange und was</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) mm</source>
+        <translation>%1 (%2, %3) mm</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>AB %1</source>
+        <translation>AB %1</translation>
+    </message>
+    <message>
+        <source>BC %1</source>
+        <translation>BC %1</translation>
+    </message>
+    <message>
+        <source>angle at B %1</source>
+        <translation>Winkel bei B %1</translation>
+    </message>
+    <message>
+        <source>%1, all robots</source>
+        <translation>%1, alle Roboter</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8189,6 +8571,62 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <source>%1 s old</source>
         <translation>%1 s alt</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compares with a second image: another camera or robot, the logged one, or another time</source>
+        <translation>Vergleicht mit einem zweiten Bild: einer anderen Kamera oder einem anderen Roboter, dem aufgezeichneten, oder zu einer anderen Zeit</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1: no image of that time here</source>
+        <translation>%1: hier kein Bild dieser Zeit</translation>
+    </message>
+    <message>
+        <source>held: %1</source>
+        <translation>festgehalten: %1</translation>
+    </message>
+    <message>
+        <source>%1 % of %2</source>
+        <translation>%1 % von %2</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixels differ from %2, by %3 at most</source>
+        <translation>%1 % der Pixel unterscheiden sich von %2, um höchstens %3</translation>
+    </message>
+    <message>
+        <source>   second R %1  G %2  B %3   Δ %4 %5 %6</source>
+        <translation>   zweites R %1  G %2  B %3   Δ %4 %5 %6</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) %4</source>
+        <translation>%1 (%2, %3) %4</translation>
+    </message>
+    <message>
+        <source> on the floor (%1, %2) mm</source>
+        <translation> auf dem Boden (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>, %1 mm</source>
+        <translation>, %1 mm</translation>
+    </message>
+    <message>
+        <source>%1%2 %3 (%4, %5), %6</source>
+        <translation>%1%2 %3 (%4, %5), %6</translation>
+    </message>
+    <message>
+        <source>angle at B %1</source>
+        <translation>Winkel bei B %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JointsModel</name>
@@ -8470,6 +8908,73 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::LatencyModel</name>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Last ms</source>
+        <translation>Letzte ms</translation>
+    </message>
+    <message>
+        <source>Mean ms</source>
+        <translation>Mittel ms</translation>
+    </message>
+    <message>
+        <source>Median ms</source>
+        <translation>Median ms</translation>
+    </message>
+    <message>
+        <source>95 % ms</source>
+        <translation>95 % ms</translation>
+    </message>
+    <message>
+        <source>99 % ms</source>
+        <translation>99 % ms</translation>
+    </message>
+    <message>
+        <source>Max ms</source>
+        <translation>Max. ms</translation>
+    </message>
+    <message>
+        <source>Waiting ms</source>
+        <translation>Warten ms</translation>
+    </message>
+    <message>
+        <source>Computing ms</source>
+        <translation>Rechnen ms</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>%1 to %2: %3 ms, 95 %: %4 ms</source>
+        <translation>%1 bis %2: %3 ms, 95 %: %4 ms</translation>
+    </message>
+    <message>
+        <source>The reading of the platform, whose timestamp is the beginning</source>
+        <translation>Die Messung der Plattform, deren Zeitstempel der Anfang ist</translation>
+    </message>
+    <message>
+        <source>The command to the platform, the first that is based on the reading</source>
+        <translation>Der Befehl an die Plattform, der als erster auf der Messung beruht</translation>
+    </message>
+    <message>
+        <source>Mean time on the robot&apos;s clock, from the reading&apos;s timestamp to the beginning of the frame that sent the command</source>
+        <translation>Mittlere Zeit auf der Uhr des Roboters, vom Zeitstempel der Messung bis zum Beginn des Durchlaufs, der den Befehl gesendet hat</translation>
+    </message>
+    <message>
+        <source>Mean real time from the beginning of that frame to the command; in lockstep, where the robot&apos;s clock stands meanwhile, also what the processes before took</source>
+        <translation>Mittlere wirkliche Zeit vom Beginn dieses Durchlaufs bis zum Befehl; im Gleichschritt, wo die Uhr des Roboters inzwischen steht, auch das, was die Prozesse davor gebraucht haben</translation>
+    </message>
+</context>
+<context>
     <name>widgets::LogDamageBar</name>
     <message>
         <source>Repair…</source>
@@ -8590,6 +9095,33 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>Reading %1: %2 %</source>
         <translation>%1 wird gelesen: %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MeasureTool</name>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measures distances and angles: click two or three points, or drag. Esc ends it</source>
+        <translation>Misst Abstände und Winkel: zwei oder drei Punkte anklicken, oder ziehen. Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Copy measurement</source>
+        <translation>Messung kopieren</translation>
+    </message>
+    <message>
+        <source>Copies what was measured, as text</source>
+        <translation>Kopiert das Gemessene als Text</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Click a point of the picture, then another one; a third gives an angle.</source>
+        <translation>Einen Punkt des Bildes anklicken, dann einen weiteren; ein dritter ergibt einen Winkel.</translation>
     </message>
 </context>
 <context>
@@ -8948,10 +9480,6 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Wählt den vorigen Keyframe aus; bei manueller Steuerung nimmt der Roboter seine Pose ein</translation>
     </message>
     <message>
-        <source>Alt+Up</source>
-        <translation>Alt+Up</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Abspielen</translation>
     </message>
@@ -8960,20 +9488,12 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <translation>Spielt die Bewegung einmal auf dem Roboter ab, bei manueller Steuerung</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+P</source>
-        <translation>Ctrl+Shift+P</translation>
-    </message>
-    <message>
         <source>Next key frame</source>
         <translation>Nächster Keyframe</translation>
     </message>
     <message>
         <source>Selects the next key frame; while you steer, the robot turns to its pose</source>
         <translation>Wählt den nächsten Keyframe aus; bei manueller Steuerung nimmt der Roboter seine Pose ein</translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation>Alt+Down</translation>
     </message>
     <message>
         <source>More</source>
@@ -9038,6 +9558,22 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>Motion editor: %1</source>
         <translation>Bewegungseditor: %1</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation>Ctrl+Alt+O</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Up</source>
+        <translation>Ctrl+Alt+Up</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+Down</source>
+        <translation>Ctrl+Alt+Down</translation>
     </message>
 </context>
 <context>
@@ -9926,6 +10462,14 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>Video or images…</source>
+        <translation>Video oder Bilder…</translation>
+    </message>
+    <message>
+        <source>Writes this picture over time, as a video or as a series of images</source>
+        <translation>Schreibt dieses Bild über der Zeit, als Video oder als Bildfolge</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PlotCanvas</name>
@@ -10774,6 +11318,13 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     </message>
 </context>
 <context>
+    <name>widgets::RobotCardModel</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+</context>
+<context>
     <name>widgets::RobotChoice</name>
     <message>
         <source>Robot</source>
@@ -10798,6 +11349,31 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     <message>
         <source>%1 (not here)</source>
         <translation>%1 (nicht hier)</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RobotsView</name>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>no camera image</source>
+        <translation>kein Kamerabild</translation>
+    </message>
+    <message>
+        <source>no image at this time</source>
+        <translation>kein Bild zu dieser Zeit</translation>
+    </message>
+    <message>
+        <source>an image that cannot be shown</source>
+        <translation>ein Bild, das nicht gezeigt werden kann</translation>
+    </message>
+    <message>
+        <source>No robot is here.
+Start a simulation, connect to a robot, or open a log with File &gt; Open log…</source>
+        <translation>Hier ist kein Roboter.
+Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Datei &gt; Log öffnen…</translation>
     </message>
 </context>
 <context>
@@ -11313,6 +11889,74 @@ rad/s</translation>
         <source>%1: its messages are stepped</source>
         <translation>%1: seine Nachrichten werden schrittweise gezeigt</translation>
     </message>
+    <message>
+        <source>Bytes/s</source>
+        <translation>Byte/s</translation>
+    </message>
+    <message>
+        <source>Mean size</source>
+        <translation>Mittlere Größe</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>Asked by</source>
+        <translation>Angefordert von</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 thinned</source>
+        <translation>%1 ausgedünnt</translation>
+    </message>
+    <message>
+        <source>%1 thinned, %2 lost</source>
+        <translation>%1 ausgedünnt, %2 verloren</translation>
+    </message>
+    <message>
+        <source>nobody; key %1</source>
+        <translation>niemand; Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>Views: %1</source>
+        <translation>Ansichten: %1</translation>
+    </message>
+    <message>
+        <source>Clients: %1</source>
+        <translation>Clients: %1</translation>
+    </message>
+    <message>
+        <source>Debug key %1</source>
+        <translation>Debug-Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>Memory that its messages of a second take</source>
+        <translation>Speicher, den seine Nachrichten einer Sekunde belegen</translation>
+    </message>
+    <message>
+        <source>What is kept of it, in memory and on disk; in a log, all of it</source>
+        <translation>Was davon aufbewahrt wird, im Speicher und auf der Platte; in einem Log alles</translation>
+    </message>
+    <message>
+        <source>Its part of what is kept of all streams</source>
+        <translation>Sein Anteil an dem, was von allen Datenströmen aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>Of robots elsewhere: messages replaced by newer ones because the line is narrow or a lower rate was chosen (thinned), and lost ones</source>
+        <translation>Von Robotern anderswo: Nachrichten, die durch neuere ersetzt wurden, weil die Leitung schmal ist oder eine niedrigere Rate gewählt wurde (ausgedünnt), und verlorene</translation>
+    </message>
+    <message>
+        <source>The views of this window that read it, and the clients of a link that subscribe to it</source>
+        <translation>Die Ansichten dieses Fensters, die ihn lesen, und die Clients einer Verbindung, die ihn abonniert haben</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StreamSelector</name>
@@ -11326,14 +11970,6 @@ rad/s</translation>
     <message>
         <source>Search streams</source>
         <translation>Datenströme suchen</translation>
-    </message>
-    <message>
-        <source>Shows only streams whose path or schema contains this</source>
-        <translation>Zeigt nur Datenströme, deren Pfad oder Schema dies enthält</translation>
-    </message>
-    <message>
-        <source>Streams of the logs</source>
-        <translation>Datenströme der Logs</translation>
     </message>
     <message>
         <source>The check shows a stream in the timeline; a double click steps its messages</source>
@@ -11350,8 +11986,64 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Datenströme: %1, Nachrichten: %2</translation>
     </message>
     <message>
-        <source>%1, size: %2</source>
-        <translation>%1, Größe: %2</translation>
+        <source>All streams</source>
+        <translation>Alle Datenströme</translation>
+    </message>
+    <message>
+        <source>Shows only streams whose path, schema or reader contains this</source>
+        <translation>Zeigt nur Datenströme, deren Pfad, Schema oder Leser dies enthält</translation>
+    </message>
+    <message>
+        <source>Which streams</source>
+        <translation>Welche Datenströme</translation>
+    </message>
+    <message>
+        <source>Which streams are listed</source>
+        <translation>Welche Datenströme gelistet werden</translation>
+    </message>
+    <message>
+        <source>Read by nobody</source>
+        <translation>Von niemandem gelesen</translation>
+    </message>
+    <message>
+        <source>Not all arrived</source>
+        <translation>Nicht alles angekommen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected rows</source>
+        <translation>Kopiert die ausgewählten Zeilen</translation>
+    </message>
+    <message>
+        <source>Sums of all listed streams</source>
+        <translation>Summen aller gelisteten Datenströme</translation>
+    </message>
+    <message>
+        <source>Dropped: because too many arrived for this window, or because the queues of robots&apos; own processes were full</source>
+        <translation>Verworfen: weil zu viele für dieses Fenster ankamen, oder weil die Warteschlangen der Prozesse der Roboter voll waren</translation>
+    </message>
+    <message>
+        <source>There are no such streams. “All streams” lists the others.</source>
+        <translation>Solche Datenströme gibt es nicht. „Alle Datenströme“ listet die anderen.</translation>
+    </message>
+    <message>
+        <source>size: %1</source>
+        <translation>Größe: %1</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>dropped: %1</source>
+        <translation>verworfen: %1</translation>
+    </message>
+    <message>
+        <source>thinned: %1, lost: %2</source>
+        <translation>ausgedünnt: %1, verloren: %2</translation>
     </message>
 </context>
 <context>
@@ -11582,10 +12274,6 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Klick: dorthin gehen. Ziehen: verschieben. Doppelklick oder F2: bearbeiten. Entf: entfernen.</translation>
     </message>
     <message>
-        <source>Drag: show an earlier instant in all views. Wheel: zoom.</source>
-        <translation>Ziehen: in allen Ansichten einen früheren Augenblick zeigen. Mausrad: zoomen.</translation>
-    </message>
-    <message>
         <source>%1&lt;br&gt;Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.</source>
         <translation>%1&lt;br&gt;Ziehen: Abspielmarke verschieben. Umschalt+ziehen: einen Bereich auswählen. Mausrad: zoomen.</translation>
     </message>
@@ -11640,6 +12328,18 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>Warnings and errors in the log&apos;s messages</source>
         <translation>Warnungen und Fehler in den Meldungen des Logs</translation>
+    </message>
+    <message>
+        <source>Drag: show an earlier instant in all views. Shift+drag: select a range. Wheel: zoom.</source>
+        <translation>Ziehen: einen früheren Zeitpunkt in allen Ansichten zeigen. Umschalt+Ziehen: einen Bereich wählen. Rad: zoomen.</translation>
+    </message>
+    <message>
+        <source>%1 %2 at %3 s</source>
+        <translation>%1 %2 bei %3 s</translation>
+    </message>
+    <message>
+        <source>The context menu removes the curve.</source>
+        <translation>Das Kontextmenü entfernt die Kurve.</translation>
     </message>
 </context>
 <context>
@@ -11857,10 +12557,6 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Writes the selected range, or all, as images, a table or texts</source>
-        <translation>Schreibt den ausgewählten Bereich oder alles als Bilder, Tabelle oder Texte</translation>
-    </message>
-    <message>
         <source>Clear range</source>
         <translation>Bereich aufheben</translation>
     </message>
@@ -11917,6 +12613,26 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>Hide %1</source>
         <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Writes the selected range, or all, as images, a table, texts, or a video of a view</source>
+        <translation>Schreibt den gewählten Bereich, oder alles, als Bilder, Tabelle, Texte, oder als Video einer Ansicht</translation>
+    </message>
+    <message>
+        <source>A &amp;view as video or images…</source>
+        <translation>&amp;Ansicht als Video oder Bilder…</translation>
+    </message>
+    <message>
+        <source>Writes what an open view shows in the selected range</source>
+        <translation>Schreibt, was eine offene Ansicht im gewählten Bereich zeigt</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the curve of %1</source>
+        <translation>Die Kurve von %1 &amp;entfernen</translation>
     </message>
 </context>
 <context>
@@ -11976,6 +12692,42 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <source>Mean time of the task, as a share of the time from one frame of its process to the next</source>
         <translation>Mittlere Zeit der Aufgabe, als Anteil an der Zeit von einem Frame ihres Prozesses zum nächsten</translation>
     </message>
+    <message>
+        <source>Median ms</source>
+        <translation>Median ms</translation>
+    </message>
+    <message>
+        <source>95 % ms</source>
+        <translation>95 % ms</translation>
+    </message>
+    <message>
+        <source>99 % ms</source>
+        <translation>99 % ms</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Überschreitungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames, %3 %</source>
+        <translation>%1 von %2 Durchläufen, %3 %</translation>
+    </message>
+    <message>
+        <source>Half of all frames took no longer</source>
+        <translation>Die Hälfte aller Durchläufe dauerte nicht länger</translation>
+    </message>
+    <message>
+        <source>95 % of all frames took no longer</source>
+        <translation>95 % aller Durchläufe dauerten nicht länger</translation>
+    </message>
+    <message>
+        <source>99 % of all frames took no longer</source>
+        <translation>99 % aller Durchläufe dauerten nicht länger</translation>
+    </message>
+    <message>
+        <source>Frames that took longer than the period of their process, or than the time from one frame to the next where it has none; of a task: those in which it took longest</source>
+        <translation>Durchläufe, die länger dauerten als die Periode ihres Prozesses, oder als die Zeit von einem Durchlauf zum nächsten, wo es keine gibt; bei einer Aufgabe: die, in denen sie am längsten dauerte</translation>
+    </message>
 </context>
 <context>
     <name>widgets::TimingView</name>
@@ -12008,10 +12760,6 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>Als CSV kopieren</translation>
     </message>
     <message>
-        <source>Copies the whole table as CSV</source>
-        <translation>Kopiert die ganze Tabelle als CSV</translation>
-    </message>
-    <message>
         <source>Times of the tasks</source>
         <translation>Zeiten der Aufgaben</translation>
     </message>
@@ -12034,6 +12782,113 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>The robot does not measure. Press “Measure”.</source>
         <translation>Der Roboter misst nicht. „Messen“ drücken.</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the instant that the timeline shows in the chart (F)</source>
+        <translation>Hält den Zeitpunkt, den die Zeitleiste zeigt, im Diagramm (F)</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Shows less time in the chart (+ or the wheel)</source>
+        <translation>Zeigt weniger Zeit im Diagramm (+ oder das Rad)</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Shows more time in the chart (- or the wheel)</source>
+        <translation>Zeigt mehr Zeit im Diagramm (- oder das Rad)</translation>
+    </message>
+    <message>
+        <source>Copies the table in front as CSV</source>
+        <translation>Kopiert die vordere Tabelle als CSV</translation>
+    </message>
+    <message>
+        <source>From readings to commands</source>
+        <translation>Von Messungen zu Befehlen</translation>
+    </message>
+    <message>
+        <source>How latencies are measured</source>
+        <translation>Wie Latenzen gemessen werden</translation>
+    </message>
+    <message>
+        <source>From a reading&apos;s own timestamp to when the first command that is based on it is sent: waiting, on the robot&apos;s clock, plus computing, in real time. In lockstep that clock stands while processes compute; then all that lies on the way counts as computing. What a process sends is taken to be based on the newest reading that reached it.</source>
+        <translation>Vom eigenen Zeitstempel einer Messung bis zum Senden des ersten Befehls, der auf ihr beruht: Warten, auf der Uhr des Roboters, und Rechnen, in wirklicher Zeit. Im Gleichschritt steht diese Uhr, während Prozesse rechnen; dann zählt alles, was auf dem Weg liegt, als Rechnen. Was ein Prozess sendet, gilt als auf der neuesten Messung beruhend, die ihn erreicht hat.</translation>
+    </message>
+    <message>
+        <source>Chart of the last seconds</source>
+        <translation>Diagramm der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Aufgaben</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latenz</translation>
+    </message>
+    <message>
+        <source>How long readings, such as images, take to become commands</source>
+        <translation>Wie lange es dauert, bis Messungen, etwa Bilder, zu Befehlen werden</translation>
+    </message>
+    <message>
+        <source>No frame was measured at this time. “Follow” shows the present one.</source>
+        <translation>Zu dieser Zeit wurde kein Durchlauf gemessen. „Folgen“ zeigt den gegenwärtigen.</translation>
+    </message>
+    <message>
+        <source>No command was based on a reading of the platform yet. Older programs and logs do not say which commands are.</source>
+        <translation>Noch beruhte kein Befehl auf einer Messung der Plattform. Ältere Programme und Logs sagen nicht, welche Befehle es sind.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TrailMenu</name>
+    <message>
+        <source>Trails of</source>
+        <translation>Spuren von</translation>
+    </message>
+    <message>
+        <source>&amp;Robots</source>
+        <translation>&amp;Robotern</translation>
+    </message>
+    <message>
+        <source>Where robots were; of real ones, where they believed to be</source>
+        <translation>Wo Roboter waren; bei wirklichen, wo sie zu sein glaubten</translation>
+    </message>
+    <message>
+        <source>&amp;Estimated poses</source>
+        <translation>&amp;Geschätzten Posen</translation>
+    </message>
+    <message>
+        <source>Where the chosen robots believed to be, beside where they were</source>
+        <translation>Wo die gewählten Roboter zu sein glaubten, neben dem, wo sie waren</translation>
+    </message>
+    <message>
+        <source>&amp;Ball</source>
+        <translation>&amp;Ball</translation>
+    </message>
+    <message>
+        <source>Where the ball was, or was believed to be</source>
+        <translation>Wo der Ball war, oder vermutet wurde</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic (%1 s, on maps %2 s)</source>
+        <translation>&amp;Automatisch (%1 s, auf Karten %2 s)</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>
@@ -12136,6 +12991,41 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>The true classes are not published: %1</source>
         <translation>Die wahren Klassen werden nicht veröffentlicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ViewExport</name>
+    <message>
+        <source>1 picture</source>
+        <translation>1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1: a video of %2, %3 s</source>
+        <translation>%1: ein Video von %2, %3 s</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 s</source>
+        <translation>%1: %2 von %3 s</translation>
+    </message>
+    <message>
+        <source>Nothing was exported, or not all of it: %1</source>
+        <translation>Es wurde nichts exportiert, oder nicht alles: %1</translation>
+    </message>
+    <message>
+        <source>Canceled; %1 are in %2</source>
+        <translation>Abgebrochen; %1 sind in %2</translation>
+    </message>
+    <message>
+        <source>Canceled; nothing is left of %1</source>
+        <translation>Abgebrochen; von %1 ist nichts übrig</translation>
+    </message>
+    <message>
+        <source>Writing %1: %2 of %3 pictures</source>
+        <translation>Schreibe %1: %2 von %3 Bildern</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
                      {named("Save").constData(), tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   export_ = makeAction(this, "video",
-                       {named("Export").constData(), tr("Video or images..."),
+                       {named("Export").constData(), tr("Video or images…"),
                         tr("Writes this picture over time, as a video or as a series of images")});
   connect(export_, &QAction::triggered, this, &View::exportWanted);
   connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kPictureZoomStep); });
