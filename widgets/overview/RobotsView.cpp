@@ -18,7 +18,7 @@ const ViewRegistration kRobotsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Shows all robots with image, state, battery and link; a click selects one."),
      "robot", false, create<RobotsView>}};
 
-constexpr int kThumbnailHeight = 300;
+constexpr int kCardImageHeight = 300;
 
 /// The stream of a robot's images: those of its camera, else the first that has images; null if none has.
 const robotlink::StreamStore::Stream* imagesOf(const robotlink::StreamStore& store,
@@ -90,7 +90,7 @@ void RobotsView::addImage(RobotCard& card) {
     card.noImage = stream == nullptr ? tr("no camera image") : tr("no image at this time");
     return;
   }
-  card.image = thumbnails_.of(stream->path, message->value, kThumbnailHeight);
+  card.image = thumbnails_.of(stream->path, message->value, kCardImageHeight);
   if (card.image.isNull()) card.noImage = tr("an image that cannot be shown");
 }
 

@@ -37,7 +37,7 @@ const ViewRegistration kTimingViewRegistration{
 
 constexpr char kKey[] = "timing/tasks";
 /// Below this height a view that is wide enough has its parts side by side.
-constexpr int kLowHeight = 400, kWideWidth = 760;
+constexpr int kSideBySideHeight = 400, kSideBySideWidth = 760;
 
 }  // namespace
 
@@ -174,7 +174,7 @@ void TimingView::connectSignals() {
 
 void TimingView::resizeEvent(QResizeEvent* event) {
   View::resizeEvent(event);
-  const bool isLow = height() < kLowHeight && width() >= kWideWidth;
+  const bool isLow = height() < kSideBySideHeight && width() >= kSideBySideWidth;
   splitter_->setOrientation(isLow ? Qt::Horizontal : Qt::Vertical);
 }
 

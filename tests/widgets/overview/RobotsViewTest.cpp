@@ -19,16 +19,16 @@ using robotcontrol::KeyMode;
 
 namespace {
 
-robotcontrol::KeyTable cameraKey(KeyMode::Kind kind, unsigned n = 0) {
+robotcontrol::KeyTable cameraKey(KeyMode::Kind kind, unsigned everyMs = 0) {
   robotcontrol::KeyTable table;
   auto& key = *table.add_keys();
   key.set_name("package/camera/image");
   key.mutable_mode()->set_kind(kind);
-  key.mutable_mode()->set_n(n);
+  key.mutable_mode()->set_n(everyMs);
   return table;
 }
 
-foxglove::RawImage picture(robotlink::Rgb color) {
+foxglove::RawImage cameraPicture(robotlink::Rgb color) {
   robotlink::Image image(40, 30, robotlink::PixelFormat::kRgb8);
   for (std::size_t i = 0; i < image.data.size(); i += 3) {
     image.data[i] = color.r;
@@ -129,7 +129,7 @@ class RobotsViewTest : public QObject {
 
   void theImageOfTheCameraIsOnTheCard() {
     Team team({"red1", "red2"});
-    team.push("red1/camera/image", picture({250, 120, 10}), 1);
+    team.push("red1/camera/image", cameraPicture({250, 120, 10}), 1);
     team.tick(*team.view);
     QVERIFY(countNear(team.grab(), QColor(250, 120, 10)) > 2000);
     QVERIFY(team.list->model()->index(1, 0).isValid());
