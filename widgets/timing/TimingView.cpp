@@ -140,7 +140,7 @@ void TimingView::createViews() {
   chartHint_ = new EmptyHint(static_cast<QWidget*>(chart_));
   chartHint_->setObjectName(QStringLiteral("timingChartHint"));
   tabs_ = new QTabWidget(this);
-  tabs_->setObjectName(QStringLiteral("timingTabs"));
+  describe(*tabs_, {"timingTabs", tr("Statistics"), {}});
   tabs_->setDocumentMode(true);
   tabs_->addTab(table_, tr("Tasks"));
   tabs_->addTab(createLatency(), tr("Latency"));
