@@ -114,7 +114,7 @@ CardText running(const Known& known) {
   return {cardTr("running"), Meaning::kGood};
 }
 
-CardText cardStateOf(const Known& known) {
+CardText cardState(const Known& known) {
   if (CardText trouble = programTrouble(known); !trouble.text.isEmpty()) return trouble;
   if (CardText stop = stopped(known); !stop.text.isEmpty()) return stop;
   if (const auto* remote = known.remote())
@@ -130,7 +130,7 @@ CardText cardStateOf(const Known& known) {
   return running(known);
 }
 
-CardText behaviorOf(const Known& known) {
+CardText cardBehavior(const Known& known) {
   const auto* table = known.ofRobot<robotcontrol::SolutionTable>(streams::kSolutions);
   if (table == nullptr) return {};
   for (const char* wanted : kDecidingTasks) {
@@ -143,7 +143,7 @@ CardText behaviorOf(const Known& known) {
   return {};
 }
 
-CardText linkOf(const Known& known) {
+CardText cardLink(const Known& known) {
   if (const auto* remote = known.remote()) {
     const QString state = QString::fromStdString(remote->state);
     return {state.section(QLatin1Char(':'), 0, 0),
@@ -209,9 +209,9 @@ RobotCard robotCard(const ViewContext& context, const std::string& robot, Instan
     card.kind = QString::fromStdString(described->second->title);
   card.color = teamColor(robot, context.field.get());
   card.isSelected = context.session.selectedRobot() == robot;
-  card.state = cardStateOf(known);
-  card.behavior = behaviorOf(known);
-  card.link = linkOf(known);
+  card.state = cardState(known);
+  card.behavior = cardBehavior(known);
+  card.link = cardLink(known);
   card.battery = batteryOfRobot(known);
   return card;
 }

@@ -19,12 +19,12 @@ namespace {
 
 using robotlink::Instant;
 
-constexpr double kGanttZoomStep = 1.25;
+constexpr double kChartZoomStep = 1.25;
 /// The share of the chart that is behind the shown instant while the chart follows it, so that the last bars
 /// are seen whole.
 constexpr double kRoomBehind = 0.04;
 /// A larger step of the shown instant between two ticks is a jump.
-constexpr robotlink::Duration kGanttJump = std::chrono::seconds(1);
+constexpr robotlink::Duration kTimeJump = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void GanttCanvas::followTimeline(robotlink::Session& session) {
   if (live && !std::exchange(wasLive_, live)) setFollow(true);
   wasLive_ = live;
   if (follows_ || before == look_.shown) return;
-  const bool isJump = !live || look_.shown < before || look_.shown > before + kGanttJump;
+  const bool isJump = !live || look_.shown < before || look_.shown > before + kTimeJump;
   const double x = look_.scale.x(look_.shown);
   if (!isJump || pressed_ || (x >= look_.scale.left && x <= look_.size.width())) return;
   look_.scale.from = look_.shown - robotlink::fromSeconds(span_ / 2);
@@ -167,7 +167,7 @@ void GanttCanvas::leaveEvent(QEvent*) {
 }
 
 void GanttCanvas::wheelEvent(QWheelEvent* event) {
-  zoomAt(event->position().x(), std::pow(kGanttZoomStep, event->angleDelta().y() / 120.0));
+  zoomAt(event->position().x(), std::pow(kChartZoomStep, event->angleDelta().y() / 120.0));
   event->accept();
 }
 
@@ -180,9 +180,9 @@ void GanttCanvas::keyPressEvent(QKeyEvent* event) {
       return moveBy(-step);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      return zoom(kGanttZoomStep);
+      return zoom(kChartZoomStep);
     case Qt::Key_Minus:
-      return zoom(1 / kGanttZoomStep);
+      return zoom(1 / kChartZoomStep);
     case Qt::Key_F:
       return setFollow(true);
     default:

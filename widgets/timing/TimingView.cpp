@@ -37,7 +37,7 @@ const ViewRegistration kTimingViewRegistration{
 
 constexpr char kKey[] = "timing/tasks";
 /// Below this height a view that is wide enough has its parts side by side.
-constexpr int kLowViewHeight = 400, kWideWidth = 760;
+constexpr int kSideBySideHeight = 400, kSideBySideWidth = 760;
 
 }  // namespace
 
@@ -140,7 +140,7 @@ void TimingView::createViews() {
   chartHint_ = new EmptyHint(static_cast<QWidget*>(chart_));
   chartHint_->setObjectName(QStringLiteral("timingChartHint"));
   tabs_ = new QTabWidget(this);
-  tabs_->setObjectName(QStringLiteral("timingTabs"));
+  describe(*tabs_, {"timingTabs", tr("Statistics"), {}});
   tabs_->setDocumentMode(true);
   tabs_->addTab(table_, tr("Tasks"));
   tabs_->addTab(createLatency(), tr("Latency"));
@@ -174,7 +174,7 @@ void TimingView::connectSignals() {
 
 void TimingView::resizeEvent(QResizeEvent* event) {
   View::resizeEvent(event);
-  const bool isLow = height() < kLowViewHeight && width() >= kWideWidth;
+  const bool isLow = height() < kSideBySideHeight && width() >= kSideBySideWidth;
   splitter_->setOrientation(isLow ? Qt::Horizontal : Qt::Vertical);
 }
 

@@ -19,12 +19,12 @@ using robotcontrol::KeyMode;
 
 namespace {
 
-robotcontrol::KeyTable cameraKey(KeyMode::Kind kind, unsigned number = 0) {
+robotcontrol::KeyTable cameraKey(KeyMode::Kind kind, unsigned everyMs = 0) {
   robotcontrol::KeyTable table;
   auto& key = *table.add_keys();
   key.set_name("package/camera/image");
   key.mutable_mode()->set_kind(kind);
-  key.mutable_mode()->set_n(number);
+  key.mutable_mode()->set_n(everyMs);
   return table;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using robotcontrol::StopwatchTimes;
 
-robotlink::Instant momentAt(double time) {
+robotlink::Instant clockAt(double time) {
   return robotlink::Instant(robotlink::fromSeconds(time));
 }
 
@@ -19,7 +19,7 @@ robotlink::Instant momentAt(double time) {
 class MeasuredFrame {
  public:
   explicit MeasuredFrame(double time, bool clockStands = true) {
-    robotlink::assign(*times_.mutable_timestamp(), momentAt(time));
+    robotlink::assign(*times_.mutable_timestamp(), clockAt(time));
     times_.set_clock_stands(clockStands);
   }
   MeasuredFrame& had(const char* package, double stamp, bool ofPlatform = false) {
@@ -37,7 +37,7 @@ class MeasuredFrame {
  private:
   static void add(StopwatchTimes::Package& to, const char* package, double stamp, bool ofPlatform) {
     to.set_name(package);
-    robotlink::assign(*to.mutable_timestamp(), momentAt(stamp));
+    robotlink::assign(*to.mutable_timestamp(), clockAt(stamp));
     to.set_of_platform(ofPlatform);
   }
   StopwatchTimes times_;
