@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLocale>
 #include <QString>
+#include <cstdint>
 
 namespace widgets {
 
@@ -11,6 +13,11 @@ namespace widgets {
 template <typename Number>
 QString counted(Number number, const QString& one, const QString& several) {
   return number == 1 ? one : several.arg(number);
+}
+
+/// "1.4 MB"
+inline QString bytesText(std::uint64_t bytes) {
+  return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
 }  // namespace widgets

@@ -13,6 +13,10 @@ constexpr std::size_t kTables = 64;  // upper bound of remembered key tables
 
 }  // namespace
 
+bool isGlance(const robotcontrol::KeyMode& mode) {
+  return mode.kind() == robotcontrol::KeyMode::EVERY_MS && mode.n() == kGlanceMs;
+}
+
 void PackageSubscription::want(robotlink::Session& session, const std::string& robot,
                                std::initializer_list<const char*> packages) {
   if (const auto generation = session.store().generation(); generation != generation_) {
@@ -30,7 +34,7 @@ void PackageSubscription::want(robotlink::Session& session, const std::string& r
     const std::string name = std::string("package/") + package;
     const auto key = std::ranges::find(table->keys(), name, [](const auto& entry) { return entry.name(); });
     if (key == table->keys().end() || !settled_.insert(robot + '/' + package).second) continue;
-    if (key->mode().kind() != robotcontrol::KeyMode::OFF) continue;
+    if (key->mode().kind() != robotcontrol::KeyMode::OFF && !isGlance(key->mode())) continue;
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(name);
     request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);

@@ -8,16 +8,26 @@
 
 #include "robotlink/process/Link.h"
 
+namespace robotcontrol {
+class KeyMode;
+}
 namespace robotlink {
 class Session;
 }
 
 namespace widgets {
 
+/// The interval in ms at which views publish what they only show at a glance (EVERY_MS), so that others may
+/// want it more often.
+inline constexpr std::uint32_t kGlanceMs = 500;
+
+/// Whether a mode is the one of such views.
+bool isGlance(const robotcontrol::KeyMode& mode);
+
 /// Switches on the debug keys of the packages that a view shows (package/drive/state), so that the robot
 /// publishes them. A key is requested once, as soon as the robot's key table contains it and says that it is
-/// off. If the user switches it off afterwards it stays off until another platform is opened. Packages that a
-/// robot does not have are never requested. GUI thread.
+/// off, or on only at a glance. If the user switches it off afterwards it stays off until another platform is
+/// opened. Packages that a robot does not have are never requested. GUI thread.
 class PackageSubscription {
  public:
   /// Called in each tick, always with the same packages for a robot. Returns early while the key table is

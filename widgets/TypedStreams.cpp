@@ -9,6 +9,7 @@ std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink
                                                                  const std::string& robot, const char* type) {
   auto streams = store.streams(robot.empty() ? std::string() : robot + '/');
   std::erase_if(streams, [type](const auto* stream) { return stream->type != type; });
+  for (const auto* stream : streams) store.noteRead(*stream);
   return streams;
 }
 

@@ -39,6 +39,10 @@ robotlink::Result<void> View::saveTo(const QString& file) {
   return writePicture(grab().toImage(), file);
 }
 
+QImage View::shownPicture() {
+  return grab().toImage();
+}
+
 void View::keep(const char* name, Save save, Restore restore) {
   kept_.push_back({QString::fromLatin1(name), std::move(save), std::move(restore)});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <QJsonObject>
 #include <QString>
 #include <QWidget>
@@ -78,9 +79,18 @@ class View : public QWidget {
   /// by the file's suffix. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
 
+  /// What a video of the view shows: by default all of it.
+  virtual QImage shownPicture();
+  /// The size of that in device-independent pixels; it grows and shrinks with the view.
+  virtual QSize shownPictureSize() const { return size(); }
+  /// Whether shownPicture() shows what the last tick() has read, for views that draw in another thread.
+  virtual bool isPictureReady() const { return true; }
+
  Q_SIGNALS:
   /// The title of the dock changed: "Image: red1/camera".
   void titleChanged(const QString& title);
+  /// The user wants the view as a video or as a series of images.
+  void exportWanted();
 
  protected:
   ViewContext& context() const { return context_; }

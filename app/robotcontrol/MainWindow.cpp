@@ -30,6 +30,7 @@
 #include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/bars/RemoteLine.h"
 #include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "app/robotcontrol/bars/StallWatch.h"
 #include "app/robotcontrol/bars/StatusLine.h"
 #include "app/robotcontrol/bars/StopToolBar.h"
 #include "app/robotcontrol/bars/ToolBarState.h"
@@ -54,7 +55,6 @@
 namespace app {
 namespace {
 
-constexpr int kTickMs = 33;
 constexpr qint64 kKeepEveryMs = 5000;
 constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
@@ -90,6 +90,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   createErrorBar();
   createMenus();
   createMaximizing();
+  createExport();
   connectSignals();
   createPalette();
   restoreWindow();
@@ -109,6 +110,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
+  delete export_;        // it has a view, too
   docks_->destroyAll();  // views use the context, which is destroyed before child widgets
   // The focus changes once more when the window is hidden by the destructor of QWidget.
   disconnect(qApp, nullptr, this, nullptr);
@@ -126,6 +128,7 @@ void MainWindow::createActions() {
   addRegisteredToolBars();
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
+  if (StallWatch::isWanted()) new StallWatch(this, statusBar());
   history_ = new HistoryLine(workbench_, *actions_, *statusBar());
   remote_ = new RemoteMenus(workbench_, *actions_, this);
   remoteLine_ = new RemoteLine(workbench_, *actions_, *statusBar());
@@ -194,7 +197,7 @@ void MainWindow::connectSignals() {
     widgets::commandLog(context_).add(widgets::CommandLog::Kind::kError, text);
   });
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
-  tick_.start(kTickMs);
+  tick_.start(kWindowTickMs);
   sinceKept_.start();
   sinceLooked_.start();
 }
@@ -288,6 +291,7 @@ void MainWindow::tick() {
   history_->refresh();
   remoteLine_->refresh();
   tickDocks();
+  tickExport();
   widgets::manualSteering(context_).tick();
   widgets::tickMotions(context_);
   sweep_->tick(clock_.now());
@@ -314,6 +318,7 @@ void MainWindow::restoreWindow() {
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
+  exportChoices_ = window.value(QStringLiteral("export")).toObject();
   leftOpen_->offer(window.value(QStringLiteral("open")).toObject());
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   const QByteArray toolBars = fromText(window.value(QStringLiteral("toolbars")));
@@ -330,7 +335,8 @@ void MainWindow::keepWindow() {
                      {QStringLiteral("palette"), QJsonArray::fromStringList(palette_->recent())},
                      {QStringLiteral("command_history"),
                       QJsonArray::fromStringList(widgets::commandLog(context_).history())},
-                     {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()}};
+                     {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
+                     {QStringLiteral("export"), exportChoices_}};
   appearance_->save(window);
   language_->save(window);
   platforms_->memory().save(window);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QJsonObject>
 #include <QMainWindow>
 #include <QTimer>
 #include <filesystem>
@@ -21,8 +22,10 @@ class CDockWidget;
 }
 namespace widgets {
 class EmptyHint;
+class ExportBar;
 class ParameterEdits;
 class ParameterSweep;
+class ViewExport;
 }  // namespace widgets
 
 namespace app {
@@ -55,6 +58,10 @@ class ViewDocks;
 class WindowKeys;
 class Workbench;
 struct LoadedPlatform;
+
+/// Between two ticks of the window, about 30 Hz; less while a view is exported, which should not take longer
+/// than it must.
+inline constexpr int kWindowTickMs = 33, kExportingTickMs = 2;
 
 /// The main window of the workbench: docks with views, toolbars, menus, status line, and the 30 Hz tick that
 /// updates all of them. It creates all its parts and connects them; MainWindow*.cpp group its functions by
@@ -141,6 +148,15 @@ class MainWindow : public QMainWindow {
   void attachPlotCommands();
   void attachSearchCommands();
   void createPalette();
+  /// Export of views as videos and images (MainWindowExport.cpp).
+  void createExport();
+  void attachExportCommands();
+  /// Asks what is to be exported; `name`: the dock to begin with, empty: the one in focus.
+  void showExport(const QString& name);
+  /// Runs export.video (or export.images) with checked values.
+  robotlink::Result<void> exportView(bool isVideo, const robotlink::CommandTable::Values& values);
+  /// Goes on with an export, and shows its progress.
+  void tickExport();
   void createPresets(widgets::ParameterEdits& parameters);
   void createSweep(widgets::ParameterEdits& parameters);
   /// Brings a view to the front and opens it if needed. Fails if there is none of this name.
@@ -248,6 +264,10 @@ class MainWindow : public QMainWindow {
   UndoOrder* undoOrder_ = nullptr;
   CommandPalette* palette_ = nullptr;
   widgets::ParameterSweep* sweep_ = nullptr;
+  widgets::ViewExport* export_ = nullptr;
+  widgets::ExportBar* exportBar_ = nullptr;
+  /// What the user chose in the dialog of exports.
+  QJsonObject exportChoices_;
   /// Null until they are shown for the first time.
   ManualWindow* manual_ = nullptr;
   Tour* tour_ = nullptr;

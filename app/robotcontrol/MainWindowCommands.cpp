@@ -33,6 +33,7 @@
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
 #include "widgets/solutions/ParameterSweep.h"
+#include "widgets/timeline/TimeLineView.h"
 
 namespace app {
 namespace {
@@ -85,6 +86,7 @@ void MainWindow::attachCommands() {
   attachPerspectiveCommands();
   attachPlotCommands();
   attachSearchCommands();
+  attachExportCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {
@@ -293,6 +295,20 @@ void MainWindow::attachSearchCommands() {
     const auto* view = window ? window->findView<widgets::SearchView>("search") : nullptr;
     return view != nullptr && view->isSearching();
   });
+  attach("timeline.track", [](MainWindow& window, const Values& values) -> Result<void> {
+    return window.shownView<widgets::TimeLineView>("time-line")->addTrack(argumentOf(values, 0));
+  });
+  attach(
+      "timeline.remove-track",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const QString value = argumentOf(values, 0);
+        auto* view = window.findView<widgets::TimeLineView>("time-line");
+        return view != nullptr && view->removeTrack(value) ? Result<void>() : noCurve(value);
+      },
+      [window = QPointer(this)](const auto&) {
+        const auto* view = window ? window->findView<widgets::TimeLineView>("time-line") : nullptr;
+        return view == nullptr ? std::vector<std::string>() : toStrings(view->tracks());
+      });
   attach("timeline.mark-texts", [](MainWindow& window, const Values& values) -> Result<void> {
     const QString wrong =
         widgets::TimeMarks::of(widgets::openLogs(window.context_)).setPattern(argumentOf(values, 0));
@@ -317,7 +333,10 @@ V* MainWindow::shownView(const char* id) {
 }
 
 Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
-  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(QString::fromStdString(id));
+  const QString name = QString::fromStdString(id);
+  if (widgets::ViewRegistry::find(id) != nullptr) return docks_->open(name);
+  // One of several of a kind: "field#2".
+  if (ads::CDockWidget* dock = name.contains(QLatin1Char('#')) ? docks_->named(name) : nullptr) return dock;
   return unknownView(id);
 }
 

@@ -69,6 +69,9 @@ void MainWindow::createFileMenu() {
   menu->addSeparator();
   menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture)
       ->setObjectName(QStringLiteral("file.savePicture"));
+  menu->addAction(widgets::icon("video"), tr("Export a &view as video or images…"), this,
+                  [this] { showExport({}); })
+      ->setObjectName(QStringLiteral("file.export"));
   menu->addSeparator();
   menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit)
       ->setObjectName(QStringLiteral("file.quit"));

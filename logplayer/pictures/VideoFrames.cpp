@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loads the module that decodes videos, and makes frames of what it decodes.
+// Makes frames of what the video module decodes.
 #include "logplayer/pictures/VideoFrames.h"
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +9,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
+#include "logplayer/pictures/VideoLibrary.h"
 #include "logplayer/pictures/VideoModule.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -24,33 +23,6 @@ namespace {
 
 /// High enough that colors keep their classes.
 constexpr int kQuality = 95;
-
-/// Beside the programs, in a build folder and where they are installed.
-fs::path moduleFile() {
-  std::error_code error;  // without /proc the relative path is looked for
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return (program.parent_path() / "../lib/robotcontrol/robotcontrol_video.so").lexically_normal();
-}
-
-struct Module {
-  OpenVideo open = nullptr;
-  std::string problem;
-};
-
-/// Loaded once, at the first call, and never unloaded.
-const Module& module() {
-  static const Module kLoaded = [] {
-    Module loaded;
-    void* library = ::dlopen(moduleFile().c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library != nullptr) loaded.open = reinterpret_cast<OpenVideo>(::dlsym(library, kOpenVideo));
-    if (loaded.open == nullptr) {
-      const char* reason = ::dlerror();
-      loaded.problem = reason != nullptr ? reason : "it has no function for it";
-    }
-    return loaded;
-  }();
-  return kLoaded;
-}
 
 }  // namespace
 
@@ -70,7 +42,7 @@ bool isVideo(const fs::path& file) {
 }
 
 Result<VideoFrames> VideoFrames::open(const fs::path& file) {
-  const Module& loaded = module();
+  const VideoLibrary& loaded = videoLibrary();
   if (loaded.open == nullptr)
     return failure("video.module", "this installation cannot read videos: " + loaded.problem,
                    {file.string(), 0, 0}, {loaded.problem});

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module that decodes videos.
+// The module that decodes and encodes videos.
 #include "logplayer/pictures/VideoModule.h"
 
 #include <algorithm>
 #include <exception>
 #include <memory>
 #include <opencv2/videoio.hpp>
+#include <string_view>
 
 namespace {
 
 using logplayer::VideoReader;
+using logplayer::VideoWriter;
 
 class OpenCvVideo final : public VideoReader {
  public:
@@ -46,7 +48,45 @@ class OpenCvVideo final : public VideoReader {
   double first_ = 0, last_ = 0;
 };
 
+class OpenCvOutput final : public VideoWriter {
+ public:
+  OpenCvOutput(const char* file, const char* codec, cv::Size size, double rate)
+      : size_(size),
+        writer_(file, cv::CAP_FFMPEG, cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), rate,
+                size) {}
+
+  bool isOpen() const { return writer_.isOpened(); }
+
+  bool write(const std::uint8_t* data, int step) override try {
+    // OpenCV takes no constant bytes; it only reads them.
+    writer_.write(cv::Mat(size_, CV_8UC3, const_cast<std::uint8_t*>(data), static_cast<std::size_t>(step)));
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+
+ private:
+  cv::Size size_;
+  cv::VideoWriter writer_;
+};
+
 }  // namespace
+
+extern "C" __attribute__((visibility("default"))) VideoWriter* robotcontrol_create_video(const char* file,
+                                                                                         int width,
+                                                                                         int height,
+                                                                                         double rate) {
+  try {
+    const bool isAvi = std::string_view(file).ends_with(".avi");
+    for (const char* codec : {isAvi ? "MJPG" : "avc1", isAvi ? "MJPG" : "mp4v"}) {
+      auto video = std::make_unique<OpenCvOutput>(file, codec, cv::Size(width, height), rate);
+      if (video->isOpen()) return video.release();
+    }
+  } catch (const std::exception&) {
+    // Reported as null, as all failures are.
+  }
+  return nullptr;
+}
 
 extern "C" __attribute__((visibility("default"))) VideoReader* robotcontrol_open_video(const char* file) {
   try {

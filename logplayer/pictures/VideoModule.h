@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <string>
 
-// What robotcontrol_video.so offers. It is a module of its own, loaded when the first video is opened,
-// because OpenCV's videoio brings more than 200 shared libraries, which every start would have to load.
+// What robotcontrol_video.so offers. It is a module of its own, loaded when the first video is opened or
+// written, because OpenCV's videoio brings more than 200 shared libraries, which every start would have to
+// load.
 
 namespace logplayer {
 
@@ -29,9 +30,23 @@ class VideoReader {
   virtual std::uint64_t frames() const = 0;
 };
 
-/// The module's only function. Returns null if the file cannot be opened as a video; the caller owns the
-/// reader.
+/// A video file that is being written; the destructor completes it. One thread.
+class VideoWriter {
+ public:
+  virtual ~VideoWriter() = default;
+  /// Appends a frame of the video's size: bytes B G R, top row first, `step` bytes from row to row. False if
+  /// it cannot be encoded. A disk that is full is not noticed.
+  virtual bool write(const std::uint8_t* data, int step) = 0;
+};
+
+/// Opens a video. Returns null if the file cannot be opened as one; the caller owns the reader.
 using OpenVideo = VideoReader* (*)(const char* file);
 inline constexpr char kOpenVideo[] = "robotcontrol_open_video";
+
+/// Creates a video. Its kind follows from the file's suffix: .avi has Motion JPEG, .mp4 has H.264 or, where
+/// that is missing, MPEG-4. `rate` is in frames a second. Returns null if no such encoder is there, or if the
+/// file cannot be made; the caller owns the writer.
+using CreateVideo = VideoWriter* (*)(const char* file, int width, int height, double rate);
+inline constexpr char kCreateVideo[] = "robotcontrol_create_video";
 
 }  // namespace logplayer

@@ -46,6 +46,31 @@ std::vector<std::string> textsOf(const CommandTable::Command& command, const std
   return wanted.type == CommandTable::Type::kFile && texts.empty() ? filesOf(begun) : texts;
 }
 
+/// The words that stand for arguments by their order; `named` becomes the argument that the last word names,
+/// whose value is typed next, or stays as it is.
+std::vector<std::string> wordsInOrder(const CommandTable::Command& command,
+                                      const std::vector<CommandWord>& words, std::size_t& named) {
+  std::vector<std::string> texts;
+  for (std::size_t at = 1; at < words.size(); ++at) {
+    const std::size_t argument = namedArgument(command, words[at].text);
+    if (argument == command.arguments.size()) {
+      texts.push_back(words[at].text);
+    } else if (words[at].text.find('=') == std::string::npos && ++at == words.size()) {
+      named = argument;
+    }
+  }
+  return texts;
+}
+
+/// "--rate" for each argument that can be named.
+std::vector<std::string> namedOptions(const CommandTable::Command& command) {
+  std::vector<std::string> options;
+  for (const CommandTable::Argument& argument : command.arguments) {
+    if (argument.isOptional()) options.push_back("--" + argument.name);
+  }
+  return options;
+}
+
 }  // namespace
 
 Completion complete(const CommandTable& commands, const std::string& line, std::size_t cursor) {
@@ -64,12 +89,18 @@ Completion complete(const CommandTable& commands, const std::string& line, std::
     texts = namesOf(commands);
   } else {
     const CommandTable::Command* command = commands.find(typed.words.front().text);
-    result.argument = typed.words.size() - 1;
-    if (command == nullptr || result.argument >= command->arguments.size()) return result;
-    result.command = command;
-    std::vector<std::string> before;
-    for (std::size_t i = 1; i < typed.words.size(); ++i) before.push_back(typed.words[i].text);
-    texts = textsOf(*command, before, begun);
+    if (command == nullptr) return result;
+    std::size_t named = command->arguments.size();
+    std::vector<std::string> before = wordsInOrder(*command, typed.words, named);
+    result.argument = named < command->arguments.size() ? named : before.size();
+    if (begun.starts_with("--") && named == command->arguments.size()) {
+      texts = namedOptions(*command);
+    } else if (result.argument < command->arguments.size()) {
+      result.command = command;
+      // Who offers texts asks which arguments were before.
+      before.resize(result.argument);
+      texts = textsOf(*command, before, begun);
+    }
   }
   std::ranges::sort(texts);
   const auto [first, last] = std::ranges::unique(texts);

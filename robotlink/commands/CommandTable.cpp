@@ -148,6 +148,60 @@ bool countFits(const Command& command, std::size_t given) {
   return given >= countNeeded(command) && given <= command.arguments.size();
 }
 
+/// The words of a line by the arguments for which they stand, up to the last one that is given; what is unset
+/// between them has an initial value.
+using Places = std::vector<std::optional<CommandWord>>;
+
+/// The first argument that no word stands for yet.
+std::size_t firstFree(const Places& places) {
+  return static_cast<std::size_t>(std::ranges::find_if(places, [](const auto& place) { return !place; }) -
+                                  places.begin());
+}
+
+/// Checks what was left out, and cuts it off at the end.
+Result<Places> withoutEnd(const Command& command, Places places, int column) {
+  std::size_t given = 0;
+  for (const auto& place : places) given += place ? 1 : 0;
+  while (!places.empty() && !places.back()) places.pop_back();
+  for (std::size_t i = 0; i < countNeeded(command); ++i) {
+    if (i >= places.size() || !places[i]) return wrongCount(command, given, column);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i] || command.arguments[i].initial) continue;
+    return failure("command.argument-order",
+                   command.arguments[i].name + " must be given, too: " + usage(command),
+                   {{}, 0, places.back()->column}, {command.name, command.arguments[i].name});
+  }
+  return places;
+}
+
+/// Puts the words after the command's name to their arguments: `--rate 30` and `--rate=30` to the optional
+/// one of this name, all others in their order.
+Result<Places> inPlaces(const Command& command, const std::vector<CommandWord>& words) {
+  Places places(command.arguments.size());
+  for (std::size_t at = 1; at < words.size(); ++at) {
+    CommandWord word = words[at];
+    std::size_t place = namedArgument(command, word.text);
+    if (place == command.arguments.size()) {
+      place = firstFree(places);
+      if (place == places.size()) return wrongCount(command, words.size() - 1, word.column);
+    } else if (const auto equals = word.text.find('='); equals != std::string::npos) {
+      word.text.erase(0, equals + 1);
+    } else if (++at < words.size()) {
+      word = words[at];
+    } else {
+      return failure("command.argument-value", word.text + " needs a value: " + usage(command),
+                     {{}, 0, word.column}, {command.name, word.text});
+    }
+    if (places[place])
+      return failure("command.argument-twice",
+                     command.arguments[place].name + " is given twice: " + usage(command),
+                     {{}, 0, word.column}, {command.name, command.arguments[place].name});
+    places[place] = std::move(word);
+  }
+  return withoutEnd(command, std::move(places), words.front().column);
+}
+
 }  // namespace
 
 CommandTable::CommandTable(std::vector<Command> declarations) {
@@ -228,14 +282,15 @@ Result<void> CommandTable::runLine(const std::string& line, const std::filesyste
     return tl::unexpected(command.error());
   }
   const auto& wanted = (*command)->arguments;
-  const std::size_t given = words->size() - 1;
-  if (!countFits(**command, given)) {
-    const bool tooMany = given > wanted.size();
-    return wrongCount(**command, given, (*words)[tooMany ? wanted.size() + 1 : 0].column);
-  }
+  const auto given = inPlaces(**command, *words);
+  if (!given) return tl::unexpected(given.error());
   Values values;
-  for (std::size_t i = 0; i < given; ++i) {
-    const CommandWord& word = (*words)[i + 1];
+  for (std::size_t i = 0; i < given->size(); ++i) {
+    if (!(*given)[i]) {
+      values.push_back(*wanted[i].initial);
+      continue;
+    }
+    const CommandWord& word = *(*given)[i];
     auto value = parseValue(wanted[i].type, word.text);
     const bool isPath = wanted[i].type == Type::kFile && !word.text.empty();
     if (isPath && word.text.find("://") == std::string::npos) value = (folder / word.text).string();
@@ -244,6 +299,15 @@ Result<void> CommandTable::runLine(const std::string& line, const std::filesyste
     values.push_back(*value);
   }
   return runComplete(**command, std::move(values));
+}
+
+std::size_t namedArgument(const Command& command, const std::string& word) {
+  const auto& arguments = command.arguments;
+  if (!word.starts_with("--")) return arguments.size();
+  const std::string name = word.substr(2, word.find('=') - 2);
+  const auto found = std::ranges::find_if(
+      arguments, [&](const Argument& each) { return each.isOptional() && each.name == name; });
+  return static_cast<std::size_t>(found - arguments.begin());
 }
 
 std::string argumentsInWords(const Command& command) {

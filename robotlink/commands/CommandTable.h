@@ -83,7 +83,8 @@ class CommandTable {
   Result<void> run(const std::string& name, const Values& arguments = {}) const;
   /// Runs one line: `simulation.speed 2`, `robot.solution ball-percept "scan-lines"`. Texts may be quoted
   /// (see CommandLine.h); bools are on/off, true/false, yes/no or 1/0; an empty line or a # comment does
-  /// nothing. Files are relative to `folder`; to that of this program if it is empty. Errors about the line
+  /// nothing. Arguments that may be left out can also be named: `--speed 2` or `--speed=2`, wherever they
+  /// stand. Files are relative to `folder`; to that of this program if it is empty. Errors about the line
   /// have the column, in bytes from 1, in Error::where.
   Result<void> runLine(const std::string& line, const std::filesystem::path& folder = {}) const;
 
@@ -93,6 +94,9 @@ class CommandTable {
 
   std::map<std::string, Command> commands_;
 };
+
+/// Which optional argument a word like "--speed" or "--speed=2" names; the number of arguments if none.
+std::size_t namedArgument(const CommandTable::Command& command, const std::string& word);
 
 /// The arguments of a command as people read them: "<brightness: number> [warmth: number = 0]".
 std::string argumentsInWords(const CommandTable::Command& command);

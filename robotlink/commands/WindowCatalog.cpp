@@ -61,10 +61,33 @@ Rows colorTableRows() {
   };
 }
 
+/// What both kinds of exports take after view and target.
+std::vector<CommandTable::Argument> exportArguments(const CommandTable::Argument& target) {
+  return {
+      {"view", Type::kText, "its name: image, field, plots, ...; the second one is image#2"},
+      target,
+      {"from", Type::kText, "seconds, negative of live robots: before now; or start", std::string("start")},
+      {"to", Type::kText, "the same; or end", std::string("end")},
+      {"rate", Type::kNumber, "pictures a second", 25.0},
+      {"size", Type::kText, "of the pictures, such as 1280x720; '': as shown", std::string()}};
+}
+
+Rows exportRows() {
+  return {
+      {"export.video",
+       "Writes a view over time as a video: of the open logs, or of what is kept of live robots",
+       exportArguments({"file", Type::kFile, "a .mp4 or .avi file"})},
+      {"export.images", "Writes a view over time as numbered PNG files into a folder",
+       exportArguments({"folder", Type::kFile, "a new or empty one"})},
+      {"export.cancel", "Cancels the export of a view; a video is removed, images that were written stay"},
+  };
+}
+
 }  // namespace
 
 Rows windowCatalog() {
-  return {
+  Rows rows = exportRows();
+  const Rows others{
       {"view.show",
        "Brings a view to the front and opens it if needed",
        {{"view", Type::kText, "its name: image, field, packets, ..."}}},
@@ -75,6 +98,8 @@ Rows windowCatalog() {
        "Adds a bookmark to the log",
        {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},
   };
+  rows.insert(rows.end(), others.begin(), others.end());
+  return rows;
 }
 
 Rows colorCatalog() {

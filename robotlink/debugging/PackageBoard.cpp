@@ -1,13 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/PackageBoard.h"
 
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
 #include <utility>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/DebugContext.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "robotlink/packages/FieldValues.h"
 #include "robotlink/process/Process.h"
 
 namespace robotlink {
+namespace {
+
+using Packages = google::protobuf::RepeatedPtrField<robotcontrol::StopwatchTimes::Package>;
+
+/// Adds a package with its timestamp; returns null for a package without one.
+robotcontrol::StopwatchTimes::Package* addStamped(Packages& to, const PackageBoard::Entry& entry,
+                                                  const google::protobuf::Message& package) {
+  const auto* field = package.GetDescriptor()->FindFieldByName("timestamp");
+  const bool isStamp = field != nullptr && !field->is_repeated() &&
+                       field->cpp_type() == google::protobuf::FieldDescriptor::CPPTYPE_MESSAGE &&
+                       isTime(*field->message_type());
+  if (!isStamp || !package.GetReflection()->HasField(package, field)) return nullptr;
+  const auto& stamp = package.GetReflection()->GetMessage(package, field);
+  auto& added = *to.Add();
+  added.set_name(entry.name);
+  added.mutable_timestamp()->set_seconds(wholeSeconds(stamp));
+  added.mutable_timestamp()->set_nanos(nanoseconds(stamp));
+  added.set_of_platform(entry.ofPlatform);
+  return &added;
+}
+
+}  // namespace
+
+PackageBoard::Watch::Watch(PackageBoard& board, robotcontrol::StopwatchTimes& times)
+    : board_(board), times_(times), begin_(std::chrono::steady_clock::now()) {
+  for (const auto& [name, entry] : board.entries_) {
+    if (entry.receiver && entry.value) addStamped(*times.mutable_received(), entry, *entry.value);
+  }
+  board.watch_ = this;
+}
+
+void PackageBoard::Watch::noteSent(const Entry& entry, const PackagePtr& package) {
+  if (!entry.sender || !package) return;
+  auto* added = addStamped(*times_.mutable_sent(), entry, *package);
+  if (added == nullptr) return;
+  added->set_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
+}
 
 PackageBoard::Entry& PackageBoard::entry(const std::string& package) {
   Entry& entry = entries_[package];
@@ -31,6 +73,7 @@ void PackageBoard::beginFrame() {
 }
 
 void PackageBoard::send(Entry& entry, const PackagePtr& package) {
+  if (watch_ != nullptr) watch_->noteSent(entry, package);
   put(entry, package);
   if (entry.sender) entry.sender->send(package);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <set>
@@ -9,6 +10,10 @@
 
 #include "robotlink/debugging/ModeCounter.h"
 #include "robotlink/process/Process.h"
+
+namespace robotcontrol {
+class StopwatchTimes;
+}
 
 namespace robotlink {
 
@@ -29,12 +34,33 @@ class PackageBoard {
     std::unique_ptr<AnyReceiver> receiver;
     /// Null unless a task of this process yields the package.
     std::unique_ptr<AnySender> sender;
+    /// Whether the platform sends the package, or receives it.
+    bool ofPlatform = false;
     /// Whether this process publishes the package on request.
     bool shown = false;
     /// When it is published on request.
     ModeCounter mode;
     /// Published for the recorder in every frame, whatever the mode.
     bool recorded = false;
+  };
+
+  /// While it exists, notes in `times` the packages that the process had and those that it sends, each with
+  /// its own timestamp; packages without one are left out. Made when the first task begins; both arguments
+  /// must outlive it. Without one, nothing is noted and nothing is computed.
+  class Watch {
+   public:
+    Watch(PackageBoard& board, robotcontrol::StopwatchTimes& times);
+    ~Watch() { board_.watch_ = nullptr; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    friend class PackageBoard;
+    void noteSent(const Entry& entry, const PackagePtr& package);
+
+    PackageBoard& board_;
+    robotcontrol::StopwatchTimes& times_;
+    std::chrono::steady_clock::time_point begin_;
   };
 
   PackageBoard(Process& process, DebugContext& debug) : process_(process), debug_(debug) {}
@@ -68,6 +94,8 @@ class PackageBoard {
   DebugContext& debug_;
   std::map<std::string, Entry> entries_;
   bool modeChanged_ = false;
+  /// Null unless the frame is measured.
+  Watch* watch_ = nullptr;
 };
 
 }  // namespace robotlink

@@ -169,6 +169,9 @@ void TaskProcess::Implementation::connectPackages() {
       }
     }
   }
+  for (const auto* names : {&setup.platform.offers, &setup.platform.takes}) {
+    for (const std::string& package : *names) board.entry(package).ofPlatform = true;
+  }
   for (const auto& [package, owner] : debugRoutes(setup.layout, catalog, setup.platform).packages) {
     if (owner == setup.process.name) board.entry(package).shown = true;
   }
@@ -241,13 +244,17 @@ void TaskProcess::Implementation::runTasks() {
     return;
   }
   robotcontrol::StopwatchTimes times;
-  const auto start = Stopwatch::now();
-  for (const auto& task : tasks) {
-    const auto taskStart = Stopwatch::now();
-    task->execute();
-    addTime(times, task->task(), task->active(), taskStart);
+  {
+    const PackageBoard::Watch watch(board, times);
+    const auto start = Stopwatch::now();
+    for (const auto& task : tasks) {
+      const auto taskStart = Stopwatch::now();
+      task->execute();
+      addTime(times, task->task(), task->active(), taskStart);
+    }
+    addTime(times, "", "", start);
   }
-  addTime(times, "", "", start);
+  times.set_clock_stands(process.clock().now() == process.frameTime());
   assign(*times.mutable_timestamp(), process.frameTime());
   debug.add<robotcontrol::StopwatchTimes>(streams::kStopwatches + process.name()) = std::move(times);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,14 @@ struct LineGap {
   bool operator==(const LineGap&) const = default;
 };
 
+/// What of a stream did not come over the line, as the robot's end of it counts. A plain value.
+struct LeftOut {
+  /// Messages that were replaced by newer ones before they were sent, because the line was too narrow or a
+  /// lower rate was chosen; and messages that were lost.
+  std::uint64_t thinned = 0, lost = 0;
+  bool operator==(const LeftOut&) const = default;
+};
+
 /// How a robot whose program runs elsewhere is connected with a session. A plain value.
 struct RemoteRobot {
   /// Where it is: "ws://192.168.1.7:8765".
@@ -29,6 +39,8 @@ struct RemoteRobot {
   std::string state = {};
   /// In order of time.
   std::vector<LineGap> gaps = {};
+  /// By the streams' paths in the session; those that came whole are missing.
+  std::map<std::string, LeftOut> leftOut = {};
   bool operator==(const RemoteRobot&) const = default;
 };
 

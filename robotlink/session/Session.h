@@ -12,6 +12,7 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/session/History.h"
 #include "robotlink/session/RemoteRobot.h"
+#include "robotlink/session/StreamReaders.h"
 #include "robotlink/session/StreamStore.h"
 #include "robotlink/session/Timeline.h"
 
@@ -99,6 +100,8 @@ class Session {
   const Timeline& timeline() const { return timeline_; }
   /// Looks back while the robots continue: pauses the timeline and moves it.
   History& history() { return history_; }
+  /// Who reads which streams.
+  StreamReaders& readers() { return readers_; }
   /// The number of messages that were dropped because tick() was late or because they were invalid, plus
   /// those that the robots' own queues and the store dropped.
   std::uint64_t dropped() const;
@@ -139,6 +142,7 @@ class Session {
   StreamStore store_;
   Timeline timeline_;
   History history_{store_, timeline_};
+  StreamReaders readers_{store_};
   /// What was pushed since the last tick. Shared with producers; its own mutex protects it. Everything else
   /// belongs to the GUI's thread.
   std::unique_ptr<Inbox> inbox_;

@@ -22,13 +22,17 @@ bool earlier(Instant time, const StreamMessage& message) {
   return time < message.time;
 }
 
-// Messages in the last second, or since the stream began if that is less.
-double rateOf(const StreamStore::Stream& stream, Instant now) {
+/// Sets the rates by the messages in the last second, or since the stream began if that is less.
+void updateRates(StreamStore::Stream& stream, Instant now) {
+  stream.rate = stream.byteRate = 0;
   const Instant from = std::max(stream.since, now - kRateWindow);
-  if (now <= from) return 0;
+  if (now <= from) return;
   const auto& messages = stream.messages;
   const auto first = std::upper_bound(messages.begin(), messages.end(), from, earlier);
-  return static_cast<double>(messages.end() - first) / seconds(now - from);
+  std::size_t bytes = 0;
+  for (auto at = first; at != messages.end(); ++at) bytes += at->bytes;
+  stream.rate = static_cast<double>(messages.end() - first) / seconds(now - from);
+  stream.byteRate = static_cast<double>(bytes) / seconds(now - from);
 }
 
 }  // namespace
@@ -186,7 +190,7 @@ void StreamStore::drop(Instant until, std::size_t bytes) {
 void StreamStore::sweep() {
   swept_ = newest_;
   if (limits_.age < kNoLimit) drop(newest_ - limits_.age, std::numeric_limits<std::size_t>::max());
-  for (auto& [path, stream] : streams_) stream.rate = rateOf(stream, newest_);
+  for (auto& [path, stream] : streams_) updateRates(stream, newest_);
 }
 
 void StreamStore::setBytes(std::size_t bytes) {
@@ -246,7 +250,13 @@ void StreamStore::clear() {
 
 const StreamStore::Stream* StreamStore::find(const std::string& path) const {
   const auto found = streams_.find(path);
-  return found == streams_.end() ? nullptr : &found->second;
+  if (found == streams_.end()) return nullptr;
+  noteRead(found->second);
+  return &found->second;
+}
+
+void StreamStore::forgetReaders() {
+  for (auto& [path, stream] : streams_) stream.readers = 0;
 }
 
 std::vector<const StreamStore::Stream*> StreamStore::streams(const std::string& prefix) const {

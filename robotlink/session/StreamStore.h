@@ -57,6 +57,10 @@ class StreamStore {
     std::size_t lookedAt = 0;
     /// Messages per second, over the last second of the platform's time; updated every 0.1 s of it.
     double rate = 0;
+    /// Memory that these messages take, bytes per second; updated together.
+    double byteRate = 0;
+    /// Who has read it, as bits of setReader().
+    mutable std::uint64_t readers = 0;
     /// Time of the first message after the start or a reset.
     Instant since;
     /// Time of the newest message of each process.
@@ -71,6 +75,14 @@ class StreamStore {
 
   /// Where dropped messages go; null: nowhere. It must outlive the store's use.
   void setArchive(HistoryArchive* archive) { archive_ = archive; }
+  /// Who reads streams from now on, as one bit; 0: nobody who is counted. find() and latest() note it in
+  /// Stream::readers. StreamReaders has their names.
+  void setReader(std::uint64_t bit) { reader_ = bit; }
+  std::uint64_t reader() const { return reader_; }
+  /// Notes it for a stream that was found in another way.
+  void noteRead(const Stream& stream) const { stream.readers |= reader_; }
+  void forgetReaders();
+
   /// Changes how many bytes are kept; drops what exceeds them.
   void setBytes(std::size_t bytes);
   const Limits& limits() const { return limits_; }
@@ -137,6 +149,8 @@ class StreamStore {
   std::uint64_t listVersion_ = 0;
   std::uint64_t generation_ = 0;
   std::uint64_t refused_ = 0;
+  /// The bit of whoever reads now.
+  std::uint64_t reader_ = 0;
   Instant newest_;
   /// When sweep() last ran, in the platform's time.
   Instant swept_;

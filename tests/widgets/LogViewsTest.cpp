@@ -10,8 +10,8 @@
 #include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/ReplayPackagesView.h"
-#include "widgets/log/StreamsView.h"
 #include "widgets/log/TimeScale.h"
+#include "widgets/streams/StreamsView.h"
 
 namespace widgets::test {
 
@@ -98,7 +98,7 @@ class LogViewsTest : public QObject {
     auto view = bench.openView<StreamsView>();
     auto& table = child<QTableView>(*view, "streamsTable");
     const QPoint where =
-        table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kSchema)).center();
+        table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kRate)).center();
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, where);
     QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, where);
     QCOMPARE(bench.logs().replay().steppedStream(), std::string("nao/joints/states"));

@@ -14,8 +14,8 @@
 #include "widgets/motion/MotionView.h"
 #include "widgets/plots/PlotsView.h"
 #include "widgets/processes/ProcessesView.h"
-#include "widgets/processes/TimingView.h"
 #include "widgets/solutions/SolutionsView.h"
+#include "widgets/timing/TimingView.h"
 
 namespace widgets::test {
 

@@ -12,7 +12,6 @@
 
 #include "robotlink/packages/FieldValues.h"
 #include "widgets/Counted.h"
-#include "widgets/log/StreamListModel.h"
 
 namespace widgets {
 namespace {

@@ -11,7 +11,6 @@
 #include <QPlainTextEdit>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
@@ -37,8 +36,8 @@ PublishPanel::PublishPanel(ViewContext& context, QWidget* parent)
     reset_->setEnabled(typed_.contains(shown_));
   });
   connect(rate_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this](double rate) { repeating_.setInterval(std::lround(1000 / rate)); });
-  repeating_.setInterval(std::lround(1000 / rate_->value()));
+          [this](double rate) { repeating_.setInterval(qRound(1000 / rate)); });
+  repeating_.setInterval(qRound(1000 / rate_->value()));
   connect(&repeating_, &QTimer::timeout, this, [this] {
     if (!send()) setRepeating(false);
   });

@@ -15,7 +15,7 @@ using google::protobuf::Message;
 using robotcontrol::Request;
 
 constexpr int kMaxDepth = 4;
-constexpr std::size_t kMaxText = 1U << 20U;  // bytes
+constexpr std::size_t kMaxRequestText = 1U << 20U;  // bytes
 
 /// Whether a text can stand for all that a message holds.
 bool hasOnlyText(const google::protobuf::Descriptor& type, int depth) {
@@ -76,7 +76,7 @@ std::vector<RequestForm> requestForms() {
 
 robotlink::Result<Request> readRequest(Request::WhatCase what, const std::string& robot,
                                        const std::string& json) {
-  if (json.size() > kMaxText) return wrong("the text is longer than 1 MiB");
+  if (json.size() > kMaxRequestText) return wrong("the text is longer than 1 MiB");
   Request request;
   Message& message = *request.GetReflection()->MutableMessage(&request, &fieldOf(what));
   const auto status = google::protobuf::util::JsonStringToMessage(json.empty() ? "{}" : json, &message);

@@ -63,16 +63,6 @@ QString bumpersText(const DriveState& state) {
   return ends.join(QStringLiteral("; "));
 }
 
-/// What the voltages of a robot's battery mean: what the robot says counts more than its description.
-std::optional<robotlink::RobotDescription::Battery> batteryOf(
-    const DriveState& state, std::optional<robotlink::RobotDescription::Battery> battery) {
-  if (!state.has_battery_low() && !state.has_battery_empty()) return battery;
-  if (!battery) battery.emplace();
-  if (state.has_battery_low()) battery->low = state.battery_low();
-  if (state.has_battery_empty()) battery->empty = state.battery_empty();
-  return battery;
-}
-
 }  // namespace
 
 BaseStateView::BaseStateView(ViewContext& context, QWidget* parent) : View(context, parent) {
@@ -260,10 +250,7 @@ void BaseStateView::showBase(const DriveState* state, std::optional<double> stal
   }
   const auto known = context().robots.find(robot_);
   const auto* description = known == context().robots.end() ? nullptr : known->second.get();
-  BatteryLevel level = BatteryLevel::of(
-      state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
-      state->charging() == DriveState::CHARGING,
-      batteryOf(*state, description ? description->battery : std::nullopt));
+  BatteryLevel level = BatteryLevel::of(*state, description ? description->battery : std::nullopt);
   level.age = staleAge;
   battery_->show(level);
   base_->set("baseBatteryWarning", level.warning(),

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "robotcontrol/Driving.pb.h"
 #include "widgets/Controls.h"
 #include "widgets/Theme.h"
 
@@ -49,8 +50,28 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
   return level;
 }
 
+BatteryLevel BatteryLevel::of(const robotcontrol::DriveState& state,
+                              std::optional<robotlink::RobotDescription::Battery> battery) {
+  if (state.has_battery_low() || state.has_battery_empty()) {
+    if (!battery) battery.emplace();
+    if (state.has_battery_low()) battery->low = state.battery_low();
+    if (state.has_battery_empty()) battery->empty = state.battery_empty();
+  }
+  return of(state.battery(),
+            state.has_state_of_charge() ? std::optional(state.state_of_charge()) : std::nullopt,
+            state.charging() == robotcontrol::DriveState::CHARGING, battery);
+}
+
+BatteryLevel BatteryLevel::ofShare(double share) {
+  BatteryLevel level;
+  level.share = std::clamp(share, 0.0, 1.0);
+  level.state = share < kEmptyShare ? State::kEmpty : share < kLowShare ? State::kLow : State::kGood;
+  return level;
+}
+
 QString BatteryLevel::text() const {
   if (state == State::kUnknown) return BatteryText::tr("unknown");
+  if (!(volts > 0) && share) return BatteryText::tr("%1 %").arg(qRound(*share * 100));
   const QString text = share ? BatteryText::tr("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(*share * 100))
                              : BatteryText::tr("%1 V").arg(volts, 0, 'f', 1);
   if (age) return BatteryText::tr("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);

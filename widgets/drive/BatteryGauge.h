@@ -6,6 +6,10 @@
 
 #include "robotlink/config/RobotDescription.h"
 
+namespace robotcontrol {
+class DriveState;
+}
+
 namespace widgets {
 
 /// The charge of a battery and what it means.
@@ -19,6 +23,7 @@ struct BatteryLevel {
   double volts = 0;
   /// Whether the robot is being charged.
   bool charging = false;
+  bool operator==(const BatteryLevel&) const = default;
   /// Age of the report in s if it is too old to be current.
   std::optional<double> age;
 
@@ -26,6 +31,11 @@ struct BatteryLevel {
   /// where the robot's description says what its voltages mean. A voltage of 0 is unknown.
   static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging,
                          const std::optional<robotlink::RobotDescription::Battery>& battery);
+  /// The same of what a base reports. What it says itself of its voltages counts more than the description.
+  static BatteryLevel of(const robotcontrol::DriveState& state,
+                         std::optional<robotlink::RobotDescription::Battery> battery);
+  /// The level of a battery of which only the state of charge is known, 0 to 1.
+  static BatteryLevel ofShare(double share);
   /// "12.4 V, 70 %, charging"; translated.
   QString text() const;
   /// One sentence that says what to do; empty if all is well, the robot is charging, or the report is old.

@@ -15,6 +15,7 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/field/MapPainter.h"
+#include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
 
@@ -70,7 +71,8 @@ void FieldCanvas::setGoals(GoalFigures goals) {
 void FieldCanvas::setAiming(bool possible, bool always) {
   aimPossible_ = possible;
   aimAlways_ = always;
-  if (mode_ == Mode::kIdle && !aimPossible_ && cursor().shape() == Qt::CrossCursor) unsetCursor();
+  if (mode_ == Mode::kIdle && !measures() && !aimPossible_ && cursor().shape() == Qt::CrossCursor)
+    unsetCursor();
 }
 
 void FieldCanvas::abandonAim() {
@@ -150,6 +152,11 @@ void FieldCanvas::paintContents(QPainter& painter, double ratio) const {
   paintGoals(painter, goals_, toWidget, palette());
   if (wanted_) paintWanted(painter, *wanted_, figures_, toWidget, palette());
   paintLegend(painter, size(), palette());
+  if (measure_ != nullptr) measure_->paint(painter);
+}
+
+bool FieldCanvas::measures() const {
+  return measure_ != nullptr && measure_->isOn();
 }
 
 void FieldCanvas::paintEvent(QPaintEvent*) {
@@ -215,7 +222,7 @@ void FieldCanvas::mouseMoveEvent(QMouseEvent* event) {
   // A click must not move what it selects.
   if (mode_ == Mode::kDragging && moved_) Q_EMIT dragMoved(ground.x(), ground.y());
   if (mode_ == Mode::kAiming) Q_EMIT aimMoved(ground.x(), ground.y());
-  if (mode_ == Mode::kIdle) {
+  if (mode_ == Mode::kIdle && !measures()) {
     updateHighlight(at, event->modifiers());
     updatePlace(at);
     const bool aims = aimPossible_ && aimAlways_ && figures_.highlighted.empty();
@@ -231,6 +238,7 @@ void FieldCanvas::mouseReleaseEvent(QMouseEvent* event) {
   if (mode_ == Mode::kAiming) Q_EMIT aimEnded();
   mode_ = Mode::kIdle;
   figures_.highlighted.clear();
+  if (measures()) return setCursor(Qt::CrossCursor);
   unsetCursor();
   updateHighlight(event->localPos(), event->modifiers());
 }

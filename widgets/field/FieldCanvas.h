@@ -23,6 +23,7 @@ struct FieldDescription;
 namespace widgets {
 
 class MapGround;
+class MeasureTool;
 
 /// Paints the field or the map of a building from above, with drawings and figures, and turns the mouse into
 /// zooming, panning, dragging of figures and choosing of goals. It knows no session: the view sets what is
@@ -56,6 +57,9 @@ class FieldCanvas final : public QWidget {
   /// Whether pressing the left button begins to choose a goal; if `possible` without `always`, only while
   /// Control is held.
   void setAiming(bool possible, bool always);
+  /// Paints what is measured over the field; while that tool is on, nothing is moved or chosen. It must
+  /// outlive the canvas's last event.
+  void setMeasure(const MeasureTool* measure) { measure_ = measure; }
   /// Ends the choice of a goal; no further aim signals follow until the next press.
   void abandonAim();
 
@@ -109,6 +113,8 @@ class FieldCanvas final : public QWidget {
   void paintContents(QPainter& painter, double ratio) const;
   /// The model that a drag from here would move; empty: none.
   std::string modelAt(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
+  /// Whether the left button measures.
+  bool measures() const;
   /// Updates the highlighted model and the mouse cursor.
   void updateHighlight(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void panBy(const QPointF& by);
@@ -124,6 +130,7 @@ class FieldCanvas final : public QWidget {
   bool aimPossible_ = false, aimAlways_ = false;
   FieldFigures figures_;
   std::vector<WorldDrawing> drawings_;
+  const MeasureTool* measure_ = nullptr;
   std::optional<WantedPlace> wanted_;
   QString notice_;
   std::vector<std::string> movable_;

@@ -181,19 +181,33 @@ void paintBall(QPainter& painter, const FieldFigures& figures, const QTransform&
   painter.drawEllipse(map(toWidget, *figures.ball), radius, radius);
 }
 
-QColor trailColor(const FieldFigures& figures, const std::string& model) {
+/// What a trail is of: "red1", its estimated pose "red1/estimate", the ball, or where "red1/ball" was
+/// believed.
+struct TrailKind {
+  QColor color;
+  bool isEstimate = false;
+};
+
+TrailKind trailKind(const FieldFigures& figures, const std::string& model, const QPalette& palette) {
+  const std::string robot = model.substr(0, model.find('/'));
+  const bool isEstimate = robot.size() < model.size();
+  if (isEstimate && model.ends_with(kBallTrail)) return {mixed(figures.ballColor, Qt::white, 0.35), true};
   for (const RobotBelief& belief : figures.robots) {
-    if (belief.robot == model) return belief.team;
+    if (belief.robot != robot) continue;
+    if (isEstimate) return {estimateColor(figures, belief.team, palette), true};
+    // The robot's color, lighter on the green field.
+    return {mixed(belief.team, Qt::white, figures.onMap ? 0 : 0.25)};
   }
-  return figures.ballColor;
+  return {mixed(figures.ballColor, Qt::white, figures.onMap ? 0 : 0.25)};
 }
 
-void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
-  // The robot's color, lighter on the green field.
+void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget,
+                 const QPalette& palette) {
   for (const auto& [model, places] : figures.trails) {
-    QColor color = mixed(trailColor(figures, model), Qt::white, figures.onMap ? 0 : 0.25);
+    auto [color, isEstimate] = trailKind(figures, model, palette);
     // Trails fade with age.
     for (std::size_t i = 1; i < places.size(); ++i) {
+      if (isEstimate && i % 3 == 0) continue;  // dashed, as estimates are
       color.setAlphaF(0.15 + 0.75 * static_cast<double>(i) / static_cast<double>(places.size()));
       painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::FlatCap));
       painter.drawLine(map(toWidget, places[i - 1]), map(toWidget, places[i]));
@@ -216,7 +230,7 @@ void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransfo
                   const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  paintTrails(painter, figures, toWidget);
+  paintTrails(painter, figures, toWidget, palette);
   for (const RobotBelief& belief : figures.robots) {
     if (belief.truth) paintTrue(painter, figures, belief, toWidget, palette);
   }

@@ -18,6 +18,9 @@ class QPalette;
 
 namespace widgets {
 
+/// What is appended to a robot's name for trails of its estimates.
+inline constexpr char kEstimateTrail[] = "/estimate", kBallTrail[] = "/ball";
+
 /// What moves on a field: robots and ball at their true poses (filled) and at the robots' estimates (dashed
 /// outlines with their standard deviations). A plain value; meters in the field's frame.
 struct FieldFigures {
@@ -27,7 +30,8 @@ struct FieldFigures {
   /// m
   double ballRadius = 0.042;
   QColor ballColor = QColor(255, 105, 0);
-  /// Former positions by model, oldest first; empty: no trails.
+  /// Former positions by model, oldest first; empty: no trails. Those of "red1/estimate" and "red1/ball" (see
+  /// below) are where the robot believed itself and the ball to be.
   std::map<std::string, std::deque<robotlink::Vector2>> trails;
   /// The model under the cursor; empty: none.
   std::string highlighted;

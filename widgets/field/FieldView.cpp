@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +21,8 @@
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
 #include "widgets/field/PlaceNotice.h"
+#include "widgets/field/TrailMenu.h"
+#include "widgets/picture/MeasureTool.h"
 #include "widgets/world/DriveAims.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
@@ -40,11 +43,15 @@ FieldView::FieldView(ViewContext& context, QWidget* parent)
   createActions();
   canvas_ = new FieldCanvas(context.field, this);
   goals_ = new GoalTool(*this, *canvas_, session());
+  createMeasure();
   createViews();
   connectSignals();
   connectDrag();
   keep("move", move_);
   keep("trails", showTrails_);
+  keep(
+      "trailsOf", [this] { return trailMenu_->save(); },
+      [this](const QJsonValue& value) { trailMenu_->restore(value); });
   keep("send", goals_->send());
   keep("robot", robots_);
   tick();
@@ -66,13 +73,49 @@ void FieldView::createActions() {
   showTrails_ = makeToggle(
       this, "trail",
       {"fieldTrails", tr("Trails"),
-       tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
+       tr("Shows where everything was in the last seconds; the arrow chooses how many, and of what"),
+       Qt::Key_T});
+  trailMenu_ = new TrailMenu(this);
 }
 
 void FieldView::createViews() {
-  addToContextMenu(canvas_);
+  addToContextMenu(canvas_, {measure_->copy()});
   const Side side = makeDrawings({QStringLiteral("field"), QStringLiteral("robot")});
-  assemble({createToolRow(side.toggle)}, canvas_, side, {createFooter()});
+  assemble({createToolRow(side.toggle)}, canvas_, side, {measure_->bar(), createFooter()});
+}
+
+void FieldView::createMeasure() {
+  const auto describe = [](const std::vector<QPointF>& points) {
+    MeasureText text;
+    QStringList parts;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const QString letter(QLatin1Char(static_cast<char>('A' + i)));
+      parts << tr("%1 (%2, %3) mm")
+                   .arg(letter)
+                   .arg(std::lround(1e3 * points[i].x()))
+                   .arg(std::lround(1e3 * points[i].y()));
+    }
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const QPointF by = points[i + 1] - points[i];
+      const QString direction =
+          QStringLiteral("%1°").arg(directionDeg(points[i], points[i + 1], false), 0, 'f', 1);
+      text.segments << tr("%1 mm, %2").arg(std::lround(1e3 * std::hypot(by.x(), by.y()))).arg(direction);
+      parts << (i == 0 ? tr("AB %1") : tr("BC %1")).arg(text.segments.back());
+    }
+    if (points.size() > 2) {
+      text.angle = QStringLiteral("%1°").arg(robotlink::degrees(angleAt(points)), 0, 'f', 1);
+      parts << tr("angle at B %1").arg(text.angle);
+    }
+    text.line = parts.join(QStringLiteral("; "));
+    return text;
+  };
+  const auto place = [this](const QPointF& at) -> std::optional<QPointF> {
+    const robotlink::Vector2 ground = groundAt(canvas_->transform(), at);
+    return QPointF(ground.x(), ground.y());
+  };
+  measure_ =
+      new MeasureTool(*this, *canvas_, "field", {[this] { return canvas_->transform(); }, place, describe});
+  canvas_->setMeasure(measure_);
 }
 
 QWidget* FieldView::createToolRow(QAction* showDrawings) {
@@ -81,8 +124,12 @@ QWidget* FieldView::createToolRow(QAction* showDrawings) {
   robots_->setToolTip(tr("Whose drawings and estimated poses are shown"));
   row->addWidget(robots_);
   row->addStretch(1);
-  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut(), zoomIn(),
-                   showDrawings});
+  addButtons(row, {goals_->send(), goals_->cancel(), move_});
+  QToolButton* trails = makeButton(row->parentWidget(), showTrails_);
+  trails->setMenu(trailMenu_);
+  trails->setPopupMode(QToolButton::MenuButtonPopup);
+  row->addWidget(trails);
+  addButtons(row, {measure_->toggle(), turn_, fit_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
@@ -105,6 +152,7 @@ void FieldView::connectSignals() {
   connect(turn_, &QAction::triggered, this, &FieldView::turn);
   connect(move_, &QAction::toggled, this, &FieldView::tick);
   connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
+  connect(trailMenu_, &TrailMenu::changed, this, &FieldView::tick);
   connect(drawings(), &DrawingsModel::shownChanged, this, &FieldView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, &FieldView::tick);
   connect(canvas_, &FieldCanvas::robotClicked, this, [this](const QString& robot) {
@@ -139,14 +187,14 @@ void FieldView::connectDrag() {
 void FieldView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
-  drawings()->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
+  drawings()->refresh(session(), robots_->robot(session()));
   updateGround();
   const std::vector<RobotBelief> shownRobots = beliefs();
   updateTrails();
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
-  canvas_->setMovable(scene_.models(), move_->isChecked());
+  canvas_->setMovable(measure_->isOn() ? std::vector<std::string>() : scene_.models(), move_->isChecked());
   auto drawings = worldDrawings(session(), scene_, shownRobots, robots_->robots(session()),
                                 this->drawings()->shown(), shown);
   showAge(shownRobots, std::ranges::any_of(drawings, &WorldDrawing::old));
@@ -160,9 +208,13 @@ void FieldView::updateGround() {
   canvas_->setField(context().field);
   const auto map = shownMap(session());
   canvas_->setMap(map);
-  trails_.setReach(map ? std::chrono::seconds(60) : std::chrono::seconds(10));
+  trails_.setReach(trailMenu_->reach(map != nullptr));
   const QString name = map ? QString::fromStdString(map->name()) : QString();
-  const QString title = !map ? tr("Field") : name.isEmpty() ? tr("Map") : tr("Map: %1").arg(name);
+  QString title = !map ? tr("Field") : name.isEmpty() ? tr("Map") : tr("Map: %1").arg(name);
+  // Several views of one field differ by whose beliefs they show.
+  const QString robot = robots_->choice();
+  if (robot == QLatin1String("*")) title = tr("%1, all robots").arg(title);
+  if (!robot.isEmpty() && robot != QLatin1String("*")) title = tr("%1, %2").arg(title, robot);
   if (title == title_) return;
   title_ = title;
   Q_EMIT titleChanged(title);
@@ -220,21 +272,33 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   return figures;
 }
 
+Trails::Sources FieldView::trailSources() {
+  Trails::Sources sources;
+  const std::vector<std::string> chosen = robots_->robots(session());
+  const auto path = [](const std::string& robot, const char* package) { return robot + '/' + package; };
+  for (const std::string& robot : session().robots()) {
+    const std::string frame = scene_.modelFrame(robot);
+    if (trailMenu_->showsRobots() && !frame.empty()) sources.frames[frame] = robot;
+    // Only its program knows the pose of a real robot.
+    if (trailMenu_->showsRobots() && frame.empty())
+      sources.estimates[robot] = path(robot, robotlink::kRobotPose.name);
+    if (std::ranges::find(chosen, robot) == chosen.end()) continue;
+    if (trailMenu_->showsEstimates() && !frame.empty()) {
+      trailSubscription_.want(session(), robot, {robotlink::kRobotPose.name});
+      sources.estimates[robot + kEstimateTrail] = path(robot, robotlink::kRobotPose.name);
+    }
+    if (trailMenu_->showsBall() && scene_.modelFrame(kBallModel).empty())
+      sources.balls[robot + kBallTrail] = {path(robot, robotlink::kRobotPose.name),
+                                           path(robot, robotlink::kBallModel.name)};
+  }
+  const std::string ball = scene_.modelFrame(kBallModel);
+  if (trailMenu_->showsBall() && !ball.empty()) sources.frames[ball] = kBallModel;
+  return sources;
+}
+
 void FieldView::updateTrails() {
   if (!showTrails_->isChecked()) return trails_.clear();
-  Trails::Frames frames;
-  Trails::Estimates estimates;
-  std::vector<std::string> models = session().robots();
-  models.emplace_back(kBallModel);
-  for (const std::string& model : models) {
-    const std::string frame = scene_.modelFrame(model);
-    if (!frame.empty()) {
-      frames[frame] = model;
-    } else if (drives(model)) {  // only its program knows the pose of a real robot
-      estimates[model] = model + '/' + robotlink::kRobotPose.name;
-    }
-  }
-  trails_.update(session().store(), {frames, estimates}, session().timeline().shown());
+  trails_.update(session().store(), trailSources(), session().timeline().shown());
 }
 
 void FieldView::updateWanted() {

@@ -15,12 +15,14 @@ namespace widgets {
 
 class FieldCanvas;
 class GoalTool;
+class MeasureTool;
 class RobotChoice;
+class TrailMenu;
 struct FieldFigures;
 
 /// The field, or the map of a building, from above: the true poses of robots and ball, the robots' estimates
 /// and drawings, and the paths of robots on wheels. Robots and ball of a simulation can be placed with the
-/// mouse, robots on wheels sent to goals. Follows the session's timeline.
+/// mouse, robots on wheels sent to goals; distances and angles are measured. Follows the session's timeline.
 ///
 /// Registered as "field". GUI thread.
 class FieldView final : public PictureView {
@@ -38,6 +40,8 @@ class FieldView final : public PictureView {
   /// Fit, rotation, trails and placing.
   void createActions();
   void createViews();
+  /// Measuring in millimeters and degrees.
+  void createMeasure();
   /// Choice of the robots, and buttons; `showDrawings` is the last.
   QWidget* createToolRow(QAction* showDrawings);
   /// Time, position of the cursor, and zoom.
@@ -58,6 +62,8 @@ class FieldView final : public PictureView {
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
+  /// Whose positions they show.
+  Trails::Sources trailSources();
   /// Passes the dragged pose and its refusal to the canvas.
   void updateWanted();
   /// What the chosen robot needs for its localization; empty: nothing.
@@ -74,12 +80,16 @@ class FieldView final : public PictureView {
   ModelDrag drag_;
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
+  MeasureTool* measure_ = nullptr;
+  TrailMenu* trailMenu_ = nullptr;
   /// The last title that was emitted.
   QString title_;
   /// What noticeOf() returned last.
   QString placeNotice_;
   /// Requests that the packages shown here are published.
   PackageSubscription subscription_;
+  /// The same for trails of estimates.
+  PackageSubscription trailSubscription_;
   RobotChoice* robots_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *turn_ = nullptr, *move_ = nullptr, *showTrails_ = nullptr;

@@ -4,13 +4,20 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/Theme.h"
+#include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
+namespace {
+
+constexpr double kPaneGap = 4;  // pixels between two pictures
+
+}  // namespace
 
 ImageCanvas::ImageCanvas(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("imageCanvas"));
@@ -29,6 +36,49 @@ void ImageCanvas::setPicture(ImagePicture picture, std::vector<robotlink::Packag
   updatePixel();
   Q_EMIT pixelChanged();  // the pixel may have another color now
   update();
+}
+
+void ImageCanvas::setSecond(std::optional<ImagePicture> picture, std::vector<robotlink::PackagePtr> keep) {
+  if (!picture && !second_) return;
+  const bool isOther = picture.has_value() != second_.has_value();
+  second_ = std::move(picture);
+  keepSecond_ = std::move(keep);
+  if (isOther) Q_EMIT viewportChanged();
+  update();
+}
+
+void ImageCanvas::setCaptions(const QString& first, const QString& second) {
+  if (first == captions_[0] && second == captions_[1]) return;
+  captions_[0] = first;
+  captions_[1] = second;
+  update();
+}
+
+bool ImageCanvas::isStacked() const {
+  const QSizeF image = imageSize().isEmpty() ? QSizeF(4, 3) : imageSize();
+  const double beside = std::min(width() / 2.0 / image.width(), height() / image.height());
+  const double above = std::min(width() / image.width(), height() / 2.0 / image.height());
+  return above > beside;
+}
+
+QRectF ImageCanvas::pane(int index) const {
+  if (!second_) return rect();
+  const bool stacked = isStacked();
+  const double w = stacked ? width() : (width() - kPaneGap) / 2;
+  const double h = stacked ? (height() - kPaneGap) / 2 : height();
+  return {stacked ? 0 : index * (w + kPaneGap), stacked ? index * (h + kPaneGap) : 0, w, h};
+}
+
+QPointF ImageCanvas::inPane(const QPointF& widget) const {
+  return second_ && pane(1).contains(widget) ? widget - pane(1).topLeft() : widget;
+}
+
+QTransform ImageCanvas::transform() const {
+  return imageToWidget(viewport_, imageSize(), paneSize());
+}
+
+QPointF ImageCanvas::imageAt(const QPointF& widget) const {
+  return transform().inverted().map(inPane(widget));
 }
 
 void ImageCanvas::setHint(const QString& hint) {
@@ -52,16 +102,41 @@ void ImageCanvas::setViewport(const ImageViewport& viewport) {
 }
 
 void ImageCanvas::zoomBy(double factor) {
-  setViewport(zoomed(viewport_, imageSize(), size(), factor, QRectF(rect()).center()));
+  setViewport(zoomed(viewport_, imageSize(), paneSize(), factor, pane(0).center()));
 }
 
 double ImageCanvas::zoom() const {
-  return shownZoom(viewport_, imageSize(), size());
+  return shownZoom(viewport_, imageSize(), paneSize());
 }
 
 QImage ImageCanvas::rendered() const {
-  return paintedPicture(*this,
-                        [this](QPainter& painter) { paintPicture(painter, size(), picture_, viewport_); });
+  return paintedPicture(*this, [this](QPainter& painter) { paintAll(painter); });
+}
+
+void ImageCanvas::paintAll(QPainter& painter) const {
+  paintPicture(painter, paneSize(), picture_, viewport_);
+  if (second_) {
+    painter.save();
+    painter.translate(pane(1).topLeft());
+    paintPicture(painter, paneSize(), *second_, viewport_);
+    painter.restore();
+  }
+  paintCaption(painter, pane(0), captions_[0]);
+  paintCaption(painter, pane(1), captions_[1]);
+  if (measure_ != nullptr) measure_->paint(painter);
+}
+
+void ImageCanvas::paintCaption(QPainter& painter, const QRectF& pane, const QString& text) const {
+  if (text.isEmpty()) return;
+  painter.save();
+  const QFontMetricsF metrics(painter.font());
+  const QString cut = metrics.elidedText(text, Qt::ElideMiddle, std::max(0.0, pane.width() - 20));
+  QRectF box = metrics.boundingRect(cut).adjusted(-5, -2, 5, 2);
+  box.moveTopLeft(pane.topLeft() + QPointF(4, 4));
+  painter.fillRect(box, QColor(0, 0, 0, 170));
+  painter.setPen(Qt::white);
+  painter.drawText(box, Qt::AlignCenter, cut);
+  painter.restore();
 }
 
 void ImageCanvas::paintBackground(QPainter& painter) const {
@@ -72,7 +147,7 @@ void ImageCanvas::paintBackground(QPainter& painter) const {
 void ImageCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintBackground(painter);
-  paintPicture(painter, size(), picture_, viewport_);
+  paintAll(painter);
   if (picture_.pixels.isNull()) {
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, hint_);
@@ -101,12 +176,12 @@ void ImageCanvas::mouseMoveEvent(QMouseEvent* event) {
 
 void ImageCanvas::mouseReleaseEvent(QMouseEvent*) {
   pressed_.reset();
-  unsetCursor();
+  measure_ != nullptr && measure_->isOn() ? setCursor(Qt::CrossCursor) : unsetCursor();
 }
 
 void ImageCanvas::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(2.0, event->angleDelta().y() / 240.0);
-  setViewport(zoomed(viewport_, imageSize(), size(), factor, event->position()));
+  setViewport(zoomed(viewport_, imageSize(), paneSize(), factor, inPane(event->position())));
   event->accept();
 }
 
@@ -126,12 +201,12 @@ void ImageCanvas::resizeEvent(QResizeEvent*) {
 }
 
 void ImageCanvas::panBy(const QPointF& by) {
-  setViewport(panned(viewport_, imageSize(), size(), by));
+  setViewport(panned(viewport_, imageSize(), paneSize(), by));
 }
 
 void ImageCanvas::updatePixel() {
   if (!inside_ || picture_.pixels.isNull()) return setPixel({});
-  const QPointF at = imageToWidget(viewport_, imageSize(), size()).inverted().map(cursor_);
+  const QPointF at = imageAt(cursor_);
   const QPoint pixel(static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y())));
   setPixel(picture_.pixels.rect().contains(pixel) ? std::optional(pixel) : std::nullopt);
 }

@@ -12,8 +12,11 @@
 
 namespace widgets {
 
-/// Shows an ImagePicture. The wheel zooms at the cursor, dragging with the left or middle button and the
-/// arrow keys pan. Object name "imageCanvas". GUI thread.
+class MeasureTool;
+
+/// Shows an ImagePicture, or two of them beside each other (one above the other where that shows them
+/// larger), of which both show the same part. The wheel zooms at the cursor, dragging with the left or middle
+/// button and the arrow keys pan. Object name "imageCanvas". GUI thread.
 class ImageCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -23,6 +26,14 @@ class ImageCanvas final : public QWidget {
   void setPicture(ImagePicture picture, std::vector<robotlink::PackagePtr> keep);
   /// The picture as it was set.
   const ImagePicture& picture() const { return picture_; }
+  /// A picture beside the first one, scaled to its size; one without pixels: none was found there. Unset:
+  /// there is one picture only.
+  void setSecond(std::optional<ImagePicture> picture, std::vector<robotlink::PackagePtr> keep);
+  const std::optional<ImagePicture>& second() const { return second_; }
+  /// What is written over the first picture and over the second one; empty: nothing.
+  void setCaptions(const QString& first, const QString& second);
+  /// Paints what is measured over the picture; must outlive the canvas's last event.
+  void setMeasure(const MeasureTool* measure) { measure_ = measure; }
   /// Text in the middle while there is no picture.
   void setHint(const QString& hint);
   /// Whether the picture is frozen, which a frame shows.
@@ -37,6 +48,11 @@ class ImageCanvas final : public QWidget {
   double zoom() const;
   /// The pixel under the cursor; unset: none.
   std::optional<QPoint> pixelUnderCursor() const { return pixel_; }
+  /// From the pixels of the first picture to the widget.
+  QTransform transform() const;
+  /// The point of the image at a position of the widget, in either picture; outside of both, what would be
+  /// there if the first went on.
+  QPointF imageAt(const QPointF& widget) const;
   /// What is shown, without frame and hint.
   QImage rendered() const;
 
@@ -61,6 +77,16 @@ class ImageCanvas final : public QWidget {
  private:
   /// Size of the image in pixels; empty without a picture.
   QSizeF imageSize() const { return picture_.pixels.size(); }
+  /// Whether two pictures lie one above the other.
+  bool isStacked() const;
+  /// The place of a picture in the widget, 0 or 1.
+  QRectF pane(int index) const;
+  QSizeF paneSize() const { return pane(0).size(); }
+  /// A position of the widget in the first picture's pane, that it has or corresponds to.
+  QPointF inPane(const QPointF& widget) const;
+  /// Paints all but frame and hint.
+  void paintAll(QPainter& painter) const;
+  void paintCaption(QPainter& painter, const QRectF& pane, const QString& text) const;
   /// Moves the image by widget pixels.
   void panBy(const QPointF& by);
   /// Finds the pixel under the cursor.
@@ -73,6 +99,11 @@ class ImageCanvas final : public QWidget {
   ImagePicture picture_;
   /// Own the annotations of picture_.
   std::vector<robotlink::PackagePtr> keep_;
+  std::optional<ImagePicture> second_;
+  /// Own the annotations of second_.
+  std::vector<robotlink::PackagePtr> keepSecond_;
+  QString captions_[2];
+  const MeasureTool* measure_ = nullptr;
   ImageViewport viewport_;
   QString hint_;
   bool frozen_ = false;

@@ -134,9 +134,13 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   painter.save();
   painter.setClipRect(QRectF(QPointF(), widget), Qt::IntersectClip);
   paintPixels(painter, picture.pixels, QRectF(QPointF(), widget), toWidget);
+  QTransform toPixels;
+  if (!picture.drawnOn.isEmpty())
+    toPixels.scale(static_cast<double>(picture.pixels.width()) / picture.drawnOn.width(),
+                   static_cast<double>(picture.pixels.height()) / picture.drawnOn.height());
   for (const ImagePicture::Drawing& drawing : picture.drawings) {
     painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
-    paintAnnotations(painter, *drawing.annotations, toWidget);
+    paintAnnotations(painter, *drawing.annotations, toPixels * toWidget);
   }
   painter.restore();
 }

@@ -25,6 +25,9 @@ struct ImagePicture {
     bool old = false;
   };
   std::vector<Drawing> drawings;
+  /// The size of the image to which the drawings' coordinates belong, if `pixels` is a scaled one; empty: the
+  /// size of `pixels`.
+  QSize drawnOn = {};
 };
 
 /// Paints the picture into a widget of this size at the painter's origin: pixels, from a certain zoom on with

@@ -9,13 +9,16 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/drawings/DrawingsModel.h"
+#include "widgets/image/CompareRow.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamSelector.h"
+#include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -36,6 +39,10 @@ ImageStreamView::ImageStreamView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   keep("stream", streams_);
+  keep(
+      "second", [this] { return second_->save(); },
+      [this](const QJsonValue& value) { second_->restore(value); });
+  keep("compare", compare_);
   tick();
 }
 
@@ -46,6 +53,11 @@ void ImageStreamView::createActions() {
   oneToOne_ = makeAction(this, "one-to-one",
                          {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_A});
   freeze_ = makeFreeze();
+  compare_ = makeToggle(
+      this, "two-pictures",
+      {"imageCompare", tr("Compare"),
+       tr("Compares with a second image: another camera or robot, the logged one, or another time"),
+       Qt::Key_C});
   copyImage_ = makeAction(
       this, "copy",
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
@@ -56,13 +68,16 @@ void ImageStreamView::createActions() {
 
 void ImageStreamView::createViews() {
   canvas_ = new ImageCanvas(this);
+  createMeasure();
   const Side side = makeDrawings({QStringLiteral("image")});
   QHBoxLayout* row = makeToolRow(this);
   streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
-  addButtons(row, {fit_, oneToOne_, zoomOut(), zoomIn(), freeze_, side.toggle});
-  assemble({row->parentWidget()}, canvas_, side, {createFooter()});
+  addButtons(row, {fit_, oneToOne_, zoomOut(), zoomIn(), freeze_, compare_, measure_->toggle(), side.toggle});
+  second_ = new CompareRow(this);
+  second_->hide();
+  assemble({row->parentWidget(), second_}, canvas_, side, {measure_->bar(), createFooter()});
 }
 
 QWidget* ImageStreamView::createFooter() {
@@ -86,18 +101,24 @@ void ImageStreamView::connectSignals() {
     tick();
   });
   connect(drawings(), &DrawingsModel::shownChanged, this, &ImageStreamView::showMessage);
+  connect(compare_, &QAction::toggled, this, &ImageStreamView::compare);
+  connect(second_, &CompareRow::changed, this, [this] {
+    secondPixels_ = {};
+    showMessage();
+  });
   connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageStreamView::updateStatus);
   connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageStreamView::updatePixel);
-  connect(copyImage_, &QAction::triggered, this, [this] { copyPicture(canvas_->picture().pixels); });
+  connect(copyImage_, &QAction::triggered, this, [this] { copyPicture(firstPixels_); });
   connect(saveImage_, &QAction::triggered, this,
-          [this] { savePictureAs(this, canvas_->picture().pixels, QStringLiteral("image.png")); });
-  addToContextMenu(canvas_, {copyImage_, saveImage_});
+          [this] { savePictureAs(this, firstPixels_, QStringLiteral("image.png")); });
+  addToContextMenu(canvas_, {copyImage_, saveImage_, measure_->copy()});
 }
 
 void ImageStreamView::tick() {
   const bool listed = streams_->refresh(session());
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
-  drawings()->refresh(session(), robot());
+  drawings()->refresh(session(), robotOfStream());
+  if (measure_->isOn()) subscription_.want(session(), robotOfStream(), {robotlink::kCameraPose.name});
   const auto* message = session().store().latest(streams_->path(session()), instant());
   // A frozen image stays, even if the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {
@@ -109,7 +130,7 @@ void ImageStreamView::tick() {
 }
 
 std::string ImageStreamView::robot() const {
-  return QString::fromStdString(streams_->path(session())).section(QLatin1Char('/'), 0, 0).toStdString();
+  return drawingRobot(streams_->path(session()));
 }
 
 robotlink::Instant ImageStreamView::instant() const {
@@ -118,27 +139,26 @@ robotlink::Instant ImageStreamView::instant() const {
 
 void ImageStreamView::showMessage() {
   auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message_);
-  auto drawings = image ? currentDrawings(session(), robot(), this->drawings()->shown(), instant())
-                        : std::vector<CurrentDrawing>();
-  for (CurrentDrawing& drawing : drawings) drawing.old = drawing.old || drawing.time < imageTime_;
-  const bool same = image == image_ && drawings == shownDrawings_;
+  auto drawings = image ? drawingsOf(robot(), instant(), imageTime_) : std::vector<CurrentDrawing>();
+  bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
   canvas_->setHint(session().robots().empty()
                        ? tr("No robot. Start a simulation or connect to a robot.")
                        : tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
+  if (compare_->isChecked()) {
+    const bool isOther = second_->update(session(), image_ ? imageTime_ : instant());
+    auto seconds = second_->image() ? drawingsOf(second_->robot(), second_->time(), second_->time())
+                                    : std::vector<CurrentDrawing>();
+    same = same && !isOther && seconds == secondDrawings_ && !secondPixels_.isNull();
+    secondDrawings_ = std::move(seconds);
+  }
   if (same) return;
   shownDrawings_ = std::move(drawings);
-  ImagePicture picture;
   std::vector<robotlink::PackagePtr> keep;
-  if (image_)
-    picture.pixels = toQImage(robotlink::imageView(*image_), classColors(classes(), context().field.get()));
-  for (const CurrentDrawing& drawing : shownDrawings_) {
-    const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
-    if (annotations == nullptr) continue;
-    picture.drawings.push_back({annotations, drawing.old});
-    keep.push_back(drawing.message);
-  }
+  ImagePicture picture = pictureOf(image_.get(), streams_->path(session()), imageTime_, shownDrawings_, keep);
+  showComparison(picture);
   canvas_->setPicture(std::move(picture), std::move(keep));
+  measure_->refresh();
 }
 
 void ImageStreamView::updateStatus() {
@@ -164,8 +184,9 @@ void ImageStreamView::updatePixel() {
   const auto at = canvas_->pixelUnderCursor();
   if (!at || !image_) return pixel_->clear();
   const auto pixel = pixelAt(robotlink::imageView(*image_), at->x(), at->y());
-  pixel_->setText(pixel ? describe(*pixel, classNameOf(*pixel, classes(), context().field.get()))
-                        : QString());
+  const QString text =
+      pixel ? describe(*pixel, classNameOf(*pixel, classes(), context().field.get())) : QString();
+  pixel_->setText(text + secondPixelText(*at));
 }
 
 std::vector<std::string> ImageStreamView::classes() const {

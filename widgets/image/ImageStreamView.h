@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "robotlink/base/Clock.h"
+#include "robotlink/base/Geometry.h"
 #include "robotlink/process/Link.h"
+#include "widgets/PackageSubscription.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/picture/PictureView.h"
 
 class QAction;
 class QLabel;
-class QSplitter;
-class QToolBar;
 namespace foxglove {
 class RawImage;
 }
 
 namespace widgets {
 
+class CompareRow;
 class ImageCanvas;
+class MeasureTool;
 class StreamSelector;
+struct ImagePicture;
+struct MeasureText;
 
 /// Shows any stream of images with the drawings that belong to it, chosen by name. Zoom, pan, color of the
-/// pixel under the cursor; the picture can be frozen, copied and saved. Follows the session's timeline.
+/// pixel under the cursor; the picture can be frozen, copied and saved, compared with a second one, and
+/// measured. Follows the session's timeline.
 ///
 /// The stream is chosen by its path; "*/camera/image" stands for that of the session's selected robot.
 /// Registered as "image". GUI thread.
@@ -47,8 +54,30 @@ class ImageStreamView final : public PictureView {
   QWidget* createFooter();
   void connectSignals();
 
-  /// The robot of the chosen stream.
+  /// ImageStreamViewTools.cpp: comparing and measuring.
+  void createMeasure();
+  /// Shows or hides the second image.
+  void compare(bool on);
+  /// Passes the second image to the canvas, beside the first or within it.
+  void showComparison(ImagePicture& first);
+  /// A stream's image with its drawings, and the messages that own these.
+  ImagePicture pictureOf(const foxglove::RawImage* image, const std::string& path, robotlink::Instant time,
+                         const std::vector<CurrentDrawing>& drawings,
+                         std::vector<robotlink::PackagePtr>& keep) const;
+  /// The drawings of a robot that are checked in the list.
+  std::vector<CurrentDrawing> drawingsOf(const std::string& robot, robotlink::Instant at,
+                                         robotlink::Instant imageTime) const;
+  /// What belongs to the pixel under the cursor in the second image.
+  QString secondPixelText(const QPoint& at) const;
+  MeasureText measured(const std::vector<QPointF>& points) const;
+  /// "A (12, 34) #ff8000", and the place on the floor where the camera's pose is known.
+  QString endText(const QString& name, const QPointF& point) const;
+  std::optional<robotlink::Vector2> onFloor(const QPointF& point) const;
+
+  /// What the robot of the chosen stream is called where its drawings are, "red1" or "red1/logged", and its
+  /// name.
   std::string robot() const;
+  std::string robotOfStream() const;
   /// The instant that is shown: the timeline's, or that of freezing.
   robotlink::Instant instant() const;
   /// Converts the image and passes it to the canvas.
@@ -64,8 +93,10 @@ class ImageStreamView final : public PictureView {
 
   ImageCanvas* canvas_ = nullptr;
   StreamSelector* streams_ = nullptr;
+  CompareRow* second_ = nullptr;
+  MeasureTool* measure_ = nullptr;
   QLabel *time_ = nullptr, *pixel_ = nullptr, *state_ = nullptr, *zoom_ = nullptr;
-  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *freeze_ = nullptr;
+  QAction *fit_ = nullptr, *oneToOne_ = nullptr, *freeze_ = nullptr, *compare_ = nullptr;
   QAction *copyImage_ = nullptr, *saveImage_ = nullptr;
 
   /// The message that is shown, and the same as an image.
@@ -76,6 +107,12 @@ class ImageStreamView final : public PictureView {
   std::optional<robotlink::Instant> frozenAt_;
   /// The drawings in the picture, to detect changes.
   std::vector<CurrentDrawing> shownDrawings_;
+  /// The same of the second image, while it is compared with.
+  std::vector<CurrentDrawing> secondDrawings_;
+  /// The first image without drawings, before it is joined with the second one; and that.
+  QImage firstPixels_, secondPixels_;
+  /// Requests the camera's pose while something is measured.
+  PackageSubscription subscription_;
 };
 
 }  // namespace widgets

@@ -10,7 +10,6 @@
 #include "logplayer/file/LogFile.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "widgets/Counted.h"
-#include "widgets/log/StreamListModel.h"
 
 namespace widgets {
 namespace {

@@ -45,6 +45,9 @@ void ReplayControl::refresh() {
                     : nullptr;
   status_ = status != nullptr && status->logs_size() > 0 ? std::move(status) : nullptr;
   setOrigin();
+  const std::uint64_t generation = session_.store().generation();
+  if (generation != generation_ || open()) liveRange_.reset();
+  generation_ = generation;
   if (status_ == nullptr) {
     aim_.reset();
     jumping_ = false;
@@ -90,6 +93,7 @@ Instant ReplayControl::end() const {
 }
 
 std::optional<std::pair<Instant, Instant>> ReplayControl::range() const {
+  if (!open()) return liveRange_;
   const auto& range = status().range();
   if (range.from() == range.to()) return std::nullopt;
   return std::pair(instant(range.from()), instant(range.to()));
@@ -160,6 +164,10 @@ void ReplayControl::setLoop(bool on) {
 
 void ReplayControl::setRange(Instant from, Instant to) {
   const auto [first, last] = std::minmax(from, to);
+  if (!open()) {
+    liveRange_ = std::pair(first, last);
+    return;
+  }
   ControlReplay control;
   control.mutable_range()->set_from(std::clamp(first, begin(), end()).time_since_epoch().count());
   control.mutable_range()->set_to(std::clamp(last, begin(), end()).time_since_epoch().count());
@@ -167,6 +175,8 @@ void ReplayControl::setRange(Instant from, Instant to) {
 }
 
 void ReplayControl::clearRange() {
+  liveRange_.reset();
+  if (!open()) return;
   ControlReplay control;
   control.mutable_range();
   send(std::move(control));
@@ -174,12 +184,17 @@ void ReplayControl::clearRange() {
 
 void ReplayControl::beginRangeHere() {
   const auto old = range();
-  setRange(shown(), old && old->second > shown() ? old->second : end());
+  const Instant here = open() ? shown() : session_.history().chosen();
+  setRange(here, old && old->second > here ? old->second : open() ? end() : session_.timeline().newest());
 }
 
 void ReplayControl::endRangeHere() {
   const auto old = range();
-  setRange(old && old->first < shown() ? old->first : begin(), shown());
+  const Instant here = open() ? shown() : session_.history().chosen();
+  setRange(old && old->first < here ? old->first
+           : open()                 ? begin()
+                                    : session_.history().kept().front().from,
+           here);
 }
 
 void ReplayControl::choosePackage(const std::string& package, ControlReplay::PackageSource source) {

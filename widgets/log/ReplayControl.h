@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +44,8 @@ class ReplayControl final : public QObject {
   robotlink::Instant start() const;
   /// End of the last log, on the timeline.
   robotlink::Instant end() const;
-  /// The selected range; unset if none is selected.
+  /// The selected range, of the log or, without one, of what is kept of live robots; unset if none is
+  /// selected.
   std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range() const;
 
   void play();
@@ -61,7 +63,8 @@ class ReplayControl final : public QObject {
   /// Selects a range, for loops, cuts and exports; the ends may be swapped.
   void setRange(robotlink::Instant from, robotlink::Instant to);
   void clearRange();
-  /// Sets one end of the range to the play head; the other one stays, or is the log's.
+  /// Sets one end of the range to the shown instant; the other one stays, or is the log's, or that of what is
+  /// kept of live robots.
   void beginRangeHere();
   void endRangeHere();
   /// Chooses whether a package is played as logged or recomputed.
@@ -106,6 +109,9 @@ class ReplayControl final : public QObject {
   bool jumping_ = false;
   /// aim_ differs from the target that was requested.
   bool newerAim_ = false;
+  /// The range of live robots, and the store's generation to which it belongs.
+  std::optional<std::pair<robotlink::Instant, robotlink::Instant>> liveRange_;
+  std::uint64_t generation_ = 0;
   /// Ticks since the jump was requested; after three seconds its reply counts as lost.
   int ticksWaited_ = 0;
 };

@@ -62,7 +62,7 @@ void MotionEditorView::createFileActions() {
                     {"motionNew", tr("New…"), tr("Starts a motion with the joints of the robot")});
   open_ = makeAction(this, "open",
                      {"motionOpen", tr("Open…"),
-                      tr("Opens a motion, or imports one of another team (.pos, .mot)"), QKeySequence::Open});
+                      tr("Opens a motion, or imports one of another team (.pos, .mot)"), tr("Ctrl+Alt+O")});
   save_ = makeAction(this, "save",
                      {"motionSave", tr("Save"), tr("Saves the motion to its file"), QKeySequence::Save});
   saveAs_ =
@@ -107,14 +107,14 @@ void MotionEditorView::createRobotActions() {
   previous_ = makeAction(
       this, "previous",
       {"motionPrevious", tr("Previous key frame"),
-       tr("Selects the key frame before; while you steer, the robot turns to its pose"), tr("Alt+Up")});
+       tr("Selects the key frame before; while you steer, the robot turns to its pose"), tr("Ctrl+Alt+Up")});
   play_ = makeAction(this, "play",
                      {"motionPlay", tr("Play"), tr("Plays the motion once on the robot, while you steer"),
-                      tr("Ctrl+Shift+P")});
+                      tr("Ctrl+Alt+P")});
   next_ = makeAction(
       this, "next",
       {"motionNext", tr("Next key frame"),
-       tr("Selects the next key frame; while you steer, the robot turns to its pose"), tr("Alt+Down")});
+       tr("Selects the next key frame; while you steer, the robot turns to its pose"), tr("Ctrl+Alt+Down")});
 }
 
 QWidget* MotionEditorView::createTools() {

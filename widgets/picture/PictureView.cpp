@@ -40,6 +40,10 @@ PictureView::PictureView(ViewContext& context, const char* name, const char* fil
   save_ = makeAction(this, "save",
                      {named("Save").constData(), tr("Save picture..."), tr("Saves this picture as PNG"),
                       QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  export_ = makeAction(this, "video",
+                       {named("Export").constData(), tr("Video or images..."),
+                        tr("Writes this picture over time, as a video or as a series of images")});
+  connect(export_, &QAction::triggered, this, &View::exportWanted);
   connect(zoomIn_, &QAction::triggered, this, [this] { zoomBy_(kPictureZoomStep); });
   connect(zoomOut_, &QAction::triggered, this, [this] { zoomBy_(1 / kPictureZoomStep); });
   connect(copy_, &QAction::triggered, this, [this] { copyPicture(rendered_()); });
@@ -89,7 +93,7 @@ void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, 
 
 void PictureView::addToContextMenu(QWidget* canvas, std::initializer_list<QAction*> others) {
   canvas->setContextMenuPolicy(Qt::ActionsContextMenu);
-  canvas->addActions({copy_, save_});
+  canvas->addActions({copy_, save_, export_});
   for (QAction* action : others) canvas->addAction(action);
 }
 
@@ -109,6 +113,10 @@ QLabel* PictureView::addFiguresLabel(QHBoxLayout* row, const char* name, const Q
   QLabel* label = addWideLabel(row, name, text);
   label->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   return label;
+}
+
+QSize PictureView::shownPictureSize() const {
+  return canvas_->size();
 }
 
 robotlink::Result<void> PictureView::saveTo(const QString& file) {

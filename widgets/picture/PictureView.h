@@ -24,7 +24,8 @@ class DrawingsModel;
 /// these.
 ///
 /// Object names begin with the view's name: "field" gives fieldView, fieldSplitter, and the actions
-/// fieldCopy, fieldSave, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldFit, fieldFreeze. GUI thread.
+/// fieldCopy, fieldSave, fieldExport, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldFit, fieldFreeze. GUI
+/// thread.
 class PictureView : public View {
   Q_OBJECT
  public:
@@ -32,6 +33,9 @@ class PictureView : public View {
   bool savePicture(const QString& file);
   /// Writes the picture as PNG, without a message box.
   robotlink::Result<void> saveTo(const QString& file) override;
+  /// The canvas, without what is beside it.
+  QImage shownPicture() override { return rendered_(); }
+  QSize shownPictureSize() const override;
 
  protected:
   /// What is beside the picture.
@@ -63,9 +67,10 @@ class PictureView : public View {
                 std::initializer_list<QWidget*> below) {
     rendered_ = [canvas] { return canvas->rendered(); };
     zoomBy_ = [canvas](double factor) { canvas->zoomBy(factor); };
+    canvas_ = canvas;
     place(above, canvas, side, below);
   }
-  /// Offers copying and saving in the context menu of the canvas.
+  /// Offers copying, saving and exporting in the context menu of the canvas.
   void addToContextMenu(QWidget* canvas, std::initializer_list<QAction*> others = {});
   /// "12.345 s" since the origin of the session's timeline.
   QString timeText(robotlink::Instant time) const;
@@ -90,6 +95,8 @@ class PictureView : public View {
   std::function<QImage()> rendered_;
   std::function<void(double)> zoomBy_;
   QAction *copy_ = nullptr, *save_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
+  QAction* export_ = nullptr;
+  QWidget* canvas_ = nullptr;
   DrawingsModel* drawings_ = nullptr;
 };
 

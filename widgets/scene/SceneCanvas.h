@@ -55,6 +55,8 @@ class SceneCanvas final : public QWidget {
   QImage rendered() const;
   /// Whether the newest picture shows everything that was set.
   bool upToDate() const { return shown_.frame && shown_.frame == requested_; }
+  /// Whether nothing can be drawn at all on this machine.
+  bool hasFailed() const { return !thread_->error().empty(); }
   /// The name of the renderer; empty until it was created.
   std::string device() const { return thread_->device(); }
   QSize sizeHint() const override { return {640, 480}; }

@@ -155,6 +155,10 @@ void SceneView::connectDrag() {
   });
 }
 
+bool SceneView::isPictureReady() const {
+  return canvas_->upToDate() || canvas_->hasFailed();
+}
+
 void SceneView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);

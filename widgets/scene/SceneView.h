@@ -37,6 +37,8 @@ class SceneView final : public PictureView {
 
   /// Shows the world at the shown instant and moves the camera along with a robot.
   void tick() override;
+  /// Whether the drawing thread has drawn what the last tick has read.
+  bool isPictureReady() const override;
 
  private:
   void createActions();

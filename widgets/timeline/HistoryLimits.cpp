@@ -8,7 +8,7 @@
 
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/log/StreamListModel.h"
+#include "widgets/Counted.h"
 #include "widgets/log/TimeScale.h"
 
 namespace widgets {

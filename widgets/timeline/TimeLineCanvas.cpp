@@ -27,8 +27,8 @@ bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLine
     };
     return x.title == y.title && x.offset == y.offset && x.showsOffset == y.showsOffset &&
            x.collapsed == y.collapsed && x.log == y.log && x.streams == y.streams &&
-           x.bookmarks == y.bookmarks && x.gaps == y.gaps && x.kept == y.kept && x.inMemory == y.inMemory &&
-           x.hasImages == y.hasImages && x.imageAspect == y.imageAspect &&
+           x.bookmarks == y.bookmarks && x.gaps == y.gaps && x.tracks == y.tracks && x.kept == y.kept &&
+           x.inMemory == y.inMemory && x.hasImages == y.hasImages && x.imageAspect == y.imageAspect &&
            x.thumbnails.size() == y.thumbnails.size() &&
            std::equal(x.thumbnails.begin(), x.thumbnails.end(), y.thumbnails.begin(), sameImage);
   };
@@ -44,6 +44,7 @@ TimeLineCanvas::TimeLineCanvas(QWidget* parent) : QAbstractScrollArea(parent) {
   setFrameShape(QFrame::NoFrame);
   setMinimumSize(320, 90);
   viewport()->setMouseTracking(true);
+  setAcceptDrops(true);
   viewport()->setObjectName(QStringLiteral("timeLineViewport"));
   measure();
 }

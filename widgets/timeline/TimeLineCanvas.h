@@ -85,6 +85,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void collapseWanted(int band, bool collapsed);
   /// Other times are visible.
   void looked();
+  /// Values were dropped, to be shown as curves: the texts of their sources.
+  void tracksDropped(const QStringList& sources);
 
  protected:
   bool viewportEvent(QEvent* event) override;
@@ -130,6 +132,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   /// The time at a point of the ruler: of the nearest mark if there is one.
   robotlink::Instant rulerTimeAt(const QPointF& point) const;
   QString markToolTip(double x) const;
+  /// The value of a track at a time.
+  QString trackToolTip(const TimeLineBand& of, const std::string& source, robotlink::Instant time) const;
   /// What a press at a point would begin.
   Hit hitAt(const QPointF& point, Qt::KeyboardModifiers modifiers) const;
   /// Id of the bookmark at a point of a lane; 0: none.

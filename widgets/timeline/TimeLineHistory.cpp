@@ -77,9 +77,9 @@ void TimeLineView::showHistory() {
   const Instant newest = session().timeline().newest(), oldest = history.kept().front().from;
   const bool isOther = earliest_.first != generation || newest < earliest_.second;
   earliest_ = {generation, isOther ? oldest : std::min(earliest_.second, oldest)};
-  ticks_ = (ticks_ + 1) % kGrowEvery;
   const bool live = session().timeline().live();
-  if (isOther || ticks_ == 0 || newest < canvas_->look().end) {
+  const bool isDue = ticks_++ % kGrowEvery == 0;
+  if (isOther || isDue || newest < canvas_->look().end) {
     canvas_->setExtent(earliest_.second, newest);
     if (live) canvas_->setShown(newest);
   }
@@ -118,6 +118,10 @@ void TimeLineView::pressInHistory(ReplayKey key, QKeyEvent& event) {
       return session().history().show(session().history().kept().front().from);
     case ReplayKey::kEnd:
       return run("timeline.live");
+    case ReplayKey::kRangeStart:
+      return logs_.replay().beginRangeHere();
+    case ReplayKey::kRangeEnd:
+      return logs_.replay().endRangeHere();
     default:
       return View::keyPressEvent(&event);
   }
@@ -125,6 +129,9 @@ void TimeLineView::pressInHistory(ReplayKey key, QKeyEvent& event) {
 
 void TimeLineView::fillHistoryMenu(QMenu& menu) {
   menu.addActions({pause_, back_, on_, live_});
+  menu.addSeparator();
+  addRangeEnds(menu);
+  menu.addAction(clear_);
   menu.addSeparator();
   menu.addAction(tr("How much is &kept…"), this, &TimeLineView::askForLimits)
       ->setObjectName(QStringLiteral("historyLimits"));

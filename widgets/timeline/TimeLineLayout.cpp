@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kImages = 68, kGap = 6;
 constexpr double kImageMargin = 2;
+constexpr double kTrackRows = 2.4;  // height in rows
 
 }  // namespace
 
@@ -42,6 +43,8 @@ TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook
     if (!band.collapsed) {
       for (const std::string& stream : band.streams) add(TimeLineLayout::Kind::kStream, i, look.row, stream);
     }
+    for (const TimeLineTrack& track : band.tracks)
+      add(TimeLineLayout::Kind::kTrack, i, kTrackRows * look.row, track.source.toStdString());
     y += kGap;
   }
   layout.height = y + look.scroll - ruler;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "logplayer/bookmarks/Bookmarks.h"
+#include "robotlink/series/Series.h"
 #include "robotlink/session/HistoryArchive.h"
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/log/LogOverview.h"
@@ -19,6 +20,21 @@
 
 // Contents, look and geometry of a timeline: plain values and pure functions, shared by painting and mouse.
 namespace widgets {
+
+/// A value as a curve over time.
+struct TimeLineTrack {
+  /// What it shows, as PlotSource::text() has it.
+  QString source;
+  QString unit = {};
+  /// Times are seconds on the session's timeline; null: there are no values.
+  std::shared_ptr<const robotlink::Series> series = {};
+  /// Why there are no values.
+  QString problem = {};
+  /// How many points there are, and the time of the last one: a series changes while it is shown.
+  std::size_t points = 0;
+  double newest = 0;
+  bool operator==(const TimeLineTrack&) const = default;
+};
 
 /// One log of a timeline, or the history of a live robot. Times are the log's own; `offset` is added to
 /// them.
@@ -48,6 +64,8 @@ struct TimeLineBand {
   /// Stretches in which nothing was received from a robot elsewhere; the band is that of the robot then, and
   /// has no log.
   std::vector<robotlink::LineGap> gaps;
+  /// Only the last band has these; it is no log then.
+  std::vector<TimeLineTrack> tracks = {};
 };
 
 /// The visible part and its look. Sizes are logical pixels.
@@ -81,13 +99,14 @@ struct TimeLineLook {
 
 /// Where everything lies, in widget pixels.
 struct TimeLineLayout {
-  /// The lanes of a band from top to bottom: title, thumbnails, text messages, and one per stream.
-  enum class Kind : std::uint8_t { kHeader, kImages, kTexts, kStream };
+  /// The lanes of a band from top to bottom: title, thumbnails, text messages, one per stream, and one per
+  /// value.
+  enum class Kind : std::uint8_t { kHeader, kImages, kTexts, kStream, kTrack };
   /// A row over the whole width of the widget.
   struct Lane {
     Kind kind;
     int band;
-    /// Path, for kStream.
+    /// Path, for kStream; source, for kTrack.
     std::string stream;
     /// Gutter included.
     QRectF rect;

@@ -4,6 +4,7 @@
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QScrollBar>
 #include <QShortcut>
@@ -15,6 +16,7 @@
 #include "widgets/timeline/TimeLineCanvas.h"
 
 #include "widgets/Counted.h"
+#include "widgets/plots/PlotTreeModel.h"
 
 namespace widgets {
 
@@ -60,8 +62,8 @@ TimeLineCanvas::Hit TimeLineCanvas::hitAt(const QPointF& point, Qt::KeyboardModi
                         offsetRect(lane->rect, look_).contains(point);
     return {offset ? Drag::kOffset : Drag::kNone, lane != nullptr ? lane->band : -1};
   }
-  if (scrubsEverywhere_) return {Drag::kScrub};
   if ((modifiers & Qt::ShiftModifier) != 0) return {Drag::kSelect};
+  if (scrubsEverywhere_) return {Drag::kScrub};
   if (lane != nullptr && lane->kind == Kind::kHeader) {
     if (const auto id = bookmarkAt(*lane, point); id != 0) return {Drag::kBookmark, lane->band, id};
   }
@@ -327,7 +329,8 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
     if (const QString marks = markToolTip(point.x()); !marks.isEmpty()) return marks;
-    if (scrubsEverywhere_) return tr("Drag: show an earlier instant in all views. Wheel: zoom.");
+    if (scrubsEverywhere_)
+      return tr("Drag: show an earlier instant in all views. Shift+drag: select a range. Wheel: zoom.");
     return tr("%1<br>Drag: move the playhead. Shift+drag: select a range. Wheel: zoom.")
         .arg(timeToolTip(timeAt(point)));
   }
@@ -348,6 +351,7 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
     }
     return of.log != nullptr ? QString::fromStdString(of.log->file).toHtmlEscaped() : QString();
   }
+  if (lane->kind == Kind::kTrack) return trackToolTip(of, lane->stream, timeAt(point));
   if (lane->kind == Kind::kTexts) return saidNear(of, timeAt(point) - of.offset);
   if (lane->kind != Kind::kStream)
     return tr("%1<br>Drag: move the playhead.").arg(timeToolTip(timeAt(point)));
@@ -360,6 +364,23 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
                .arg(counted(stream->count, tr("1 message"), tr("%1 messages")))
                .arg(stream->rate(), 0, 'f', 1),
            tr("Double click: step the messages of this stream. Drag: select a range."));
+}
+
+QString TimeLineCanvas::trackToolTip(const TimeLineBand& of, const std::string& source, Instant time) const {
+  for (const TimeLineTrack& track : of.tracks) {
+    if (track.source.toStdString() != source) continue;
+    const QString name = track.source.toHtmlEscaped();
+    const std::size_t after =
+        track.series ? track.series->firstAfter(robotlink::seconds(time.time_since_epoch())) : 0;
+    if (after == 0) return QStringLiteral("<b>%1</b>").arg(name);
+    return QStringLiteral("<b>%1</b><br>%2<br>%3")
+        .arg(name,
+             tr("%1 %2 at %3 s")
+                 .arg((*track.series)[after - 1].value)
+                 .arg(track.unit, timeText(time - look_.origin)),
+             tr("The context menu removes the curve."));
+  }
+  return {};
 }
 
 QString TimeLineCanvas::gapToolTip(const TimeLineBand& of, const QPointF& point) const {
@@ -406,6 +427,20 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
 }
 
 bool TimeLineCanvas::viewportEvent(QEvent* event) {
+  const QString type = QString::fromLatin1(PlotTreeModel::kMimeType);
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+    auto* drag = static_cast<QDragMoveEvent*>(event);
+    drag->setAccepted(drag->mimeData()->hasFormat(type));
+    if (drag->isAccepted()) drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    drop->acceptProposedAction();
+    const QString sources = QString::fromUtf8(drop->mimeData()->data(type));
+    Q_EMIT tracksDropped(sources.split(QLatin1Char('\n'), Qt::SkipEmptyParts));
+    return true;
+  }
   if (event->type() != QEvent::ToolTip) return QAbstractScrollArea::viewportEvent(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), viewport());

@@ -283,6 +283,62 @@ void paintStream(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
                           QPointF(lane.rect.right(), lane.rect.bottom() - 0.5));
 }
 
+const TimeLineTrack* trackOf(const TimeLineBand& band, const Lane& lane) {
+  const auto found = std::ranges::find_if(
+      band.tracks, [&](const TimeLineTrack& track) { return track.source.toStdString() == lane.stream; });
+  return found == band.tracks.end() ? nullptr : &*found;
+}
+
+/// A curve of the extent of the values in each column of pixels, over the whole height for what is visible.
+void paintTrack(const Canvas& canvas, const TimeLineBand& band, const Lane& lane) {
+  QPainter& painter = canvas.painter;
+  const TimeLineTrack* track = trackOf(band, lane);
+  if (track == nullptr) return;
+  const QRectF plot = canvas.plot(lane.rect).adjusted(0, 3, 0, -3);
+  painter.setPen(canvas.line());
+  painter.drawLine(QPointF(lane.rect.left(), lane.rect.bottom() - 0.5),
+                   QPointF(lane.rect.right(), lane.rect.bottom() - 0.5));
+  painter.setPen(canvas.muted());
+  if (track->series == nullptr || track->series->empty()) {
+    const QString text =
+        track->problem.isEmpty() ? QCoreApplication::translate("TimeLine", "no values here") : track->problem;
+    return painter.drawText(plot.adjusted(kLaneMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                            canvas.elided(text, plot.width()));
+  }
+  const auto seconds = [&](double x) {
+    return robotlink::seconds(canvas.look.scale.time(x).time_since_epoch());
+  };
+  const double from = seconds(plot.left()), to = seconds(plot.right());
+  const auto columns =
+      track->series->columns(from, to, static_cast<std::size_t>(std::max(1.0, plot.width())));
+  robotlink::Series::Extent all;
+  for (const auto& column : columns) all.add(column.extent);
+  if (all.isEmpty()) return;
+  const double range = all.max > all.min ? all.max - all.min : 1;
+  const auto y = [&](double value) { return plot.bottom() - (value - all.min) / range * plot.height(); };
+  QPolygonF curve;
+  for (const auto& column : columns) {
+    if (column.extent.isEmpty()) continue;
+    const double time = (*track->series)[column.begin].time;
+    const double x = plot.left() + (time - from) / (to - from) * plot.width();
+    curve << QPointF(x, y(column.extent.min));
+    if (column.extent.max > column.extent.min) curve << QPointF(x, y(column.extent.max));
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const auto number = static_cast<int>(track - band.tracks.data());
+  painter.setPen(QPen(curveColor(number, canvas.palette), 1.2));
+  if (curve.size() > 1) painter.drawPolyline(curve);
+  if (curve.size() == 1) painter.drawEllipse(curve.front(), 1.5, 1.5);
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  // The range that the height stands for.
+  const auto shortNumber = [](double value) { return QString::number(value, 'g', 4); };
+  painter.setPen(canvas.muted());
+  const QRectF labels(0, lane.rect.top() + 1, canvas.look.gutter - kLaneMargin, lane.rect.height() - 2);
+  painter.drawText(
+      labels, Qt::AlignRight | Qt::AlignBottom,
+      QStringLiteral("%1 … %2 %3").arg(shortNumber(all.min), shortNumber(all.max), track->unit).trimmed());
+}
+
 QString laneName(const TimeLineBand& band, const Lane& lane) {
   switch (lane.kind) {
     case TimeLineLayout::Kind::kImages:
@@ -295,6 +351,7 @@ QString laneName(const TimeLineBand& band, const Lane& lane) {
       return QCoreApplication::translate("TimeLine", "warnings: %1, errors: %2").arg(warnings).arg(errors);
     }
     case TimeLineLayout::Kind::kStream:
+    case TimeLineLayout::Kind::kTrack:
       return QString::fromStdString(lane.stream);
     case TimeLineLayout::Kind::kHeader:
       break;
@@ -311,11 +368,16 @@ void paintLane(const Canvas& canvas, const TimeLineBand& band, const Lane& lane,
   if (lane.kind == TimeLineLayout::Kind::kTexts) paintTexts(canvas, band, lane);
   painter.setClipRect(body);
   if (lane.kind == TimeLineLayout::Kind::kStream) paintStream(canvas, band, lane);
-  const bool heading = lane.kind != TimeLineLayout::Kind::kStream;
-  const QRectF name(22, lane.rect.top(), canvas.look.gutter - 22 - kLaneMargin, lane.rect.height());
+  const bool isTrack = lane.kind == TimeLineLayout::Kind::kTrack;
+  if (isTrack) paintTrack(canvas, band, lane);
+  const bool heading = lane.kind != TimeLineLayout::Kind::kStream && !isTrack;
+  // Below the name of a value there is its range.
+  const QRectF name(22, lane.rect.top(), canvas.look.gutter - 22 - kLaneMargin,
+                    isTrack ? canvas.look.row : lane.rect.height());
   painter.setPen(heading ? canvas.muted() : canvas.text());
-  painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
-                   canvas.elided(laneName(band, lane), name.width(), Qt::ElideMiddle));
+  painter.drawText(
+      name, Qt::AlignLeft | Qt::AlignVCenter,
+      canvas.elided(laneName(band, lane), name.width(), isTrack ? Qt::ElideLeft : Qt::ElideMiddle));
 }
 
 /// Dims what is outside of the selected range and outside of all logs.

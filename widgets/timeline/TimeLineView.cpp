@@ -7,6 +7,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QJsonArray>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
@@ -40,7 +41,7 @@ QString withKey(const QString& text, ReplayKey key) {
 }  // namespace
 
 TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
-    : View(context, parent), logs_(openLogs(context)) {
+    : View(context, parent), logs_(openLogs(context)), tracks_(context.session, logs_) {
   setObjectName(QStringLiteral("timeLineView"));
   createActions();
   createHistoryActions();
@@ -50,6 +51,9 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
   connectSignals();
   connectBookmarks();
   keep("follow", follow_);
+  keep(
+      "tracks", [this] { return QJsonValue(QJsonArray::fromStringList(tracks_.sources())); },
+      [this](const QJsonValue& saved) { tracks_.setSources(saved.toVariant().toStringList()); });
   tick();
 }
 
@@ -77,18 +81,24 @@ void TimeLineView::createActions() {
 void TimeLineView::createRangeActions() {
   loop_ = makeAction(this, "loop", {"rangeLoop", tr("Loop"), tr("Plays the selected range in a loop")});
   cut_ = makeAction(this, "cut", {"rangeCut", tr("Cut…"), tr("Writes the selected range into a new log")});
-  export_ = makeAction(
-      this, "export",
-      {"rangeExport", tr("Export"), tr("Writes the selected range, or all, as images, a table or texts")});
+  export_ =
+      makeAction(this, "export",
+                 {"rangeExport", tr("Export"),
+                  tr("Writes the selected range, or all, as images, a table, texts, or a video of a view")});
   clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Clears the selection (Esc)")});
   exportMenu_ = new QMenu(this);
   exportMenu_->setObjectName(QStringLiteral("exportMenu"));
-  exportMenu_->addAction(tr("Images as &PNG…"), this, &TimeLineView::exportImages)
-      ->setObjectName(QStringLiteral("exportImages"));
-  exportMenu_->addAction(tr("The stepped stream as &CSV…"), this, &TimeLineView::exportTable)
-      ->setObjectName(QStringLiteral("exportTable"));
-  exportMenu_->addAction(tr("&Texts…"), this, &TimeLineView::exportTexts)
-      ->setObjectName(QStringLiteral("exportTexts"));
+  exportMenu_->setToolTipsVisible(true);
+  const auto add = [this](const QString& text, const char* name, void (TimeLineView::*act)()) {
+    logExports_.push_back(exportMenu_->addAction(text, this, act));
+    logExports_.back()->setObjectName(QLatin1String(name));
+  };
+  add(tr("Images as &PNG…"), "exportImages", &TimeLineView::exportImages);
+  add(tr("The stepped stream as &CSV…"), "exportTable", &TimeLineView::exportTable);
+  add(tr("&Texts…"), "exportTexts", &TimeLineView::exportTexts);
+  QAction* view = exportMenu_->addAction(tr("A &view as video or images…"), this, &View::exportWanted);
+  view->setObjectName(QStringLiteral("exportView"));
+  view->setToolTip(tr("Writes what an open view shows in the selected range"));
   export_->setMenu(exportMenu_);
 }
 
@@ -148,9 +158,8 @@ void TimeLineView::connectSignals() {
   connect(canvas_, &TimeLineCanvas::jumpWanted, this, [this, &replay](Instant time) {
     replay.open() ? replay.jumpTo(time) : session().history().show(time);
   });
-  connect(canvas_, &TimeLineCanvas::rangeWanted, this, [&replay](Instant from, Instant to) {
-    if (replay.open()) replay.setRange(from, to);
-  });
+  connect(canvas_, &TimeLineCanvas::rangeWanted, this,
+          [&replay](Instant from, Instant to) { replay.setRange(from, to); });
   connect(canvas_, &TimeLineCanvas::rangeDropped, this, [&replay] { replay.clearRange(); });
   connect(canvas_, &TimeLineCanvas::streamChosen, this, &TimeLineView::chooseStream);
   connect(canvas_, &TimeLineCanvas::offsetWanted, this, [this](int band, robotlink::Duration offset) {
@@ -159,6 +168,12 @@ void TimeLineView::connectSignals() {
   connect(canvas_, &TimeLineCanvas::collapseWanted, this, [this](int band, bool collapsed) {
     if (auto* log = logAt(band)) logs_.setCollapsed(*log, collapsed);
     showBands();
+  });
+  connect(canvas_, &TimeLineCanvas::tracksDropped, this, [this](const QStringList& sources) {
+    for (const QString& source : sources) {
+      if (const auto added = addTrack(source); !added)
+        Q_EMIT logs_.failed(QString::fromStdString(added.error().text));
+    }
   });
   connect(canvas_, &TimeLineCanvas::looked, this, &TimeLineView::wantThumbnails);
   connect(images_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
@@ -246,6 +261,7 @@ void TimeLineView::tick() {
   } else {
     showHistory();
   }
+  tracks_.tick();
   showBands();
   showMarks();
   showHistoryActions();
@@ -286,6 +302,12 @@ void TimeLineView::showBands() {
     bands.push_back(std::move(band));
   }
   if (bands.empty() && hasHistory()) bands = historyBands();
+  if (auto tracks = tracks_.shown(); !bands.empty() && !tracks.empty()) {
+    TimeLineBand band;
+    band.title = tr("values");
+    band.tracks = std::move(tracks);
+    bands.push_back(std::move(band));
+  }
   canvas_->setBands(std::move(bands));
 }
 
@@ -297,10 +319,12 @@ void TimeLineView::showRange() {
                    .arg(logs_.replay().shownText(range->first), logs_.replay().shownText(range->second),
                         timeText(range->second - range->first));
   if (range_->text() != text) range_->setText(text);
-  for (QAction* action : {loop_, clear_}) action->setEnabled(range.has_value());
-  const bool free = logs_.replay().open() && !job_->busy();
+  const bool open = logs_.replay().open(), free = open && !job_->busy();
+  clear_->setEnabled(range.has_value());
+  loop_->setEnabled(open && range.has_value());
   cut_->setEnabled(free && range.has_value());
-  export_->setEnabled(free);
+  export_->setEnabled(free || hasHistory());
+  for (QAction* action : logExports_) action->setEnabled(free);
   damage_->setBusy(job_->busy());
 }
 
@@ -343,6 +367,11 @@ void TimeLineView::wantThumbnails() {
   }
 }
 
+void TimeLineView::showEvent(QShowEvent* event) {
+  ticks_ = 0;
+  View::showEvent(event);
+}
+
 void TimeLineView::keyPressEvent(QKeyEvent* event) {
   const auto key = replayKey(*event);
   if (key && hasHistory()) return pressInHistory(*key, *event);
@@ -354,24 +383,46 @@ void TimeLineView::keyPressEvent(QKeyEvent* event) {
   }
 }
 
+bool TimeLineView::removeTrack(const QString& source) {
+  const int before = tracks_.sources().size();
+  tracks_.remove(source);
+  showBands();
+  return tracks_.sources().size() < before;
+}
+
+void TimeLineView::addTrackEntry(QMenu& menu, const QPoint& at) {
+  const TimeLineLayout all = canvas_->layout();
+  const auto* lane = all.laneAt(at);
+  if (lane == nullptr || lane->kind != TimeLineLayout::Kind::kTrack) return;
+  const QString source = QString::fromStdString(lane->stream);
+  menu.addAction(tr("&Remove the curve of %1").arg(source), this, [this, source] { removeTrack(source); })
+      ->setObjectName(QStringLiteral("removeTrack"));
+  menu.addSeparator();
+}
+
+void TimeLineView::addRangeEnds(QMenu& menu) {
+  auto& replay = logs_.replay();
+  menu.addAction(withKey(tr("Start range here"), ReplayKey::kRangeStart), this,
+                 [&replay] { replay.beginRangeHere(); });
+  menu.addAction(withKey(tr("End range here"), ReplayKey::kRangeEnd), this,
+                 [&replay] { replay.endRangeHere(); });
+}
+
 void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   if (!logs_.replay().open() && !hasHistory()) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("timeLineMenu"));
+  const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
+  addTrackEntry(*menu, at);
   if (hasHistory()) {
     fillHistoryMenu(*menu);
     return menu->popup(event->globalPos());
   }
-  const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
   const TimeLineLayout all = canvas_->layout();
   const auto* stream = all.laneAt(at);
-  auto& replay = logs_.replay();
   menu->addAction(bookmark_);
-  menu->addAction(withKey(tr("Start range here"), ReplayKey::kRangeStart), this,
-                  [&replay] { replay.beginRangeHere(); });
-  menu->addAction(withKey(tr("End range here"), ReplayKey::kRangeEnd), this,
-                  [&replay] { replay.endRangeHere(); });
+  addRangeEnds(*menu);
   menu->addActions({loop_, cut_, clear_});
   if (stream != nullptr && stream->kind == TimeLineLayout::Kind::kStream) {
     const QString name = QString::fromStdString(stream->stream);

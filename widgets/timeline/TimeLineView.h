@@ -9,6 +9,7 @@
 #include "widgets/log/LogJob.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/ReplayKeys.h"
+#include "widgets/timeline/TimeLineTracks.h"
 
 class QAction;
 class QComboBox;
@@ -36,8 +37,15 @@ class TimeLineView final : public View {
   explicit TimeLineView(ViewContext& context, QWidget* parent = nullptr);
   /// Shows the logs, the play head and the progress of a job.
   void tick() override;
+  /// Shows a value as a curve: "red1/models/ball: position.x".
+  robotlink::Result<void> addTrack(const QString& source) { return tracks_.add(source); }
+  /// False: there is no such curve.
+  bool removeTrack(const QString& source);
+  QStringList tracks() const { return tracks_.sources(); }
 
  protected:
+  /// Shows the newest extent at once.
+  void showEvent(QShowEvent* event) override;
   /// Handles the keys of the replay, see ReplayKey.
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -68,6 +76,10 @@ class TimeLineView final : public View {
   void showHistoryActions();
   void pressInHistory(ReplayKey key, QKeyEvent& event);
   void fillHistoryMenu(QMenu& menu);
+  /// Adds the entry that removes the curve at a point of the canvas.
+  void addTrackEntry(QMenu& menu, const QPoint& at);
+  /// Entries that begin and end the range at the shown instant.
+  void addRangeEnds(QMenu& menu);
   /// Asks how much is to be kept.
   void askForLimits();
   /// Runs a command; a failure is shown.
@@ -120,6 +132,7 @@ class TimeLineView final : public View {
   void askForFile(const FileQuestion& question, std::function<void(const QString&)> chosen);
 
   OpenLogs& logs_;
+  TimeLineTracks tracks_;
   TimeLineCanvas* canvas_ = nullptr;
   EmptyHint* hint_ = nullptr;
   LogJobBar* job_ = nullptr;
@@ -154,6 +167,8 @@ class TimeLineView final : public View {
   QAction* export_ = nullptr;
   QAction* clear_ = nullptr;
   QMenu* exportMenu_ = nullptr;
+  /// Exports that read a log.
+  std::vector<QAction*> logExports_;
   /// OpenLogs::version() of what is shown.
   std::uint64_t shownVersion_ = 0;
 };

@@ -59,7 +59,19 @@ struct RemoteRobots::Line {
   std::uint64_t robotsVersion = 0;
   /// The beginning of the last gap that was noted in the robots' texts.
   std::optional<Instant> noted = {};
+  /// What was left out of its streams, by their paths.
+  std::map<std::string, robotlink::LeftOut> leftOut = {};
+
+  void countLeftOut();
 };
+
+void RemoteRobots::Line::countLeftOut() {
+  leftOut.clear();
+  for (const auto& stream : client->streams()) {
+    const robotlink::LeftOut counted{stream.thinned.value_or(0), stream.dropped.value_or(0)};
+    if (counted != robotlink::LeftOut()) leftOut[stream.path] = counted;
+  }
+}
 
 RemoteRobots::RemoteRobots(robotlink::Session& session, logplayer::Recorder& recorder,
                            const LinkLimitsMemory& limits)
@@ -308,12 +320,17 @@ void RemoteRobots::describeRobots() {
 
 /// Tells views how these robots are connected.
 void RemoteRobots::showRobots() {
+  // What is left out is looked up less often, because there are many streams.
+  constexpr unsigned kTicksBetween = 15;
+  const bool counts = ticks_++ % kTicksBetween == 0;
   std::map<std::string, robotlink::RemoteRobot> shown;
   for (const auto& line : lines_) {
+    if (counts) line->countLeftOut();
     std::vector<robotlink::LineGap> gaps;
     for (const auto& gap : line->client->gaps()) gaps.push_back({gap.from, gap.to, gap.reason});
     for (const std::string& robot : line->client->robots())
-      shown[robot] = {line->url, line->client->state().isConnected(), line->client->stateText(), gaps};
+      shown[robot] = {line->url, line->client->state().isConnected(), line->client->stateText(), gaps,
+                      line->leftOut};
   }
   session_.setRemoteRobots(std::move(shown));
 }

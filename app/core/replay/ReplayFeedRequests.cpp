@@ -142,6 +142,9 @@ Result<void> ReplayFeed::act(const ControlReplay& control) {
       return jump(instantOf(control.time()));
     case ControlReplay::JUMP_TO_FRAME:
       return jumpToFrame(control);
+    case ControlReplay::ADVANCE_TO_TIME:
+      playback_.pause();
+      return goTo(std::clamp(instantOf(control.time()), run_->begin(), run_->end()));
     default:
       return {};
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 #include "foxglove/Image.pb.h"
@@ -18,6 +19,11 @@ namespace {
 
 /// The size of the cache of decoded images.
 constexpr std::size_t kMaxImageBytes = 64U << 20U;
+/// The trails after a jump: how far they reach back, how much of the file may be read for them, and the time
+/// between two places.
+constexpr robotlink::Duration kMaxTrail = std::chrono::seconds(60);
+constexpr double kMaxTrailBytes = 24e6;
+constexpr robotlink::Duration kTrailStep = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -25,6 +31,12 @@ bool hasHistory(const std::string& path, const std::string& type) {
   constexpr std::array<std::string_view, 4> kPictures{"foxglove.RawImage", "foxglove.CompressedImage",
                                                       "foxglove.ImageAnnotations", "foxglove.SceneUpdate"};
   return std::ranges::find(kPictures, type) == kPictures.end() && !robotlink::isLatched(path, type);
+}
+
+bool hasPlaces(const std::string& type) {
+  constexpr std::array<std::string_view, 3> kPlaces{"foxglove.FrameTransforms", "robotcontrol.RobotPose",
+                                                    "robotcontrol.BallModel"};
+  return std::ranges::find(kPlaces, type) != kPlaces.end();
 }
 
 ReplaySource::ReplaySource(std::shared_ptr<logplayer::LogFile> file)
@@ -67,12 +79,41 @@ std::vector<StreamMessage> ReplaySource::past(Instant from, Instant to) {
     if (auto message = latest(stream.path, to)) messages.push_back(std::move(*message));
   }
   if (withHistory.empty()) return messages;
+  addTrails(messages, from, to);
   logplayer::LogFile::Cursor cursor(file_, withHistory);
   cursor.seek(from);
   while (cursor.nextTime() && *cursor.nextTime() <= to) {
     if (auto message = cursor.next(); message && message->time <= to) messages.push_back(std::move(*message));
   }
   return messages;
+}
+
+Instant ReplaySource::trailsFrom(Instant to) const {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file_->path(), error));
+  const double perSecond = bytes / std::max(1.0, robotlink::seconds(file_->end() - file_->begin()));
+  if (error) return to;
+  const auto reach =
+      std::min(kMaxTrail, robotlink::fromSeconds(std::min(1e6, kMaxTrailBytes / std::max(1.0, perSecond))));
+  return std::max(file_->begin(), to - reach);
+}
+
+void ReplaySource::addTrails(std::vector<StreamMessage>& messages, Instant from, Instant to) {
+  const Instant begin = trailsFrom(to);
+  std::vector<std::string> streams;
+  for (const auto& stream : file_->streams()) {
+    if (hasPlaces(stream.type) && stream.first < from && stream.last >= begin) streams.push_back(stream.path);
+  }
+  if (streams.empty() || begin >= from) return;
+  std::map<std::string, Instant> due;
+  logplayer::LogFile::Cursor cursor(file_, streams);
+  cursor.seek(begin);
+  while (cursor.nextTime() && *cursor.nextTime() < from) {
+    auto message = cursor.next();
+    if (!message || message->time >= from || message->time < due[message->path]) continue;
+    due[message->path] = message->time + kTrailStep;
+    messages.push_back(std::move(*message));
+  }
 }
 
 std::optional<StreamMessage> ReplaySource::latest(const std::string& stream, Instant time) {

@@ -34,7 +34,8 @@ class ReplaySource {
   /// Reads all messages of nextTime(); none at the end.
   std::vector<robotlink::StreamMessage> next();
   /// The newest message of each stream not later than `to`, and all messages since `from` of streams with a
-  /// history. Does not affect next().
+  /// history. Of streams that say where things were, also one for each tenth of a second since trailsFrom().
+  /// Does not affect next().
   std::vector<robotlink::StreamMessage> past(robotlink::Instant from, robotlink::Instant to);
   /// The newest message of a stream not later than `time`.
   std::optional<robotlink::StreamMessage> latest(const std::string& stream, robotlink::Instant time);
@@ -43,6 +44,12 @@ class ReplaySource {
   const std::vector<robotlink::Instant>& times(const std::string& stream);
 
  private:
+  /// How far back views can show the trails of what moves at `to`: a minute, less where so much of the log
+  /// could not be read in a moment.
+  robotlink::Instant trailsFrom(robotlink::Instant to) const;
+  /// Appends the places of what moves from there up to `from`.
+  void addTrails(std::vector<robotlink::StreamMessage>& messages, robotlink::Instant from,
+                 robotlink::Instant to);
   using ImageKey = std::pair<std::string, robotlink::Instant>;
   /// Replaces a compressed image by a raw one.
   robotlink::StreamMessage decoded(robotlink::StreamMessage message);
@@ -67,5 +74,7 @@ class ReplaySource {
 /// Whether earlier messages of a stream matter to views after a jump: numbers and texts do; images, drawings
 /// and latched messages do not. `type` is the full name of the message type.
 bool hasHistory(const std::string& path, const std::string& type);
+/// Whether the messages of a type say where robots or the ball are. `type` is its full name.
+bool hasPlaces(const std::string& type);
 
 }  // namespace app

@@ -13,6 +13,7 @@
 #include "app/robotcontrol/docks/DockLayout.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/FailedView.h"
+#include "robotlink/session/Session.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -92,6 +93,8 @@ void ViewDocks::put(widgets::View& view, Dock& into) {
   dock->setWidget(&view, ads::CDockWidget::ForceNoScrollArea);
   connect(&view, &widgets::View::titleChanged, dock,
           [dock](const QString& text) { dock->setWindowTitle(text); });
+  connect(&view, &widgets::View::exportWanted, this,
+          [this, dock] { Q_EMIT exportWanted(dock->objectName()); });
   connect(&view, &QObject::destroyed, this, &ViewDocks::forget);
   into.view = &view;
   into.identity = &view;
@@ -193,6 +196,9 @@ void ViewDocks::tick() {
   const auto docks = docks_;
   for (const Dock& dock : docks) {
     if (!dock.view || !dock.view->isVisible()) continue;
+    const robotlink::StreamReaders::Scope reading(context_.session.readers(),
+                                                  dock.dock->objectName().toStdString(),
+                                                  dock.dock->windowTitle().toStdString());
     try {
       dock.view->tick();
     } catch (const std::exception& thrown) {
@@ -257,6 +263,21 @@ bool ViewDocks::rearrange(const QString& layout) {
   const bool restored = space_.restoreState(layout.toUtf8(), kLayoutVersion);
   space_.releaseEmptyFloats();
   return restored;
+}
+
+ads::CDockWidget* ViewDocks::named(const QString& name) const {
+  for (const Dock& dock : docks_) {
+    if (dock.dock->objectName() == name || (dock.id == name && !dock.dock->isClosed())) return dock.dock;
+  }
+  return nullptr;
+}
+
+std::vector<ads::CDockWidget*> ViewDocks::openDocks() const {
+  std::vector<ads::CDockWidget*> open;
+  for (const Dock& dock : docks_) {
+    if (!dock.dock->isClosed()) open.push_back(dock.dock);
+  }
+  return open;
 }
 
 std::vector<ads::CDockWidget*> ViewDocks::docks(const QString& id) const {

@@ -67,6 +67,12 @@ class ViewDocks : public QObject {
   /// if it names docks that no longer exist, or cannot be read.
   bool rearrange(const QString& layout);
 
+  /// The dock of a view by the name that commands use: "field" for the first that is open, "field#2" for the
+  /// second one, open or closed. Null if there is none.
+  ads::CDockWidget* named(const QString& name) const;
+  /// All open docks, in the order in which they were opened.
+  std::vector<ads::CDockWidget*> openDocks() const;
+
   /// All docks whose view is of a kind, open or closed.
   std::vector<ads::CDockWidget*> docks(const QString& id) const;
 
@@ -74,6 +80,8 @@ class ViewDocks : public QObject {
   /// The places of the docks are about to be read or changed: a receiver that hides some docks temporarily
   /// must show them now.
   void placesWanted() const;
+  /// The user wants to export a view, by the name of its dock.
+  void exportWanted(const QString& name);
   /// Not all views of a state were restored: a sentence for the user.
   void leftOut(const QString& sentence);
 

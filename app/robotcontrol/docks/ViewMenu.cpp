@@ -20,9 +20,9 @@ struct Group {
 std::vector<Group> groups() {
   std::vector<Group> groups = {
       {ViewMenu::tr("The robot and its world"),
-       {QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"), QStringLiteral("radar"),
-        QStringLiteral("base-state"), QStringLiteral("motion"), QStringLiteral("joints"),
-        QStringLiteral("motion-editor")}},
+       {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"),
+        QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
+        QStringLiteral("joints"), QStringLiteral("motion-editor")}},
       {ViewMenu::tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),

@@ -102,6 +102,17 @@ TEST_F(ReplayFeedTest, aLogOpensPausedAtItsFirstImage) {
   EXPECT_EQ(errors, "");
 }
 
+TEST_F(ReplayFeedTest, itAdvancesToATimeAndKeepsItsHistory) {
+  const auto generation = workbench.session().store().generation();
+  robotcontrol::Request request;
+  request.mutable_control_replay()->set_action(robotcontrol::ControlReplay::ADVANCE_TO_TIME);
+  request.mutable_control_replay()->set_time(ShortLog::time(4).time_since_epoch().count() + 1);
+  workbench.session().request(request);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(newest("red1/frames/planner"), 4);
+  EXPECT_EQ(workbench.session().store().generation(), generation) << "it was stepped";
+}
+
 TEST_F(ReplayFeedTest, itIsPlayedAtItsSpeedUntilItIsPaused) {
   run("log.speed 0.5");
   const auto start = std::chrono::steady_clock::now();

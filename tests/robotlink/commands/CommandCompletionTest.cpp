@@ -84,3 +84,15 @@ TEST_F(CommandCompletionTest, whatIsOfferedMayDependOnTheArgumentsBefore) {
   EXPECT_THAT(at("set "), ElementsAre("walk"));
   EXPECT_THAT(at("set walk "), ElementsAre("walk-1"));
 }
+
+TEST_F(CommandCompletionTest, optionalArgumentsAreNamed) {
+  table_.add({"export.made",
+              "",
+              {{"file", Type::kFile},
+               {"rate", Type::kNumber, "", 25.0},
+               {.name = "kind", .initial = std::string("a"), .choices = {"a", "b"}}},
+              nothing});
+  EXPECT_THAT(at("export.made x --"), ElementsAre("--kind", "--rate"));
+  EXPECT_THAT(at("export.made x --kind "), ElementsAre("a", "b"));
+  EXPECT_THAT(at("export.made x --rate 5 "), ElementsAre()) << "a number is next";
+}

@@ -181,3 +181,33 @@ TEST(CommandLine, aQuotedWordIsReadAsItWas) {
     EXPECT_EQ(words->front().text, text);
   }
 }
+
+TEST_F(CommandTableTest, optionalArgumentsCanBeNamed) {
+  std::vector<Value> ran;
+  table_.add({"export.made",
+              "Exports.",
+              {{"file", Type::kText},
+               {"from", Type::kText, "", std::string("start")},
+               {"rate", Type::kNumber, "", 25.0},
+               {"size", Type::kText, "", {}, {}, true}},
+              [&](const auto& arguments) -> Result<void> {
+                ran = arguments;
+                return {};
+              }});
+  EXPECT_EQ(error("export.made a.avi --rate 30"), "");
+  EXPECT_THAT(ran, ElementsAre(Value(std::string("a.avi")), Value(std::string("start")), Value(30.0)));
+  EXPECT_EQ(error("export.made --rate=10 --from -2 a.avi"), "");
+  EXPECT_THAT(ran, ElementsAre(Value(std::string("a.avi")), Value(std::string("-2")), Value(10.0)));
+  EXPECT_EQ(error("export.made a.avi --size 2x2"), "");
+  EXPECT_THAT(ran, ElementsAre(Value(std::string("a.avi")), Value(std::string("start")), Value(25.0),
+                               Value(std::string("2x2"))));
+  EXPECT_THAT(error("export.made a.avi --rate"), HasSubstr("--rate needs a value"));
+  EXPECT_THAT(error("export.made a.avi --rate 1 --rate 2"), HasSubstr("rate is given twice"));
+  EXPECT_THAT(error("export.made a.avi --rate fast"), HasSubstr("must be a number"));
+  EXPECT_THAT(error("export.made --rate 2"), HasSubstr("takes 1 to 4 arguments"));
+}
+
+TEST_F(CommandTableTest, whatNamesNoArgumentIsAText) {
+  EXPECT_EQ(error("solution.select --task x"), "");
+  EXPECT_THAT(ran_.back(), ElementsAre(Value(std::string("--task")), Value(std::string("x"))));
+}

@@ -5,6 +5,9 @@
 #include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "robotlink/packages/Conversions.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
 
@@ -183,6 +186,33 @@ TEST(TaskProcessTest, stopwatchesTimeEachTaskAndTheWholeFrame) {
   EXPECT_EQ("", entries[3].task());
   EXPECT_GE(entries[3].seconds(), entries[0].seconds() + entries[1].seconds() + entries[2].seconds());
   EXPECT_FALSE(robot.on("stopwatches/motion").empty());
+}
+
+TEST(TaskProcessTest, stopwatchesNameThePackagesThatLeadFromAnImageToACommand) {
+  ToyRobot robot;
+  robot.setKey("timing/tasks", KeyMode::ALWAYS);
+  robot.run(50);
+  const auto& seen = robot.on("stopwatches/cognition").back()->stopwatches();
+  EXPECT_TRUE(seen.clock_stands());
+  const auto image = std::find_if(seen.received().begin(), seen.received().end(),
+                                  [](const auto& package) { return package.name() == "camera/image"; });
+  ASSERT_NE(seen.received().end(), image);
+  EXPECT_TRUE(image->of_platform());
+  EXPECT_EQ(instant(seen.timestamp()), instant(image->timestamp()));
+  const auto wanted = std::find_if(seen.sent().begin(), seen.sent().end(),
+                                   [](const auto& package) { return package.name() == "behavior/motion"; });
+  ASSERT_NE(seen.sent().end(), wanted);
+  EXPECT_FALSE(wanted->of_platform());
+  EXPECT_GT(wanted->seconds(), 0);
+  // Motion works with what cognition has sent: it has the same timestamp.
+  const auto& moved = robot.on("stopwatches/motion").back()->stopwatches();
+  const auto obeyed = std::find_if(moved.received().begin(), moved.received().end(),
+                                   [](const auto& package) { return package.name() == "behavior/motion"; });
+  ASSERT_NE(moved.received().end(), obeyed);
+  EXPECT_EQ(instant(wanted->timestamp()), instant(obeyed->timestamp()));
+  ASSERT_FALSE(moved.sent().empty());
+  EXPECT_EQ("joints/request", moved.sent(0).name());
+  EXPECT_TRUE(moved.sent(0).of_platform());
 }
 
 // ---- Parameters

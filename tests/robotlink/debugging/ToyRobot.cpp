@@ -152,11 +152,13 @@ class Behavior final : public Solution, Counted {
   explicit Behavior(SolutionContext& context)
       : ball_(context.input(kBallModel)),
         remote_(context.input(kRemoteMotion)),
-        motion_(context.output(kMotionRequest)) {}
+        motion_(context.output(kMotionRequest)),
+        clock_(context.clock()) {}
 
   void execute() override {
     auto request = std::make_shared<robotcontrol::MotionRequest>();
     if (kObeys && remote_) *request = remote_->motion();
+    assign(*request->mutable_timestamp(), clock_.now());
     if (!kObeys) request->mutable_walk()->set_x(ball_ ? ball_->standard_deviation() : 0);
     motion_.send(request);
   }
@@ -165,6 +167,7 @@ class Behavior final : public Solution, Counted {
   Input<robotcontrol::BallModel> ball_;
   Input<robotcontrol::RemoteMotion> remote_;
   Output<robotcontrol::MotionRequest> motion_;
+  const Clock& clock_;
 };
 
 class WalkMotion final : public Solution, Counted {
@@ -173,10 +176,12 @@ class WalkMotion final : public Solution, Counted {
       : joints_(context.input(kJointStates)),
         motion_(context.input(kMotionRequest)),
         request_(context.output(kJointRequest)),
-        status_(context.output(kMotionStatus)) {}
+        status_(context.output(kMotionStatus)),
+        clock_(context.clock()) {}
 
   void execute() override {
     auto request = std::make_shared<robotcontrol::JointRequest>();
+    assign(*request->mutable_timestamp(), clock_.now());
     request->add_positions(joints_ ? joints_->joints(0).position() : 0);
     request->add_positions(motion_ ? motion_->walk().x() : -1);
     request_.send(request);
@@ -188,6 +193,7 @@ class WalkMotion final : public Solution, Counted {
   Input<robotcontrol::MotionRequest> motion_;
   Output<robotcontrol::JointRequest> request_;
   Output<robotcontrol::MotionStatus> status_;
+  const Clock& clock_;
 };
 
 const SolutionRegistration kRegionBall =

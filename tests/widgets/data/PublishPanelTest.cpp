@@ -21,7 +21,7 @@ using robotcontrol::Request;
 
 /// The view with its panel for messages, and the kind of message that is chosen in it.
 void openPanel(DataView& view, const char* kind) {
-  child<QAction>(view, "dataPublish").trigger();
+  child<QAction>(view, "dataPublishAction").trigger();
   auto& kinds = child<QComboBox>(view, "publishKind");
   kinds.setCurrentIndex(kinds.findText(QLatin1String(kind)));
 }
@@ -91,12 +91,12 @@ class PublishPanelTest : public QObject {
     auto view = bench.open<DataView>();
     openPanel(*view, "set goal");
     write(*view, R"({"pose_in_field": {"z": 1}})");
-    child<QAction>(*view, "publishSend").trigger();
+    child<QAction>(*view, "publishSendAction").trigger();
     QVERIFY(bench.requests.empty());
     QVERIFY2(said(*view).startsWith(QStringLiteral("Not sent: ")) && said(*view).contains(QLatin1Char('z')),
              qPrintable(said(*view)));
-    child<QAction>(*view, "publishRepeat").trigger();
-    QVERIFY(!child<QAction>(*view, "publishRepeat").isChecked());
+    child<QAction>(*view, "publishRepeatAction").trigger();
+    QVERIFY(!child<QAction>(*view, "publishRepeatAction").isChecked());
   }
 
   void itIsRepeatedUntilItIsRefusedOrHidden() {
@@ -105,7 +105,7 @@ class PublishPanelTest : public QObject {
     bench.push("red1/joints/states", joints(0.5), 1);
     bench.tick(*view);
     openPanel(*view, "set goal");
-    auto& repeat = child<QAction>(*view, "publishRepeat");
+    auto& repeat = child<QAction>(*view, "publishRepeatAction");
     child<QDoubleSpinBox>(*view, "publishRate").setValue(50);
     repeat.trigger();
     QTRY_VERIFY(bench.requests.size() >= 3);
@@ -114,7 +114,7 @@ class PublishPanelTest : public QObject {
     QCOMPARE(said(*view), QStringLiteral("Refused: no task of this layout drives to goals"));
     repeat.trigger();
     QVERIFY(repeat.isChecked());
-    child<QAction>(*view, "dataPublish").trigger();
+    child<QAction>(*view, "dataPublishAction").trigger();
     QVERIFY(!repeat.isChecked());
   }
 
@@ -132,9 +132,9 @@ class PublishPanelTest : public QObject {
     child<QComboBox>(*other, "publishKind").setCurrentText(QStringLiteral("set goal"));
     auto& text = child<QPlainTextEdit>(*other, "publishText");
     QCOMPARE(text.toPlainText(), QStringLiteral(R"({"cancelled": true})"));
-    child<QAction>(*other, "publishReset").trigger();
+    child<QAction>(*other, "publishResetAction").trigger();
     QVERIFY(text.toPlainText().contains(QStringLiteral("heading")));
-    QVERIFY(!child<QAction>(*other, "publishReset").isEnabled());
+    QVERIFY(!child<QAction>(*other, "publishResetAction").isEnabled());
   }
 };
 

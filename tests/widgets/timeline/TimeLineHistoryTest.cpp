@@ -14,7 +14,7 @@
 #include "robotlink/commands/CommandCatalog.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/FieldBench.h"
-#include "widgets/log/StreamsView.h"
+#include "widgets/streams/StreamsView.h"
 #include "widgets/timeline/HistoryLimits.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLineView.h"
@@ -129,6 +129,36 @@ class TimeLineHistoryTest : public QObject {
     QVERIFY(std::abs(live.shown() - 0.1) < 0.01);
     QTest::keyClick(&canvas, Qt::Key_End);
     QVERIFY(live.bench.session.timeline().live());
+  }
+
+  void aRangeIsSelectedForExports() {
+    Live live;
+    auto view = live.bench.open<TimeLineView>({1000, 240});
+    auto& canvas = child<TimeLineCanvas>(*view, "timeLineCanvas");
+    auto& clear = child<QAction>(*view, "rangeClearAction");
+    QVERIFY(!clear.isEnabled());
+    drag(*canvas.viewport(), Qt::LeftButton, spot(*view, 5), spot(*view, 15), {}, Qt::ShiftModifier);
+    live.bench.tick(*view);
+    QVERIFY(live.bench.session.timeline().live());
+    QVERIFY(canvas.look().range.has_value());
+    QVERIFY(std::abs(robotlink::seconds(canvas.look().range->first.time_since_epoch()) - 5) < 0.1);
+    QVERIFY(child<QLabel>(*view, "rangeText").text().contains(QStringLiteral("s (10.0")) ||
+            child<QLabel>(*view, "rangeText").text().contains(QStringLiteral("s (9.9")));
+    QVERIFY(clear.isEnabled() && child<QAction>(*view, "rangeExportAction").isEnabled());
+    QVERIFY(!child<QAction>(*view, "rangeCutAction").isEnabled());
+    QVERIFY(!child<QAction>(*view, "exportImages").isEnabled());
+    QVERIFY(child<QAction>(*view, "exportView").isEnabled());
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Escape);
+    live.bench.tick(*view);
+    QVERIFY(!canvas.look().range.has_value());
+    live.bench.session.history().show(Instant(std::chrono::seconds(12)));
+    QTest::keyClick(&canvas, Qt::Key_I);
+    live.bench.session.history().show(Instant(std::chrono::seconds(14)));
+    QTest::keyClick(&canvas, Qt::Key_O);
+    live.bench.tick(*view);
+    QCOMPARE(canvas.look().range->first, Instant(std::chrono::seconds(12)));
+    QCOMPARE(canvas.look().range->second, Instant(std::chrono::seconds(14)));
   }
 
   void whatWasDroppedIsHatched() {

@@ -88,6 +88,36 @@ TEST_F(TrailsTest, ofALongTimeHaveFewerPlacesForEachSecond) {
   EXPECT_NEAR(first(), 0.2, 0.25);
 }
 
+TEST_F(TrailsTest, areReadAgainWhenTheHistoryIsReplaced) {
+  drive(0, 10);
+  update(5);
+  session.restart([this] {
+    auto transforms = std::make_shared<foxglove::FrameTransforms>();
+    auto& transform = *transforms->add_transforms();
+    transform.set_child_frame_id("red1");
+    transform.mutable_translation()->set_x(-7);
+    session.push({"transforms", trailTime(5), transforms});
+  });
+  session.tick();
+  update(5.2);
+  EXPECT_EQ(first(), -7) << "the log was moved to another place";
+  EXPECT_LE(trails.places().at("red1").size(), 3U);
+}
+
+TEST_F(TrailsTest, theEstimatedBallIsWhereTheRobotBelievesItToBe) {
+  drive(0, 3);
+  auto ball = std::make_shared<robotcontrol::BallModel>();
+  ball->set_known(true);
+  ball->mutable_position_in_robot()->set_x(1);
+  session.push({"p3at1/models/ball", trailTime(1), ball});
+  session.tick();
+  sources.balls["p3at1/ball"] = {"p3at1/models/pose", "p3at1/models/ball"};
+  const auto& places = update(2);
+  ASSERT_TRUE(places.contains("p3at1/ball"));
+  EXPECT_EQ(places.at("p3at1/ball").back(), Vector2(1, 2));
+  EXPECT_LE(places.at("p3at1/ball").size(), 11U) << "not before it was seen";
+}
+
 TEST_F(TrailsTest, ofModelsThatAreNotAskedForAreNone) {
   drive(0, 2);
   sources.frames.clear();

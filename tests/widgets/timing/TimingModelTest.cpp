@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/processes/TimingModel.h"
+#include "widgets/timing/TimingModel.h"
 
 #include <gtest/gtest.h>
 
@@ -83,13 +83,40 @@ TEST_F(TimingModelTest, tasksThatALayoutNoLongerHasAreRemoved) {
   EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST_F(TimingModelTest, percentilesSayHowLongMostFramesTake) {
+  for (int i = 1; i <= 100; ++i) frame(static_cast<std::uint64_t>(i), i * 0.04, i * 1e-4);
+  EXPECT_NEAR(number(1, TimingModel::kMedian), 5, 0.1);
+  EXPECT_NEAR(number(1, TimingModel::kNinetyFive), 9.5, 0.2);
+  EXPECT_NEAR(number(1, TimingModel::kNinetyNine), 9.9, 0.2);
+}
+
+TEST_F(TimingModelTest, framesThatTakeLongerThanTheyMayAreOverruns) {
+  robotcontrol::ProcessTable program;
+  auto& process = *program.add_processes();
+  process.set_name("cognition");
+  process.add_tasks("ball");
+  model.keepOnly(program);
+  // It has no period: 4 ms are too long only where the next frame comes after 2 ms.
+  for (int i = 1; i <= 10; ++i) frame(static_cast<std::uint64_t>(i), i * 0.04, 0.003);
+  EXPECT_EQ(text(0, TimingModel::kOverruns), "0");
+  for (int i = 11; i <= 2010; ++i) frame(static_cast<std::uint64_t>(i), 0.4 + (i - 10) * 0.002, 0.003);
+  EXPECT_GT(number(0, TimingModel::kOverruns), 1000);
+  EXPECT_EQ(number(1, TimingModel::kOverruns), number(0, TimingModel::kOverruns)) << "it took longest";
+  // With a period of 10 ms they are not.
+  process.set_period(0.01);
+  model.keepOnly(program);
+  model.reset();
+  for (int i = 2011; i <= 2020; ++i) frame(static_cast<std::uint64_t>(i), 5 + (i - 2010) * 0.002, 0.003);
+  EXPECT_EQ(text(0, TimingModel::kOverruns), "0");
+}
+
 TEST_F(TimingModelTest, theTableIsWrittenWithItsUnits) {
   frame(1, 0.00, 0.001);
   frame(2, 0.04, 0.001);
   EXPECT_EQ(model.csv().toStdString(),
-            "process,task,solution,last_ms,mean_ms,min_ms,max_ms,hz,share\n"
-            "cognition,frame,,4,4,4,4,25,0.1\n"
-            "cognition,ball,lines,1,1,1,1,25,0.025\n");
+            "process,task,solution,last_ms,mean_ms,min_ms,median_ms,p95_ms,p99_ms,max_ms,hz,overruns,share\n"
+            "cognition,frame,,4,4,4,4,4,4,4,25,0,0.1\n"
+            "cognition,ball,lines,1,1,1,1,1,1,1,25,0,0.025\n");
   model.reset();
   EXPECT_EQ(model.rowCount(), 0);
 }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/bars/StallWatch.h"
+
+#include <QAbstractEventDispatcher>
+#include <QLabel>
+#include <QStatusBar>
+#include <QTimer>
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+
+namespace app {
+
+using std::chrono::duration_cast;
+using std::chrono::microseconds;
+
+namespace {
+
+constexpr int kShowMs = 500;
+
+double milliseconds(microseconds time) {
+  return static_cast<double>(time.count()) / 1000;
+}
+
+}  // namespace
+
+StallWatch::StallWatch(QObject* parent, QStatusBar* bar) : QObject(parent) {
+  auto* dispatcher = QAbstractEventDispatcher::instance();
+  connect(dispatcher, &QAbstractEventDispatcher::awake, this, &StallWatch::begin);
+  connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, &StallWatch::end);
+  if (bar == nullptr) return;
+  label_ = new QLabel;
+  label_->setObjectName(QStringLiteral("stalls"));
+  label_->setToolTip(
+      tr("How long the window did not answer: how often for more than %1 ms, and the longest time")
+          .arg(kLimit.count()));
+  bar->addPermanentWidget(label_);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, &StallWatch::show);
+  timer->start(kShowMs);
+  show();
+}
+
+bool StallWatch::isWanted() {
+#ifdef NDEBUG
+  return std::getenv("ROBOTCONTROL_STALLS") != nullptr;
+#else
+  return true;
+#endif
+}
+
+StallWatch::Moment StallWatch::now() {
+  timespec cpu{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &cpu);
+  return {std::chrono::steady_clock::now(),
+          std::chrono::seconds(cpu.tv_sec) + std::chrono::nanoseconds(cpu.tv_nsec)};
+}
+
+void StallWatch::reset() {
+  stalls_ = {};
+  begun_.reset();
+}
+
+void StallWatch::begin() {
+  end();  // a loop that found new events at once did not wait
+  begun_ = now();
+}
+
+void StallWatch::end() {
+  if (!begun_) return;
+  const Moment moment = now();
+  const auto wall = duration_cast<microseconds>(moment.wall - begun_->wall);
+  stalls_.longest = std::max(stalls_.longest, wall);
+  stalls_.longestCpu = std::max(stalls_.longestCpu, duration_cast<microseconds>(moment.cpu - begun_->cpu));
+  if (wall > kLimit) ++stalls_.count;
+  begun_.reset();
+}
+
+void StallWatch::show() {
+  if (stalls_ == shown_ && !label_->text().isEmpty()) return;
+  shown_ = stalls_;
+  label_->setText(tr("stalls: %1, longest %2 ms (CPU %3 ms)")
+                      .arg(stalls_.count)
+                      .arg(milliseconds(stalls_.longest), 0, 'f', 0)
+                      .arg(milliseconds(stalls_.longestCpu), 0, 'f', 0));
+}
+
+}  // namespace app

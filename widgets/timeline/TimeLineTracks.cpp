@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/timeline/TimeLineTracks.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "robotlink/session/Session.h"
+#include "widgets/Requests.h"
+#include "widgets/TypedStreams.h"
+#include "widgets/log/OpenLogs.h"
+#include "widgets/plots/LoggedCurves.h"
+
+namespace widgets {
+
+struct TimeLineTracks::Track {
+  explicit Track(const PlotSource& from) : source(from), reader(from) {}
+
+  PlotSource source;
+  PlotReader reader;
+  /// What has arrived.
+  std::shared_ptr<robotlink::Series> live = std::make_shared<robotlink::Series>();
+  /// Null: no open log has it.
+  std::shared_ptr<const LoggedCurve> logged = {};
+  /// Streams whose debug keys were requested; what a user switches off afterwards stays off.
+  std::set<std::string> requested = {};
+};
+
+TimeLineTracks::TimeLineTracks(robotlink::Session& session, OpenLogs& logs)
+    : session_(session), logs_(logs) {}
+
+TimeLineTracks::~TimeLineTracks() = default;
+
+robotlink::Result<void> TimeLineTracks::add(const QString& source) {
+  std::vector<std::string> streams;
+  for (const auto* stream : session_.store().streams()) streams.push_back(stream->path);
+  auto full = completed(PlotSource::fromText(source), session_.selectedRobot(), streams, session_.robots());
+  if (!full) return tl::unexpected(full.error());
+  if (std::ranges::any_of(tracks_, [&](const auto& track) { return track->source == *full; })) return {};
+  if (tracks_.size() >= kMax)
+    return tl::unexpected(robotlink::Error{
+        "timeline.track", "a timeline shows at most " + std::to_string(kMax) + " values", {}, {}});
+  tracks_.push_back(std::make_unique<Track>(*full));
+  return {};
+}
+
+void TimeLineTracks::remove(const QString& source) {
+  std::erase_if(tracks_, [&](const auto& track) { return track->source.text() == source; });
+}
+
+QStringList TimeLineTracks::sources() const {
+  QStringList texts;
+  for (const auto& track : tracks_) texts << track->source.text();
+  return texts;
+}
+
+void TimeLineTracks::setSources(const QStringList& sources) {
+  tracks_.clear();
+  for (const QString& source : sources) {
+    PlotSource read = PlotSource::fromText(source);
+    if (!read.isEmpty() && tracks_.size() < kMax) tracks_.push_back(std::make_unique<Track>(read));
+  }
+}
+
+void TimeLineTracks::requestMissing(Track& track) {
+  for (const std::string& stream : track.reader.streams()) {
+    if (track.requested.contains(stream)) continue;
+    const std::string key = keyFor(session_.store(), stream, session_.timeline().newest());
+    if (key.empty()) continue;
+    track.requested.insert(stream);
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(key);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    ask(session_, robotPart(stream), std::move(request));
+  }
+}
+
+void TimeLineTracks::tick() {
+  if (tracks_.empty()) return;
+  const bool readsLogs = logs_.replay().open();
+  if (readsLogs) LoggedCurves::of(logs_).tick();
+  for (const auto& track : tracks_) {
+    if (readsLogs) {
+      track->logged = LoggedCurves::of(logs_).curve(track->source);
+      continue;
+    }
+    track->logged.reset();
+    requestMissing(*track);
+    auto news = track->reader.take(session_.store());
+    if (news.restarted) track->live->clear();
+    for (const robotlink::Series::Point& point : news.points) track->live->append(point);
+    track->live->limit(kMaxBytes);
+  }
+}
+
+std::vector<TimeLineTrack> TimeLineTracks::shown() const {
+  std::vector<TimeLineTrack> all;
+  for (const auto& track : tracks_) {
+    TimeLineTrack& shown = all.emplace_back();
+    shown.source = track->source.text();
+    shown.unit = track->reader.unit();
+    if (logs_.replay().open()) {
+      // The curve owns its points.
+      if (track->logged) shown.series = {track->logged, &track->logged->series};
+      if (track->logged) shown.problem = track->logged->problem;
+    } else {
+      shown.series = track->live;
+      shown.problem = track->reader.problem(session_.store());
+    }
+    shown.points = shown.series ? shown.series->size() : 0;
+    if (shown.series && !shown.series->empty()) shown.newest = shown.series->back().time;
+  }
+  return all;
+}
+
+}  // namespace widgets

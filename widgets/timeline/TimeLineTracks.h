@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+#include "widgets/timeline/TimeLineLayout.h"
+
+namespace robotlink {
+class Session;
+}
+
+namespace widgets {
+
+class OpenLogs;
+
+/// The values that a timeline shows as curves below its streams: of whole logs, which are read in the
+/// background, or of live robots, since the track was added. GUI thread; session and logs must outlive it.
+class TimeLineTracks {
+ public:
+  static constexpr int kMax = 12;
+  /// Bound of the memory for the points of a live track.
+  static constexpr std::size_t kMaxBytes = 16U << 20U;
+
+  TimeLineTracks(robotlink::Session& session, OpenLogs& logs);
+  ~TimeLineTracks();
+
+  /// Adds a track of what PlotSource::fromText() reads; nothing happens if it is there. Fails if the text is
+  /// wrong or there are kMax.
+  robotlink::Result<void> add(const QString& source);
+  void remove(const QString& source);
+  /// The texts of all, in the order in which they were added.
+  QStringList sources() const;
+  /// Replaces all; texts that are wrong are left out.
+  void setSources(const QStringList& sources);
+
+  /// Takes what was read, or has arrived.
+  void tick();
+  std::vector<TimeLineTrack> shown() const;
+
+ private:
+  struct Track;
+  /// Switches on the debug keys of streams that nobody publishes, each once.
+  void requestMissing(Track& track);
+
+  robotlink::Session& session_;
+  OpenLogs& logs_;
+  std::vector<std::unique_ptr<Track>> tracks_;
+};
+
+}  // namespace widgets
