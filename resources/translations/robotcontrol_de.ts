@@ -11340,7 +11340,7 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     </message>
     <message>
         <source>Selected robot</source>
-        <translation>Gewählter Roboter</translation>
+        <translation>Gewählter</translation>
     </message>
     <message>
         <source>All robots</source>
