@@ -12847,6 +12847,10 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <source>No command was based on a reading of the platform yet. Older programs and logs do not say which commands are.</source>
         <translation>Noch beruhte kein Befehl auf einer Messung der Plattform. Ältere Programme und Logs sagen nicht, welche Befehle es sind.</translation>
     </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
 </context>
 <context>
     <name>widgets::TrailMenu</name>
