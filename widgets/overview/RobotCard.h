@@ -39,6 +39,7 @@ struct RobotCard {
   QImage image;
   QString noImage;
 
+  bool operator==(const RobotCard&) const = default;
   /// All of it in one text, a line each, for tool tips and screen readers.
   QString text() const;
 };

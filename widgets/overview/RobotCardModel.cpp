@@ -6,7 +6,15 @@
 namespace widgets {
 
 void RobotCardModel::setCards(std::vector<RobotCard> cards) {
-  replaceRows(std::move(cards), [](const RobotCard& a, const RobotCard& b) { return a.robot == b.robot; });
+  const auto isSame = [](const RobotCard& a, const RobotCard& b) { return a.robot == b.robot; };
+  if (!std::equal(cards.begin(), cards.end(), rows_.begin(), rows_.end(), isSame))
+    return replaceRows(std::move(cards), isSame);
+  for (int i = 0; i < rowCount(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (rows_[at] == cards[at]) continue;
+    rows_[at] = std::move(cards[at]);
+    Q_EMIT dataChanged(index(i, 0), index(i, 0));
+  }
 }
 
 int RobotCardModel::rowOf(const std::string& robot) const {

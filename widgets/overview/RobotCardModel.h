@@ -13,7 +13,8 @@ class RobotCardModel final : public RowModel<RobotCard> {
   Q_OBJECT
  public:
   explicit RobotCardModel(QObject* parent = nullptr) : RowModel({tr("Robot")}, parent) {}
-  /// Replaces the cards; the current one stays if the robots are the same.
+  /// Replaces the cards; the current one stays if the robots are the same, and only cards that differ are
+  /// announced, because images are expensive to paint.
   void setCards(std::vector<RobotCard> cards);
   /// The row of a robot; -1 if there is none.
   int rowOf(const std::string& robot) const;
