@@ -177,6 +177,9 @@ void OfferDialog::tick() {
   showClients();
   const auto& reports = offer_.reports();
   refused_->setText(reports.empty() ? QString() : QString::fromStdString(reports.back()));
+  // Notes that wrap do not make a window higher by themselves: the fingerprint would be cut off.
+  const int needed = layout()->minimumHeightForWidth(width());
+  if (height() < needed) resize(width(), needed);
 }
 
 void OfferDialog::showClients() {

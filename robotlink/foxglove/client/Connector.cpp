@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/foxglove/client/Connector.h"
 
+#include <linux/sockios.h>
 #include <netinet/tcp.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <array>
@@ -21,9 +23,9 @@
 
 #include "robotlink/base/LittleEndian.h"
 #include "robotlink/base/Utf8.h"
+#include "robotlink/foxglove/client/Distrust.h"
 #include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"
-#include "robotlink/foxglove/security/KnownServers.h"
 #include "robotlink/foxglove/security/Tls.h"
 
 namespace robotlink::websocket {
@@ -110,40 +112,6 @@ class ConnectorThread {
 
 namespace {
 
-/// The host and port of a URL, with brackets for IPv6.
-std::string hostOf(const ServerUrl& url) {
-  const std::string host = url.host.find(':') == std::string::npos ? url.host : "[" + url.host + "]";
-  return host + ":" + std::to_string(url.port);
-}
-
-/// A reason to refuse a server, with what a person can do about it.
-struct Distrust {
-  std::string why;
-  ServerObjection objection = {};
-};
-
-/// Why the certificate is not that of the robot that is meant; empty: it is.
-Distrust whyNotTrusted(const Connector::Options& options, const std::string& fingerprint) {
-  using Kind = ServerObjection::Kind;
-  const KnownServers known(options.knownServers.empty() ? KnownServers::defaultFile() : options.knownServers);
-  const std::string server = hostOf(options.url);
-  const auto isKnown = known.isKnown(server, fingerprint);
-  if (!isKnown) {
-    const auto& error = isKnown.error();
-    // "known.changed" names server, fingerprint, the known one, and the file.
-    const bool isChanged = error.id == "known.changed" && error.arguments.size() >= 3;
-    if (!isChanged) return {error.describe()};
-    return {error.describe(), {Kind::kOtherCertificate, server, fingerprint, error.arguments[2]}};
-  }
-  if (*isKnown) return {};
-  if (options.isTrusted && !options.isTrusted(server, fingerprint))
-    return {"the robot at " + server + " was never seen before; its fingerprint is " + fingerprint +
-                ": compare it with the one that the robot printed",
-            {Kind::kNewCertificate, server, fingerprint, {}}};
-  const auto added = known.add(server, fingerprint);
-  return {added ? "" : "it cannot be remembered which robot this is: " + added.error().describe()};
-}
-
 /// With TLS the stream is an ssl_stream of the socket, whose handshake comes first.
 template <typename Stream>
 class ServerConnection final : public Connection,
@@ -176,6 +144,10 @@ class ServerConnection final : public Connection,
   void onUpgraded(error_code error);
   void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
   void onRead(error_code error, std::size_t bytes);
+  /// Whether the system holds as much as it may that has not been sent. It takes more than
+  /// TCP_NOTSENT_LOWAT if it can be added to a segment that waits, until somebody waits for it.
+  bool isFull();
+  void onRoom(error_code error);
   void onSent(error_code error, std::size_t);
   void onPinged(error_code) { isPinging_ = false; }
   void onControl(websocket::frame_type kind, beast::string_view payload);
@@ -188,7 +160,7 @@ class ServerConnection final : public Connection,
   websocket::response_type response_;
   beast::flat_buffer buffer_;
   std::optional<Frame> sending_;
-  bool isOpen_ = false, isPinging_ = false, hasEnded_ = false;
+  bool isOpen_ = false, isPinging_ = false, waitsForRoom_ = false, hasEnded_ = false;
 };
 
 template <typename Stream>
@@ -214,8 +186,10 @@ void ServerConnection<Stream>::onSecured(error_code error) {
   if (hasEnded_) return;
   if (error) return fail(Failure::kEnded, whyNotSecured(error));
   if constexpr (kIsTls) {
+    const Connector::Options& options = thread_.options;
+    const std::string fingerprint = peerFingerprint(socket_.next_layer().native_handle());
     const Distrust distrust =
-        whyNotTrusted(thread_.options, peerFingerprint(socket_.next_layer().native_handle()));
+        whyNotTrusted(hostOf(options.url), fingerprint, options.knownServers, options.isTrusted);
     if (!distrust.why.empty()) return fail(Failure::kRefused, distrust.why, distrust.objection);
   }
   thread_.watch.stepDone(thread_.now());
@@ -320,8 +294,28 @@ void ServerConnection<Stream>::pong() {
 }
 
 template <typename Stream>
+bool ServerConnection<Stream>::isFull() {
+  int bytes = 0;
+  return ::ioctl(beast::get_lowest_layer(socket_).native_handle(), SIOCOUTQNSD, &bytes) == 0 &&
+         bytes >= thread_.options.unsentBytes;
+}
+
+template <typename Stream>
+void ServerConnection<Stream>::onRoom(error_code error) {
+  waitsForRoom_ = false;
+  if (hasEnded_) return;
+  if (error) return fail(Failure::kEnded, whyBroken(error));
+  send();
+}
+
+template <typename Stream>
 void ServerConnection<Stream>::send() {
-  if (!isOpen_ || sending_ || hasEnded_) return;
+  if (!isOpen_ || sending_ || waitsForRoom_ || hasEnded_) return;
+  if (isFull()) {
+    waitsForRoom_ = true;
+    beast::get_lowest_layer(socket_).async_wait(tcp::socket::wait_write, handler(&ServerConnection::onRoom));
+    return;
+  }
   sending_ = thread_.client->next();
   if (!sending_) return;
   socket_.binary(sending_->kind == FrameKind::kBinary);

@@ -178,9 +178,12 @@ class RemoteTrustGuiTest : public WindowTest {
     QVERIFY(url.has_value());
     QVERIFY(url->host != "0.0.0.0");
     const auto tokens = websocket::loadOrMakeTokens(home_ / "state/robotcontrol/tokens").value().tokens;
-    const QString notes = desk.find<QLabel>("offerNotes").text();
+    const QLabel& note = desk.find<QLabel>("offerNotes");
+    const QString notes = note.text();
     for (const std::string& said : {tokens.control, tokens.watch, std::string("SHA256:")})
       QVERIFY2(notes.contains(QString::fromStdString(said)), qPrintable(notes));
+    // The fingerprint, its last line, is not cut off.
+    QTRY_VERIFY_WITH_TIMEOUT(note.height() >= note.heightForWidth(note.width()), kWaitMs);
     QTest::mouseClick(&desk.find<QPushButton>("offerCopyControl"), Qt::LeftButton);
     QCOMPARE(QGuiApplication::clipboard()->text().toStdString(), tokens.control);
     QTest::mouseClick(&desk.find<QPushButton>("offerCopyWatch"), Qt::LeftButton);
