@@ -743,6 +743,45 @@
     </message>
 </context>
 <context>
+    <name>Gantt</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1, over: %2</source>
+        <translation>%1, zu lang: %2</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, Frame %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>begins at %1 s</source>
+        <translation>beginnt bei %1 s</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dauert %1</translation>
+    </message>
+    <message>
+        <source>, %1 % of the period of %2</source>
+        <translation>, %1 % der Periode von %2</translation>
+    </message>
+    <message>
+        <source>The frame overruns by %1.</source>
+        <translation>Der Frame dauert %1 zu lang.</translation>
+    </message>
+</context>
+<context>
     <name>KeyValue</name>
     <message>
         <source>off</source>
@@ -1494,6 +1533,73 @@
     <message>
         <source>a rear bumper is pressed</source>
         <translation>ein hinterer Stoßfänger ist gedrückt</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>program ended</source>
+        <translation>Programm beendet</translation>
+    </message>
+    <message>
+        <source>program does not answer</source>
+        <translation>Programm antwortet nicht</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>stands: STOP is engaged</source>
+        <translation>steht: STOP ist ausgelöst</translation>
+    </message>
+    <message>
+        <source>stands: emergency stop at the robot</source>
+        <translation>steht: Not-Halt am Roboter</translation>
+    </message>
+    <message>
+        <source>silent for %1 s</source>
+        <translation>schweigt seit %1 s</translation>
+    </message>
+    <message>
+        <source>waits for its program</source>
+        <translation>wartet auf sein Programm</translation>
+    </message>
+    <message>
+        <source>no frame for %1 s</source>
+        <translation>seit %1 s kein Frame</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>log, playing</source>
+        <translation>Log, spielt ab</translation>
+    </message>
+    <message>
+        <source>log, paused</source>
+        <translation>Log, angehalten</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>simulated here</source>
+        <translation>hier simuliert</translation>
+    </message>
+    <message>
+        <source>battery: %1</source>
+        <translation>Akku: %1</translation>
     </message>
 </context>
 <context>
@@ -12846,6 +12952,10 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>No command was based on a reading of the platform yet. Older programs and logs do not say which commands are.</source>
         <translation>Noch beruhte kein Befehl auf einer Messung der Plattform. Ältere Programme und Logs sagen nicht, welche Befehle es sind.</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
     </message>
 </context>
 <context>
