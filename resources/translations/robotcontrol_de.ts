@@ -3140,7 +3140,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     </message>
     <message>
         <source>Copy the one to &amp;control</source>
-        <translation>Das zum &amp;Steuern kopieren</translation>
+        <translation>Zum &amp;Steuern</translation>
     </message>
     <message>
         <source>Copies the token of those who may do everything to the clipboard</source>
@@ -3148,7 +3148,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     </message>
     <message>
         <source>Copy the one to &amp;watch</source>
-        <translation>Das zum Be&amp;obachten kopieren</translation>
+        <translation>Zum Be&amp;obachten</translation>
     </message>
     <message>
         <source>Copies the token of those who may only watch, and engage STOP, to the clipboard</source>
@@ -4334,7 +4334,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Choose &amp;file…</source>
-        <translation>Date&amp;i wählen…</translation>
+        <translation>Date&amp;i…</translation>
     </message>
     <message>
         <source>Chooses the layout, the color table, or the folder of parameters or motions for the selected cell</source>
@@ -4374,7 +4374,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Restart pro&amp;grams</source>
-        <translation>Progra&amp;mme neu starten</translation>
+        <translation>Neu st&amp;arten</translation>
     </message>
     <message>
         <source>Starts the programs of the robots that are ticked again, if they have not read yet what was deployed; these robots stand meanwhile</source>
@@ -5785,7 +5785,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Must not be</source>
-        <translation>Darf nicht sein</translation>
+        <translation>Ist nicht</translation>
     </message>
     <message>
         <source>The pixels of the next stroke must not be of the chosen class (N)</source>
@@ -5793,7 +5793,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Preset</source>
-        <translation>Voreinstellung</translation>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>Last message</source>
@@ -5821,7 +5821,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Next stroke:</source>
-        <translation>Nächster Strich:</translation>
+        <translation>Strich:</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -5869,7 +5869,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Preset: %1</source>
-        <translation>Voreinstellung: %1</translation>
+        <translation>Vorlage: %1</translation>
     </message>
 </context>
 <context>
@@ -6603,7 +6603,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
     </message>
     <message>
         <source>Simulator&apos;s classes</source>
-        <translation>Klassen des Simulators</translation>
+        <translation>Simulatorklassen</translation>
     </message>
     <message>
         <source>Scores the table against the simulated camera&apos;s true classes</source>
@@ -6946,15 +6946,15 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
     </message>
     <message>
         <source>table&apos;s surfaces</source>
-        <translation>Oberflächen der Tabelle</translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>reference&apos;s surfaces</source>
-        <translation>Oberflächen der Referenz</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>what differs</source>
-        <translation>was sich unterscheidet</translation>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>Opacity of surfaces</source>
