@@ -32,6 +32,9 @@ RULES = (
     ("PointFilter", "robotlink/series/PointFilter.cpp", re.compile(r'\{"[\w-]+", "([\w ]+)"(?=[,}])')),
 )
 OPAQUE_ENUM = re.compile(r"\benum class \w+ : [\w:]+;")
+# A function or a lambda of one's own that translates its argument: lupdate does not know its texts, unless they are marked.
+OWN_FUNCTION = re.compile(r"(?:QString (\w+)\(const char\* ?\w+\)|\b(\w+) = \[\]\(const char\* ?\w+\)) \{\s*return "
+                          r'QCoreApplication::translate\("\w[\w:]*", \w+\)')
 DIGIT_SEPARATOR = re.compile(r"(?<=[0-9a-fA-F])'(?=[0-9a-fA-F])")
 PLACE = re.compile(r"%L?\d+|%n")
 
@@ -78,6 +81,22 @@ def lupdate(project, ts):
             sys.exit("lupdate (Debian's package qttools5-dev-tools) failed:\n" + run.stderr)
         shutil.copy(copy, ts)
         return [line.replace(f"{folder}/", "") for line in run.stderr.splitlines() if line.strip()]
+
+
+def unknown_texts(source):
+    """Calls of own functions that translate texts which lupdate does not find."""
+    for function in OWN_FUNCTION.finditer(source):
+        name = function.group(1) or function.group(2)
+        yield from re.findall(rf'(?<![\w.:]){name}\("[^"]*"', source)
+
+
+def problems_of_sources(project):
+    """Texts that lupdate does not find, a line each."""
+    for part in FOLDERS:
+        for path in sorted((project / part).rglob("*.cpp")):
+            for call in unknown_texts(path.read_text(encoding="utf-8")):
+                yield (f"{path.relative_to(project)}: {call}) is not found by lupdate; call the tr() of a struct with "
+                       "Q_DECLARE_TR_FUNCTIONS instead")
 
 
 def messages_of(ts):
@@ -129,6 +148,8 @@ def check_itself():
     for translations in ({}, {key: ("", True)}, {key: ("%1 von %2:", False)}, {key: ("%1 von:", True)}, {key: ("%1 von %2", True)},
                          {key: ("%1 von %2:", True), ("View", "Old", ""): ("Alt", True)}):
         assert len(list(problems_of({key: ("", False)}, translations))) == 1, translations
+    own = 'QString mine(const char* text) {\n  return QCoreApplication::translate("Mine", text);\n}\n'
+    assert list(unknown_texts(own + 'mine("a"); mine(QT_TRANSLATE_NOOP("Mine", "b"));')) == ['mine("a"']
     assert DIGIT_SEPARATOR.sub("", "30'000, 'a', u'b'") == "30000, 'a', u'b'"
 
 
@@ -147,6 +168,7 @@ def main():
         fresh = pathlib.Path(name) / "robotcontrol_en.ts"
         problems = [f"lupdate: {line}" for line in lupdate(project, fresh)]
         wanted = messages_of(fresh)
+    problems += problems_of_sources(project)
     for ts in files:
         problems += [f"{ts.name}: {problem}" for problem in problems_of(wanted, messages_of(ts))]
     if problems:

@@ -743,6 +743,45 @@
     </message>
 </context>
 <context>
+    <name>Gantt</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1, over: %2</source>
+        <translation>%1, zu lang: %2</translation>
+    </message>
+    <message>
+        <source>%1, frame %2</source>
+        <translation>%1, Frame %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>begins at %1 s</source>
+        <translation>beginnt bei %1 s</translation>
+    </message>
+    <message>
+        <source>takes %1</source>
+        <translation>dauert %1</translation>
+    </message>
+    <message>
+        <source>, %1 % of the period of %2</source>
+        <translation>, %1 % der Periode von %2</translation>
+    </message>
+    <message>
+        <source>The frame overruns by %1.</source>
+        <translation>Der Frame dauert %1 zu lang.</translation>
+    </message>
+</context>
+<context>
     <name>KeyValue</name>
     <message>
         <source>off</source>
@@ -1494,6 +1533,73 @@
     <message>
         <source>a rear bumper is pressed</source>
         <translation>ein hinterer Stoßfänger ist gedrückt</translation>
+    </message>
+</context>
+<context>
+    <name>RobotCard</name>
+    <message>
+        <source>program ended</source>
+        <translation>Programm beendet</translation>
+    </message>
+    <message>
+        <source>program does not answer</source>
+        <translation>Programm antwortet nicht</translation>
+    </message>
+    <message>
+        <source>stands</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>stands: STOP is engaged</source>
+        <translation>steht: STOP ist ausgelöst</translation>
+    </message>
+    <message>
+        <source>stands: emergency stop at the robot</source>
+        <translation>steht: Not-Halt am Roboter</translation>
+    </message>
+    <message>
+        <source>silent for %1 s</source>
+        <translation>schweigt seit %1 s</translation>
+    </message>
+    <message>
+        <source>waits for its program</source>
+        <translation>wartet auf sein Programm</translation>
+    </message>
+    <message>
+        <source>no frame for %1 s</source>
+        <translation>seit %1 s kein Frame</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>log, playing</source>
+        <translation>Log, spielt ab</translation>
+    </message>
+    <message>
+        <source>log, paused</source>
+        <translation>Log, angehalten</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>simulated here</source>
+        <translation>hier simuliert</translation>
+    </message>
+    <message>
+        <source>battery: %1</source>
+        <translation>Akku: %1</translation>
     </message>
 </context>
 <context>
@@ -3034,7 +3140,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     </message>
     <message>
         <source>Copy the one to &amp;control</source>
-        <translation>Das zum &amp;Steuern kopieren</translation>
+        <translation>Zum &amp;Steuern</translation>
     </message>
     <message>
         <source>Copies the token of those who may do everything to the clipboard</source>
@@ -3042,7 +3148,7 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     </message>
     <message>
         <source>Copy the one to &amp;watch</source>
-        <translation>Das zum Be&amp;obachten kopieren</translation>
+        <translation>Zum Be&amp;obachten</translation>
     </message>
     <message>
         <source>Copies the token of those who may only watch, and engage STOP, to the clipboard</source>
@@ -4228,7 +4334,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Choose &amp;file…</source>
-        <translation>Date&amp;i wählen…</translation>
+        <translation>Date&amp;i…</translation>
     </message>
     <message>
         <source>Chooses the layout, the color table, or the folder of parameters or motions for the selected cell</source>
@@ -4268,7 +4374,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Restart pro&amp;grams</source>
-        <translation>Progra&amp;mme neu starten</translation>
+        <translation>Neu st&amp;arten</translation>
     </message>
     <message>
         <source>Starts the programs of the robots that are ticked again, if they have not read yet what was deployed; these robots stand meanwhile</source>
@@ -5679,7 +5785,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Must not be</source>
-        <translation>Darf nicht sein</translation>
+        <translation>Ist nicht</translation>
     </message>
     <message>
         <source>The pixels of the next stroke must not be of the chosen class (N)</source>
@@ -5687,7 +5793,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Preset</source>
-        <translation>Voreinstellung</translation>
+        <translation>Vorlage</translation>
     </message>
     <message>
         <source>Last message</source>
@@ -5715,7 +5821,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Next stroke:</source>
-        <translation>Nächster Strich:</translation>
+        <translation>Strich:</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -5763,7 +5869,7 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
     <message>
         <source>Preset: %1</source>
-        <translation>Voreinstellung: %1</translation>
+        <translation>Vorlage: %1</translation>
     </message>
 </context>
 <context>
@@ -6497,7 +6603,7 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
     </message>
     <message>
         <source>Simulator&apos;s classes</source>
-        <translation>Klassen des Simulators</translation>
+        <translation>Simulatorklassen</translation>
     </message>
     <message>
         <source>Scores the table against the simulated camera&apos;s true classes</source>
@@ -6840,15 +6946,15 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
     </message>
     <message>
         <source>table&apos;s surfaces</source>
-        <translation>Oberflächen der Tabelle</translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>reference&apos;s surfaces</source>
-        <translation>Oberflächen der Referenz</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>what differs</source>
-        <translation>was sich unterscheidet</translation>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>Opacity of surfaces</source>

@@ -34,9 +34,9 @@ constexpr double kSilentFrames = 1.5;  // s
 constexpr const char* kDecidingTasks[] = {"behavior", "driving"};
 constexpr char kBatteryReading[] = "batteryLevel";
 
-QString cardTr(const char* text) {
-  return QCoreApplication::translate("RobotCard", text);
-}
+struct CardTexts {
+  Q_DECLARE_TR_FUNCTIONS(RobotCard)
+};
 
 /// What is known of a robot.
 struct Known {
@@ -75,21 +75,22 @@ CardText programTrouble(const Known& known) {
   const auto* hosting = known.ofRobot<HostingStatus>(streams::kHosting);
   if (hosting == nullptr || hosting->state() == HostingStatus::RUNNING) return {};
   const QString why = QString::fromStdString(hosting->text());
-  const QString what = hosting->state() == HostingStatus::ENDED           ? cardTr("program ended")
-                       : hosting->state() == HostingStatus::NOT_ANSWERING ? cardTr("program does not answer")
-                                                                          : cardTr("stands");
+  const QString what = hosting->state() == HostingStatus::ENDED ? CardTexts::tr("program ended")
+                       : hosting->state() == HostingStatus::NOT_ANSWERING
+                           ? CardTexts::tr("program does not answer")
+                           : CardTexts::tr("stands");
   const QString first = why.section(QLatin1Char('.'), 0, 0);
-  return {first.isEmpty() ? what : cardTr("%1: %2").arg(what, first), Meaning::kBad,
-          cardTr("%1: %2").arg(what, why)};
+  return {first.isEmpty() ? what : CardTexts::tr("%1: %2").arg(what, first), Meaning::kBad,
+          CardTexts::tr("%1: %2").arg(what, why)};
 }
 
 CardText stopped(const Known& known) {
   const auto* status = known.latest<robotcontrol::SimulationStatus>(streams::kSimulation);
   if (status != nullptr && known.isIn(status->stopped_robots()))
-    return {cardTr("stands: STOP is engaged"), Meaning::kBad};
+    return {CardTexts::tr("stands: STOP is engaged"), Meaning::kBad};
   const auto* drive = known.ofRobot<robotcontrol::DriveState>(robotlink::kDriveState.name);
   if (drive != nullptr && drive->emergency_stop())
-    return {cardTr("stands: emergency stop at the robot"), Meaning::kBad};
+    return {CardTexts::tr("stands: emergency stop at the robot"), Meaning::kBad};
   return {};
 }
 
@@ -107,26 +108,26 @@ std::optional<double> frameSilence(const Known& known) {
 CardText running(const Known& known) {
   const auto silence = frameSilence(known);
   const auto base = baseSilence(known.context.session.store(), known.robot, known.shown);
-  if (base) return {cardTr("silent for %1 s").arg(*base, 0, 'f', 0), Meaning::kWarning};
-  if (!silence) return {cardTr("waits for its program"), Meaning::kNote};
+  if (base) return {CardTexts::tr("silent for %1 s").arg(*base, 0, 'f', 0), Meaning::kWarning};
+  if (!silence) return {CardTexts::tr("waits for its program"), Meaning::kNote};
   if (*silence > kSilentFrames)
-    return {cardTr("no frame for %1 s").arg(*silence, 0, 'f', 0), Meaning::kWarning};
-  return {cardTr("running"), Meaning::kGood};
+    return {CardTexts::tr("no frame for %1 s").arg(*silence, 0, 'f', 0), Meaning::kWarning};
+  return {CardTexts::tr("running"), Meaning::kGood};
 }
 
 CardText cardState(const Known& known) {
   if (CardText trouble = programTrouble(known); !trouble.text.isEmpty()) return trouble;
   if (CardText stop = stopped(known); !stop.text.isEmpty()) return stop;
   if (const auto* remote = known.remote())
-    return remote->isConnected ? running(known) : CardText{cardTr("not connected"), Meaning::kMuted};
+    return remote->isConnected ? running(known) : CardText{CardTexts::tr("not connected"), Meaning::kMuted};
   if (known.log() != nullptr) {
     const bool playing = known.latest<robotcontrol::ReplayStatus>(streams::kReplay)->playing();
-    return playing ? CardText{cardTr("log, playing"), Meaning::kGood}
-                   : CardText{cardTr("log, paused"), Meaning::kNote};
+    return playing ? CardText{CardTexts::tr("log, playing"), Meaning::kGood}
+                   : CardText{CardTexts::tr("log, paused"), Meaning::kNote};
   }
   const auto* status = known.latest<robotcontrol::SimulationStatus>(streams::kSimulation);
   const bool pauses = status != nullptr && !status->is_real() && known.isIn(status->robots());
-  if (pauses && !status->running()) return {cardTr("paused"), Meaning::kNote};
+  if (pauses && !status->running()) return {CardTexts::tr("paused"), Meaning::kNote};
   return running(known);
 }
 
@@ -136,8 +137,8 @@ CardText cardBehavior(const Known& known) {
   for (const char* wanted : kDecidingTasks) {
     for (const auto& task : table->tasks()) {
       if (task.name() != wanted || task.active().empty()) continue;
-      return {
-          cardTr("%1: %2").arg(QString::fromStdString(task.name()), QString::fromStdString(task.active()))};
+      return {CardTexts::tr("%1: %2").arg(QString::fromStdString(task.name()),
+                                          QString::fromStdString(task.active()))};
     }
   }
   return {};
@@ -167,7 +168,7 @@ CardText cardLink(const Known& known) {
   }
   const auto* simulation = known.latest<robotcontrol::SimulationStatus>(streams::kSimulation);
   if (simulation == nullptr || !known.isIn(simulation->robots())) return {};
-  return simulation->is_real() ? CardText{} : CardText{cardTr("simulated here")};
+  return simulation->is_real() ? CardText{} : CardText{CardTexts::tr("simulated here")};
 }
 
 BatteryLevel batteryOfRobot(const Known& known) {
@@ -193,7 +194,7 @@ QString RobotCard::text() const {
     if (!each->text.isEmpty()) lines << (each->details.isEmpty() ? each->text : each->details);
   }
   if (battery.state != BatteryLevel::State::kUnknown) {
-    lines << cardTr("battery: %1").arg(battery.text());
+    lines << CardTexts::tr("battery: %1").arg(battery.text());
     if (const QString warning = battery.warning(); !warning.isEmpty()) lines << warning;
   }
   if (!link.text.isEmpty()) lines << (link.details.isEmpty() ? link.text : link.details);

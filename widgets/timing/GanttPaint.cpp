@@ -20,12 +20,12 @@ constexpr double kGanttMargin = 6;
 constexpr double kFrameShare = 0.4;
 constexpr double kMinLabelled = 24;  // pixels; narrower bars have no text
 
-QString ganttTr(const char* text) {
-  return QCoreApplication::translate("Gantt", text);
-}
+struct GanttTexts {
+  Q_DECLARE_TR_FUNCTIONS(Gantt)
+};
 
 QString millisecondsText(double seconds) {
-  return ganttTr("%1 ms").arg(seconds * 1000, 0, 'f', seconds < 0.1 ? 3 : 1);
+  return GanttTexts::tr("%1 ms").arg(seconds * 1000, 0, 'f', seconds < 0.1 ? 3 : 1);
 }
 
 double widthOf(const GanttLook& look, double seconds) {
@@ -34,9 +34,9 @@ double widthOf(const GanttLook& look, double seconds) {
 
 /// "25.0 Hz, 2 overruns"
 QString rateText(const GanttLane& lane) {
-  const QString rate = lane.rate > 0 ? ganttTr("%1 Hz").arg(lane.rate, 0, 'f', 1) : QString();
+  const QString rate = lane.rate > 0 ? GanttTexts::tr("%1 Hz").arg(lane.rate, 0, 'f', 1) : QString();
   if (lane.overruns == 0) return rate;
-  return ganttTr("%1, over: %2").arg(rate).arg(lane.overruns);
+  return GanttTexts::tr("%1, over: %2").arg(rate).arg(lane.overruns);
 }
 
 /// The arguments of the functions below.
@@ -201,23 +201,23 @@ QString ganttText(const GanttLook& look, const GanttHit& of) {
   QStringList lines;
   double begin = robotlink::seconds(frame.time - look.origin), took = frame.seconds;
   if (of.task < 0) {
-    lines << ganttTr("%1, frame %2").arg(QString::fromStdString(lane.process)).arg(frame.number);
+    lines << GanttTexts::tr("%1, frame %2").arg(QString::fromStdString(lane.process)).arg(frame.number);
   } else {
     const auto& entry = frame.times->entries(of.task);
-    lines << ganttTr("%1 (%2)").arg(QString::fromStdString(entry.task()),
-                                    QString::fromStdString(entry.solution()));
+    lines << GanttTexts::tr("%1 (%2)").arg(QString::fromStdString(entry.task()),
+                                           QString::fromStdString(entry.solution()));
     took = entry.seconds();
     for (int i = 0; i < of.task; ++i) begin += frame.times->entries(i).seconds();
   }
-  lines << ganttTr("begins at %1 s").arg(begin, 0, 'f', 4);
-  lines << ganttTr("takes %1").arg(millisecondsText(took));
+  lines << GanttTexts::tr("begins at %1 s").arg(begin, 0, 'f', 4);
+  lines << GanttTexts::tr("takes %1").arg(millisecondsText(took));
   if (frame.period > 0) {
-    lines.back() += ganttTr(", %1 % of the period of %2")
+    lines.back() += GanttTexts::tr(", %1 % of the period of %2")
                         .arg(100 * took / frame.period, 0, 'f', 1)
                         .arg(millisecondsText(frame.period));
   }
   if (frame.overruns())
-    lines << ganttTr("The frame overruns by %1.").arg(millisecondsText(frame.seconds - frame.period));
+    lines << GanttTexts::tr("The frame overruns by %1.").arg(millisecondsText(frame.seconds - frame.period));
   return lines.join(QLatin1Char('\n'));
 }
 
