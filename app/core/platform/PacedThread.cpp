@@ -55,7 +55,8 @@ void PacedThread::runLoop() {
       wakeUp_.wait(lock, disturbed);
       continue;
     }
-    if (wakeUp_.wait_until(lock, *due, disturbed)) continue;
+    // To wait until a time that is over would cost a call of the system for each step.
+    if (disturbed() || (Clock::now() < *due && wakeUp_.wait_until(lock, *due, disturbed))) continue;
     lock.unlock();
     work_.step();
     lock.lock();

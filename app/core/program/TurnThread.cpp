@@ -52,7 +52,10 @@ void TurnThread::loop() {
     turn_();
     lock.lock();
     isWanted_ = false;
+    // Who is woken while the lock is held waits for it again at once.
+    lock.unlock();
     done_.notify_all();
+    lock.lock();
   }
 }
 
