@@ -103,6 +103,9 @@ struct BodyProgram::Implementation {
   void runFrame();
   void takeCommands(Instant now);
   void obey(const BodyCommands& newest);
+  /// Whether the newest command answers readings that are not too old.
+  bool isInTime(Instant now) const { return basedOn && now - *basedOn <= options.watchdog; }
+  void followLateness(Instant now);
   std::string whyStand(Instant now) const;
   void publish(Instant now);
   void setStands(const std::string& why);
@@ -133,6 +136,10 @@ struct BodyProgram::Implementation {
   std::uint64_t frame = 0;
   /// The sender of the newest command, and what became of the commands of this sender.
   std::uint64_t commander = 0, obeyed = 0, late = 0;
+  /// Whether commands came too late, or not at all, and are not trusted again yet; and since when they come
+  /// in time.
+  bool isUnsteady = false;
+  std::optional<Instant> steadySince;
   HostingStatus status;
 };
 
@@ -192,6 +199,7 @@ void BodyProgram::Implementation::runFrame() {
   const Instant now = exchange.clock().now();
   ++frame;
   takeCommands(now);
+  followLateness(now);
   setStands(whyStand(now));
   publish(now);
 }
@@ -203,9 +211,13 @@ void BodyProgram::Implementation::takeCommands(Instant now) {
   if (!newest) return;
   const Instant answered = robotlink::instant(newest->based_on());
   isStoppedThere = newest->stop();
-  if (std::exchange(commander, newest->sender()) != newest->sender()) obeyed = late = 0;
+  if (std::exchange(commander, newest->sender()) != newest->sender()) {
+    obeyed = late = 0;
+    isUnsteady = false;
+  }
   if (answered > now || now - answered > options.watchdog) {
     ++late;
+    steadySince.reset();
     return;
   }
   basedOn = answered;
@@ -223,10 +235,23 @@ void BodyProgram::Implementation::obey(const BodyCommands& newest) {
   }
 }
 
+/// A line that is too narrow delivers now in time, now too late. A robot that went and stood many times a
+/// second would fall: after it stood it waits until all commands were in time for as long as they may be
+/// late.
+void BodyProgram::Implementation::followLateness(Instant now) {
+  if (!isInTime(now)) {
+    isUnsteady = basedOn || late > 0;
+    steadySince.reset();
+  } else if (isUnsteady) {
+    if (!steadySince || *steadySince > now) steadySince = now;
+    isUnsteady = now - *steadySince < options.watchdog;
+  }
+}
+
 std::string BodyProgram::Implementation::whyStand(Instant now) const {
   const double limit = robotlink::seconds(options.watchdog);
   if (isStoppedThere) return robot + " stands: STOP is engaged where its program runs";
-  if (basedOn && now - *basedOn <= options.watchdog) return {};
+  if (isInTime(now) && !isUnsteady) return {};
   if (!basedOn && late == 0) return robot + " stands: no program commands it yet";
   return fmt::format(
       "{} stands: for {:.3g} s no command of the program of {} arrived in time; the line may be slow or cut, "

@@ -111,10 +111,33 @@ TEST_F(BodyProgramTest, withoutCommandsItStandsAfterHalfASecondOfItsOwnTime) {
   const double held = angle(1);
   stepFor(300ms);
   EXPECT_NEAR(angle(1), held, 0.05);
-  put(commands(now()));
-  run_->step();
-  run_->step();
+  // It goes on when they have come in time for half a second.
+  const auto obeyFor = [this](robotlink::Duration time) {
+    for (const Instant end = now() + time; now() < end;) {
+      put(commands(now()));
+      run_->step();
+    }
+  };
+  obeyFor(490ms);
+  EXPECT_TRUE(state().stands());
+  obeyFor(40ms);
   EXPECT_FALSE(state().stands());
+}
+
+TEST_F(BodyProgramTest, aLineOnWhichCommandsAreNowInTimeNowTooLateDoesNotLetItGoAndStandInTurn) {
+  put(commands(now()));
+  stepFor(600ms);
+  ASSERT_TRUE(state().stands());
+  int changes = 0;
+  bool stood = true;
+  for (int i = 0; i < 500; ++i) {
+    put(commands(now() - (i % 20 < 10 ? 100ms : 600ms)));
+    run_->step();
+    changes += state().stands() != stood ? 1 : 0;
+    stood = state().stands();
+  }
+  EXPECT_EQ(changes, 0);
+  EXPECT_TRUE(state().stands());
 }
 
 TEST_F(BodyProgramTest, commandsThatComeTooLateAreCountedAndNotObeyed) {
