@@ -47,6 +47,7 @@
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/console/CommandLog.h"
+#include "widgets/export/ViewExport.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motions/MotionLink.h"

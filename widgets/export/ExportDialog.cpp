@@ -54,6 +54,13 @@ QToolButton* makeSmallButton(QWidget* parent, const ControlText& text) {
   return button;
 }
 
+/// Adds a row of several controls, whose label gives the focus to the first one.
+void addRow(QFormLayout& form, const QString& text, QHBoxLayout* controls, QWidget* first) {
+  auto* label = new QLabel(text, form.parentWidget());
+  label->setBuddy(first);
+  form.addRow(label, controls);
+}
+
 /// A name of a view, "field#2", as a part of a file's name.
 QString fileNameOf(QString view) {
   return view.replace(QLatin1Char('#'), QLatin1Char('-'));
@@ -93,7 +100,7 @@ void ExportDialog::createControls() {
   place->addWidget(browse);
   form->addRow(tr("&View"), view_);
   form->addRow(tr("&As"), kind_);
-  form->addRow(tr("&To"), place);
+  addRow(*form, tr("&To"), place, target_);
   createTimes();
   createSize();
   summary_ = makeNote(this, "exportSummary", tr("What will be written"));
@@ -139,7 +146,7 @@ void ExportDialog::createTimes() {
   times->addWidget(range);
   times->addWidget(all);
   auto* form = static_cast<QFormLayout*>(layout());
-  form->addRow(tr("&From"), times);
+  addRow(*form, tr("&From"), times, from_);
   rate_ = makeNumber(this, {"exportRate", tr("Rate"), tr("Pictures for each second; also that of the video")},
                      tr(" pictures/s"));
   rate_->setRange(ExportPlan::kMinRate, ExportPlan::kMaxRate);
@@ -159,7 +166,7 @@ void ExportDialog::createSize() {
   size->addWidget(new QLabel(QStringLiteral("×"), this));
   size->addWidget(height_, 1);
   size->addWidget(shown);
-  static_cast<QFormLayout*>(layout())->addRow(tr("&Size"), size);
+  addRow(*static_cast<QFormLayout*>(layout()), tr("&Size"), size, width_);
 }
 
 void ExportDialog::connectSignals() {

@@ -208,7 +208,7 @@ void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransfor
     // Trails fade with age.
     for (std::size_t i = 1; i < places.size(); ++i) {
       if (isEstimate && i % 3 == 0) continue;  // dashed, as estimates are
-      color.setAlphaF(0.15 + 0.75 * static_cast<double>(i) / static_cast<double>(places.size()));
+      color.setAlphaF(0.3 + 0.6 * static_cast<double>(i) / static_cast<double>(places.size()));
       painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::FlatCap));
       painter.drawLine(map(toWidget, places[i - 1]), map(toWidget, places[i]));
     }

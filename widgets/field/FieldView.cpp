@@ -88,13 +88,6 @@ void FieldView::createMeasure() {
   const auto describe = [](const std::vector<QPointF>& points) {
     MeasureText text;
     QStringList parts;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const QString letter(QLatin1Char(static_cast<char>('A' + i)));
-      parts << tr("%1 (%2, %3) mm")
-                   .arg(letter)
-                   .arg(std::lround(1e3 * points[i].x()))
-                   .arg(std::lround(1e3 * points[i].y()));
-    }
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const QPointF by = points[i + 1] - points[i];
       const QString direction =
@@ -105,6 +98,13 @@ void FieldView::createMeasure() {
     if (points.size() > 2) {
       text.angle = QStringLiteral("%1°").arg(robotlink::degrees(angleAt(points)), 0, 'f', 1);
       parts << tr("angle at B %1").arg(text.angle);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const QString letter(QLatin1Char(static_cast<char>('A' + i)));
+      parts << tr("%1 (%2, %3) mm")
+                   .arg(letter)
+                   .arg(std::lround(1e3 * points[i].x()))
+                   .arg(std::lround(1e3 * points[i].y()));
     }
     text.line = parts.join(QStringLiteral("; "));
     return text;

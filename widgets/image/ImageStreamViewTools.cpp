@@ -167,7 +167,6 @@ QString ImageStreamView::endText(const QString& name, const QPointF& point) cons
 MeasureText ImageStreamView::measured(const std::vector<QPointF>& points) const {
   MeasureText text;
   QStringList parts;
-  for (std::size_t i = 0; i < points.size(); ++i) parts << endText(lettersOf(i), points[i]);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const QPointF by = points[i + 1] - points[i];
     QString segment = tr("%1 px").arg(std::hypot(by.x(), by.y()), 0, 'f', 1);
@@ -184,6 +183,7 @@ MeasureText ImageStreamView::measured(const std::vector<QPointF>& points) const 
     text.angle = degreesText(angleAt(points) * 180 / robotlink::kPi);
     parts << tr("angle at B %1").arg(text.angle);
   }
+  for (std::size_t i = 0; i < points.size(); ++i) parts << endText(lettersOf(i), points[i]);
   text.line = parts.join(QStringLiteral("; "));
   return text;
 }

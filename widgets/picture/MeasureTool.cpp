@@ -55,7 +55,8 @@ void MeasureTool::createBar(const QByteArray& name) {
   text_->setObjectName(QString::fromLatin1(name + "MeasureText"));
   text_->setAccessibleName(tr("Measurement"));
   text_->setTextFormat(Qt::PlainText);
-  text_->setWordWrap(true);
+  // One line, so that the picture stays where it is; what does not fit is in the tool tip.
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   row->addWidget(text_, 1);
   row->addWidget(makeButton(bar_, copy_), 0, Qt::AlignTop);

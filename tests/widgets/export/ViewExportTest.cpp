@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/export/ViewExport.h"
 
-#include <unistd.h>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -193,15 +192,6 @@ class ViewExportTest : public QObject {
     QVERIFY(f.start(plan).find("earlier export") != std::string::npos);
     plan.to = exportTime(1);
     QVERIFY(f.start(plan).find("end must not be before") != std::string::npos);
-  }
-
-  void anUnwritableFolderIsSaidBefore() {
-    if (::geteuid() == 0) QSKIP("root may write everywhere");
-    Filmed f;
-    std::filesystem::create_directory(f.folder.path() / "closed");
-    std::filesystem::permissions(f.folder.path() / "closed", std::filesystem::perms::owner_read);
-    QVERIFY(f.start(f.plan(ExportPlan::Kind::kVideo, "closed/made.avi")).find("nothing can be written") !=
-            std::string::npos);
   }
 
   void anotherExportHasToWait() {
