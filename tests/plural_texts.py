@@ -18,7 +18,7 @@ logs messages names packages packets pictures pixels points problems requests ro
 streams strokes tables tasks texts times values views""".split()
 # Texts of the colors' views are still to be mended.
 LATER = pathlib.Path("widgets/color")
-SEVERAL = re.compile(r"(?<!of )%(?:n|L?\d+) (?:more |other |whole )?(?:" + "|".join(NOUNS) + r")\b")
+SEVERAL = re.compile(r"(?<!of )%(?:n|L?\d+) (?:more |other |whole )?(?:" + "|".join(NOUNS) + r")\b(?!/s)")  # not rates
 
 
 def is_counted(before):
