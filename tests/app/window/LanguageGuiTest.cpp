@@ -33,11 +33,11 @@ class LanguageGuiTest : public WindowTest {
     EmptyDesk desk(home_ / "german");
     QVERIFY(menusOf(desk.window).contains(QStringLiteral("&Fenster")));
     desk.window.docks().open(QStringLiteral("debug-keys"));
-    desk.window.docks().open(QStringLiteral("field"));
+    desk.window.docks().open(QStringLiteral("motion"));
     QStringList titles;
     for (const auto* dock : desk.window.findChildren<ads::CDockWidget*>()) titles << dock->windowTitle();
     QVERIFY(titles.contains(QStringLiteral("Debug-Schlüssel")));
-    QVERIFY(titles.contains(QStringLiteral("Feld und Karte")));
+    QVERIFY(titles.contains(QStringLiteral("Bewegungstester")));
     // A text of the forms, which know no Qt, and one of the commands.
     QCOMPARE(desk.find<QAction>("robot.connect").text(), QStringLiteral("Mit einem &Pioneer verbinden…"));
     QVERIFY(desk.find<QAction>("simulation.start").toolTip().contains(QStringLiteral("Simulation")));
