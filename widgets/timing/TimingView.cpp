@@ -37,7 +37,7 @@ const ViewRegistration kTimingViewRegistration{
 
 constexpr char kKey[] = "timing/tasks";
 /// Below this height a view that is wide enough has its parts side by side.
-constexpr int kSideBySideHeight = 400, kSideBySideWidth = 760;
+constexpr int kSideBySideHeight = 400, kSideBySideWidth = 600;
 
 }  // namespace
 
