@@ -47,9 +47,9 @@ PublishPanel::PublishPanel(ViewContext& context, QWidget* parent)
 PublishPanel::~PublishPanel() = default;
 
 void PublishPanel::createActions() {
-  send_ = makeAction(
-      this, "send",
-      {"publishSend", tr("Send"), tr("Sends the message once"), QKeySequence(QStringLiteral("Ctrl+Return"))});
+  send_ = makeAction(this, "send",
+                     {"publishSend", tr("Send"), tr("Sends the message once"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+Return"))});
   connect(send_, &QAction::triggered, this, &PublishPanel::send);
   repeat_ = makeToggle(
       this, "loop", {"publishRepeat", tr("Repeat"), tr("Sends the message again and again, as it is then")});

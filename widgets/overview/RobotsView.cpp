@@ -2,6 +2,8 @@
 #include "widgets/overview/RobotsView.h"
 
 #include <QListView>
+#include <QScrollBar>
+#include <QStyle>
 #include <algorithm>
 
 #include "robotlink/packages/Packages.h"
@@ -46,6 +48,7 @@ RobotsView::RobotsView(ViewContext& context, QWidget* parent)
   list_->setResizeMode(QListView::Adjust);
   list_->setMovement(QListView::Static);
   list_->setUniformItemSizes(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->setFrameShape(QFrame::NoFrame);
@@ -77,7 +80,9 @@ void RobotsView::resizeEvent(QResizeEvent* event) {
 }
 
 void RobotsView::fit() {
-  const QSize room = list_->contentsRect().size() - QSize(2, 2);
+  // The list leaves room for its scroll bar, whether or not that is there.
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, list_->verticalScrollBar());
+  const QSize room = list_->contentsRect().size() - QSize(2 + bar, 2);
   if (delegate_->fit(model_.rowCount(), room, list_->fontMetrics())) list_->doItemsLayout();
 }
 

@@ -32,7 +32,7 @@ MeasureTool::MeasureTool(QWidget& view, QWidget& canvas, const char* name, Scale
        tr("Measures distances and angles: click two or three points, or drag. Esc ends it"), Qt::Key_L});
   copy_ = makeAction(&view, "copy",
                      {copyName.constData(), tr("Copy measurement"), tr("Copies what was measured, as text"),
-                      QKeySequence(QStringLiteral("Ctrl+Shift+C"))});
+                      QKeySequence(QStringLiteral("Ctrl+Alt+C"))});
   copy_->setEnabled(false);
   createBar(name);
   connect(toggle_, &QAction::toggled, this, [this](bool on) {

@@ -42,7 +42,7 @@ class MeasureTool final : public QObject {
 
   /// L: switches it on and off.
   QAction* toggle() const { return toggle_; }
-  /// Ctrl+Shift+C: copies the result; disabled without one.
+  /// Ctrl+Alt+C: copies the result; disabled without one.
   QAction* copy() const { return copy_; }
   bool isOn() const;
   /// The row with the result, to be placed below the picture; hidden while the tool is off.

@@ -77,7 +77,8 @@ class PublishPanelTest : public QObject {
     QVERIFY(
         child<QPlainTextEdit>(*view, "publishText").toPlainText().contains(QStringLiteral("\"heading\": 0")));
     write(*view, R"({"pose_in_field": {"x": 1.5, "y": -0.5}})");
-    QTest::keyClick(&child<QPlainTextEdit>(*view, "publishText"), Qt::Key_Return, Qt::ControlModifier);
+    QTest::keyClick(&child<QPlainTextEdit>(*view, "publishText"), Qt::Key_Return,
+                    Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QCOMPARE(bench.requests.back().set_goal().pose_in_field().x(), 1.5);
     QCOMPARE(QString::fromStdString(bench.requests.back().robot()), QStringLiteral("red1"));
@@ -110,7 +111,8 @@ class PublishPanelTest : public QObject {
     repeat.trigger();
     QTRY_VERIFY(bench.requests.size() >= 3);
     bench.answer(false, "no task of this layout drives to goals");
-    QTRY_VERIFY(!repeat.isChecked());
+    bench.tick(*view);
+    QVERIFY(!repeat.isChecked());
     QCOMPARE(said(*view), QStringLiteral("Refused: no task of this layout drives to goals"));
     repeat.trigger();
     QVERIFY(repeat.isChecked());

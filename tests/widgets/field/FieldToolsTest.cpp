@@ -85,7 +85,7 @@ class FieldToolsTest : public QObject {
     QVERIFY2(isNearText(QStringLiteral("AB "), 1000, 12), qPrintable(text));
     QVERIFY2(isNearText(QStringLiteral("angle at B "), 90, 1), qPrintable(text));
     keepPicture(s.view, "field-measure");
-    QTest::keyClick(s.canvas, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(s.canvas, Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
     QCOMPARE(QApplication::clipboard()->text(), text);
     QTest::keyClick(s.canvas, Qt::Key_Escape);
     QTest::keyClick(s.canvas, Qt::Key_Escape);
