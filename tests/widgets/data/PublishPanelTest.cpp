@@ -77,8 +77,9 @@ class PublishPanelTest : public QObject {
     QVERIFY(
         child<QPlainTextEdit>(*view, "publishText").toPlainText().contains(QStringLiteral("\"heading\": 0")));
     write(*view, R"({"pose_in_field": {"x": 1.5, "y": -0.5}})");
-    QTest::keyClick(&child<QPlainTextEdit>(*view, "publishText"), Qt::Key_Return,
-                    Qt::ControlModifier | Qt::ShiftModifier);
+    auto& text = child<QPlainTextEdit>(*view, "publishText");
+    QTest::mouseClick(text.viewport(), Qt::LeftButton);
+    QTest::keyClick(&text, Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QCOMPARE(bench.requests.back().set_goal().pose_in_field().x(), 1.5);
     QCOMPARE(QString::fromStdString(bench.requests.back().robot()), QStringLiteral("red1"));
