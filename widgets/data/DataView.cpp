@@ -168,7 +168,10 @@ void DataView::connectSignals() {
   connect(tree_, &QTreeView::customContextMenuRequested, this, &DataView::showMenu);
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &DataView::showState);
   connect(plot_, &QAction::triggered, this, &DataView::plotSelected);
-  connect(publish_, &QAction::toggled, publishing_, &QWidget::setVisible);
+  connect(publish_, &QAction::toggled, this, [this](bool on) {
+    publishing_->setVisible(on);
+    if (on) publishing_->setFocus();
+  });
   connect(listOverTime_, &QAction::triggered, this, &DataView::showTable);
   connect(switchOn_, &QAction::triggered, this, [this] {
     for (const QModelIndex& index : selectedRows()) switchOn(index);

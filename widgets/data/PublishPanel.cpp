@@ -77,6 +77,7 @@ void PublishPanel::createViews() {
   text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   text_->setTabChangesFocus(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  setFocusProxy(text_);
   auto* top = new QHBoxLayout;
   top->addWidget(kind_);
   top->addWidget(robot_);

@@ -78,9 +78,9 @@ class PublishPanelTest : public QObject {
         child<QPlainTextEdit>(*view, "publishText").toPlainText().contains(QStringLiteral("\"heading\": 0")));
     write(*view, R"({"pose_in_field": {"x": 1.5, "y": -0.5}})");
     auto& text = child<QPlainTextEdit>(*view, "publishText");
-    QTest::mouseClick(text.viewport(), Qt::LeftButton);
+    QVERIFY(text.hasFocus());
     QTest::keyClick(&text, Qt::Key_Return, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QVERIFY2(bench.requests.size() == 1, qPrintable(said(*view)));
     QCOMPARE(bench.requests.back().set_goal().pose_in_field().x(), 1.5);
     QCOMPARE(QString::fromStdString(bench.requests.back().robot()), QStringLiteral("red1"));
     bench.answer(true);
