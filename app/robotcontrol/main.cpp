@@ -192,10 +192,10 @@ void useFontOfDesktops() {
   QApplication::setFont(font);
 }
 
-/// A tour would cover what scripts and pictures show.
+/// It begins with the default scene; and it would cover what scripts and pictures show.
 bool wantsTour(const app::MainWindow& window, const Arguments& arguments) {
-  return window.isFirstStart() && arguments.script.empty() && arguments.screenshot.empty() &&
-         QGuiApplication::platformName() != QLatin1String("offscreen");
+  return window.isFirstStart() && arguments.sources.empty() && arguments.script.empty() &&
+         arguments.screenshot.empty() && QGuiApplication::platformName() != QLatin1String("offscreen");
 }
 
 int takePicture(app::MainWindow& window, const std::string& file) {
