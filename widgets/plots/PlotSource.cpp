@@ -119,7 +119,9 @@ robotlink::Result<PlotSource> completed(PlotSource source, const std::string& ro
 }
 
 void StateNames::add(double value, const QString& name) {
-  if (states_.size() < kMax) states_.emplace(value, State{name, static_cast<int>(states_.size())});
+  // NaN has no place in an order.
+  if (states_.size() < kMax && !std::isnan(value))
+    states_.emplace(value, State{name, static_cast<int>(states_.size())});
 }
 
 void StateNames::merge(const StateNames& others) {
@@ -129,15 +131,19 @@ void StateNames::merge(const StateNames& others) {
   for (const auto& [place, value] : order) add(value, others.states_.at(value).name);
 }
 
+const StateNames::State* StateNames::find(double value) const {
+  const auto found = std::isnan(value) ? states_.end() : states_.find(value);
+  return found == states_.end() ? nullptr : &found->second;
+}
+
 QString StateNames::name(double value) const {
-  const auto found = states_.find(value);
-  return found == states_.end() ? QString::number(value, 'g', 6) : found->second.name;
+  const State* known = find(value);
+  return known == nullptr ? QString::number(value, 'g', 6) : known->name;
 }
 
 int StateNames::color(double value) const {
   constexpr double kColors = 12;
-  const auto found = states_.find(value);
-  if (found != states_.end()) return found->second.place;
+  if (const State* known = find(value); known != nullptr) return known->place;
   return std::isfinite(value) ? static_cast<int>(std::fmod(std::abs(std::round(value)), kColors)) : 0;
 }
 

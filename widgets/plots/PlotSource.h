@@ -74,6 +74,9 @@ class StateNames {
     /// How many were known before.
     int place;
   };
+  /// Null if it has no name.
+  const State* find(double value) const;
+
   std::map<double, State> states_;
 };
 
