@@ -37,6 +37,30 @@ TEST(TurnThread, aTurnThatDoesNotReturnKeepsNobody) {
   EXPECT_TRUE(thread.run(kLong));
 }
 
+TEST(TurnThread, makesTurnsInOneThreadOfItsOwn) {
+  std::thread::id of;
+  TurnThread thread([&of] { of = std::this_thread::get_id(); });
+  ASSERT_TRUE(thread.run(kLong));
+  EXPECT_NE(of, std::this_thread::get_id());
+  const auto before = of;
+  ASSERT_TRUE(thread.run(kLong));
+  EXPECT_EQ(of, before);
+}
+
+TEST(TurnThread, endsAfterTheTurnThatIsInProgress) {
+  std::atomic<bool> isReleased{false}, hasEnded{false};
+  {
+    TurnThread thread([&] {
+      isReleased.wait(false);
+      hasEnded = true;
+    });
+    EXPECT_FALSE(thread.run(ModulePatience(1ms)));
+    isReleased = true;
+    isReleased.notify_all();
+  }
+  EXPECT_TRUE(hasEnded);
+}
+
 TEST(TurnThread, aStopCutsTheWaitShort) {
   std::atomic<bool> isReleased{false}, hasBegun{false};
   TurnThread thread([&] {
