@@ -101,7 +101,9 @@ void MainWindow::choosePerspective(const QString& name) {
 
 void MainWindow::exportPerspective() {
   const QString file = QFileDialog::getSaveFileName(
-      this, tr("Export perspective"), perspectives_.current() + QStringLiteral(".perspective.json"),
+      this, tr("Export perspective"),
+      QString(perspectives_.current()).replace(QLatin1Char('/'), QLatin1Char('-')) +
+          QStringLiteral(".perspective.json"),
       tr("Perspectives (*.perspective.json);;All files (*)"));
   if (file.isEmpty()) return;
   if (const auto written = writePerspective(file.toStdString()); !written) showErrors({written.error()});

@@ -97,7 +97,7 @@ Completion complete(const CommandTable& commands, const std::string& line, std::
       texts = namedOptions(*command);
     } else if (result.argument < command->arguments.size()) {
       result.command = command;
-      // Who offers texts asks which arguments were before.
+      // An offer of texts asks which arguments were before.
       before.resize(result.argument);
       texts = textsOf(*command, before, begun);
     }

@@ -67,7 +67,7 @@ class PublishPanel final : public QWidget {
   QAction* repeat_ = nullptr;
   QAction* reset_ = nullptr;
   QTimer repeating_;
-  /// Of what was sent since the last choice.
+  /// How many messages were sent, and accepted, since the last choice.
   int sent_ = 0, accepted_ = 0;
 };
 

@@ -19,7 +19,8 @@ struct RequestForm {
   std::string json;
 };
 
-/// By title. Those with binary contents (color tables, parameters), which no one types, are left out.
+/// All kinds, sorted by title. Those with binary contents (color tables, parameters), which no one types, are
+/// left out.
 std::vector<RequestForm> requestForms();
 
 /// The request of this kind, for a robot (unless it is one to the simulation, the replay or the recording,

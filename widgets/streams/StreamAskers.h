@@ -14,7 +14,7 @@ class Session;
 
 namespace widgets {
 
-/// Who asked for a stream.
+/// The views and clients that asked for a stream.
 struct StreamAsked {
   /// The views of this window that read it, and the clients that subscribe to it over a link.
   QStringList views, clients;

@@ -36,10 +36,14 @@ robotlink::Result<void> TimeLineTracks::add(const QString& source) {
   for (const auto* stream : session_.store().streams()) streams.push_back(stream->path);
   auto full = completed(PlotSource::fromText(source), session_.selectedRobot(), streams, session_.robots());
   if (!full) return tl::unexpected(full.error());
+  if (!full->filter.empty() || !full->across.empty())
+    return robotlink::failure("timeline.track",
+                              "a timeline shows values as they are; leave out what follows | or over, or use "
+                              "a plot");
   if (std::ranges::any_of(tracks_, [&](const auto& track) { return track->source == *full; })) return {};
   if (tracks_.size() >= kMax)
-    return tl::unexpected(robotlink::Error{
-        "timeline.track", "a timeline shows at most " + std::to_string(kMax) + " values", {}, {}});
+    return robotlink::failure("timeline.track", "a timeline shows at most " + std::to_string(kMax) +
+                                                    " values; remove one by its context menu");
   tracks_.push_back(std::make_unique<Track>(*full));
   return {};
 }
@@ -58,7 +62,8 @@ void TimeLineTracks::setSources(const QStringList& sources) {
   tracks_.clear();
   for (const QString& source : sources) {
     PlotSource read = PlotSource::fromText(source);
-    if (!read.isEmpty() && tracks_.size() < kMax) tracks_.push_back(std::make_unique<Track>(read));
+    const bool isPlain = !read.isEmpty() && read.filter.empty() && read.across.empty();
+    if (isPlain && tracks_.size() < kMax) tracks_.push_back(std::make_unique<Track>(read));
   }
 }
 

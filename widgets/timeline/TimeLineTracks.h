@@ -28,7 +28,7 @@ class TimeLineTracks {
   ~TimeLineTracks();
 
   /// Adds a track of what PlotSource::fromText() reads; nothing happens if it is there. Fails if the text is
-  /// wrong or there are kMax.
+  /// wrong, if something is to be computed of the value, which plots do, or if there are kMax.
   robotlink::Result<void> add(const QString& source);
   void remove(const QString& source);
   /// The texts of all, in the order in which they were added.

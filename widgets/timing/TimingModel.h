@@ -88,7 +88,7 @@ class TimingModel final : public TitledModel {
   std::vector<Row> rows_;
   /// By process.
   std::map<std::string, FrameRate> frames_;
-  /// By process, s; 0: it has none.
+  /// The periods of processes in s; 0: it has none.
   std::map<std::string, double> periods_;
   /// Number of rows that views know of.
   int shown_ = 0;

@@ -52,7 +52,7 @@ void TurnThread::loop() {
     turn_();
     lock.lock();
     isWanted_ = false;
-    // Who is woken while the lock is held waits for it again at once.
+    // A thread that is woken while the lock is held has to wait for it again at once.
     lock.unlock();
     done_.notify_all();
     lock.lock();

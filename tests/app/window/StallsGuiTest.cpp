@@ -42,8 +42,8 @@ class StallsGuiTest : public WindowTest {
     QCOMPARE(watch.stalls(), StallWatch::Stalls());
   }
 
-  /// By processor time, since machines are shared; a moment in which others slow everything down is no
-  /// defect, so that one window of several counts.
+  /// It compares processor time, since machines are shared; a moment in which others slow everything down is
+  /// no defect, so that one window of several counts.
   void aRobotThatPlaysNeverKeepsTheWindowFromAnswering() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);

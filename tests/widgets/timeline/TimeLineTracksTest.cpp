@@ -161,6 +161,12 @@ class TimeLineTracksTest : public QObject {
     run(bench, 3);
     auto view = bench.open<TimeLineView>();
     QVERIFY(!view->addTrack(QStringLiteral("= 1 +")));
+    // What plots compute is not shown as something that it is not.
+    for (const char* computed : {"red1/frames/cognition: number | derivative",
+                                 "red1/frames/cognition: number over red1/models/pose: pose.x"}) {
+      QVERIFY2(!view->addTrack(QLatin1String(computed)), computed);
+    }
+    QVERIFY(view->tracks().isEmpty());
     for (int i = 0; i < TimeLineTracks::kMax; ++i)
       QVERIFY(view->addTrack(QStringLiteral("red1/models/ball: values[%1]").arg(i)));
     const auto refused = view->addTrack(QLatin1String(kFrameNumber));
