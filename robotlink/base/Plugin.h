@@ -4,12 +4,13 @@
 // What a plug-in has in one of its sources: PLUGINS.md has an example of each kind.
 //
 //     ROBOTCONTROL_PLUGIN("ball-counter", "1.0", "Counts the images in which a ball was seen.") {
-//       static const widgets::ViewRegistration kView{{...}};
+//       widgets::ViewRegistration({...});
 //     }
 //
 // The body is called once, in the thread of main(), before anything is opened; exceptions and registrations
-// that are refused fail the plug-in, and what it has registered so far is undone. What it registers must have
-// static storage, as above. A plug-in is never unloaded.
+// that are refused fail the plug-in, and what it has registered so far is undone. Registrations are copied;
+// names and texts that are passed as pointers must have static storage, as literals do. A plug-in is never
+// unloaded.
 
 namespace robotlink {
 

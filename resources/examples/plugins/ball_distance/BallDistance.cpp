@@ -71,13 +71,12 @@ robotlink::Result<void> requireNearBall(robotlink::Session& session,
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("ball-distance", "1.0", "Adds a view and a command for the distance of the ball.") {
-  static const widgets::ViewRegistration kView{{"ball-distance", "Ball distance",
-                                                "Shows the distance of the ball as the robot believes it.",
-                                                "field", true, widgets::create<BallDistanceView>}};
-  static const widgets::ToolBarRegistration kToolBar{{"ball-distance", "Ball distance", createToolBar}};
-  static const robotlink::CommandRegistration kCommand{
-      {{"ball.require-near",
-        "Fails if the ball is farther away than this",
-        {{"distance", robotlink::CommandTable::Type::kNumber, "m"}}},
-       requireNearBall}};
+  widgets::ViewRegistration({"ball-distance", "Ball distance",
+                             "Shows the distance of the ball as the robot believes it.", "field", true,
+                             widgets::create<BallDistanceView>});
+  widgets::ToolBarRegistration({"ball-distance", "Ball distance", createToolBar});
+  robotlink::CommandRegistration({{"ball.require-near",
+                                   "Fails if the ball is farther away than this",
+                                   {{"distance", robotlink::CommandTable::Type::kNumber, "m"}}},
+                                  requireNearBall});
 }

@@ -69,9 +69,8 @@ robotlink::Result<logplayer::ImportReport> import(const std::filesystem::path& f
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("diary-log", "1.0", "Opens diaries, text files that begin with '# diary', as logs.") {
-  static const logplayer::LogFormatRegistration kDiary{
-      {.name = "diary",
-       .robot = [] { return logplayer::LogFormat::Robot{.name = "writer"}; },
-       .recognizes = recognizes,
-       .import = import}};
+  logplayer::LogFormatRegistration({.name = "diary",
+                                    .robot = [] { return logplayer::LogFormat::Robot{.name = "writer"}; },
+                                    .recognizes = recognizes,
+                                    .import = import});
 }

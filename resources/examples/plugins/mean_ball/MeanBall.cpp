@@ -55,10 +55,10 @@ class MeanBall final : public robotlink::Solution {
 }  // namespace
 
 ROBOTCONTROL_PLUGIN("mean-ball", "1.0", "Adds the solution 'mean' of the task ball-model.") {
-  static const robotlink::SolutionRegistration kMean =
+  robotlink::SolutionRegistration(
       robotlink::SolutionBuilder<MeanBall>("ball-model", "mean", "Averages the places of the last percepts.")
           .needs(robotlink::kBallPercept)
           .yields(robotlink::kBallModel)
           .keys({&kMeanKey, &kCountKey})
-          .parameters<example::MeanBallParameters>();
+          .parameters<example::MeanBallParameters>());
 }
