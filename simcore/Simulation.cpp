@@ -51,16 +51,16 @@ struct Simulation::Implementation {
   // Null if there is nothing to measure.
   std::unique_ptr<RangeSensing> ranging;
   std::uint64_t steps = 0;
-  // By body of the render scene.
+  // Keyed by body of the render scene.
   std::vector<Pose3> poses;
   // Indices of models.
   std::vector<int> balls, robots;
   std::uint64_t ballContacts = 0;
-  // By robot, in the last step.
+  // Keyed by robot, in the last step.
   std::vector<bool> touchedBall;
-  // By robot.
+  // Keyed by robot.
   std::vector<TouchCount> obstacles;
-  // By drive.
+  // Keyed by drive.
   std::vector<WheelState> wheelStates;
   bool readingsValid = false, posesValid = false, rangingValid = false;
 

@@ -105,7 +105,7 @@ class View : public QWidget {
   /// control gets what it has now.
   void keep(const char* name, QAction* toggle);
   void keep(const char* name, QLineEdit* text);
-  /// By the index of the entry, which must mean the same in all versions.
+  /// Keeps the index of the entry, which must mean the same in all versions.
   void keep(const char* name, QComboBox* choice);
   /// What the user did with a splitter or with the columns of a table; nothing changes without an entry.
   void keep(const char* name, QSplitter* splitter);

@@ -68,7 +68,7 @@ class PlatformThread {
   struct Ended {
     std::string adapter;
     std::vector<std::string> sources;
-    /// By robot.
+    /// Keyed by robot.
     std::map<std::string, ProgramOverrides> overrides;
   };
   /// Ends the platform, if there is one; what it reports about its end is kept.

@@ -121,7 +121,7 @@ class Service {
     begin(**loaded);
     while (!interrupted()) {
       tick();
-      const bool isAlone = server_.server()->clients().empty();
+      const bool isAlone = server_.server()->clientCount() == 0;
       followDemand(isAlone);
       if (isOver()) break;
       if (restarts_.takeChanged()) announcer_->update(robotsToAnnounce(session_));

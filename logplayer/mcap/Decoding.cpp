@@ -35,7 +35,7 @@ bool take(ByteReader& fields, std::string& text) {
   return true;
 }
 
-/// Of equal keys the first one counts.
+/// The first of equal keys counts.
 bool take(ByteReader& fields, std::map<std::string, std::string>& map) {
   ByteReader entries(fields.take(fields.take<std::uint32_t>()));
   while (entries.good() && !entries.rest().empty()) {

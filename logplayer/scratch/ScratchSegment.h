@@ -21,7 +21,7 @@ class ScratchSegment {
 
   explicit ScratchSegment(std::vector<robotlink::StreamMessage> messages);
 
-  /// By the paths of the streams.
+  /// Keyed by the paths of the streams.
   const std::map<std::string, Times>& times() const { return times_; }
   /// The memory that each stream's messages took.
   const std::map<std::string, std::uint64_t>& shares() const { return shares_; }

@@ -85,7 +85,7 @@ class LandmarkLocalization final : public SelfLocalization {
     if (debug_.on(kLocatorParticlesKey)) {
       auto drawing = debug_.fieldDrawing(kLocatorParticlesKey);
       for (const Pose2& particle : localizer_.particles())
-        drawing.pose(particle, robotlink::colors::kBlue, 0.05);
+        drawing.dart(particle, robotlink::colors::kBlue, 0.08);
     }
   }
 

@@ -174,7 +174,7 @@ class MonteCarloLocalization final : public SelfLocalization {
       const std::span<const Particle> all = localizer_->particles();
       const std::size_t count = std::min(all.size(), kMaxDrawn);
       for (std::size_t i = 0; i < count; ++i)
-        drawing.pose(all[i * all.size() / count].pose(), robotlink::colors::kBlue, 0.15);
+        drawing.dart(all[i * all.size() / count].pose(), robotlink::colors::kBlue, 0.2);
     }
     if (debug_.on(kRaysKey)) {
       auto drawing = debug_.fieldDrawing(kRaysKey);

@@ -106,7 +106,7 @@ class PioneerConnection final : private PioneerClient::Listener {
   mutable std::mutex mutex_;
   std::shared_ptr<ByteStream> stream_;
   PioneerClient client_;
-  /// By packet id, at most 256.
+  /// Keyed by packet id, at most 256.
   std::map<std::uint8_t, Packet> latest_;
   /// There is a state that no read() has reported yet.
   bool fresh_ = false;

@@ -13,7 +13,7 @@ namespace robotlink::dds {
 /// as soon as that has ended, however it ended. Any thread.
 class ProgramPresence {
  public:
-  /// Whose name it is, as a value.
+  /// The owner of a name, as a value.
   struct Identity {
     std::string robot;
     std::string program;

@@ -10,7 +10,7 @@ const StopwatchKey kTimingKey{"timing/tasks", "How long each task took, in real 
 
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen) {
-  // By index.
+  // Keyed by index.
   std::map<int, robotcontrol::KeyTable::Key> keys;
   keys[kTimingKey.index()].set_in_use(true);
   for (const auto& task : tasks) {

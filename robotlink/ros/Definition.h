@@ -64,7 +64,7 @@ struct Struct {
 struct Definitions {
   /// The key of the message.
   std::string root;
-  /// By name: "sensor_msgs/Image", without "msg" in the middle.
+  /// Keyed by name: "sensor_msgs/Image", without "msg" in the middle.
   std::map<std::string, Struct> structs;
   bool operator==(const Definitions&) const = default;
 };

@@ -88,7 +88,7 @@ class IdlReader {
   const std::string& name_;
   IdlTokens tokens_;
   std::vector<std::string> modules_;
-  // By full names, with "::".
+  // Keyed by full names, with "::".
   std::map<std::string, std::vector<Member>> structs_;
   std::map<std::string, Member> aliases_;
   std::map<std::string, std::uint64_t> constants_;

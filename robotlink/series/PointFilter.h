@@ -50,7 +50,7 @@ class PointFilter {
   struct Derivative {
     std::optional<Point> before = {};
   };
-  /// By trapezoids; 0 at the first point.
+  /// Integrates by trapezoids; 0 at the first point.
   struct Integral {
     std::optional<Point> before = {};
     double sum = 0;

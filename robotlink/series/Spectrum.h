@@ -9,9 +9,9 @@
 
 namespace robotlink {
 
-/// By what values are multiplied before their spectrum is computed. Each is a sum of cosines (F. J. Harris,
-/// On the Use of Windows for Harmonic Analysis with the Discrete Fourier Transform, 1978; the flat top of
-/// MATLAB).
+/// The window that values are multiplied by before their spectrum is computed. Each is a sum of cosines (F.
+/// J. Harris, On the Use of Windows for Harmonic Analysis with the Discrete Fourier Transform, 1978; the flat
+/// top of MATLAB).
 enum class SpectrumWindow : std::uint8_t { kRectangle, kHann, kHamming, kBlackman, kFlatTop };
 
 /// The amplitudes of the oscillations in a part of a series.
@@ -19,8 +19,8 @@ struct Spectrum {
   /// Distance of the amplitudes in Hz; the first one is at 0 Hz, the last one at half the rate of the
   /// samples.
   double step = 0;
-  /// Of oscillations, in the unit of the values: a sine of amplitude 1 has a peak of 1. The first one is the
-  /// amount of the mean, which is subtracted before.
+  /// The amplitudes of the oscillations, in the unit of the values: a sine of amplitude 1 has a peak of 1.
+  /// The first one is the amount of the mean, which is subtracted before.
   std::vector<double> amplitudes = {};
   /// The rate in Hz at which the series was sampled.
   double rate = 0;

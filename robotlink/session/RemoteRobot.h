@@ -39,7 +39,7 @@ struct RemoteRobot {
   std::string state = {};
   /// In order of time.
   std::vector<LineGap> gaps = {};
-  /// By the streams' paths in the session; those that came whole are missing.
+  /// Keyed by the streams' paths in the session; those that came whole are missing.
   std::map<std::string, LeftOut> leftOut = {};
   bool operator==(const RemoteRobot&) const = default;
 };

@@ -90,7 +90,7 @@ struct Session::Inbox {
   std::size_t bytes = 0;
   std::uint64_t dropped = 0;
   Instant lastTime;
-  // By process: before its restarts, and since the last one.
+  // Keyed by process: before its restarts, and since the last one.
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> robotDropped;
   // Ids of requests without a result.
   std::set<std::uint64_t> awaited;

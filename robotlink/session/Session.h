@@ -100,7 +100,7 @@ class Session {
   const Timeline& timeline() const { return timeline_; }
   /// Looks back while the robots continue: pauses the timeline and moves it.
   History& history() { return history_; }
-  /// Who reads which streams.
+  /// Knows which views read which streams.
   StreamReaders& readers() { return readers_; }
   /// The number of messages that were dropped because tick() was late or because they were invalid, plus
   /// those that the robots' own queues and the store dropped.
@@ -150,7 +150,7 @@ class Session {
   std::unique_ptr<Pending> pending_;
   RequestSink sink_;
   RefusalHandler refused_;
-  /// By id.
+  /// Keyed by id.
   std::map<std::uint64_t, Listener> listeners_;
   std::uint64_t nextListener_ = 1;
   std::vector<std::string> robots_;

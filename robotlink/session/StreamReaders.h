@@ -10,9 +10,9 @@
 
 namespace robotlink {
 
-/// Who reads which streams of a session: each view while it is updated. What is read then by find() and
-/// latest() of the store, or noted by noteRead(), counts as read by it, until the next period begins. So
-/// nobody has to say what is read, and reading costs one more operation on a number.
+/// Knows which streams of a session are read by whom: by each view while it is updated. What is read then by
+/// find() and latest() of the store, or noted by noteRead(), counts as read by it, until the next period
+/// begins. So nobody has to say what is read, and reading costs one more operation on a number.
 ///
 /// Up to kMaxReaders have names of their own; those beyond share the last one. The store must outlive it. One
 /// thread, the store's.
@@ -54,7 +54,7 @@ class StreamReaders {
   std::uint64_t bitOf(const std::string& key, const std::string& name);
 
   StreamStore& store_;
-  /// By bit; an empty key: free.
+  /// Keyed by bit; an empty key: free.
   std::array<Reader, kMaxReaders> readers_;
 };
 

@@ -59,7 +59,7 @@ class StreamStore {
     double rate = 0;
     /// Memory that these messages take, bytes per second; updated together.
     double byteRate = 0;
-    /// Who has read it, as bits of setReader().
+    /// The readers that have read it, as bits of setReader().
     mutable std::uint64_t readers = 0;
     /// Time of the first message after the start or a reset.
     Instant since;
@@ -75,8 +75,8 @@ class StreamStore {
 
   /// Where dropped messages go; null: nowhere. It must outlive the store's use.
   void setArchive(HistoryArchive* archive) { archive_ = archive; }
-  /// Who reads streams from now on, as one bit; 0: nobody who is counted. find() and latest() note it in
-  /// Stream::readers. StreamReaders has their names.
+  /// Sets the reader of streams from now on, as one bit; 0: nobody who is counted. find() and latest() note
+  /// it in Stream::readers. StreamReaders has their names.
   void setReader(std::uint64_t bit) { reader_ = bit; }
   std::uint64_t reader() const { return reader_; }
   /// Notes it for a stream that was found in another way.

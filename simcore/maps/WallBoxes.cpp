@@ -14,7 +14,7 @@ using robotlink::GroundMap;
 using robotlink::Vector2;
 
 constexpr double kLineThickness = 0.01;
-/// By how much a surface may move, m.
+/// The distance that a surface may move, m.
 constexpr double kTolerance = 0.02;
 // Finer cells would be too many, and make no visible difference.
 constexpr double kFinestCell = 0.01;

@@ -149,7 +149,7 @@ class WorldBuilder {
   /// Turns the joints, which were created at angle 0, to their initial angles.
   void pose(const ModelInstance& model, std::size_t firstBody) {
     const ModelDescription& type = *model.type;
-    // By the joints above, in the model's frame.
+    // Keyed by the joints above, in the model's frame.
     std::vector<Pose3> moved(type.links.size(), Pose3::Identity());
     for (const JointDescription& joint : type.joints) {
       const Pose3 above =

@@ -132,7 +132,7 @@ class CameraRenderer::Implementation {
   FrameMemory memory_;
   std::optional<ShadowCaster> shadows_;
   std::vector<Pose3> bodyInWorld_;
-  // By instance.
+  // Keyed by instance.
   std::vector<Pose3> meshInWorld_;
   // Centers of the bounding spheres, by instance.
   std::vector<Eigen::Vector3d> centerInWorld_;

@@ -8,7 +8,7 @@
 namespace simcore {
 
 std::vector<Pose3> linksAtStart(const ModelDescription& model) {
-  // By the joints above, in the model's frame.
+  // Keyed by the joints above, in the model's frame.
   std::vector<Pose3> moved(model.links.size(), Pose3::Identity());
   // Joints of parents come before those of their children.
   for (const JointDescription& joint : model.joints) {

@@ -43,8 +43,8 @@ struct LearnedColors {
   std::shared_ptr<const robotlink::Image> corrected;
   /// The class of each pixel of the frame, kMono8; null without a frame.
   std::shared_ptr<const robotlink::Image> classes;
-  /// By ColorTable::cellOf, see TableTrainer::margins(). Null at first; a second result with margins follows
-  /// shortly.
+  /// Keyed by ColorTable::cellOf, see TableTrainer::margins(). Null at first; a second result with margins
+  /// follows shortly.
   std::shared_ptr<const std::vector<std::uint8_t>> margins;
 
   /// The frame's image as the table sees it; empty without a frame.

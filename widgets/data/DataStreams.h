@@ -23,7 +23,7 @@ class DataStreams {
  public:
   /// Returns whether something changed. Cheap if nothing did.
   bool update(const robotlink::StreamStore& store);
-  /// By robot, whose name is empty for streams of the whole session; in natural order.
+  /// Keyed by robot, whose name is empty for streams of the whole session; in natural order.
   const std::vector<std::pair<std::string, std::vector<DataStream>>>& robots() const { return robots_; }
 
  private:

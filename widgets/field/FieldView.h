@@ -62,7 +62,7 @@ class FieldView final : public PictureView {
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
-  /// Whose positions they show.
+  /// The objects whose positions the trails show.
   Trails::Sources trailSources();
   /// Passes the dragged pose and its refusal to the canvas.
   void updateWanted();

@@ -43,9 +43,9 @@ class CompareRow final : public QWidget {
   bool update(robotlink::Session& session, robotlink::Instant time);
 
   Mode mode() const;
-  /// Of the second image in a blend, 0 to 1.
+  /// The share of the second image in a blend, 0 to 1.
   double share() const;
-  /// By which differences are multiplied, 1 to 16.
+  /// The factor that differences are multiplied by, 1 to 16.
   int gain() const;
   /// Null if there is none at that time.
   const std::shared_ptr<const foxglove::RawImage>& image() const { return image_; }

@@ -42,7 +42,7 @@ class OpenLogs final : public QObject {
     std::vector<std::pair<robotlink::Instant, QString>> toBookmark;
     /// Stream whose thumbnails are shown; empty: none.
     std::string imageStream;
-    /// By the times for which they were requested.
+    /// Keyed by the times for which they were requested.
     std::map<robotlink::Instant, QImage> thumbnails;
     /// Paths of streams without a row in the timeline.
     std::set<std::string> hidden;

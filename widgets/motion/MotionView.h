@@ -110,7 +110,7 @@ class MotionView final : public View {
   QLabel* robotName_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* gamepadState_ = nullptr;
-  /// Who steers, of those who can over a link.
+  /// Shows which of the people on the link steers.
   SteeringBar* steering_ = nullptr;
   std::string robot_;
   /// What is known of the robot; null: nothing.

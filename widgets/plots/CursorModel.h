@@ -40,7 +40,7 @@ class CursorModel final : public QAbstractTableModel {
     /// Number of points between them; as long as it is the same, so are the points.
     std::size_t count = kUnknown;
     robotlink::Statistics between = {};
-    /// Of states, which have no differences and no statistics: their names at the cursors.
+    /// The names of states at the cursors; states have no differences and no statistics.
     std::optional<std::pair<QString, QString>> states = {};
   };
   /// Computes the rows anew.

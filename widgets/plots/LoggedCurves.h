@@ -58,7 +58,7 @@ class LoggedCurves final : public QObject {
   static void read(Log& log);
 
   OpenLogs& logs_;
-  /// By path.
+  /// Keyed by path.
   std::map<std::string, Log> readers_;
 };
 

@@ -34,7 +34,7 @@ class SceneAssembly {
     /// Whether it was used since the last forgetUnused().
     bool used = true;
   };
-  /// By the entities' addresses.
+  /// Keyed by the entities' addresses.
   using Shapes = std::map<const foxglove::SceneEntity*, Shape>;
   static const std::shared_ptr<const SceneShape>& shape(Shapes& shapes, const foxglove::SceneEntity* entity,
                                                         const robotlink::PackagePtr& keep);

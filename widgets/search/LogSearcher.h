@@ -38,7 +38,7 @@ class LogSearcher {
     /// On the timeline. Equal for texts; unset `until`: to the end of the log.
     robotlink::Instant from;
     std::optional<robotlink::Instant> until;
-    /// Of texts; and their level, as in foxglove.Log.
+    /// The text, if it is one, and its level, as in foxglove.Log.
     std::string text;
     int level = 0;
   };

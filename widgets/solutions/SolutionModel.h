@@ -100,7 +100,7 @@ class SolutionModel final : public QAbstractItemModel {
   std::vector<TaskEntry> tasks_;
   /// Requested solutions, by task.
   std::map<std::string, std::string> pending_;
-  /// By task.
+  /// Keyed by task.
   std::map<std::string, Refusal> refusals_;
   /// The solutions that ran first, by task; see standardOf().
   std::map<std::string, std::string> firstActive_;

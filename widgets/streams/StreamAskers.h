@@ -40,7 +40,7 @@ class StreamAskers {
   void addKeys(const std::string& robot);
 
   robotlink::Session& session_;
-  /// By the paths of what they publish. A key also publishes what is below its path.
+  /// Keyed by the paths of what they publish. A key also publishes what is below its path.
   std::map<std::string, Key> keys_;
 };
 

@@ -32,7 +32,7 @@ struct StreamRow {
   double byteRate = 0, meanSize = 0;
   /// Its part of the bytes of all streams, 0 to 1.
   double share = 0;
-  /// Of a robot elsewhere: what did not come over the line.
+  /// What did not come over the line; only for a remote robot.
   robotlink::LeftOut leftOut = {};
   StreamAsked asked = {};
   /// Whether it has a row in the timeline.

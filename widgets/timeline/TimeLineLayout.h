@@ -59,7 +59,7 @@ struct TimeLineBand {
   robotlink::Instant inMemory{};
   /// Width by height of the images.
   double imageAspect = 4.0 / 3;
-  /// By the times for which they were requested.
+  /// Keyed by the times for which they were requested.
   std::map<robotlink::Instant, QImage> thumbnails;
   /// Stretches in which nothing was received from a robot elsewhere; the band is that of the robot then, and
   /// has no log.

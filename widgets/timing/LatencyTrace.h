@@ -61,7 +61,7 @@ class LatencyTrace {
     std::vector<Package> received, sent;
     /// Whether `origins` is complete, or being completed.
     bool isResolved = false;
-    /// By reading.
+    /// Keyed by reading.
     std::map<std::string, Origin> origins;
   };
   using Frames = std::multimap<robotlink::Instant, Frame>;

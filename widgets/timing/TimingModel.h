@@ -86,7 +86,7 @@ class TimingModel final : public TitledModel {
   QString shownText(const Row& row, int column) const;
 
   std::vector<Row> rows_;
-  /// By process.
+  /// Keyed by process.
   std::map<std::string, FrameRate> frames_;
   /// The periods of processes in s; 0: it has none.
   std::map<std::string, double> periods_;

@@ -43,7 +43,7 @@ class SceneState {
   /// longer reaches back to the scene, its oldest message counts.
   void update(const robotlink::StreamStore& store, robotlink::Instant shown);
 
-  /// By the entities' ids.
+  /// Keyed by the entities' ids.
   const std::map<std::string, Item>& items() const { return items_; }
 
   /// Pose of a frame in the field's frame; the identity for "field" and the empty name, unset for unknown

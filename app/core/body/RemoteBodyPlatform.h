@@ -93,7 +93,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   robotlink::Sender<robotcontrol::LinkStatus> status_;
   std::set<std::string> wanted_;
   Counts counts_;
-  /// By which the body tells the commands of this program from those of others.
+  /// Tells the body the commands of this program from those of others.
   const std::uint64_t sender_;
   std::uint64_t number_ = 0;
   /// The local times at which a command or the status was sent, and the body was heard last.

@@ -90,8 +90,7 @@ void SessionOffer::tick() {
   server_->tick();
   if (clock_.now() - announced_ >= kMeasureEvery) announce();
   const robotlink::Duration passed = clock_.now() - measured_;
-  const auto states = server_->server()->clients();
-  if (passed >= kMeasureEvery || states.size() != clients_.size()) measure(passed);
+  if (passed >= kMeasureEvery || server_->server()->clientCount() != clients_.size()) measure(passed);
 }
 
 void SessionOffer::measure(robotlink::Duration passed) {

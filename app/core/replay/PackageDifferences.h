@@ -86,7 +86,7 @@ class PackageDifferences {
 
   /// The current instant, by package.
   std::map<std::string, Values> logged_, recomputed_;
-  /// By package.
+  /// Keyed by package.
   std::map<std::string, Summary> summaries_;
 };
 

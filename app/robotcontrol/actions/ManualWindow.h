@@ -35,7 +35,7 @@ class ManualWindow final : public QDialog {
   /// Selects the page that is shown, which a link may have changed.
   void followPage();
 
-  /// By their names, "plots".
+  /// Keyed by their names, "plots".
   std::map<QString, Page> pages_;
   /// The name of the page that is shown.
   QString shown_;

@@ -66,7 +66,7 @@ class Shortcuts final : public QObject {
   WindowKeys& keys_;
   const std::filesystem::path file_;
   QWidget& window_;
-  /// By id.
+  /// Keyed by id.
   std::map<QString, QKeySequence> chosen_;
   std::optional<robotlink::Error> problem_;
   bool isApplying_ = false;

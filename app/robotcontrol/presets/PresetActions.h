@@ -35,7 +35,7 @@ class PresetActions final : public QObject {
                 QObject* parent);
 
   const robotlink::Presets& presets() const { return presets_; }
-  /// By the name of a preset, or the path of a file.
+  /// Keyed by the name of a preset, or the path of a file.
   robotlink::Result<robotlink::Preset> named(const std::string& name) const;
   /// Calls `done` with what is chosen now, once the robot has reported what of it is meant.
   void capture(const std::vector<robotlink::Preset::Part>& parts,

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SceneDrawing of Drawings.h: shapes as primitives of a foxglove.SceneEntity.
+#include <array>
+
 #include "foxglove/Scene.pb.h"
 #include "robotlink/debugging/drawing/Primitives.h"
 #include "robotlink/debugging/drawing/Shapes.h"
@@ -129,6 +131,12 @@ void SceneDrawing::pose(const Pose2& pose, Color color, double length) {
   if (!finite(at, tip)) return;
   circle(at, length / 4, color);
   arrow(at, tip, color);
+}
+
+void SceneDrawing::dart(const Pose2& pose, Color color, double length) {
+  const std::array<Vector2, 3> corners = {pose * Vector2(length, 0), pose * Vector2(0, length / 4),
+                                          pose * Vector2(0, -length / 4)};
+  if (finite(corners[0], corners[1])) addFill(to_, corners, color);
 }
 
 void SceneDrawing::text(const Vector2& at, const std::string& text, Color color, double size) {

@@ -33,7 +33,7 @@ class JoinedTables {
   void fillSolutions(const std::vector<std::string>& processes, robotcontrol::SolutionTable& to) const;
 
  private:
-  /// By process, as is solutions_.
+  /// Keyed by process, as is solutions_.
   std::map<std::string, robotcontrol::KeyTable> keys_;
   std::map<std::string, robotcontrol::SolutionTable> solutions_;  // by process
   bool keysChanged_ = false;

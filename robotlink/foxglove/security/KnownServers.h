@@ -25,7 +25,7 @@ class KnownServers {
   static std::filesystem::path defaultFile();
   explicit KnownServers(std::filesystem::path file = defaultFile()) : file_(std::move(file)) {}
 
-  /// By "HOST:PORT"; none without a file. Fails if the file is none of this format.
+  /// Keyed by "HOST:PORT"; none without a file. Fails if the file is none of this format.
   Result<Fingerprints> read() const;
   /// Whether the server is known. Fails if it shows another fingerprint than before, with a sentence that
   /// says what that may mean and what to do.

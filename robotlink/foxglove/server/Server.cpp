@@ -208,6 +208,11 @@ std::vector<ClientState> Server::clients() const {
   return states;
 }
 
+std::size_t Server::clientCount() const {
+  const std::lock_guard lock(mutex_);
+  return clients_.size();
+}
+
 std::optional<Instant> Server::heardAt(std::uint64_t clientId) const {
   const std::lock_guard lock(mutex_);
   for (const ClientPtr& client : clients_)

@@ -55,6 +55,7 @@ class Server : public std::enable_shared_from_this<Server> {
   void publishStatus(const Status& status);
 
   std::vector<ClientState> clients() const;
+  std::size_t clientCount() const;
   const Clock& clock() const { return *options_.clock; }
   /// When a client was heard last; nothing if it is gone.
   std::optional<Instant> heardAt(std::uint64_t clientId) const;

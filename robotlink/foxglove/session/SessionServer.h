@@ -53,7 +53,7 @@ class SessionServer {
 
   /// Makes a foxglove.CompressedImage of a foxglove.RawImage; null: it cannot.
   using ImageEncoder = std::function<PackagePtr(const google::protobuf::Message& image)>;
-  /// By kJpegChannel and kPngChannel.
+  /// Keyed by kJpegChannel and kPngChannel.
   using ImageEncoders = std::map<std::string, ImageEncoder>;
   /// From now on each channel of images has others, "red1/camera/image/jpeg", for narrow lines. Images are
   /// encoded once for all clients, while somebody subscribes.

@@ -79,7 +79,7 @@ void ColorGesture::touch(const ColorImage& image) {
   }
 }
 
-/// By the last piece of the way: only that is new.
+/// Only the last piece of the way touches something new.
 colortool::PixelArea ColorGesture::touchedLast(const ColorImage& image) {
   if (options_.careful && options_.tool == ColorTool::kBrush) {
     if (snapped_) return snapped_->moveTo(image, way_.back());

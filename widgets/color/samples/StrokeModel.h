@@ -28,8 +28,8 @@ class StrokeModel final : public TitledModel {
   /// Replaces the strokes. If strokes were only appended to or removed from the end, rows are inserted or
   /// removed; any other change resets the model.
   void setSamples(const colortool::Samples& samples);
-  /// By the strokes' ids: the share of their pixels that a table of the other strokes classifies correctly, 0
-  /// to 1.
+  /// Keyed by the strokes' ids: the share of their pixels that a table of the other strokes classifies
+  /// correctly, 0 to 1.
   void setRight(std::unordered_map<std::uint64_t, double> right);
   const colortool::Stroke& stroke(int row) const { return *samples_.strokes[static_cast<std::size_t>(row)]; }
   /// The image in which a stroke was drawn.

@@ -56,6 +56,25 @@ TEST_F(ImageDrawingTest, linesOfOneColorAndWidthAreOneAnnotation) {
   EXPECT_EQ(message.points_size(), 3);
 }
 
+TEST_F(SceneDrawingTest, aThousandDartsAreOnePrimitiveAndPointAhead) {
+  const Pose2 pose{1, 2, kPi / 2};
+  drawing.dart(pose, colors::kBlue, 0.4);
+  ASSERT_EQ(message.triangles_size(), 1);
+  const auto& triangle = message.triangles(0);
+  EXPECT_NEAR(triangle.points(0).x(), 1, 1e-12);
+  EXPECT_NEAR(triangle.points(0).y(), 2.4, 1e-12);
+  EXPECT_NEAR(triangle.points(1).x(), 0.9, 1e-12);
+  EXPECT_NEAR(triangle.points(2).x(), 1.1, 1e-12);
+  drawing.dart({kNan, 2, 0}, colors::kBlue);
+  EXPECT_EQ(triangle.points_size(), 3);
+  foxglove::SceneEntity poses;
+  SceneDrawing other(poses);
+  for (int i = 1; i < 1000; ++i) drawing.dart(pose, colors::kBlue);
+  for (int i = 0; i < 1000; ++i) other.pose(pose, colors::kBlue);
+  EXPECT_EQ(message.triangles_size(), 1);
+  EXPECT_LT(10 * message.ByteSizeLong(), poses.ByteSizeLong());
+}
+
 TEST_F(ImageDrawingTest, anArrowIsThreeLinesThatEndAtItsTip) {
   drawing.arrow({0, 0}, {30, 0}, colors::kRed);
   ASSERT_EQ(message.points_size(), 1);
