@@ -53,6 +53,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   set(ROBOTCONTROL_WERROR_DEFAULT ON)
 endif()
 option(ROBOTCONTROL_WERROR "Warnings are errors" ${ROBOTCONTROL_WERROR_DEFAULT})
+if(ROBOTCONTROL_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # g++ collects its garbage again and again while a large source fills its memory; above 1 GB is early enough, and a tenth faster.
+  add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
+endif()
 # So many sources at a time: enough that their common headers are read seldom. Those who edit choose fewer (CONTRIBUTING.md).
 set(ROBOTCONTROL_UNITY_BATCH 60 CACHE STRING "How many sources a unity build compiles at a time at most")
 
