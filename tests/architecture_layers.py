@@ -13,7 +13,7 @@ import sys
 
 PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
            "robotlink/motions"]
-ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/ros", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
+ROBOTLINK = PROGRAM + ["robotlink/dds", "robotlink/ros", "robotlink/decoding", "robotlink/expressions", "robotlink/series", "robotlink/calibration", "robotlink/session", "robotlink/commands", "robotlink/foxglove", "robotlink/arcos"]
 SIMULATED = ["robotlink/arcos/server", "robotlink/foxglove/session", "simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
 TARGETS = {
@@ -32,6 +32,7 @@ TARGETS = {
                            "robotlink/expressions", "robotlink/session"],
     "robotlink/motions": ["robotlink/base"],
     "robotlink/series": ["robotlink/base"],
+    "robotlink/calibration": ["robotlink/base"],
     "robotlink/arcos": ["robotlink/base"],
     "robotlink/arcos/server": ["robotlink/base", "robotlink/arcos"],
     "robotlink/foxglove": ["robotlink/base"],
@@ -59,7 +60,7 @@ ROOMS = {
     "logplayer/mcap": [".", "read", "write"],
     "logplayer": ["images", "json", "base", "bhuman", "pictures", "record", "file", "bookmarks", "export", "search", "scratch", ".", "edit"],
     "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
-    "widgets": [".", "steering", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "motion", "motions", "joints", "world", "field",
+    "widgets": [".", "steering", "drawings", "picture", "keys", "packets", "processes", "solutions", "image", "camera", "motion", "motions", "joints", "world", "field",
         "log", "streams", "timing", "color", "drive", "messages", "search", "console", "plots", "data", "overview", "scene", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["plugins", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "simulated", "remote", "body", "."],
@@ -78,6 +79,7 @@ OUTSIDE = {
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
     r"^opencv2/videoio": ["logplayer"],
+    r"^opencv2/calib3d": ["robotlink/calibration"],
     r"^(muParser|re2/)": ["robotlink/expressions"],
     r"^kissfft/": ["robotlink/series"],
     r"^bzlib": ["colortool"],

@@ -39,6 +39,12 @@ find_path(OPENCV_VIDEOIO_INCLUDE_DIR opencv2/videoio.hpp PATH_SUFFIXES opencv4 R
 add_library(opencv_video INTERFACE)
 target_include_directories(opencv_video SYSTEM INTERFACE ${OPENCV_VIDEOIO_INCLUDE_DIR})
 target_link_libraries(opencv_video INTERFACE ${OPENCV_VIDEOIO} ${OPENCV_CORE})
+find_library(OPENCV_CALIB3D opencv_calib3d REQUIRED)
+find_path(OPENCV_CALIB3D_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4 REQUIRED)
+add_library(opencv_calibration INTERFACE)
+target_include_directories(opencv_calibration SYSTEM INTERFACE ${OPENCV_CALIB3D_INCLUDE_DIR})
+find_library(OPENCV_IMGPROC opencv_imgproc REQUIRED)
+target_link_libraries(opencv_calibration INTERFACE ${OPENCV_CALIB3D} ${OPENCV_IMGPROC} ${OPENCV_CORE})
 if(ROBOTCONTROL_TESTS)
   find_package(GTest REQUIRED)
   find_package(JPEG REQUIRED)  # images as the robots of 2009 coded them

@@ -6,7 +6,7 @@ include(GNUInstallDirs)
 
 include(PluginPackage)
 install(TARGETS robotctl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS robotcontrol_video LIBRARY DESTINATION lib/robotcontrol)  # beside the programs' folder, wherever that is
+install(TARGETS robotcontrol_video robotcontrol_calibration LIBRARY DESTINATION lib/robotcontrol)  # beside the programs' folder, wherever that is
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/ DESTINATION ${CMAKE_INSTALL_DATADIR}/robotcontrol PATTERN translations EXCLUDE)
 if(ROBOTCONTROL_GUI)
   install(TARGETS robotcontrol RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

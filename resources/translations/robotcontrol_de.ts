@@ -743,6 +743,41 @@
     </message>
 </context>
 <context>
+    <name>FieldMarks</name>
+    <message>
+        <source>corner of the field</source>
+        <translation>Ecke des Feldes</translation>
+    </message>
+    <message>
+        <source>corner of the walls</source>
+        <translation>Ecke der Banden</translation>
+    </message>
+    <message>
+        <source>end of the halfway line</source>
+        <translation>Ende der Mittellinie</translation>
+    </message>
+    <message>
+        <source>center circle on the halfway line</source>
+        <translation>Mittelkreis auf der Mittellinie</translation>
+    </message>
+    <message>
+        <source>corner of the penalty area</source>
+        <translation>Ecke des Strafraums</translation>
+    </message>
+    <message>
+        <source>penalty area on the goal line</source>
+        <translation>Strafraum auf der Torlinie</translation>
+    </message>
+    <message>
+        <source>goal post</source>
+        <translation>Torpfosten</translation>
+    </message>
+    <message>
+        <source>foot of a beacon</source>
+        <translation>Fuß eines Landmarkenpfostens</translation>
+    </message>
+</context>
+<context>
     <name>Gantt</name>
     <message>
         <source>%1 ms</source>
@@ -2009,6 +2044,14 @@
     <message>
         <source>Shows how long processes and tasks take, as a chart of the last seconds and as statistics, and how long images take to become commands.</source>
         <translation>Zeigt, wie lange Prozesse und Aufgaben brauchen, als Diagramm der letzten Sekunden und als Statistik, und wie lange es vom Bild bis zum Befehl dauert.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Calibrates a camera: its lens by a chessboard, its place by a board or by marks of the field</source>
+        <translation>Kalibriert eine Kamera: ihr Objektiv mit einem Schachbrett, ihren Ort mit einem Brett oder mit Marken des Feldes</translation>
     </message>
 </context>
 <context>
@@ -5637,6 +5680,93 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     </message>
 </context>
 <context>
+    <name>widgets::CalibrationView</name>
+    <message>
+        <source>Image stream</source>
+        <translation>Bilderstrom</translation>
+    </message>
+    <message>
+        <source>Which camera is calibrated</source>
+        <translation>Welche Kamera kalibriert wird</translation>
+    </message>
+    <message>
+        <source>Shows the whole image, as large as it fits</source>
+        <translation>Zeigt das ganze Bild, so groß es passt</translation>
+    </message>
+    <message>
+        <source>Time of the image</source>
+        <translation>Zeit des Bildes</translation>
+    </message>
+    <message>
+        <source>What is seen</source>
+        <translation>Was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Nothing is computed yet.</source>
+        <translation>Noch ist nichts berechnet.</translation>
+    </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation>Kamera: %1</translation>
+    </message>
+    <message>
+        <source>The whole board is not seen.</source>
+        <translation>Das Brett ist nicht ganz zu sehen.</translation>
+    </message>
+    <message>
+        <source>Calibrate the lens first: its opening angle is not known.</source>
+        <translation>Erst das Objektiv kalibrieren: Sein Öffnungswinkel ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Select a mark and click it in the image; at least %1 are needed, and not all on one line.</source>
+        <translation>Eine Marke auswählen und im Bild anklicken; mindestens %1 sind nötig, und nicht alle auf einer Geraden.</translation>
+    </message>
+    <message>
+        <source>no board is seen</source>
+        <translation>kein Brett zu sehen</translation>
+    </message>
+    <message>
+        <source>a board is seen</source>
+        <translation>ein Brett ist zu sehen</translation>
+    </message>
+    <message>
+        <source>No camera. Open one with Robot &gt; Open a Camera…, or a robot or a log that has images.</source>
+        <translation>Keine Kamera. Eine öffnen mit Roboter &gt; Kamera öffnen…, oder einen Roboter oder ein Log mit Bildern.</translation>
+    </message>
+    <message>
+        <source>No image yet from %1</source>
+        <translation>Noch kein Bild von %1</translation>
+    </message>
+    <message>
+        <source>Select a mark first.</source>
+        <translation>Erst eine Marke auswählen.</translation>
+    </message>
+    <message>
+        <source>Select %1 first.</source>
+        <translation>Erst %1 auswählen.</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Wird gesendet…</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s solution of camera-pose has no parameter for it; “mounted” has.</source>
+        <translation>Die Lösung des Roboters für camera-pose hat dafür keinen Parameter; „mounted“ hat ihn.</translation>
+    </message>
+    <message>
+        <source>Set: %1. Save them in Solutions.</source>
+        <translation>Gesetzt: %1. Gespeichert werden sie unter Lösungen.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ColorActions</name>
     <message>
         <source>1 stroke</source>
@@ -9081,6 +9211,117 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     </message>
 </context>
 <context>
+    <name>widgets::LensPanel</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Corners in a row</source>
+        <translation>Ecken in einer Reihe</translation>
+    </message>
+    <message>
+        <source>Inner corners, where four squares meet</source>
+        <translation>Innere Ecken, an denen sich vier Felder treffen</translation>
+    </message>
+    <message>
+        <source>Corners in a column</source>
+        <translation>Ecken in einer Spalte</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>As printed: measure it</source>
+        <translation>Wie gedruckt: nachmessen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Takes the view of the board that is seen now</source>
+        <translation>Nimmt die Ansicht des Brettes auf, die jetzt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Take by itself</source>
+        <translation>Von selbst aufnehmen</translation>
+    </message>
+    <message>
+        <source>Takes every view in which the board is elsewhere</source>
+        <translation>Nimmt jede Ansicht auf, in der das Brett woanders ist</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the selected view</source>
+        <translation>Entfernt die ausgewählte Ansicht</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Removes all views</source>
+        <translation>Entfernt alle Ansichten</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Sets the opening angles as parameters of the solution of camera-pose</source>
+        <translation>Setzt die Öffnungswinkel als Parameter der Lösung für camera-pose</translation>
+    </message>
+    <message>
+        <source>Views of the board</source>
+        <translation>Ansichten des Brettes</translation>
+    </message>
+    <message>
+        <source>Each with its error; remove those that are much worse than others</source>
+        <translation>Jede mit ihrem Fehler; solche, die viel schlechter als andere sind, entfernen</translation>
+    </message>
+    <message>
+        <source>The lens</source>
+        <translation>Das Objektiv</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>View %1: %2 px</source>
+        <translation>Ansicht %1: %2 px</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Hold the board in at least %1 different places, near and far, tilted, and into the corners of the image; ten are better.</source>
+        <translation>Das Brett an mindestens %1 verschiedene Stellen halten, nah und fern, geneigt, und in die Ecken des Bildes; zehn sind besser.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+    <message>
+        <source>Opening angles %1 by %2, error %3 px
+Focal lengths %4, %5 px; center %6, %7 px
+Distortion %8</source>
+        <translation>Öffnungswinkel %1 mal %2, Fehler %3 px
+Brennweiten %4, %5 px; Mitte %6, %7 px
+Verzeichnung %8</translation>
+    </message>
+</context>
+<context>
     <name>widgets::LogDamageBar</name>
     <message>
         <source>Repair…</source>
@@ -9201,6 +9442,21 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Reading %1: %2 %</source>
         <translation>%1 wird gelesen: %2 %</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkModel</name>
+    <message>
+        <source>Mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Error, px</source>
+        <translation>Fehler, px</translation>
     </message>
 </context>
 <context>
@@ -10575,6 +10831,73 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Writes this picture over time, as a video or as a series of images</source>
         <translation>Schreibt dieses Bild über der Zeit, als Video oder als Bildfolge</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PlacePanel</name>
+    <message>
+        <source>Computed from</source>
+        <translation>Berechnet aus</translation>
+    </message>
+    <message>
+        <source>What the place of the camera is computed from</source>
+        <translation>Woraus der Ort der Kamera berechnet wird</translation>
+    </message>
+    <message>
+        <source>Marks of the field</source>
+        <translation>Marken des Feldes</translation>
+    </message>
+    <message>
+        <source>Board on the ground</source>
+        <translation>Brett auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Computes the place from the board that is seen now, and that lies on the ground</source>
+        <translation>Berechnet den Ort aus dem Brett, das jetzt zu sehen ist und auf dem Boden liegt</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Forgets where the selected mark was clicked</source>
+        <translation>Vergisst, wo die ausgewählte Marke angeklickt wurde</translation>
+    </message>
+    <message>
+        <source>Forget all</source>
+        <translation>Alle vergessen</translation>
+    </message>
+    <message>
+        <source>Forgets where all marks were clicked</source>
+        <translation>Vergisst, wo alle Marken angeklickt wurden</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Sets height, tilt and roll as parameters of the solution of camera-pose</source>
+        <translation>Setzt Höhe, Neigung und Rollwinkel als Parameter der Lösung für camera-pose</translation>
+    </message>
+    <message>
+        <source>The place of the camera</source>
+        <translation>Der Ort der Kamera</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>Height %1 m, tilt %2°, roll %3°; error %4 px</source>
+        <translation>Höhe %1 m, Neigung %2°, Rollwinkel %3°; Fehler %4 px</translation>
+    </message>
+    <message>
+        <source>In the field at %1, %2 m, looking along %3°</source>
+        <translation>Im Feld bei %1, %2 m, Blick in Richtung %3°</translation>
     </message>
 </context>
 <context>

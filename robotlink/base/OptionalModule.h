@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace robotlink {
+
+/// A shared library of this project with what few need and what brings many libraries of others, so that it
+/// is loaded when it is needed first instead of at every start. It lies in lib/robotcontrol beside the folder
+/// of the programs, in a build folder as where they are installed. Never unloaded.
+class OptionalModule {
+ public:
+  /// Loads "robotcontrol_video.so", say.
+  explicit OptionalModule(const std::string& file);
+
+  /// The function of this name, of the type that the module's header states; null if the module or the
+  /// function is missing, and then problem() says why.
+  template <typename Function>
+  Function function(const char* name) {
+    return reinterpret_cast<Function>(symbol(name));
+  }
+  /// Empty while nothing was missing.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  void* symbol(const char* name);
+
+  void* library_ = nullptr;
+  std::string problem_;
+};
+
+}  // namespace robotlink

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/camera/CalibrationView.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QListView>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolButton>
+
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "tests/robotlink/calibration/BoardPicture.h"
+#include "tests/widgets/FieldBench.h"
+#include "widgets/image/ImageCanvas.h"
+
+namespace widgets::test {
+
+using robotlink::test::boardPicture;
+using robotlink::test::boardPoses;
+using robotlink::test::cameraAt;
+using robotlink::test::pixelOf;
+
+namespace {
+
+const robotlink::LensModel kPictureLens{320, 240, 300, 300, 160, 120};
+constexpr char kCalibratedStream[] = "red1/camera/image";
+
+class CameraScene : public FieldBench {
+ public:
+  void show(const robotlink::Image& image) {
+    auto message = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*message, image.view(), now(), "camera");
+    push(kCalibratedStream, message);
+    advance();
+  }
+  void showBoard(const robotlink::Pose3& camera) { show(boardPicture({}, camera, kPictureLens)); }
+  /// Ticks until it holds.
+  template <typename Condition>
+  bool until(View& view, Condition condition) {
+    return QTest::qWaitFor([&] {
+      tick(view);
+      return condition();
+    });
+  }
+  bool untilText(View& view, const char* label, const QString& part) {
+    return until(view, [&] { return child<QLabel>(view, label).text().contains(part); });
+  }
+};
+
+}  // namespace
+
+class CalibrationViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aLensIsCalibratedByViewsThatAreTakenByItself() {
+    CameraScene bench;
+    auto view = bench.open<CalibrationView>({900, 500});
+    auto& list = child<QListView>(*view, "lensViews");
+    child<QAction>(*view, "lensAutomaticAction").setChecked(true);
+    for (const robotlink::Pose3& pose : boardPoses()) {
+      const int before = list.model()->rowCount();
+      bench.showBoard(pose);
+      QVERIFY(bench.until(*view, [&] { return list.model()->rowCount() > before; }));
+    }
+    QVERIFY(bench.untilText(*view, "lensResult", QStringLiteral("Opening angles 56.")));
+    QVERIFY(list.model()->index(0, 0).data().toString().endsWith(QStringLiteral("px")));
+    // The same view again adds nothing.
+    const int count = list.model()->rowCount();
+    bench.showBoard(boardPoses().back());
+    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("a board is seen")));
+    QTest::qWait(50);
+    bench.tick(*view);
+    QCOMPARE(list.model()->rowCount(), count);
+    keepPicture(*view, "camera-lens");
+    list.setCurrentIndex(list.model()->index(0, 0));
+    child<QAction>(*view, "lensRemoveAction").trigger();
+    QCOMPARE(list.model()->rowCount(), count - 1);
+    QVERIFY(bench.untilText(*view, "lensResult", QStringLiteral("Opening angles")));
+    child<QAction>(*view, "lensClearAction").trigger();
+    QVERIFY(!child<QAction>(*view, "lensUseAction").isEnabled());
+  }
+
+  void withoutABoardNothingIsTaken() {
+    CameraScene bench;
+    auto view = bench.open<CalibrationView>();
+    bench.show(robotlink::Image(320, 240, robotlink::PixelFormat::kYuyv));
+    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("no board is seen")));
+    child<QAction>(*view, "lensTakeAction").trigger();
+    QCOMPARE(child<QListView>(*view, "lensViews").model()->rowCount(), 0);
+    QVERIFY(child<QLabel>(*view, "lensOutcome").text().contains(QStringLiteral("not seen")));
+    // A board that looks the same from all sides says what is wrong with it.
+    child<QSpinBox>(*view, "lensColumns").setValue(6);
+    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("not as many rows as columns")));
+  }
+
+  void aPlaceIsCalibratedByMarksThatAreClicked() {
+    CameraScene bench;
+    robotcontrol::CameraPose pose;
+    pose.set_horizontal_angle(kPictureLens.horizontalAngle());
+    bench.push("red1/camera/pose", std::make_shared<robotcontrol::CameraPose>(pose));
+    auto view = bench.open<CalibrationView>({900, 500});
+    bench.show(robotlink::Image(320, 240, robotlink::PixelFormat::kRgb8));
+    child<QTabWidget>(*view, "cameraTabs").setCurrentIndex(1);
+    bench.tick(*view);
+    auto& canvas = child<ImageCanvas>(*view, "imageCanvas");
+    auto& table = child<QTableView>(*view, "placeMarks");
+    const auto place = cameraAt({0.5, 0.2, 1.4}, 0.1, 0.6, 0.05);
+    int clicked = 0;
+    for (int row = 0; row < table.model()->rowCount(); ++row) {
+      const auto mark = fieldMarks(*bench.context.field)[static_cast<std::size_t>(row)];
+      const robotlink::Vector2 pixel = pixelOf(mark.place, place, kPictureLens);
+      const bool isAhead = (place.inverse() * mark.place).x() > 0;
+      if (!isAhead || pixel.x() < 5 || pixel.y() < 5 || pixel.x() > 315 || pixel.y() > 235) continue;
+      table.selectRow(row);
+      QTest::mouseClick(&canvas, Qt::LeftButton, {},
+                        canvas.transform().map(QPointF(pixel.x(), pixel.y())).toPoint());
+      ++clicked;
+    }
+    QVERIFY2(clicked >= 4, "too few marks are seen");
+    QVERIFY(bench.untilText(*view, "placeResult", QStringLiteral("Height 1.")));
+    const QString result = child<QLabel>(*view, "placeResult").text();
+    QVERIFY2(result.contains(QStringLiteral("In the field at 0.")), qPrintable(result));
+    keepPicture(*view, "camera-place");
+    // What was clicked is kept.
+    const QJsonObject state = view->saveState();
+    auto other = bench.open<CalibrationView>();
+    other->restoreState(state);
+    QCOMPARE(other->saveState(), state);
+    child<QAction>(*view, "placeClearAction").trigger();
+    QVERIFY(!child<QAction>(*view, "placeUseAction").isEnabled());
+    // Without a selected mark a click picks nothing.
+    table.selectionModel()->clear();
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.rect().center());
+    QVERIFY(child<QLabel>(*view, "placeOutcome").text().contains(QStringLiteral("Select a mark")));
+  }
+
+  void aBoardOnTheGroundTellsThePlaceAndParametersAreSet() {
+    CameraScene bench;
+    auto view = bench.open<CalibrationView>({900, 500});
+    child<QTabWidget>(*view, "cameraTabs").setCurrentIndex(1);
+    child<QComboBox>(*view, "placeBy").setCurrentIndex(1);
+    bench.showBoard(boardPoses()[1]);
+    QVERIFY(bench.untilText(*view, "cameraState", QStringLiteral("a board is seen")));
+    child<QAction>(*view, "placeTakeAction").trigger();
+    QVERIFY(child<QLabel>(*view, "placeResult").text().contains(QStringLiteral("Calibrate the lens")));
+    robotcontrol::CameraPose pose;
+    pose.set_horizontal_angle(kPictureLens.horizontalAngle());
+    bench.push("red1/camera/pose", std::make_shared<robotcontrol::CameraPose>(pose));
+    bench.advance();
+    child<QAction>(*view, "placeTakeAction").trigger();
+    QVERIFY(bench.untilText(*view, "placeResult", QStringLiteral("Height 0.3")));
+    // The robot has no solution of camera-pose yet.
+    child<QAction>(*view, "placeUseAction").trigger();
+    QVERIFY(child<QLabel>(*view, "placeOutcome").text().contains(QStringLiteral("mounted")));
+  }
+
+  void withoutARobotItSaysHowToGetOne() {
+    Bench bench({.robots = {}});
+    auto view = bench.open<CalibrationView>();
+    keepPicture(*view, "camera-empty");
+    QVERIFY(!child<QAction>(*view, "lensUseAction").isEnabled());
+    QVERIFY(!child<QAction>(*view, "placeUseAction").isEnabled());
+  }
+};
+
+const GuiTest<CalibrationViewTest> kCalibrationViewTest;
+
+}  // namespace widgets::test
+
+#include "CalibrationViewTest.moc"
