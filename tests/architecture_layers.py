@@ -51,6 +51,7 @@ TARGETS = {
 
 # "." is the target's own folder. Targets that are not here have no sub-folders.
 ROOMS = {
+    "robotlink/base": ["bytes", "."],
     "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
     "robotlink/foxglove": ["protocol", "security", "server", "client"],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/bhuman/Payloads.h"
 #include "logplayer/images/ImageCoding.h"
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 
 namespace logplayer::bhuman {
 namespace {

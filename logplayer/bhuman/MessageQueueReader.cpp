@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "logplayer/bhuman/MessageKinds.h"
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 
 namespace logplayer::bhuman {
 namespace {

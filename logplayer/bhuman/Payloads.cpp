@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 
 namespace logplayer::bhuman {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "logplayer/mcap/Records.h"
-#include "robotlink/base/ByteReader.h"
-#include "robotlink/base/ByteWriter.h"
+#include "robotlink/base/bytes/ByteReader.h"
+#include "robotlink/base/bytes/ByteWriter.h"
 
 // What the records of this folder are read and written with.
 namespace logplayer::mcap {

@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
-#include "robotlink/base/LittleEndian.h"
 #include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 
 namespace logplayer {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 #include "robotlink/motions/ImportedMotion.h"
 #include "robotlink/motions/LegKinematics.h"
 #include "robotlink/motions/MotionImport.h"

@@ -10,7 +10,7 @@
 #include "app/core/recordings/RecordingServices.h"
 #include "logplayer/record/Recorder.h"
 #include "robotlink/base/AtomicFile.h"
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 #include "robotlink/foxglove/protocol/Base64.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/security/Digest.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "robotlink/arcos/codec/Packet.h"
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 
 // How the structs of server packets are read and written. Each struct has one function, visitFields(packet,
 // visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers

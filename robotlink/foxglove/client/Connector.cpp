@@ -21,8 +21,8 @@
 #include <boost/beast/websocket/stream.hpp>
 #include <thread>
 
-#include "robotlink/base/LittleEndian.h"
 #include "robotlink/base/Utf8.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 #include "robotlink/foxglove/client/Distrust.h"
 #include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "robotlink/base/ByteReader.h"
-#include "robotlink/base/ByteWriter.h"
+#include "robotlink/base/bytes/ByteReader.h"
+#include "robotlink/base/bytes/ByteWriter.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/protocol/Fields.h"
 #include "robotlink/foxglove/protocol/FrameCodec.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 
 namespace robotlink::websocket {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "robotlink/base/ByteReader.h"
+#include "robotlink/base/bytes/ByteReader.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "tests/robotlink/foxglove/Demand.h"
 

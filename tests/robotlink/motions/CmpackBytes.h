@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 
 namespace robotlink {
 

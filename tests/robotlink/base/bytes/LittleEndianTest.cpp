@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <vector>
 
-#include "robotlink/base/ByteReader.h"
-#include "robotlink/base/ByteWriter.h"
+#include "robotlink/base/bytes/ByteReader.h"
+#include "robotlink/base/bytes/ByteWriter.h"
 
 using namespace robotlink;
 using testing::ElementsAre;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 
 namespace robotlink {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "robotlink/base/LittleEndian.h"
+#include "robotlink/base/bytes/LittleEndian.h"
 
 namespace robotlink {
 
