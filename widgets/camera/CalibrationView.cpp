@@ -39,7 +39,7 @@ constexpr char kDefaultStream[] = "*/camera/image";
 constexpr char kTask[] = "camera-pose";
 /// How far the mouse may move between press and release of a click, pixels.
 constexpr double kClickPixels = 4;
-constexpr int kPanelWidth = 320;
+constexpr int kCalibrationPanelWidth = 320;
 
 using robotlink::Vector2;
 
@@ -64,7 +64,7 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
   state_ = addWideLabel(footer, "cameraState", tr("What is seen"));
   Side side;
   side.widget = createTabs();
-  side.width = kPanelWidth;
+  side.width = kCalibrationPanelWidth;
   assemble({row->parentWidget()}, canvas_, side, {footer->parentWidget()});
   addToContextMenu(canvas_);
   connectSignals();
