@@ -9458,6 +9458,10 @@ Verzeichnung %8</translation>
         <source>Error, px</source>
         <translation>Fehler, px</translation>
     </message>
+    <message>
+        <source>Place, m</source>
+        <translation>Ort, m</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MeasureTool</name>

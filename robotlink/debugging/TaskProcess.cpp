@@ -288,10 +288,13 @@ void TaskProcess::Implementation::sendQueue() {
 
 // ---- Requests
 
-/// A debug process that was started again, in another program, counts from the beginning.
+/// A debug process that was started again, in another program, counts requests from the beginning, and waits
+/// for no queue. Queues are counted on, so that what it confirms is never taken for a confirmation of another
+/// one.
 void TaskProcess::Implementation::noticeRestart() {
   if (std::exchange(generation, requests.generation()) == generation) return;
-  requestsDone = queuesSent = queuesTaken = 0;
+  requestsDone = 0;
+  queuesTaken = queuesSent;
   keysChanged = solutionsChanged = true;
 }
 
@@ -299,7 +302,8 @@ void TaskProcess::Implementation::takeRequests() {
   noticeRestart();
   if (!requests.isNew()) return;
   const auto& package = static_cast<const RequestQueue&>(*requests.value());
-  queuesTaken = package.queues_taken();
+  // After a restart it confirms whatever was sent so far, but nothing that is still to be sent.
+  queuesTaken = std::max(queuesTaken, std::min(package.queues_taken(), queuesSent));
   for (int i = 0; i < package.requests_size(); ++i) {
     const std::uint64_t number = package.first_number() + static_cast<std::uint64_t>(i);
     // It was in an earlier package, too.

@@ -83,6 +83,7 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
       answer.place = robotlink::fitPlace(asked.points, asked.pixels, asked.knownLens);
     fitter_->publish(std::move(answer));
   });
+  placeByMarks();
   tick();
 }
 
@@ -158,7 +159,10 @@ void CalibrationView::keepChoices() {
   keep("placeBy", placePanel_->choice());
   keep(
       "marks", [this] { return marks_->save(); },
-      [this](const QJsonValue& value) { marks_->restore(value.toObject()); });
+      [this](const QJsonValue& value) {
+        marks_->restore(value.toObject());
+        placeByMarks();
+      });
   keep(
       "tab", [this] { return tabs_->currentIndex(); },
       [this](const QJsonValue& value) { tabs_->setCurrentIndex(value.toInt()); });
@@ -186,6 +190,7 @@ void CalibrationView::tick() {
   }
   takeFound();
   takeAnswer();
+  if (waitsForLens_ && lens()) placeByMarks();
   if (image_ && looksForBoard() && (image_ != searched_ || lensPanel_->board() != searchedBoard_))
     finder_->postIfFree({image_, lensPanel_->board()});
   if (!isShown_) showImage();
@@ -240,7 +245,7 @@ void CalibrationView::placeByBoard() {
 }
 
 void CalibrationView::placeByMarks() {
-  isShown_ = false;
+  isShown_ = waitsForLens_ = false;
   if (placePanel_->by() != PlacePanel::By::kMarks) return;
   Question question;
   for (const PickedMark& mark : marks_->marks()) {
@@ -253,6 +258,7 @@ void CalibrationView::placeByMarks() {
         {}, tr("Select a mark and click it in the image; at least %1 are needed, and not all on one line.")
                 .arg(robotlink::kMinPlacePoints));
   const auto known = lens();
+  waitsForLens_ = !known;
   if (!known) return placePanel_->show({}, tr("Calibrate the lens first: its opening angle is not known."));
   question.knownLens = *known;
   fitter_->post(std::move(question));

@@ -110,6 +110,8 @@ class CalibrationView final : public PictureView {
   QString problem_;
   /// What is shown is up to date.
   bool isShown_ = false;
+  /// Marks were clicked, but no lens was known.
+  bool waitsForLens_ = false;
   BoardViews views_;
   std::optional<robotlink::LensFit> lensFit_;
   std::optional<QPointF> pressed_;

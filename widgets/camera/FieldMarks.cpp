@@ -21,12 +21,13 @@ void addQuarters(std::vector<FieldMark>& marks, const QString& kind, double x, d
 
 }  // namespace
 
-QString FieldMark::name() const {
+QString FieldMark::placeText() const {
   // A negative zero would be shown with its sign.
-  return QStringLiteral("%1 (%2, %3)")
-      .arg(kind)
-      .arg(place.x() + 0.0, 0, 'f', 2)
-      .arg(place.y() + 0.0, 0, 'f', 2);
+  return QStringLiteral("%1, %2").arg(place.x() + 0.0, 0, 'f', 2).arg(place.y() + 0.0, 0, 'f', 2);
+}
+
+QString FieldMark::name() const {
+  return QStringLiteral("%1 (%2)").arg(kind, placeText());
 }
 
 std::vector<FieldMark> fieldMarks(const robotlink::FieldDescription& field) {

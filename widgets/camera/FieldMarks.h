@@ -19,6 +19,8 @@ struct FieldMark {
   /// In the field's frame, m.
   robotlink::Vector3 place = robotlink::Vector3::Zero();
 
+  /// "2.10, -0.30".
+  QString placeText() const;
   /// "goal post (2.10, -0.30)".
   QString name() const;
 };

@@ -7,7 +7,8 @@
 
 namespace widgets {
 
-MarkModel::MarkModel(QObject* parent) : RowModel({tr("Mark"), tr("Pixel"), tr("Error, px")}, parent) {}
+MarkModel::MarkModel(QObject* parent)
+    : RowModel({tr("Mark"), tr("Place, m"), tr("Pixel"), tr("Error, px")}, parent) {}
 
 void MarkModel::setMarks(std::vector<FieldMark> marks) {
   std::vector<PickedMark> rows;
@@ -64,11 +65,14 @@ void MarkModel::restore(const QJsonObject& state) {
 QVariant MarkModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const PickedMark& mark = row(index.row());
-  if (role == Qt::TextAlignmentRole) return index.column() == kName ? QVariant() : QVariant(kNumberAlignment);
+  if (role == Qt::TextAlignmentRole) return index.column() == kKind ? QVariant() : QVariant(kNumberAlignment);
+  if (role == Qt::ToolTipRole) return mark.mark.name();
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case kName:
-      return mark.mark.name();
+    case kKind:
+      return mark.mark.kind;
+    case kPlace:
+      return mark.mark.placeText();
     case kPixel:
       return mark.pixel
                  ? QStringLiteral("%1, %2").arg(mark.pixel->x(), 0, 'f', 1).arg(mark.pixel->y(), 0, 'f', 1)

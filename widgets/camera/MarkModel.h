@@ -24,7 +24,7 @@ struct PickedMark {
 class MarkModel final : public RowModel<PickedMark> {
   Q_OBJECT
  public:
-  enum Column { kName, kPixel, kError };
+  enum Column { kKind, kPlace, kPixel, kError };
 
   explicit MarkModel(QObject* parent = nullptr);
   /// Replaces the marks; what was clicked is forgotten.

@@ -38,7 +38,7 @@ PlacePanel::PlacePanel(MarkModel& marks, QWidget* parent) : QWidget(parent) {
       {"placeUse", tr("Use"), tr("Sets height, tilt and roll as parameters of the solution of camera-pose")});
   table_ = makeTable(this, {"placeMarks", tr("Marks of the field"), {}}, &marks);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(MarkModel::kName, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(MarkModel::kKind, QHeaderView::Stretch);
   result_ = makeNote(this, "placeResult", tr("The place of the camera"));
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   outcome_ = makeNote(this, "placeOutcome", tr("What came of it"));
