@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "robotlink/packages/Conversions.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
+#include "tests/robotlink/process/TestProcess.h"
 
 using namespace robotlink;
 using namespace robotlink::test;
@@ -303,6 +305,73 @@ TEST(TaskProcessTest, aParameterFileOfNoSolutionIsRefusedWithTheNearestName) {
   EXPECT_EQ((folder.path() / "ball-percept.regoin.textproto").string() +
                 ": task ball-percept has no solution 'regoin'; did you mean 'region'?",
             errors[0].describe());
+}
+
+// ---- Queues
+
+/// The sender or receiver of a package.
+template <typename Ends>
+auto* endOf(const Ends& ends, const std::string& package) {
+  return *std::ranges::find_if(ends, [&](const auto* end) { return end->package() == package; });
+}
+
+/// A process without tasks, and the debug process's ends of its two links.
+class QueueLinksTest : public testing::Test {
+ protected:
+  QueueLinksTest() {
+    description_.name = "idle";
+    description_.period = std::chrono::milliseconds(8);
+    process_ = *TaskProcess::create({robot_, layout_, description_, {}, parameters_}, clock_);
+    connectUnchecked(requests_, *endOf(process_->receivers(), "debug/requests/idle"));
+    connectUnchecked(*endOf(process_->senders(), "debug/queue/idle"), queue_);
+  }
+  /// Confirms queues up to this one, and asks for the tables, so that there is something to send.
+  void ask(std::uint64_t queuesTaken) {
+    auto package = std::make_shared<robotcontrol::RequestQueue>();
+    package->set_queues_taken(queuesTaken);
+    package->set_first_number(++asked_);
+    package->add_requests()->mutable_send_tables();
+    requests_.send(std::move(package));
+  }
+  /// The number of the queue that a frame sends; 0: none.
+  std::uint64_t sentInAFrame() {
+    clock_.advance(std::chrono::milliseconds(8));
+    EXPECT_TRUE(process_->tryBeginFrame());
+    process_->runFrame();
+    std::uint64_t number = 0;
+    debug_.body = [&] { number = queue_.isNew() ? queueIn(queue_.value())->number : 0; };
+    debug_.step();
+    return number;
+  }
+
+  ManualClock clock_;
+  const RobotSetup robot_{"red1", "red", {}, nullptr};
+  const Layout layout_;
+  const ParameterSource parameters_;
+  Layout::Process description_;
+  TestProcess debug_{"debug", clock_};
+  Sender<robotcontrol::RequestQueue> requests_{debug_, "debug/requests/idle", Blocking::kNo};
+  Receiver<robotcontrol::DebugQueue> queue_{debug_, "debug/queue/idle", Blocking::kNo};
+  std::unique_ptr<TaskProcess> process_;
+  std::uint64_t asked_ = 0;
+};
+
+TEST_F(QueueLinksTest, theNextQueueWaitsUntilTheLastOneIsConfirmed) {
+  EXPECT_EQ(sentInAFrame(), 1U);
+  ask(0);
+  EXPECT_EQ(sentInAFrame(), 0U);
+  ask(1);
+  EXPECT_EQ(sentInAFrame(), 2U);
+}
+
+TEST_F(QueueLinksTest, whoConfirmsEveryQueueConfirmsNoneThatIsStillToBeSent) {
+  EXPECT_EQ(sentInAFrame(), 1U);
+  ask(std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(sentInAFrame(), 2U);
+  ask(1);
+  EXPECT_EQ(sentInAFrame(), 0U) << "queue 2 may still be on its way";
+  ask(2);
+  EXPECT_EQ(sentInAFrame(), 3U);
 }
 
 }  // namespace
