@@ -315,22 +315,26 @@ auto* endOf(const Ends& ends, const std::string& package) {
   return *std::ranges::find_if(ends, [&](const auto* end) { return end->package() == package; });
 }
 
-/// A process without tasks, and the debug process's ends of its two links.
+/// A process that publishes something in each frame once it is asked to, and the debug process's ends of its
+/// two links.
 class QueueLinksTest : public testing::Test {
  protected:
   QueueLinksTest() {
     description_.name = "idle";
+    description_.tasks.push_back({"motion", "walk", {}});
     description_.period = std::chrono::milliseconds(8);
     process_ = *TaskProcess::create({robot_, layout_, description_, {}, parameters_}, clock_);
     connectUnchecked(requests_, *endOf(process_->receivers(), "debug/requests/idle"));
     connectUnchecked(*endOf(process_->senders(), "debug/queue/idle"), queue_);
   }
-  /// Confirms queues up to this one, and asks for the tables, so that there is something to send.
-  void ask(std::uint64_t queuesTaken) {
+  /// Confirms queues up to this one.
+  void confirm(std::uint64_t queuesTaken) {
     auto package = std::make_shared<robotcontrol::RequestQueue>();
     package->set_queues_taken(queuesTaken);
-    package->set_first_number(++asked_);
-    package->add_requests()->mutable_send_tables();
+    package->set_first_number(1);
+    auto& show = *package->add_requests()->mutable_set_key();
+    show.set_name("package/joints/request");
+    show.mutable_mode()->set_kind(KeyMode::ALWAYS);
     requests_.send(std::move(package));
   }
   /// The number of the queue that a frame sends; 0: none.
@@ -353,24 +357,25 @@ class QueueLinksTest : public testing::Test {
   Sender<robotcontrol::RequestQueue> requests_{debug_, "debug/requests/idle", Blocking::kNo};
   Receiver<robotcontrol::DebugQueue> queue_{debug_, "debug/queue/idle", Blocking::kNo};
   std::unique_ptr<TaskProcess> process_;
-  std::uint64_t asked_ = 0;
 };
 
 TEST_F(QueueLinksTest, theNextQueueWaitsUntilTheLastOneIsConfirmed) {
   EXPECT_EQ(sentInAFrame(), 1U);
-  ask(0);
+  confirm(0);
   EXPECT_EQ(sentInAFrame(), 0U);
-  ask(1);
+  confirm(1);
   EXPECT_EQ(sentInAFrame(), 2U);
+  EXPECT_EQ(sentInAFrame(), 0U);
 }
 
 TEST_F(QueueLinksTest, whoConfirmsEveryQueueConfirmsNoneThatIsStillToBeSent) {
   EXPECT_EQ(sentInAFrame(), 1U);
-  ask(std::numeric_limits<std::uint64_t>::max());
+  confirm(std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(sentInAFrame(), 2U);
-  ask(1);
   EXPECT_EQ(sentInAFrame(), 0U) << "queue 2 may still be on its way";
-  ask(2);
+  confirm(1);
+  EXPECT_EQ(sentInAFrame(), 0U);
+  confirm(2);
   EXPECT_EQ(sentInAFrame(), 3U);
 }
 
