@@ -133,19 +133,19 @@ void MeasureTool::escape() {
 
 bool MeasureTool::eventFilter(QObject* watched, QEvent* event) {
   if (!isOn()) return QObject::eventFilter(watched, event);
-  const auto* mouse = static_cast<const QMouseEvent*>(event);
+  const auto mouse = [event]() -> const QMouseEvent& { return static_cast<const QMouseEvent&>(*event); };
   switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
-      if (mouse->button() != Qt::LeftButton) return false;
-      press(*mouse);
+      if (mouse().button() != Qt::LeftButton) return false;
+      press(mouse());
       return true;
     case QEvent::MouseMove:
-      move(*mouse);
+      move(mouse());
       return pressed_.has_value();
     case QEvent::MouseButtonRelease:
-      if (mouse->button() != Qt::LeftButton) return false;
-      if (pressed_) release(*mouse);
+      if (mouse().button() != Qt::LeftButton) return false;
+      if (pressed_) release(mouse());
       return true;
     case QEvent::Leave:
       hover_.reset();

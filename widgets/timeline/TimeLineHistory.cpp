@@ -64,7 +64,8 @@ std::vector<TimeLineBand> TimeLineView::historyBands() const {
     TimeLineBand& band = bands.emplace_back();
     band.title = QString::fromStdString(robot);
     band.kept = kept;
-    band.inMemory = session().store().horizon();
+    // The horizon is the beginning of time until something was dropped.
+    band.inMemory = std::max(session().store().horizon(), kept.front().from);
     if (const auto found = remote.find(robot); found != remote.end()) band.gaps = found->second.gaps;
   }
   return bands;
