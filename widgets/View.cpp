@@ -25,6 +25,12 @@ robotlink::Registry<ViewType>& registeredViews() {
 
 View::View(ViewContext& context, QWidget* parent) : QWidget(parent), context_(context) {}
 
+/// Otherwise a field that has the focus would say, while the parts of the view that derive from this one are
+/// gone already, that it was edited.
+View::~View() {
+  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
+
 QJsonObject View::saveState() const {
   QJsonObject state;
   for (const Kept& kept : kept_) state.insert(kept.name, kept.save());

@@ -66,6 +66,8 @@ class View : public QWidget {
  public:
   /// `context` must outlive the view.
   explicit View(ViewContext& context, QWidget* parent = nullptr);
+  /// Ends all connections from what is in the view to the view.
+  ~View() override;
 
   /// Updates what is shown. Must not block.
   virtual void tick() = 0;

@@ -33,8 +33,8 @@ struct LensModel {
   /// k1, k2, p1, p2, k3 of Brown's model, as OpenCV orders them.
   std::array<double, 5> distortion{};
 
-  /// Of a camera that is known by its opening angle only, rad: its pixels are squares, its axis is in the
-  /// middle.
+  /// Makes the lens of a camera that is known by its opening angle only, rad: its pixels are squares, its
+  /// axis is in the middle.
   static LensModel fromAngle(int width, int height, double horizontalAngle);
   /// Whole opening angles through the middle of the image, without distortion, rad.
   double horizontalAngle() const;

@@ -2,6 +2,7 @@
 // What all views make of a layout that somebody else's file says.
 #include <QDataStream>
 #include <QJsonObject>
+#include <QLineEdit>
 #include <QSplitter>
 #include <QtTest>
 #include <memory>
@@ -55,6 +56,27 @@ class ViewStateTest : public QObject {
       QVERIFY2(shown.view->minimumSizeHint().width() < 4000, type.id);
     }
     QVERIFY(splitters >= 9);
+  }
+
+  void aFieldWithTheFocusSaysNothingToAViewThatIsBeingDestroyed() {
+    struct FieldView final : View {
+      FieldView(ViewContext& context, int& edits) : View(context), field(new QLineEdit(this)) {
+        connect(field, &QLineEdit::editingFinished, this, [&edits] { ++edits; });
+      }
+      void tick() override {}
+      QLineEdit* const field;
+    };
+    robotlink::Session session;
+    robotlink::CommandTable commands;
+    ViewContext context{session, commands, nullptr, {}};
+    int edits = 0;
+    auto view = std::make_unique<FieldView>(context, edits);
+    view->show();
+    QVERIFY(QTest::qWaitForWindowActive(view.get()));
+    view->field->setFocus();
+    QVERIFY(view->field->hasFocus());
+    view.reset();
+    QCOMPARE(edits, 0);
   }
 
   void aListThatIsLongerThanItsStateChangesNothing() {

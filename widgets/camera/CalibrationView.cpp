@@ -47,7 +47,9 @@ using robotlink::Vector2;
 
 CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
     : PictureView(context, "camera", "camera.png", parent),
-      parameters_(new ParameterEdits(context.session, this)) {
+      parameters_(new ParameterEdits(context.session, this)),
+      finder_([this](Search wanted, const auto&) { search(std::move(wanted)); }),
+      fitter_([this](const Question& asked, const auto&) { compute(asked); }) {
   marks_ = new MarkModel(this);
   if (context.field != nullptr) marks_->setMarks(fieldMarks(*context.field));
   canvas_ = new ImageCanvas(this);
@@ -69,25 +71,27 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
   addToContextMenu(canvas_);
   connectSignals();
   keepChoices();
-  finder_ = std::make_unique<robotlink::Worker<Search, Found>>([this](Search search, const auto&) {
-    auto corners = robotlink::findChessboard(robotlink::imageView(*search.image), search.board);
-    finder_->publish({std::move(search), std::move(corners)});
-  });
-  fitter_ = std::make_unique<robotlink::Worker<Question, Answer>>([this](Question asked, const auto&) {
-    Answer answer;
-    if (const auto& views = asked.lens)
-      answer.lens = robotlink::fitLens(views->views(), views->board(), views->width(), views->height());
-    else if (!asked.corners.empty())
-      answer.place = robotlink::fitPlaceAboveBoard(asked.corners, asked.board, asked.knownLens);
-    else
-      answer.place = robotlink::fitPlace(asked.points, asked.pixels, asked.knownLens);
-    fitter_->publish(std::move(answer));
-  });
   placeByMarks();
   tick();
 }
 
 CalibrationView::~CalibrationView() = default;
+
+void CalibrationView::search(Search wanted) {
+  auto corners = robotlink::findChessboard(robotlink::imageView(*wanted.image), wanted.board);
+  finder_.publish({std::move(wanted), std::move(corners)});
+}
+
+void CalibrationView::compute(const Question& asked) {
+  Answer answer;
+  if (const auto& views = asked.lens)
+    answer.lens = robotlink::fitLens(views->views(), views->board(), views->width(), views->height());
+  else if (!asked.corners.empty())
+    answer.place = robotlink::fitPlaceAboveBoard(asked.corners, asked.board, asked.knownLens);
+  else
+    answer.place = robotlink::fitPlace(asked.points, asked.pixels, asked.knownLens);
+  fitter_.publish(std::move(answer));
+}
 
 QTabWidget* CalibrationView::createTabs() {
   tabs_ = new QTabWidget(this);
@@ -192,12 +196,12 @@ void CalibrationView::tick() {
   takeAnswer();
   if (waitsForLens_ && lens()) placeByMarks();
   if (image_ && looksForBoard() && (image_ != searched_ || lensPanel_->board() != searchedBoard_))
-    finder_->postIfFree({image_, lensPanel_->board()});
+    finder_.postIfFree({image_, lensPanel_->board()});
   if (!isShown_) showImage();
 }
 
 void CalibrationView::takeFound() {
-  auto found = finder_->take();
+  auto found = finder_.take();
   if (!found) return;
   searched_ = found->search.image;
   searchedBoard_ = found->search.board;
@@ -224,7 +228,7 @@ void CalibrationView::fitLens() {
   lensFit_.reset();
   lensPanel_->show(views_, lensFit_);
   isShown_ = false;
-  if (views_.views().size() >= robotlink::kMinBoardViews) fitter_->post({.lens = views_});
+  if (views_.views().size() >= robotlink::kMinBoardViews) fitter_.post({.lens = views_});
 }
 
 std::optional<robotlink::LensModel> CalibrationView::lens() const {
@@ -241,7 +245,7 @@ void CalibrationView::placeByBoard() {
   const auto known = lens();
   if (!known) return placePanel_->show({}, tr("Calibrate the lens first: its opening angle is not known."));
   if (corners_.empty()) return placePanel_->show({}, tr("The whole board is not seen."));
-  fitter_->post({.knownLens = *known, .board = searchedBoard_, .corners = corners_});
+  fitter_.post({.knownLens = *known, .board = searchedBoard_, .corners = corners_});
 }
 
 void CalibrationView::placeByMarks() {
@@ -261,11 +265,11 @@ void CalibrationView::placeByMarks() {
   waitsForLens_ = !known;
   if (!known) return placePanel_->show({}, tr("Calibrate the lens first: its opening angle is not known."));
   question.knownLens = *known;
-  fitter_->post(std::move(question));
+  fitter_.post(std::move(question));
 }
 
 void CalibrationView::takeAnswer() {
-  auto answer = fitter_->take();
+  auto answer = fitter_.take();
   if (!answer) return;
   if (answer->lens) {
     const auto& fit = *answer->lens;

@@ -76,6 +76,9 @@ class CalibrationView final : public PictureView {
   bool looksForBoard() const;
   /// Shows the newest image with what was found and picked in it.
   void showImage();
+  /// In the threads of the view.
+  void search(Search wanted);
+  void compute(const Question& asked);
   void takeFound();
   void takeAnswer();
   /// Adds what is seen now to the views.
@@ -115,8 +118,8 @@ class CalibrationView final : public PictureView {
   BoardViews views_;
   std::optional<robotlink::LensFit> lensFit_;
   std::optional<QPointF> pressed_;
-  std::unique_ptr<robotlink::Worker<Search, Found>> finder_;
-  std::unique_ptr<robotlink::Worker<Question, Answer>> fitter_;
+  robotlink::Worker<Search, Found> finder_;
+  robotlink::Worker<Question, Answer> fitter_;
 };
 
 }  // namespace widgets

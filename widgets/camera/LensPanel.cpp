@@ -5,7 +5,6 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QListView>
-#include <QSignalBlocker>
 #include <QSpinBox>
 
 #include "robotlink/calibration/CameraCalibration.h"
@@ -80,9 +79,6 @@ LensPanel::LensPanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(list_, 1);
   layout->addWidget(result_);
   layout->addWidget(outcome_);
-  for (QSpinBox* count : {columns_, rows_})
-    connect(count, QOverload<int>::of(&QSpinBox::valueChanged), this, &LensPanel::boardChanged);
-  connect(square_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &LensPanel::boardChanged);
   show({}, {});
 }
 
@@ -91,7 +87,6 @@ robotlink::Chessboard LensPanel::board() const {
 }
 
 void LensPanel::setBoard(const robotlink::Chessboard& board) {
-  const QSignalBlocker quiet(this);
   columns_->setValue(board.columns);
   rows_->setValue(board.rows);
   square_->setValue(board.square * kMillimeters);

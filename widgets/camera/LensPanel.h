@@ -34,9 +34,6 @@ class LensPanel final : public QWidget {
   void show(const BoardViews& views, const std::optional<robotlink::LensFit>& fit);
   QLabel& outcome() const { return *outcome_; }
 
- Q_SIGNALS:
-  void boardChanged();
-
  private:
   QSpinBox *columns_ = nullptr, *rows_ = nullptr;
   QDoubleSpinBox* square_ = nullptr;

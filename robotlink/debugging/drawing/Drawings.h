@@ -70,7 +70,7 @@ class SceneDrawing {
   void polygon(std::span<const Vector2> corners, Color color, double width = 1, Color fill = {{}, 0});
   void dot(const Vector2& at, Color color, double diameter = 0.03);
   void pose(const Pose2& pose, Color color, double length = 0.2);
-  /// A pose of many, such as a particle: a filled triangle that points ahead, in a fifteenth of pose()'s
+  /// A pose of many, such as a particle: a filled triangle that points ahead, in a twelfth of pose()'s
   /// bytes.
   void dart(const Pose2& pose, Color color, double length = 0.1);
   void text(const Vector2& at, const std::string& text, Color color, double size = 12);
