@@ -61,7 +61,9 @@ class ViewStateTest : public QObject {
   void aFieldWithTheFocusSaysNothingToAViewThatIsBeingDestroyed() {
     struct FieldView final : View {
       FieldView(ViewContext& context, int& edits) : View(context), field(new QLineEdit(this)) {
-        connect(field, &QLineEdit::editingFinished, this, [&edits] { ++edits; });
+        const auto count = [&edits] { ++edits; };
+        connect(field, &QLineEdit::editingFinished, this, count);
+        connect(field, &QLineEdit::cursorPositionChanged, this, count);
       }
       void tick() override {}
       QLineEdit* const field;
@@ -75,6 +77,8 @@ class ViewStateTest : public QObject {
     QVERIFY(QTest::qWaitForWindowActive(view.get()));
     view->field->setFocus();
     QVERIFY(view->field->hasFocus());
+    QTest::keyClicks(view->field, QStringLiteral("7"));
+    edits = 0;
     view.reset();
     QCOMPARE(edits, 0);
   }
