@@ -54,7 +54,7 @@ ROOMS = {
     "robotlink/base": ["bytes", "."],
     "robotlink/debugging": ["drawing", ".", "program"],
     "robotlink/arcos": ["codec", "stream", "."],
-    "robotlink/foxglove": ["protocol", "security", "server", "client"],
+    "robotlink/foxglove": ["protocol", "security", "transport", "server", "client"],
     "robotlink/foxglove/session": [".", "remote"],
     "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
     "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],

@@ -10,14 +10,11 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/ssl/stream_base.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/field.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
-#include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <thread>
 
@@ -27,42 +24,23 @@
 #include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"
 #include "robotlink/foxglove/security/Tls.h"
+#include "robotlink/foxglove/transport/TransportStream.h"
 
 namespace robotlink::websocket {
 namespace {
 
-namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
-using boost::system::error_code;
-using Executor = asio::io_context::executor_type;
-using ClientSocket = asio::basic_stream_socket<tcp, Executor>;
 using Failure = LinkWatch::Failure;
 
 constexpr std::chrono::milliseconds kClientTick{10};
-constexpr std::size_t kClientReadBytes = 64U << 10U;
-
-/// A connection as the thread sees it, whatever stream is below it. In the thread, but for leave().
-class Connection {
- public:
-  Connection() = default;
-  virtual ~Connection() = default;
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
-
-  virtual void start(const tcp::endpoint& to) = 0;
-  virtual void send() = 0;
-  virtual void ping() = 0;
-  virtual void pong() = 0;
-  /// Closes the socket; nothing is called after this.
-  virtual void end() = 0;
-  /// Says goodbye without waiting for anything, when the thread has ended.
-  virtual void leave() = 0;
-};
+constexpr std::size_t kClientReadBytes = 256U << 10U;
 
 }  // namespace
+
+class ServerConnection;
 
 /// The thread, and the one connection that there is at a time. All but constructor and destructor runs in the
 /// thread.
@@ -106,37 +84,30 @@ class ConnectorThread {
   ServerObjection objection_;
   /// Which of several addresses is tried next.
   std::size_t nextAddress_ = 0;
-  std::shared_ptr<Connection> connection_;
+  std::shared_ptr<ServerConnection> connection_;
   std::thread thread_;
 };
 
-namespace {
-
-/// With TLS the stream is an ssl_stream of the socket, whose handshake comes first.
-template <typename Stream>
-class ServerConnection final : public Connection,
-                               public std::enable_shared_from_this<ServerConnection<Stream>> {
+/// One connection. With TLS its handshake comes first. In the thread, but for leave().
+class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
  public:
-  static constexpr bool kIsTls = !std::is_same_v<Stream, ClientSocket>;
+  ServerConnection(ConnectorThread& thread, asio::ssl::context* tls)
+      : thread_(thread), socket_(TransportSocket(thread.context), tls) {}
 
-  /// `layer` is what the stream is made of.
-  template <typename... Layer>
-  explicit ServerConnection(ConnectorThread& thread, Layer&... layer)
-      : thread_(thread), socket_(ClientSocket(thread.context), layer...) {}
-
-  void start(const tcp::endpoint& to) override {
-    beast::get_lowest_layer(socket_).async_connect(to, handler(&ServerConnection::onConnected));
-  }
-  void send() override;
-  void ping() override;
-  void pong() override;
-  void end() override;
-  void leave() override;
+  void start(const tcp::endpoint& to);
+  void send();
+  void ping();
+  void pong();
+  /// Closes the socket; nothing is called after this.
+  void end();
+  /// Says goodbye without waiting for anything, when the thread has ended.
+  void leave();
 
  private:
+  TransportStream& transport() { return socket_.next_layer(); }
   template <typename Function>
   auto handler(Function function) {
-    return beast::bind_front_handler(function, this->shared_from_this());
+    return beast::bind_front_handler(function, shared_from_this());
   }
   void onConnected(error_code error);
   void onSecured(error_code error);
@@ -156,48 +127,43 @@ class ServerConnection final : public Connection,
   }
 
   ConnectorThread& thread_;
-  websocket::stream<Stream> socket_;
+  websocket::stream<TransportStream> socket_;
   websocket::response_type response_;
   beast::flat_buffer buffer_;
   std::optional<Frame> sending_;
   bool isOpen_ = false, isPinging_ = false, waitsForRoom_ = false, hasEnded_ = false;
 };
 
-template <typename Stream>
-void ServerConnection<Stream>::onConnected(error_code error) {
+void ServerConnection::start(const tcp::endpoint& to) {
+  transport().socket().async_connect(to, handler(&ServerConnection::onConnected));
+}
+
+void ServerConnection::onConnected(error_code error) {
   if (hasEnded_) return;
   if (error)
     return fail(error == asio::error::timed_out ? Failure::kSilence : Failure::kEnded, whyNotReached(error));
   thread_.watch.stepDone(thread_.now());
-  auto& socket = beast::get_lowest_layer(socket_);
+  auto& socket = transport().socket();
   socket.set_option(tcp::no_delay(true), error);
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &thread_.options.unsentBytes,
                sizeof thread_.options.unsentBytes);
-  if constexpr (kIsTls) {
-    socket_.next_layer().async_handshake(asio::ssl::stream_base::client,
-                                         handler(&ServerConnection::onSecured));
-  } else {
-    upgrade();
-  }
+  if (!transport().isEncrypted()) return upgrade();
+  transport().secure(asio::ssl::stream_base::client, handler(&ServerConnection::onSecured));
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::onSecured(error_code error) {
+void ServerConnection::onSecured(error_code error) {
   if (hasEnded_) return;
   if (error) return fail(Failure::kEnded, whyNotSecured(error));
-  if constexpr (kIsTls) {
-    const Connector::Options& options = thread_.options;
-    const std::string fingerprint = peerFingerprint(socket_.next_layer().native_handle());
-    const Distrust distrust =
-        whyNotTrusted(hostOf(options.url), fingerprint, options.knownServers, options.isTrusted);
-    if (!distrust.why.empty()) return fail(Failure::kRefused, distrust.why, distrust.objection);
-  }
+  const Connector::Options& options = thread_.options;
+  const std::string fingerprint = peerFingerprint(transport().tls());
+  const Distrust distrust =
+      whyNotTrusted(hostOf(options.url), fingerprint, options.knownServers, options.isTrusted);
+  if (!distrust.why.empty()) return fail(Failure::kRefused, distrust.why, distrust.objection);
   thread_.watch.stepDone(thread_.now());
   upgrade();
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::upgrade() {
+void ServerConnection::upgrade() {
   const Connector::Options& options = thread_.options;
   socket_.auto_fragment(false);
   socket_.read_message_max(options.messageBytes);
@@ -218,8 +184,7 @@ void ServerConnection<Stream>::upgrade() {
                           handler(&ServerConnection::onUpgraded));
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::onUpgraded(error_code error) {
+void ServerConnection::onUpgraded(error_code error) {
   if (hasEnded_) return;
   if (error == websocket::error::upgrade_declined)
     return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body()),
@@ -236,8 +201,7 @@ void ServerConnection<Stream>::onUpgraded(error_code error) {
   read();
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::onRead(error_code error, std::size_t bytes) {
+void ServerConnection::onRead(error_code error, std::size_t bytes) {
   if (hasEnded_) return;
   const Connector::Options& options = thread_.options;
   // The next try would end in the same way.
@@ -258,15 +222,14 @@ void ServerConnection<Stream>::onRead(error_code error, std::size_t bytes) {
   const FrameKind kind = socket_.got_text() ? FrameKind::kText : FrameKind::kBinary;
   const auto result = thread_.client->received(kind, {static_cast<const char*>(data.data()), data.size()});
   buffer_.consume(buffer_.size());
-  if (buffer_.capacity() > 16 * kClientReadBytes) buffer_.shrink_to_fit();
+  if (buffer_.capacity() > 4 * kClientReadBytes) buffer_.shrink_to_fit();
   if (!result) return fail(Failure::kRefused, result.error().text);
   if (!thread_.watch.isGreeted() && thread_.client->isGreeted()) thread_.watch.greeted(thread_.now());
   read();
 }
 
 /// A sign of life carries the time at which it was asked for, and comes back with it.
-template <typename Stream>
-void ServerConnection<Stream>::onControl(websocket::frame_type kind, beast::string_view payload) {
+void ServerConnection::onControl(websocket::frame_type kind, beast::string_view payload) {
   const Instant now = thread_.now();
   thread_.watch.heard(now);
   if (kind != websocket::frame_type::pong || payload.size() != sizeof(std::int64_t)) return;
@@ -276,8 +239,7 @@ void ServerConnection<Stream>::onControl(websocket::frame_type kind, beast::stri
     thread_.client->setRoundTrip(roundTrip);
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::ping() {
+void ServerConnection::ping() {
   if (!isOpen_ || isPinging_ || hasEnded_) return;
   isPinging_ = true;
   std::array<std::uint8_t, sizeof(std::int64_t)> bytes{};
@@ -286,34 +248,30 @@ void ServerConnection<Stream>::ping() {
                      handler(&ServerConnection::onPinged));
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::pong() {
+void ServerConnection::pong() {
   if (!isOpen_ || isPinging_ || hasEnded_) return;
   isPinging_ = true;
   socket_.async_pong({}, handler(&ServerConnection::onPinged));
 }
 
-template <typename Stream>
-bool ServerConnection<Stream>::isFull() {
+bool ServerConnection::isFull() {
   int bytes = 0;
-  return ::ioctl(beast::get_lowest_layer(socket_).native_handle(), SIOCOUTQNSD, &bytes) == 0 &&
+  return ::ioctl(transport().socket().native_handle(), SIOCOUTQNSD, &bytes) == 0 &&
          bytes >= thread_.options.unsentBytes;
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::onRoom(error_code error) {
+void ServerConnection::onRoom(error_code error) {
   waitsForRoom_ = false;
   if (hasEnded_) return;
   if (error) return fail(Failure::kEnded, whyBroken(error));
   send();
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::send() {
+void ServerConnection::send() {
   if (!isOpen_ || sending_ || waitsForRoom_ || hasEnded_) return;
   if (isFull()) {
     waitsForRoom_ = true;
-    beast::get_lowest_layer(socket_).async_wait(tcp::socket::wait_write, handler(&ServerConnection::onRoom));
+    transport().socket().async_wait(tcp::socket::wait_write, handler(&ServerConnection::onRoom));
     return;
   }
   sending_ = thread_.client->next();
@@ -322,34 +280,24 @@ void ServerConnection<Stream>::send() {
   socket_.async_write(asio::buffer(sending_->bytes), handler(&ServerConnection::onSent));
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::onSent(error_code error, std::size_t) {
+void ServerConnection::onSent(error_code error, std::size_t) {
   if (hasEnded_) return;
   sending_.reset();
   if (error) return fail(Failure::kEnded, whyBroken(error));
   send();
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::end() {
+void ServerConnection::end() {
   hasEnded_ = true;
-  error_code ignored;
-  beast::get_lowest_layer(socket_).close(ignored);
+  transport().close();
 }
 
-template <typename Stream>
-void ServerConnection<Stream>::leave() {
+void ServerConnection::leave() {
   // "Going away" as a whole frame, masked with zeros, if none is half sent and the system takes it at once.
   constexpr std::uint8_t kGoingAway[] = {0x88, 0x82, 0, 0, 0, 0, 1001 >> 8, 1001 & 255};
-  if (isOpen_ && !hasEnded_ && !sending_ && !isPinging_) {
-    error_code ignored;
-    beast::get_lowest_layer(socket_).non_blocking(true, ignored);
-    socket_.next_layer().write_some(asio::buffer(kGoingAway), ignored);
-  }
+  if (isOpen_ && !hasEnded_ && !sending_ && !isPinging_) transport().tryWrite(kGoingAway);
   end();
 }
-
-}  // namespace
 
 ConnectorThread::ConnectorThread(std::shared_ptr<Client> connectedClient, Connector::Options chosen)
     : client(std::move(connectedClient)),
@@ -423,11 +371,7 @@ void ConnectorThread::connectTo(const HostLookup::Outcome& outcome) {
   if (!outcome) return failed(Failure::kEnded, outcome.error().text);
   error_code error;
   const auto address = asio::ip::make_address((*outcome)[nextAddress_++ % outcome->size()], error);
-  if (*tls) {
-    connection_ = std::make_shared<ServerConnection<beast::ssl_stream<ClientSocket>>>(*this, **tls);
-  } else {
-    connection_ = std::make_shared<ServerConnection<ClientSocket>>(*this);
-  }
+  connection_ = std::make_shared<ServerConnection>(*this, tls->get());
   connection_->start({address, options.url.port});
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// A connection of which nothing was heard yet.
 class FirstByte final : public Connection, public std::enable_shared_from_this<FirstByte> {
  public:
-  FirstByte(ListenerPort& port, ListenerSocket socket)
+  FirstByte(ListenerPort& port, TransportSocket socket)
       : port_(port), machine_(farMachine(socket)), socket_(std::move(socket)), beganAt_(port.now()) {}
 
   void start() override { await(); }
@@ -29,7 +29,7 @@ class FirstByte final : public Connection, public std::enable_shared_from_this<F
 
  private:
   void await() {
-    socket_.async_wait(ListenerSocket::wait_read,
+    socket_.async_wait(TransportSocket::wait_read,
                        [self = shared_from_this()](error_code error) { error ? self->end() : self->look(); });
   }
   void look() {
@@ -41,19 +41,19 @@ class FirstByte final : public Connection, public std::enable_shared_from_this<F
     if (received != 1) return end();
     const auto self = shared_from_this();
     port_.remove(self);
-    port_.add(first == kTlsHandshake ? makeTlsConnection(port_, std::move(socket_), *port_.tls)
-                                     : makePlainConnection(port_, std::move(socket_), true));
+    const bool isTls = first == kTlsHandshake;
+    port_.add(makeConnection(port_, std::move(socket_), isTls ? port_.tls.get() : nullptr, !isTls));
   }
 
   ListenerPort& port_;
   const std::string machine_;
-  ListenerSocket socket_;
+  TransportSocket socket_;
   const Instant beganAt_;
 };
 
 }  // namespace
 
-ConnectionPtr makeFirstByte(ListenerPort& port, ListenerSocket socket) {
+ConnectionPtr makeFirstByte(ListenerPort& port, TransportSocket socket) {
   return std::make_shared<FirstByte>(port, std::move(socket));
 }
 

@@ -35,13 +35,13 @@ tl::unexpected<Error> cannotListen(const ListenAddress& address, const error_cod
 
 }  // namespace
 
-std::string farEnd(const ListenerSocket& socket) {
+std::string farEnd(const TransportSocket& socket) {
   error_code error;
   const tcp::endpoint from = socket.remote_endpoint(error);
   return error ? std::string() : toString(ListenAddress{from.address().to_string(), from.port()});
 }
 
-std::string farMachine(const ListenerSocket& socket) {
+std::string farMachine(const TransportSocket& socket) {
   error_code error;
   const tcp::endpoint from = socket.remote_endpoint(error);
   return error ? std::string() : from.address().to_string();
@@ -94,7 +94,7 @@ void ListenerPort::report(const std::string& sentence) {
 
 void ListenerPort::accept() {
   isAccepting_ = true;
-  acceptor_.async_accept([this](error_code error, ListenerSocket socket) {
+  acceptor_.async_accept([this](error_code error, TransportSocket socket) {
     isAccepting_ = false;
     if (!error) {
       welcome(std::move(socket));
@@ -104,14 +104,14 @@ void ListenerPort::accept() {
   });
 }
 
-void ListenerPort::welcome(ListenerSocket socket) {
+void ListenerPort::welcome(TransportSocket socket) {
   const std::string machine = farMachine(socket);
   if (machine.empty() || !makeRoomFor(machine)) return;
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &options.unsentBytes,
                sizeof options.unsentBytes);
-  add(tls ? makeFirstByte(*this, std::move(socket)) : makePlainConnection(*this, std::move(socket)));
+  add(tls ? makeFirstByte(*this, std::move(socket)) : makeConnection(*this, std::move(socket), nullptr));
 }
 
 /// One machine that holds all handshakes must not keep others out: it loses one of its own. Returns false if

@@ -11,17 +11,13 @@
 
 #include "robotlink/foxglove/server/ListenerOptions.h"
 #include "robotlink/foxglove/server/Server.h"
+#include "robotlink/foxglove/transport/TransportStream.h"
 
 namespace robotlink::websocket {
 
-namespace asio = boost::asio;
-using boost::system::error_code;
-// With the executor's own type calls are direct.
-using ListenerExecutor = asio::io_context::executor_type;
-using ListenerSocket = asio::basic_stream_socket<asio::ip::tcp, ListenerExecutor>;
-using ListenerAcceptor = asio::basic_socket_acceptor<asio::ip::tcp, ListenerExecutor>;
+using ListenerAcceptor = asio::basic_socket_acceptor<asio::ip::tcp, TransportExecutor>;
 
-/// A connection as the port sees it, whatever stream is below it. In the port's thread, but for leave().
+/// A connection as the port sees it. In the port's thread, but for leave().
 class Connection {
  public:
   Connection() = default;
@@ -44,12 +40,12 @@ class Connection {
 class ListenerPort;
 using ConnectionPtr = std::shared_ptr<Connection>;
 
-/// A connection without encryption. If `isRefused`, it only tells clients to use encryption.
-ConnectionPtr makePlainConnection(ListenerPort& port, ListenerSocket socket, bool isRefused = false);
-/// One with TLS, of which the handshake is still to come.
-ConnectionPtr makeTlsConnection(ListenerPort& port, ListenerSocket socket, asio::ssl::context& tls);
+/// A connection, of which the handshake is still to come; without encryption if `tls` is null. If
+/// `isRefused`, it only tells clients to use encryption.
+ConnectionPtr makeConnection(ListenerPort& port, TransportSocket socket, asio::ssl::context* tls,
+                             bool isRefused = false);
 /// Waits for the first byte of a connection that should be one of TLS, and passes it on to one of these.
-ConnectionPtr makeFirstByte(ListenerPort& port, ListenerSocket socket);
+ConnectionPtr makeFirstByte(ListenerPort& port, TransportSocket socket);
 
 /// The listening socket, its thread, and the connections. All but the constructor, open() and the destructor
 /// runs in the thread.
@@ -93,7 +89,7 @@ class ListenerPort {
   }
   void run();
   void accept();
-  void welcome(ListenerSocket socket);
+  void welcome(TransportSocket socket);
   bool makeRoomFor(const std::string& machine);
   void tickLater();
 
@@ -111,8 +107,8 @@ class ListenerPort {
 };
 
 /// "127.0.0.1:1234"; empty if the connection is gone.
-std::string farEnd(const ListenerSocket& socket);
+std::string farEnd(const TransportSocket& socket);
 /// Only its address.
-std::string farMachine(const ListenerSocket& socket);
+std::string farMachine(const TransportSocket& socket);
 
 }  // namespace robotlink::websocket

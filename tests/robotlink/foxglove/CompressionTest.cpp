@@ -105,7 +105,7 @@ TEST_F(CompressionTest, whatIsTooLongWhenUnpackedIsRefusedWithoutUnpackingAll) {
   listen(true);
   options_.messageBytes = 1U << 20U;
   connect();
-  states_->publish(Instant(1s), std::string(30U << 20U, 'x'));
+  states_->publish(Instant(1s), std::string(3U << 20U, 'x'));
   EXPECT_TRUE(eventually([&] { return client_->state().phase == ConnectionState::Phase::kRefused; }));
   EXPECT_THAT(client_->state().reason, HasSubstr("more than 1 MiB"));
   EXPECT_TRUE(stateHeard_.empty());
