@@ -11,8 +11,18 @@ std::shared_ptr<const SharedDebugQueue> ProcessChannel::takeQueue() {
   if (!queue_.isNew()) return nullptr;
   auto queue = queueIn(queue_.value());
   taken_ = queue->number;
-  for (; done_ < queue->requestsDone && !pending_.empty(); ++done_) pending_.pop_front();
+  confirm(*queue);
   return queue;
+}
+
+/// A queue that was on its way while this process was started again still counts the requests of the one
+/// before; its id tells.
+void ProcessChannel::confirm(const SharedDebugQueue& queue) {
+  if (queue.requestsDone <= done_ || queue.requestsDone - done_ > pending_.size()) return;
+  const auto count = static_cast<std::ptrdiff_t>(queue.requestsDone - done_);
+  if (pending_[static_cast<std::size_t>(count) - 1].id() != queue.requestDone) return;
+  pending_.erase(pending_.begin(), pending_.begin() + count);
+  done_ = queue.requestsDone;
 }
 
 std::vector<robotcontrol::Request> ProcessChannel::takePending() {

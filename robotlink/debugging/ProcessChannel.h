@@ -40,6 +40,9 @@ class ProcessChannel {
   void send();
 
  private:
+  /// Removes the requests that a queue confirms.
+  void confirm(const SharedDebugQueue& queue);
+
   std::string process_;
   Receiver<robotcontrol::DebugQueue> queue_;
   Sender<robotcontrol::RequestQueue> requests_;

@@ -72,6 +72,7 @@ void assignHead(DebugQueue& to, const SharedDebugQueue& from) {
   to.set_dropped(from.dropped);
   to.set_number(from.number);
   to.set_requests_done(from.requestsDone);
+  to.set_request_done(from.requestDone);
 }
 
 }  // namespace
@@ -95,6 +96,7 @@ std::shared_ptr<const SharedDebugQueue> fromWire(DebugQueue queue) {
   result->dropped = queue.dropped();
   result->number = queue.number();
   result->requestsDone = queue.requests_done();
+  result->requestDone = queue.request_done();
   result->messages.reserve(static_cast<std::size_t>(queue.messages_size()));
   for (DebugMessage& message : *queue.mutable_messages()) {
     const auto time = timeOf(message);

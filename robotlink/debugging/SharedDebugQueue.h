@@ -44,6 +44,7 @@ struct SharedDebugQueue {
   std::uint64_t dropped = 0;       ///< messages, since the process started
   std::uint64_t number = 0;        ///< of the queues of this process, from 1
   std::uint64_t requestsDone = 0;  ///< the number of the last request that took effect
+  std::uint64_t requestDone = 0;   ///< its id
   std::vector<SharedDebugMessage> messages;
 
   /// Adds a message with an empty content, which the caller fills in before the queue is handed on.

@@ -88,6 +88,8 @@ struct TaskProcess::Implementation {
   std::uint64_t generation = 0;
   // The number of the last one.
   std::uint64_t requestsDone = 0;
+  // Its id.
+  std::uint64_t requestDone = 0;
   std::uint64_t queuesSent = 0;
   std::uint64_t queuesTaken = 0;
   bool keysChanged = true;
@@ -283,6 +285,7 @@ void TaskProcess::Implementation::sendQueue() {
   const std::shared_ptr<SharedDebugQueue> taken = debug.takeQueue();
   taken->number = ++queuesSent;
   taken->requestsDone = requestsDone;
+  taken->requestDone = requestDone;
   queue.send(packageOf(taken));
 }
 
@@ -312,6 +315,7 @@ void TaskProcess::Implementation::takeRequests() {
     if (const auto* row = rowOf(kRows, package.requests(i).what_case()))
       (this->*row->handler)(package.requests(i));
     requestsDone = number;
+    requestDone = package.requests(i).id();
   }
 }
 

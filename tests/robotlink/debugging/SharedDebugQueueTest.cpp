@@ -64,6 +64,7 @@ std::shared_ptr<SharedDebugQueue> queueOfAllKinds() {
   queue->dropped = 3;
   queue->number = 7;
   queue->requestsDone = 2;
+  queue->requestDone = 41;
   queue->add<foxglove::Log>("log", Instant(std::chrono::milliseconds(-1))).set_message("hello");
   queue->add<foxglove::ImageAnnotations>("drawings/image/a", Instant());
   queue->add<foxglove::SceneUpdate>("drawings/field/a", Instant());
@@ -81,6 +82,7 @@ void expectSame(const SharedDebugQueue& a, const SharedDebugQueue& b) {
   EXPECT_EQ(a.dropped, b.dropped);
   EXPECT_EQ(a.number, b.number);
   EXPECT_EQ(a.requestsDone, b.requestsDone);
+  EXPECT_EQ(a.requestDone, b.requestDone);
   ASSERT_EQ(a.messages.size(), b.messages.size());
   for (std::size_t i = 0; i < a.messages.size(); ++i) {
     const SharedDebugMessage &one = a.messages[i], &other = b.messages[i];
