@@ -106,6 +106,30 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
   });
 }
 
+std::vector<std::string> cameraSettings(OpenPlatform& open) {
+  std::vector<std::string> names;
+  const auto* settings = open.session().store().latestAs<robotcontrol::CameraSettings>(
+      open.session().selectedRobot() + "/" + robotlink::kCameraSettings.name,
+      open.session().timeline().shown());
+  if (settings == nullptr) return names;
+  for (const auto& setting : settings->settings()) names.push_back(setting.name());
+  return names;
+}
+
+void addForCamera(CommandTable& commands, OpenPlatform& open) {
+  commands.attach(
+      "robot.camera",
+      [&open](const Values& values) {
+        Request request;
+        request.mutable_set_camera()->set_setting(text(values, 0));
+        request.mutable_set_camera()->set_value(number(values, 1));
+        return ask(open, std::move(request));
+      },
+      [&open](const auto& before) {
+        return before.empty() ? cameraSettings(open) : std::vector<std::string>();
+      });
+}
+
 void addForDrive(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.goal", [&open](const Values& values) {
     Request request;
@@ -135,6 +159,7 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
 void addRobotCommands(CommandTable& commands, OpenPlatform& open) {
   addForAll(commands, open);
   addForProgram(commands, open);
+  addForCamera(commands, open);
   addForDrive(commands, open);
 }
 

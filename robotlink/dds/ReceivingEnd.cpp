@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "robotlink/dds/PackageTypes.h"
+#include "robotlink/packages/PackageTypes.h"
 #include "robotlink/packages/ParsedMessage.h"
 
 namespace robotlink::dds {

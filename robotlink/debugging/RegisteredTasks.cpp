@@ -3,6 +3,7 @@
 
 #include "robotlink/base/Registrations.h"
 #include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/PackageTypes.h"
 
 namespace robotlink {
 namespace {
@@ -47,6 +48,12 @@ std::map<std::string, const google::protobuf::Descriptor*> packageTypes() {
   for (const SolutionDescription& solution : SolutionRegistry::all()) {
     for (const auto& [package, descriptor] : solution.types) types.emplace(package, descriptor());
   }
+  return types;
+}
+
+std::map<std::string, const google::protobuf::Descriptor*> allPackageTypes() {
+  auto types = packageTypes();
+  types.insert(ownPackageTypes().begin(), ownPackageTypes().end());
   return types;
 }
 

@@ -100,6 +100,10 @@ std::string wrongSimulationSpeed(const Request& request) {
   return speed < 0 ? "" : wrongSpeed(speed, kSimulationSpeeds);
 }
 
+std::string wrongCamera(const Request& request) {
+  return std::isfinite(request.set_camera().value()) ? "" : "the value of a camera's setting is no number";
+}
+
 std::string wrongHosting(const Request& request) {
   const auto& wanted = request.host_program();
   if (!robotcontrol::HostProgram::Where_IsValid(wanted.where()))
@@ -131,6 +135,9 @@ std::string parametersOf(const Request& request) {
 }
 std::string motionOf(const Request& request) {
   return request.set_motion().motion().name();
+}
+std::string cameraSettingOf(const Request& request) {
+  return request.set_camera().setting();
 }
 std::string theOnlyOne(const Request&) {
   return {};
@@ -196,7 +203,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 18> kKinds{{
+constexpr std::array<RequestKind, 19> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -269,6 +276,11 @@ constexpr std::array<RequestKind, 18> kKinds{{
      .removes = goalIsCancelled},
     {.what = Request::kStop, .doer = Doer::kPlatform, .words = "stop", .subject = theOnlyOne},
     {.what = Request::kControlDrive, .doer = Doer::kPlatform, .words = "control drive"},
+    {.what = Request::kSetCamera,
+     .doer = Doer::kPlatform,
+     .words = "set camera",
+     .subject = cameraSettingOf,
+     .wrong = wrongCamera},
     {.what = Request::kControlSimulation,
      .doer = Doer::kSimulation,
      .words = "control simulation",

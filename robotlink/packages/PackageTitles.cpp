@@ -15,6 +15,7 @@ struct Title {
 };
 constexpr std::array kTitles{
     Title{kCameraImage.name, "camera images"},
+    Title{kCameraSettings.name, "settings of the camera"},
     Title{kJointStates.name, "joint angles"},
     Title{kBodySensors.name, "the body's sensors"},
     Title{kBodyReadings.name, "the body's readings"},

@@ -13,6 +13,7 @@ class BallPercept;
 class BodyReadings;
 class BodySensors;
 class CameraPose;
+class CameraSettings;
 class ColorRegions;
 class ColorTable;
 class DriveGoal;
@@ -48,6 +49,8 @@ struct Package {
 // Packages that a robot's platform sends.
 /// Images of the robot's camera, in one of the encodings of PixelFormat.
 inline constexpr Package<foxglove::RawImage> kCameraImage{"camera/image"};
+/// Settings of the camera that can be changed, such as its exposure, sent only on request.
+inline constexpr Package<robotcontrol::CameraSettings> kCameraSettings{"camera/settings"};
 /// Joint angles in rad, each with the name of its joint.
 inline constexpr Package<foxglove::JointStates> kJointStates{"joints/states"};
 /// Acceleration, distance and paw contacts of a legged robot.

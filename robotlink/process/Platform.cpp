@@ -8,6 +8,11 @@ Result<void> Platform::control(const robotcontrol::ControlDrive& details) {
   return robotlink::failure("platform.no-drive", "this robot has no wheels, which this needs");
 }
 
+Result<void> Platform::setCamera(const robotcontrol::SetCamera& details) {
+  (void)details;
+  return robotlink::failure("platform.no-camera", "this robot has no camera whose settings can be changed");
+}
+
 void Platform::report(std::string text) {
   const std::lock_guard lock(reportsMutex_);
   reports_.push_back(std::move(text));

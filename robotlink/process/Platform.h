@@ -11,7 +11,8 @@
 
 namespace robotcontrol {
 class ControlDrive;
-}
+class SetCamera;
+}  // namespace robotcontrol
 
 namespace robotlink {
 
@@ -39,8 +40,11 @@ class Platform : public Process {
   bool unattended() const { return unattended_.load(); }
   /// Fulfills a request of the user for the robot's base. Refused if the robot has no wheels.
   virtual Result<void> control(const robotcontrol::ControlDrive& details);
+  /// Changes a setting of the robot's camera. Refused if the robot has no camera, or the camera has no such
+  /// setting or not that value.
+  virtual Result<void> setCamera(const robotcontrol::SetCamera& details);
   /// Why nothing of what the robot does can be changed by requests, neither by STOP nor for its base, as a
-  /// sentence; empty if it can.
+  /// sentence; empty if it can. Settings of its camera are no part of that.
   virtual std::string refusal() const { return {}; }
   /// Senders of packages that no task may need: a debug process receives those that no task does while their
   /// keys are on. What takes time to make is made only while its sender is connected.

@@ -34,6 +34,19 @@ struct LightColor {
 
   explicit LightColor(double warmth)
       : red(1 - std::max(-warmth, 0.0)), green(1 - std::abs(warmth) / 2), blue(1 - std::max(warmth, 0.0)) {}
+  /// What a camera makes of it that amplifies the channels so that the light for which it is balanced is
+  /// white; the one that it amplifies most stays as it is.
+  explicit LightColor(const LightAdjustment& lighting) : LightColor(lighting.warmth) {
+    if (lighting.whiteBalance == 0) return;
+    const LightColor white(lighting.whiteBalance);
+    red /= white.red;
+    green /= white.green;
+    blue /= white.blue;
+    const double largest = std::max({red, green, blue, 1.0});
+    red /= largest;
+    green /= largest;
+    blue /= largest;
+  }
 };
 
 /// A color under a light, in the channels of an image, chroma without its offset; with the coefficients of
@@ -159,7 +172,7 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
                                                    PixelFormat format, VisibilityBuffer& buffer) {
   const Pose3 worldInCamera = cameraInWorld.inverse(Eigen::Isometry);
   const Frustum frustum(camera);
-  const LightColor light(lighting_.warmth);
+  const LightColor light(lighting_);
   drawn_.clear();
   for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
     const RenderInstance& instance = scene_->instances[i];
@@ -230,7 +243,7 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
   if (image.data.empty()) return;
 
   if (moved_) placeInstances();
-  const Channels background(scene_->background, LightColor(lighting_.warmth), image.format,
+  const Channels background(scene_->background, LightColor(lighting_), image.format,
                             std::min(lighting_.brightness, 1.0));
   VisibilityBuffer& buffer = memory_.begin(camera, background.value);
   drawInstances(cameraInWorld, camera, image.format, buffer);

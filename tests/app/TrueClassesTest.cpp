@@ -25,7 +25,7 @@ robotcontrol::Request packageRequest(const std::string& package, KeyMode::Kind k
   return request;
 }
 
-/// A run and the images that its robot told.
+/// A run and the images that its robot published.
 struct Watched {
   std::map<std::string, std::vector<foxglove::RawImage>> images;  // by path
   std::unique_ptr<SimulatedRun> run;
@@ -166,4 +166,41 @@ TEST(SimulatedLight, hasLimits) {
     EXPECT_EQ(refused.error().id, "simulation.light");
   }
   EXPECT_EQ(watched.run->world().options().lighting, simcore::LightAdjustment());
+}
+
+TEST(SimulatedCamera, settingsChangeImagesAndSurviveAReset) {
+  Watched watched;
+  watched.ask("camera/image");
+  watched.ask("camera/settings");
+  watched.play(0.3);
+  const auto set = [&](const char* setting, double value) {
+    robotcontrol::Request request;
+    request.set_robot("red1");
+    request.mutable_set_camera()->set_setting(setting);
+    request.mutable_set_camera()->set_value(value);
+    return watched.run->request(request);
+  };
+  // Means of a channel, at a byte of the pixels' pairs.
+  const auto mean = [&](std::size_t byte, std::size_t step) {
+    const std::string& bytes = watched.images["camera/image"].back().data();
+    double sum = 0;
+    for (std::size_t i = byte; i < bytes.size(); i += step) sum += static_cast<std::uint8_t>(bytes[i]);
+    return static_cast<double>(step) * sum / static_cast<double>(bytes.size());
+  };
+  const double luma = mean(0, 2), blue = mean(1, 4);
+  ASSERT_TRUE(set("exposure", 0.5));
+  watched.play(0.1);
+  EXPECT_NEAR(mean(0, 2) / luma, 0.5, 0.05);
+  ASSERT_TRUE(watched.run->reset(1).empty());
+  watched.play(0.3);
+  EXPECT_NEAR(mean(0, 2) / luma, 0.5, 0.05);
+  ASSERT_TRUE(set("exposure", 1));
+  ASSERT_TRUE(watched.run->world().setLighting({1, 0.5}));
+  watched.play(0.1);
+  EXPECT_LT(mean(1, 4), blue - 5) << "the light lacks blue";
+  ASSERT_TRUE(set("white_balance", 0.5));
+  watched.play(0.1);
+  EXPECT_NEAR(mean(1, 4), blue, 1);
+  for (const auto& [setting, value] : {std::pair("exposure", 5.0), {"gain", 0.0}, {"zoom", 1.0}})
+    EXPECT_FALSE(set(setting, value)) << setting;
 }

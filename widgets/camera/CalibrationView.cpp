@@ -10,6 +10,7 @@
 #include <QPointer>
 #include <QTabWidget>
 
+#include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/drawing/Drawings.h"
@@ -19,6 +20,7 @@
 #include "widgets/Controls.h"
 #include "widgets/camera/LensPanel.h"
 #include "widgets/camera/PlacePanel.h"
+#include "widgets/camera/SettingsPanel.h"
 #include "widgets/image/CompareRow.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImagePixels.h"
@@ -32,7 +34,7 @@ const ViewRegistration kCalibrationViewRegistration{
     {"camera", QT_TRANSLATE_NOOP("View", "Camera"),
      QT_TRANSLATE_NOOP("View",
                        "Calibrates a camera: its lens by a chessboard, its place by a board or by marks of "
-                       "the field"),
+                       "the field; and changes its exposure, gain and white balance"),
      "camera", false, create<CalibrationView>}};
 
 constexpr char kDefaultStream[] = "*/camera/image";
@@ -100,6 +102,8 @@ QTabWidget* CalibrationView::createTabs() {
   placePanel_ = new PlacePanel(*marks_, tabs_);
   tabs_->addTab(lensPanel_, tr("Lens"));
   tabs_->addTab(placePanel_, tr("Place"));
+  settingsPanel_ = new SettingsPanel(tabs_);
+  tabs_->addTab(settingsPanel_, tr("Settings"));
   return tabs_;
 }
 
@@ -144,6 +148,7 @@ void CalibrationView::connectSignals() {
     useAsParameters({{"height", fit->height()}, {"tilt", fit->tilt()}, {"roll", fit->roll()}},
                     placePanel_->outcome());
   });
+  connect(settingsPanel_, &SettingsPanel::wanted, this, &CalibrationView::setCamera);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] { isShown_ = false; });
 }
 
@@ -176,14 +181,40 @@ std::string CalibrationView::robot() const {
   return drawingRobot(streams_->path(session()));
 }
 
+bool CalibrationView::shows(const QWidget* panel) const {
+  return tabs_->currentWidget() == panel;
+}
+
+bool CalibrationView::picksMarks() const {
+  return shows(placePanel_) && placePanel_->by() == PlacePanel::By::kMarks;
+}
+
 bool CalibrationView::looksForBoard() const {
-  return tabs_->currentIndex() == 0 || placePanel_->by() == PlacePanel::By::kBoard;
+  return shows(lensPanel_) || (shows(placePanel_) && !picksMarks());
+}
+
+void CalibrationView::subscribe() {
+  subscription_.want(session(), robot(), {robotlink::kCameraPose.name, robotlink::kCameraImage.name});
+  if (!shows(settingsPanel_)) return;
+  settingsSubscription_.want(session(), robot(), {robotlink::kCameraSettings.name});
+  settingsPanel_->show(session().store().latestAs<robotcontrol::CameraSettings>(
+      robot() + "/" + robotlink::kCameraSettings.name, session().timeline().shown()));
+}
+
+void CalibrationView::setCamera(const QString& setting, double value) {
+  robotcontrol::Request request;
+  request.mutable_set_camera()->set_setting(setting.toStdString());
+  request.mutable_set_camera()->set_value(value);
+  QLabel& outcome = settingsPanel_->outcome();
+  ask(session(), robot(), std::move(request), this, [&outcome](bool accepted, const QString& reason) {
+    showOutcome(outcome, accepted ? QString() : tr("Refused: %1").arg(reason), !accepted);
+  });
 }
 
 void CalibrationView::tick() {
   if (streams_->refresh(session()))
     Q_EMIT titleChanged(tr("Camera: %1").arg(QString::fromStdString(streams_->path(session()))));
-  subscription_.want(session(), robot(), {robotlink::kCameraPose.name, robotlink::kCameraImage.name});
+  subscribe();
   const auto* message = session().store().latest(streams_->path(session()), session().timeline().shown());
   auto image =
       message == nullptr ? nullptr : std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
@@ -208,8 +239,7 @@ void CalibrationView::takeFound() {
   problem_ = found->corners ? QString() : QString::fromStdString(found->corners.error().text);
   corners_ = found->corners && *found->corners ? **found->corners : Corners();
   isShown_ = false;
-  if (tabs_->currentIndex() == 0 && lensPanel_->automatic->isChecked() && !corners_.empty() &&
-      views_.isNew(corners_))
+  if (shows(lensPanel_) && lensPanel_->automatic->isChecked() && !corners_.empty() && views_.isNew(corners_))
     takeView();
 }
 
@@ -297,12 +327,11 @@ void CalibrationView::showImage() {
     robotlink::ImageDrawing drawing(*annotations);
     if (looksForBoard()) {
       for (const Corners& view : views_.views())
-        if (tabs_->currentIndex() == 0 && !view.empty())
-          drawing.dot(view.front(), robotlink::colors::kSkyBlue, 4);
+        if (shows(lensPanel_) && !view.empty()) drawing.dot(view.front(), robotlink::colors::kSkyBlue, 4);
       for (std::size_t i = 1; i < corners_.size(); ++i)
         drawing.line(corners_[i - 1], corners_[i], robotlink::colors::kGreen);
       for (const Vector2& corner : corners_) drawing.dot(corner, robotlink::colors::kRed, 5);
-    } else {
+    } else if (picksMarks()) {
       for (const PickedMark& mark : marks_->marks()) {
         if (!mark.pixel) continue;
         const Vector2 at(mark.pixel->x(), mark.pixel->y());
@@ -327,7 +356,7 @@ QString CalibrationView::hint() const {
 }
 
 bool CalibrationView::eventFilter(QObject* watched, QEvent* event) {
-  const bool picks = watched == canvas_ && image_ != nullptr && !looksForBoard();
+  const bool picks = watched == canvas_ && image_ != nullptr && picksMarks();
   if (picks && event->type() == QEvent::MouseButtonPress) {
     const auto* press = static_cast<QMouseEvent*>(event);
     pressed_ = press->button() == Qt::LeftButton ? std::optional(press->localPos()) : std::nullopt;

@@ -25,11 +25,13 @@ class ImageCanvas;
 class LensPanel;
 class ParameterEdits;
 class PlacePanel;
+class SettingsPanel;
 class StreamSelector;
 
 /// Calibrates the camera of a stream of images: its lens by several views of a chessboard, its place by a
 /// board on the ground or by marks of the field that are clicked. The results become parameters of the
-/// robot's solution of camera-pose. Boards are looked for, and cameras computed, in threads of the view.
+/// robot's solution of camera-pose. Boards are looked for, and cameras computed, in threads of the view. And
+/// it changes the settings of the camera, such as its exposure, while it takes images.
 ///
 /// Registered as "camera". GUI thread.
 class CalibrationView final : public PictureView {
@@ -72,8 +74,13 @@ class CalibrationView final : public PictureView {
   QTabWidget* createTabs();
   void connectSignals();
   void keepChoices();
-  /// Whether boards are looked for: unless marks are clicked.
+  bool shows(const QWidget* panel) const;
+  /// Whether marks are clicked, and whether boards are looked for.
+  bool picksMarks() const;
   bool looksForBoard() const;
+  /// Follows the robot, and asks for what is shown.
+  void subscribe();
+  void setCamera(const QString& setting, double value);
   /// Shows the newest image with what was found and picked in it.
   void showImage();
   /// In the threads of the view.
@@ -100,10 +107,11 @@ class CalibrationView final : public PictureView {
   QTabWidget* tabs_ = nullptr;
   LensPanel* lensPanel_ = nullptr;
   PlacePanel* placePanel_ = nullptr;
+  SettingsPanel* settingsPanel_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr;
   MarkModel* marks_ = nullptr;
   ParameterEdits* parameters_ = nullptr;
-  PackageSubscription subscription_;
+  PackageSubscription subscription_, settingsSubscription_;
 
   std::shared_ptr<const foxglove::RawImage> image_;
   /// What was found last; the corners are empty if there was no board.

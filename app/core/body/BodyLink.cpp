@@ -139,6 +139,11 @@ void BodyLink::control(const robotcontrol::ControlDrive& details,
   call("control_drive", details.SerializeAsString(), false, std::move(done));
 }
 
+void BodyLink::setCamera(const robotcontrol::SetCamera& details,
+                         std::function<void(const std::string&)> done) {
+  call("set_camera", details.SerializeAsString(), false, std::move(done));
+}
+
 void BodyLink::call(const std::string& service, const std::string& argument, bool isUrgent,
                     std::function<void(const std::string&)> done) {
   if (!body_) return done("its body is not known yet");

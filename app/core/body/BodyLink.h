@@ -17,7 +17,8 @@
 
 namespace robotcontrol {
 class ControlDrive;
-}
+class SetCamera;
+}  // namespace robotcontrol
 
 namespace app {
 
@@ -78,8 +79,9 @@ class BodyLink {
   /// Engages or releases STOP at the body, ahead of all that waits. The handler is called in any thread, with
   /// the reason why it was not done; empty if it was.
   void engageStop(bool engaged, std::function<void(const std::string& why)> done);
-  /// Sends a request to the base of the body; the handler is called as that of engageStop().
+  /// Sends a request to the base or the camera of the body; the handler is called as that of engageStop().
   void control(const robotcontrol::ControlDrive& details, std::function<void(const std::string& why)> done);
+  void setCamera(const robotcontrol::SetCamera& details, std::function<void(const std::string& why)> done);
 
   robotlink::websocket::ConnectionState state() const { return client_->state(); }
   /// "connected, 12 ms, 1.3 MB/s, at most 2.0 MB/s"

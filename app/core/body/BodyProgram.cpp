@@ -89,7 +89,7 @@ struct BodyProgram::Implementation {
     exchange.setPeriod(options.period);
     exchange.setFrame([this] { runFrame(); });
     executed.push_back(&exchange);
-    const auto types = robotlink::packageTypes();
+    const auto types = robotlink::allPackageTypes();
     connectSensors();
     connectCommands(types);
     describe(parts.robot);

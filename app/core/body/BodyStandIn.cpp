@@ -8,7 +8,7 @@ namespace app {
 
 BodyStandIn::BodyStandIn(const robotcontrol::BodyOffer& offer, const robotlink::Clock& clock)
     : Platform("platform", clock) {
-  const auto types = robotlink::packageTypes();
+  const auto types = robotlink::allPackageTypes();
   const auto addSender = [this](const std::string& package) {
     senders_.push_back(std::make_unique<robotlink::AnySender>(*this, package, robotlink::Blocking::kNo));
   };

@@ -72,7 +72,7 @@ RemoteBodyPlatform::RemoteBodyPlatform(BodyLink& link, BodyClock& clock, const r
       watchdog_(link.body()->offer.watchdog()),
       status_(*this, robotlink::kLinkStatus.name, robotlink::Blocking::kNo),
       sender_(randomSender()) {
-  const auto types = robotlink::packageTypes();
+  const auto types = robotlink::allPackageTypes();
   const auto& offer = link.body()->offer;
   for (const std::string& package : offer.sensors()) {
     const auto type = types.find(package);
@@ -127,8 +127,7 @@ void RemoteBodyPlatform::takeArrived() {
   if (arrived.state) takeState(*arrived.state);
   for (const auto& [package, value] : arrived.sensors) takeSensor(package, value);
   for (const std::string& text : arrived.texts) report("The body: " + text);
-  for (const std::string& why : refusals_->drain())
-    report("The body refused what was asked of its base: " + why);
+  for (std::string& why : refusals_->drain()) report(std::move(why));
   if (link_.isOther() != std::exchange(isOther_, link_.isOther()) && isOther_)
     report("Another body is offered under this name now, with other sensors or commands: open it again");
 }
@@ -274,12 +273,26 @@ void RemoteBodyPlatform::repeatStop(Instant now) {
   sendStop(open == 1);
 }
 
+robotlink::Result<void> RemoteBodyPlatform::whetherConnected() const {
+  if (isConnected_) return {};
+  return robotlink::failure("body.cut", "the body is out of reach: " + link_.state().reason);
+}
+
+std::function<void(const std::string&)> RemoteBodyPlatform::reportRefusal(const std::string& of) {
+  return [refusals = refusals_, of](const std::string& why) {
+    if (!why.empty()) refusals->push("The body refused what was asked of its " + of + ": " + why);
+  };
+}
+
 robotlink::Result<void> RemoteBodyPlatform::control(const robotcontrol::ControlDrive& details) {
-  if (!isConnected_)
-    return robotlink::failure("body.cut", "the body is out of reach: " + link_.state().reason);
-  link_.control(details, [refusals = refusals_](const std::string& why) {
-    if (!why.empty()) refusals->push(why);
-  });
+  if (auto connected = whetherConnected(); !connected) return connected;
+  link_.control(details, reportRefusal("base"));
+  return {};
+}
+
+robotlink::Result<void> RemoteBodyPlatform::setCamera(const robotcontrol::SetCamera& details) {
+  if (auto connected = whetherConnected(); !connected) return connected;
+  link_.setCamera(details, reportRefusal("camera"));
   return {};
 }
 

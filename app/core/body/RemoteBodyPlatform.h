@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -44,6 +45,7 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   std::vector<robotlink::AnySender*> onRequest() override;
   /// The request goes to the body; a refusal is reported as a text.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& details) override;
+  robotlink::Result<void> setCamera(const robotcontrol::SetCamera& details) override;
 
   /// What was sent and received.
   struct Counts {
@@ -83,6 +85,9 @@ class RemoteBodyPlatform final : public robotlink::Platform {
   void repeatStop(robotlink::Instant now);
   void sendStop(bool engaged);
   void sendStatus(robotlink::Instant now);
+  robotlink::Result<void> whetherConnected() const;
+  /// A handler that reports why the body refused a request to a part of it.
+  std::function<void(const std::string& why)> reportRefusal(const std::string& of);
 
   BodyLink& link_;
   BodyClock& bodyClock_;

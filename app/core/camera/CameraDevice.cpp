@@ -117,6 +117,7 @@ Result<void> CameraDevice::begin(const CameraAddress& address) {
     if (auto done = set(name, value); !done) return done;
   }
   if (auto done = mapBuffers(); !done) return done;
+  refresh();
   std::uint32_t type = kCapture;
   if (calls_.ioctl(file_, VIDIOC_STREAMON, &type) < 0)
     return tl::unexpected(failed("the camera does not begin to take images"));
@@ -217,9 +218,16 @@ void CameraDevice::listControls() {
     if (isNumber && (control.flags & (V4L2_CTRL_FLAG_DISABLED | V4L2_CTRL_FLAG_READ_ONLY)) == 0) {
       const std::string title = textIn(control.name);
       controls_.push_back({control.id, controlName(title), title, control.minimum, control.maximum,
-                           control.step, control.default_value});
+                           control.step, control.default_value, control.default_value});
     }
     control.id |= V4L2_CTRL_FLAG_NEXT_CTRL;
+  }
+}
+
+void CameraDevice::refresh() {
+  for (Control& control : controls_) {
+    v4l2_control now{control.id, 0};
+    if (calls_.ioctl(file_, VIDIOC_G_CTRL, &now) == 0) control.value = now.value;
   }
 }
 
@@ -321,6 +329,7 @@ Result<void> CameraDevice::set(const std::string& control, std::int32_t value) {
   if (calls_.ioctl(file_, VIDIOC_S_CTRL, &wanted) < 0)
     return tl::unexpected(
         failed(control + " cannot be set; another control may have to be changed to manual first"));
+  refresh();
   return {};
 }
 

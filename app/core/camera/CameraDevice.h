@@ -24,7 +24,7 @@ class CameraDevice {
     std::uint32_t id = 0;
     /// As in CameraAddress::controls, and as the driver calls it.
     std::string name, title;
-    std::int32_t minimum = 0, maximum = 0, step = 1, initial = 0;
+    std::int32_t minimum = 0, maximum = 0, step = 1, initial = 0, value = 0;
   };
   /// How it takes images, which may differ from what was asked for.
   struct Mode {
@@ -50,7 +50,10 @@ class CameraDevice {
   /// What the driver calls the camera.
   const std::string& title() const { return title_; }
   const Mode& mode() const { return mode_; }
+  /// With their values at the last refresh() or set().
   const std::vector<Control>& controls() const { return controls_; }
+  /// Asks for the values of all controls, of which the camera may change some by itself.
+  void refresh();
   /// Fails if there is no such control, or if the camera refuses the value.
   robotlink::Result<void> set(const std::string& control, std::int32_t value);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/camera/CameraPlatform.h"
 
+#include <cmath>
+
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 
@@ -11,16 +14,40 @@ CameraPlatform::CameraPlatform(const robotlink::Clock& clock, std::string robot,
     : RealPlatform("platform", clock),
       robot_(std::move(robot)),
       reader_(std::move(address), clock, calls),
-      image_(*this, robotlink::kCameraImage.name, robotlink::Blocking::kNo) {}
+      image_(*this, robotlink::kCameraImage.name, robotlink::Blocking::kNo),
+      settings_(*this) {}
 
 void CameraPlatform::actuate() {
+  for (std::string& why : reader_.takeRefusals()) report(std::move(why) + ".");
   std::string state = reader_.state();
   if (state == reported_) return;
   reported_ = std::move(state);
   report(reported_ + ".");
 }
 
+robotcontrol::CameraSettings CameraPlatform::settings() const {
+  robotcontrol::CameraSettings settings;
+  for (const CameraDevice::Control& control : reader_.controls()) {
+    auto& setting = *settings.add_settings();
+    setting.set_name(control.name);
+    setting.set_title(control.title);
+    setting.set_value(control.value);
+    setting.set_minimum(control.minimum);
+    setting.set_maximum(control.maximum);
+    setting.set_step(control.step);
+    setting.set_initial(control.initial);
+  }
+  return settings;
+}
+
+robotlink::Result<void> CameraPlatform::setCamera(const robotcontrol::SetCamera& details) {
+  if (auto checked = check(settings(), details.setting(), details.value()); !checked) return checked;
+  reader_.set(details.setting(), static_cast<std::int32_t>(std::lround(details.value())));
+  return {};
+}
+
 void CameraPlatform::execute() {
+  if (settings_.isWanted()) settings_.send(settings(), clock().now());
   const auto shot = reader_.take();
   if (!shot) return;
   auto image = std::make_shared<foxglove::RawImage>();

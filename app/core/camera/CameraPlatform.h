@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/core/camera/CameraReader.h"
+#include "app/core/platform/CameraSettingsSender.h"
 #include "app/core/real/RealPlatform.h"
 #include "foxglove/Image.pb.h"
 
@@ -18,11 +19,13 @@ class CameraPlatform final : public RealPlatform {
   CameraPlatform(const robotlink::Clock& clock, std::string robot, CameraAddress address,
                  VideoCalls& calls = systemVideoCalls());
 
-  /// Reports changes of the connection.
+  /// Reports changes of the connection, and settings that the camera refused.
   void actuate() override;
   void engageStop(bool engaged) override { stopEngaged_ = engaged; }
   bool stopEngaged() const override { return stopEngaged_; }
   std::string refusal() const override { return "a camera moves nothing"; }
+  robotlink::Result<void> setCamera(const robotcontrol::SetCamera& details) override;
+  std::vector<robotlink::AnySender*> onRequest() override { return {settings_.sender()}; }
   void connectNow() override { reader_.openNow(); }
   bool isConnected() const override { return reader_.isOpen(); }
   std::string connectionText() const override { return reader_.state(); }
@@ -33,11 +36,14 @@ class CameraPlatform final : public RealPlatform {
   void execute() override;
 
  private:
+  robotcontrol::CameraSettings settings() const;
+
   const std::string robot_;
   std::atomic<bool> stopEngaged_{false};
   std::string reported_;
   CameraReader reader_;
   robotlink::Sender<foxglove::RawImage> image_;
+  CameraSettingsSender settings_;
 };
 
 }  // namespace app

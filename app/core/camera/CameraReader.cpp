@@ -10,6 +10,7 @@ namespace app {
 namespace {
 
 constexpr int kWaitMs = 100;
+constexpr std::chrono::seconds kRefreshEvery{1};
 constexpr std::chrono::seconds kRetryEvery{1};
 /// A camera that gives no image for this long is opened anew.
 constexpr int kMaxSilentWaits = 50;
@@ -45,6 +46,40 @@ std::string CameraReader::state() const {
 CameraReader::Counts CameraReader::counts() const {
   const std::lock_guard lock(mutex_);
   return counts_;
+}
+
+std::vector<CameraDevice::Control> CameraReader::controls() const {
+  const std::lock_guard lock(mutex_);
+  return controls_;
+}
+
+void CameraReader::set(const std::string& control, std::int32_t value) {
+  const std::lock_guard lock(mutex_);
+  chosen_[control] = waiting_[control] = value;
+}
+
+std::vector<std::string> CameraReader::takeRefusals() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(refusals_, {});
+}
+
+void CameraReader::followControls(CameraDevice& device) {
+  std::map<std::string, std::int32_t> wanted;
+  {
+    const std::lock_guard lock(mutex_);
+    wanted = std::exchange(waiting_, {});
+  }
+  std::vector<std::string> refusals;
+  for (const auto& [control, value] : wanted) {
+    if (const auto done = device.set(control, value); !done) refusals.push_back(done.error().text);
+  }
+  const robotlink::Instant now = clock_.now();
+  if (wanted.empty() && now - refreshedAt_ < kRefreshEvery) return;
+  refreshedAt_ = now;
+  device.refresh();
+  const std::lock_guard lock(mutex_);
+  controls_ = device.controls();
+  refusals_.insert(refusals_.end(), refusals.begin(), refusals.end());
 }
 
 void CameraReader::openNow() {
@@ -87,6 +122,8 @@ void CameraReader::run() {
     {
       const std::lock_guard lock(mutex_);
       ++counts_.connections;
+      waiting_ = chosen_;
+      controls_ = (*device)->controls();
     }
     isOpen_ = true;
     const robotlink::Error why = read(**device);
@@ -101,6 +138,7 @@ void CameraReader::run() {
 robotlink::Error CameraReader::read(CameraDevice& device) {
   int silent = 0;
   while (!quits()) {
+    followControls(device);
     auto image = device.next(kWaitMs);
     const robotlink::Instant now = clock_.now();
     if (!image && image.error().id != "camera.damaged") return image.error();

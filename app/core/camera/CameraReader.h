@@ -4,10 +4,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/core/camera/CameraDevice.h"
 #include "robotlink/base/Clock.h"
@@ -39,6 +41,13 @@ class CameraReader {
   /// Removes and returns the newest image; empty if there is none since the last call.
   std::optional<Shot> take();
   bool isOpen() const { return isOpen_.load(); }
+  /// The controls of the camera; none until it was opened once.
+  std::vector<CameraDevice::Control> controls() const;
+  /// Sets a control before the next image, and again whenever the camera is opened. Whether the camera
+  /// accepts the value is in takeRefusals().
+  void set(const std::string& control, std::int32_t value);
+  /// Removes and returns why values were not accepted since the last call.
+  std::vector<std::string> takeRefusals();
   /// The state as a sentence without its period.
   std::string state() const;
   Counts counts() const;
@@ -51,6 +60,8 @@ class CameraReader {
   /// Reads until the camera is gone or the thread is to end; returns why.
   robotlink::Error read(CameraDevice& device);
   void setState(std::string state);
+  /// Gives the camera the values that were set since the last call, and looks at all every second.
+  void followControls(CameraDevice& device);
   /// Waits for the next attempt. Returns false if the thread is to end.
   bool pause();
   bool quits() const;
@@ -65,6 +76,12 @@ class CameraReader {
   std::optional<Shot> newest_;
   std::string state_;
   Counts counts_;
+  std::vector<CameraDevice::Control> controls_;
+  /// All that were set, and those that the camera has not got yet.
+  std::map<std::string, std::int32_t> chosen_, waiting_;
+  std::vector<std::string> refusals_;
+  /// Only the thread's.
+  robotlink::Instant refreshedAt_;
   /// The last member, since the thread uses the others.
   std::thread thread_;
 };

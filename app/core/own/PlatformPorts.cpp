@@ -6,14 +6,14 @@
 #include <algorithm>
 
 #include "app/core/own/MirrorPlatform.h"
-#include "robotlink/dds/PackageTypes.h"
+#include "robotlink/packages/PackageTypes.h"
 
 namespace app {
 namespace {
 
 /// Receivers rely on the type, but a program that misbehaves may send anything.
 bool isOfItsType(const google::protobuf::Message& package, const robotlink::AnySender& sender) {
-  const auto* expected = robotlink::dds::typeOfPackage(sender.package());
+  const auto* expected = robotlink::typeOfPackage(sender.package());
   return expected == nullptr || package.GetDescriptor() == expected;
 }
 

@@ -174,7 +174,9 @@ void RobotHost::noteStuck(const std::string& what) {
 struct RobotHost::Handlers {
   using Request = robotcontrol::Request;
   static constexpr robotlink::RequestRow<robotlink::Result<void> (RobotHost::*)(const Request&)> kRows[]{
-      {Request::kStop, &RobotHost::engageStop}, {Request::kControlDrive, &RobotHost::controlDrive}};
+      {Request::kStop, &RobotHost::engageStop},
+      {Request::kControlDrive, &RobotHost::controlDrive},
+      {Request::kSetCamera, &RobotHost::setCamera}};
 };
 
 bool RobotHost::fulfills(const robotcontrol::Request& request) {
@@ -182,11 +184,8 @@ bool RobotHost::fulfills(const robotcontrol::Request& request) {
 }
 
 robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request) {
-  if (const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case())) {
-    if (std::string why = platform_->refusal(); !why.empty())
-      return robotlink::failure("platform.refused", std::move(why), {}, {robot_.name});
+  if (const auto* row = robotlink::rowOf(Handlers::kRows, request.what_case()))
     return (this->*row->handler)(request);
-  }
   const std::string takenBack =
       requests_.takeBack(request) ? "; " + robotlink::kindOf(request).choice(request) + " is forgotten" : "";
   if (const std::string why = program_ ? program_->refusal() : std::string(); !why.empty())
@@ -202,13 +201,25 @@ robotlink::Result<void> RobotHost::request(const robotcontrol::Request& request)
                             {robot_.name});
 }
 
+robotlink::Result<void> RobotHost::whetherMoved() const {
+  if (std::string why = platform_->refusal(); !why.empty())
+    return robotlink::failure("platform.refused", std::move(why), {}, {robot_.name});
+  return {};
+}
+
 robotlink::Result<void> RobotHost::engageStop(const robotcontrol::Request& request) {
+  if (auto moved = whetherMoved(); !moved) return moved;
   platform_->engageStop(request.stop().engaged());
   return {};
 }
 
 robotlink::Result<void> RobotHost::controlDrive(const robotcontrol::Request& request) {
+  if (auto moved = whetherMoved(); !moved) return moved;
   return platform_->control(request.control_drive());
+}
+
+robotlink::Result<void> RobotHost::setCamera(const robotcontrol::Request& request) {
+  return platform_->setCamera(request.set_camera());
 }
 
 void RobotHost::enqueueRequests() {

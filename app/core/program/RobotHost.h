@@ -174,6 +174,9 @@ class RobotHost {
   // The handlers of requests that the platform fulfills.
   robotlink::Result<void> engageStop(const robotcontrol::Request& request);
   robotlink::Result<void> controlDrive(const robotcontrol::Request& request);
+  robotlink::Result<void> setCamera(const robotcontrol::Request& request);
+  /// Fails with the reason if requests cannot change what the robot does.
+  robotlink::Result<void> whetherMoved() const;
   struct Handlers;
 
   HostedRobot robot_;

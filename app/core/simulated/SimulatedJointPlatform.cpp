@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "simcore/Scene.h"
@@ -31,6 +32,7 @@ SimulatedJointPlatform::SimulatedJointPlatform(SimulatedWorld& world, std::strin
     : SimulatedPlatform(world, std::move(robot)),
       image_(*this, robotlink::kCameraImage.name, Blocking::kNo),
       classes_(*this, robotlink::kOracleClasses.name, Blocking::kNo),
+      settings_(*this),
       jointStates_(*this, robotlink::kJointStates.name, Blocking::kNo),
       bodySensors_(*this, robotlink::kBodySensors.name, Blocking::kNo),
       jointRequest_(*this, robotlink::kJointRequest.name, Blocking::kNo) {}
@@ -150,6 +152,51 @@ void SimulatedJointPlatform::sendImages() {
     image_.send(image);
     if (classesAlways_ || classes_.connected()) sendClasses(*image);
   }
+  if (settings_.isWanted()) settings_.send(cameraSettings(), clock().now());
+}
+
+namespace {
+
+/// A setting of a simulated camera.
+struct SimulatedSetting {
+  const char *name, *title;
+  double SimulatedWorld::CameraSetting::*value;
+  double minimum, maximum;
+};
+constexpr SimulatedSetting kSimulatedSettings[]{
+    {"exposure", "Exposure", &SimulatedWorld::CameraSetting::exposure, 0.1, 4},
+    {"gain", "Gain", &SimulatedWorld::CameraSetting::gain, 0.25, 4},
+    {"white_balance", "White balance", &SimulatedWorld::CameraSetting::whiteBalance,
+     -simcore::LightAdjustment::kMaxWhiteBalance, simcore::LightAdjustment::kMaxWhiteBalance},
+};
+
+}  // namespace
+
+robotcontrol::CameraSettings SimulatedJointPlatform::cameraSettings() const {
+  robotcontrol::CameraSettings settings;
+  if (cameras_.empty()) return settings;
+  const SimulatedWorld::CameraSetting initial;
+  for (const SimulatedSetting& each : kSimulatedSettings) {
+    auto& setting = *settings.add_settings();
+    setting.set_name(each.name);
+    setting.set_title(each.title);
+    setting.set_value(world().cameraSetting(cameras_.front()).*each.value);
+    setting.set_minimum(each.minimum);
+    setting.set_maximum(each.maximum);
+    setting.set_step(0.05);
+    setting.set_initial(initial.*each.value);
+  }
+  return settings;
+}
+
+robotlink::Result<void> SimulatedJointPlatform::setCamera(const robotcontrol::SetCamera& details) {
+  if (cameras_.empty()) return SimulatedPlatform::setCamera(details);
+  if (auto checked = check(cameraSettings(), details.setting(), details.value()); !checked) return checked;
+  for (const SimulatedSetting& each : kSimulatedSettings) {
+    if (details.setting() != each.name) continue;
+    for (const std::size_t camera : cameras_) world().cameraSetting(camera).*each.value = details.value();
+  }
+  return {};
 }
 
 void SimulatedJointPlatform::alwaysSendClasses(LabeledListener listener) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/platform/CameraSettingsSender.h"
 #include "app/core/simulated/SimulatedPlatform.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
@@ -28,7 +29,9 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
 
   /// Sets the servos to the latest request, or holds still while STOP is engaged.
   void actuate() override;
-  std::vector<robotlink::AnySender*> onRequest() override { return {&classes_}; }
+  std::vector<robotlink::AnySender*> onRequest() override { return {&classes_, settings_.sender()}; }
+  /// For all cameras of the robot.
+  robotlink::Result<void> setCamera(const robotcontrol::SetCamera& details) override;
 
  protected:
   /// Sends the readings, and images that are due.
@@ -56,6 +59,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   void sendBody();
   /// Sends the images of cameras that are due, with their true classes if these are wanted.
   void sendImages();
+  robotcontrol::CameraSettings cameraSettings() const;
   /// Sends the true classes of the image that was rendered last.
   void sendClasses(const foxglove::RawImage& image);
 
@@ -74,6 +78,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
 
   robotlink::Sender<foxglove::RawImage> image_;
   robotlink::Sender<foxglove::RawImage> classes_;
+  CameraSettingsSender settings_;
   robotlink::Sender<foxglove::JointStates> jointStates_;
   robotlink::Sender<robotcontrol::BodySensors> bodySensors_;
   robotlink::Receiver<robotcontrol::JointRequest> jointRequest_;

@@ -90,7 +90,7 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
   if (simulation_->cameras().empty()) return;
   renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
                                                         simcore::CameraRenderer::Options{options.shadows});
-  renderer_->setLighting(options.lighting);
+  cameraSettings_.resize(simulation_->cameras().size());
 }
 
 robotlink::Result<void> SimulatedWorld::makePioneers() {
@@ -150,6 +150,13 @@ bool SimulatedWorld::imageDue(std::size_t camera) const {
   return simulation_->time() % simulation_->cameras()[camera].period < kStep;
 }
 
+simcore::LightAdjustment SimulatedWorld::lightingOf(std::size_t camera) const {
+  simcore::LightAdjustment lighting = options_.lighting;
+  lighting.brightness *= cameraSettings_[camera].exposure * cameraSettings_[camera].gain;
+  lighting.whiteBalance = cameraSettings_[camera].whiteBalance;
+  return lighting;
+}
+
 const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   const CostMeter meter(costs_.rendering);
   ++costs_.images;
@@ -161,11 +168,13 @@ const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   }
   simcore::ImageNoise noise;
   noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
+  noise.sigma *= cameraSettings_[camera].gain;
   noise.seed = options_.seed;
   noise.stream = camera;
   noise.frame = simulation_->steps();
   simcore::CameraModel model = sensor.model;
   model.vignetting = options_.vignetting.value_or(model.vignetting);
+  renderer_->setLighting(lightingOf(camera));
   renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
                     robotlink::PixelFormat::kYuyv, noise, image_);
   if (options_.blackout) blacken(image_);
@@ -190,7 +199,6 @@ robotlink::Result<void> SimulatedWorld::setLighting(const simcore::LightAdjustme
     return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
   }
   options_.lighting = lighting;
-  if (renderer_) renderer_->setLighting(lighting);
   return {};
 }
 

@@ -91,11 +91,23 @@ class SimulatedWorld {
   /// range.
   robotlink::Result<void> setLighting(const simcore::LightAdjustment& lighting);
 
+  /// What the owner of a camera can change. It stays after a reset.
+  struct CameraSetting {
+    /// Factors of the scene's light; the gain amplifies the noise, too.
+    double exposure = 1, gain = 1;
+    /// LightAdjustment::whiteBalance.
+    double whiteBalance = 0;
+  };
+  /// By the index of the camera; changed from the next image on.
+  CameraSetting& cameraSetting(std::size_t camera) { return cameraSettings_[camera]; }
+
   /// A hash of the states after all steps and of all images since the start, for comparing runs.
   std::uint64_t digest() const { return digest_; }
 
  private:
   SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
+  /// The light as a camera sees it by its settings.
+  simcore::LightAdjustment lightingOf(std::size_t camera) const;
   /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
   void mixIntoDigest(std::uint64_t value);
@@ -106,6 +118,7 @@ class SimulatedWorld {
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
+  std::vector<CameraSetting> cameraSettings_;
   TrueClasses trueClasses_;
   /// The memory of render() and trueClasses().
   robotlink::Image image_, classes_;

@@ -10,6 +10,7 @@
 #include "app/core/real/RealRun.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/Sensing.pb.h"
 #include "robotlink/session/QueueMessages.h"
 #include "tests/Eventually.h"
 #include "tests/app/camera/FakeCamera.h"
@@ -27,8 +28,11 @@ class CameraRunTest : public testing::Test {
     RealRun::Listeners listeners;
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       const std::lock_guard lock(mutex_);
-      for (const auto& message : robotlink::messagesOf(robot, *queue, {}).messages)
+      for (const auto& message : robotlink::messagesOf(robot, *queue, {}).messages) {
         paths_.insert(message.path);
+        if (message.path == "camera/camera/settings")
+          settings_ = std::dynamic_pointer_cast<const robotcontrol::CameraSettings>(message.value);
+      }
     };
     listeners.platform = [this](const std::string&, robotlink::Instant, const std::string& text) {
       const std::lock_guard lock(mutex_);
@@ -37,7 +41,8 @@ class CameraRunTest : public testing::Test {
     auto run = RealRun::create(cameraOptions(url, camera_), listeners);
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
-    for (const char* key : {"package/camera/image", "package/camera/pose", "package/percepts/regions"}) {
+    for (const char* key : {"package/camera/image", "package/camera/settings", "package/camera/pose",
+                            "package/percepts/regions"}) {
       robotcontrol::Request request;
       request.set_robot("camera");
       request.mutable_set_key()->set_name(key);
@@ -53,6 +58,21 @@ class CameraRunTest : public testing::Test {
       return happens();
     });
   }
+  static robotcontrol::Request setting(const std::string& name, double value) {
+    robotcontrol::Request request;
+    request.set_robot("camera");
+    request.mutable_set_camera()->set_setting(name);
+    request.mutable_set_camera()->set_value(value);
+    return request;
+  }
+  /// The newest value that was published; -1: none.
+  double brightnessSeen() {
+    const std::lock_guard lock(mutex_);
+    if (!settings_) return -1;
+    for (const auto& setting : settings_->settings())
+      if (setting.name() == "brightness") return setting.value();
+    return -1;
+  }
   bool has(const std::string& path) {
     const std::lock_guard lock(mutex_);
     return paths_.contains(path);
@@ -63,8 +83,9 @@ class CameraRunTest : public testing::Test {
   }
 
   test::FakeCamera camera_;
-  std::mutex mutex_;  // protects paths_ and reports_
+  std::mutex mutex_;  // protects paths_, settings_ and reports_
   std::set<std::string> paths_;
+  std::shared_ptr<const robotcontrol::CameraSettings> settings_;
   std::string reports_;
   std::unique_ptr<RealRun> run_;
 };
@@ -94,6 +115,41 @@ TEST_F(CameraRunTest, itIsOpenedWhenItIsPluggedIn) {
   camera_.unplug(false);
   run_->connectNow();
   EXPECT_TRUE(playUntil([&] { return has("camera/camera/image"); }));
+}
+
+TEST_F(CameraRunTest, itsSettingsAreChangedWhileItTakesImages) {
+  open();
+  EXPECT_TRUE(playUntil([&] { return run_->platform().isConnected() && brightnessSeen() == 10; }));
+  EXPECT_TRUE(run_->request(setting("brightness", 40)));
+  EXPECT_TRUE(playUntil([&] { return brightnessSeen() == 40; }));
+  // What the camera changes by itself is seen, too.
+  camera_.setValue(test::FakeCamera::kBrightness, 41);
+  EXPECT_TRUE(playUntil([&] { return brightnessSeen() == 41; }));
+}
+
+TEST_F(CameraRunTest, itsSettingsAreKeptWhenItIsOpenedAgain) {
+  open();
+  EXPECT_TRUE(playUntil([&] { return run_->platform().isConnected(); }));
+  EXPECT_TRUE(run_->request(setting("brightness", 40)));
+  EXPECT_TRUE(playUntil([&] { return camera_.value(test::FakeCamera::kBrightness) == 40; }));
+  camera_.unplug(true);
+  EXPECT_TRUE(playUntil([&] { return !run_->platform().isConnected(); }));
+  camera_.setValue(test::FakeCamera::kBrightness, 10);
+  camera_.unplug(false);
+  run_->connectNow();
+  EXPECT_TRUE(playUntil([&] { return camera_.value(test::FakeCamera::kBrightness) == 40; }));
+}
+
+TEST_F(CameraRunTest, settingsThatItHasNotAreRefused) {
+  open();
+  EXPECT_TRUE(playUntil([&] { return run_->platform().isConnected(); }));
+  const auto unknown = run_->request(setting("zoom", 1));
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().text.rfind("the camera has no setting 'zoom'; it has brightness, ", 0), 0U)
+      << unknown.error().text;
+  const auto high = run_->request(setting("brightness", 1e9));
+  ASSERT_FALSE(high);
+  EXPECT_EQ(high.error().text, "brightness is 0 to 255, not 1e+09");
 }
 
 TEST_F(CameraRunTest, anAddressThatIsNoneIsRefused) {

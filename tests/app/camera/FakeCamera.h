@@ -46,6 +46,15 @@ class FakeCamera final : public VideoCalls {
     unplugged_ = unplugged;
     changed_.notify_all();
   }
+  /// The value of a control while the camera is used.
+  std::int32_t value(std::uint32_t control) {
+    const std::lock_guard lock(mutex_);
+    return values[control];
+  }
+  void setValue(std::uint32_t control, std::int32_t value) {
+    const std::lock_guard lock(mutex_);
+    values[control] = value;
+  }
   /// How many files are open, and how many buffers are mapped.
   int opened() const { return opened_; }
   int mapped() const { return mapped_; }
@@ -88,12 +97,14 @@ class FakeCamera final : public VideoCalls {
       case VIDIOC_QUERYCTRL:
         return queryControl(*static_cast<v4l2_queryctrl*>(argument));
       case VIDIOC_S_CTRL: {
+        const std::lock_guard lock(mutex_);
         const auto& control = *static_cast<v4l2_control*>(argument);
         if (!values.contains(control.id)) return fail(EINVAL);
         values[control.id] = control.value;
         return 0;
       }
       case VIDIOC_G_CTRL: {
+        const std::lock_guard lock(mutex_);
         auto& control = *static_cast<v4l2_control*>(argument);
         if (!values.contains(control.id)) return fail(EINVAL);
         control.value = values[control.id];

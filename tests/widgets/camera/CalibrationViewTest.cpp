@@ -2,9 +2,12 @@
 #include "widgets/camera/CalibrationView.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListView>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTableView>
@@ -81,6 +84,45 @@ class CalibrationViewTest : public QObject {
     QVERIFY(bench.untilText(*view, "lensResult", QStringLiteral("Opening angles")));
     child<QAction>(*view, "lensClearAction").trigger();
     QVERIFY(!child<QAction>(*view, "lensUseAction").isEnabled());
+  }
+
+  void settingsAreChangedBySlidersAndNumbers() {
+    CameraScene bench;
+    auto view = bench.open<CalibrationView>({900, 500});
+    child<QTabWidget>(*view, "cameraTabs").setCurrentIndex(2);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "settingsNone").isVisible());
+    auto settings = std::make_shared<robotcontrol::CameraSettings>();
+    const auto add = [&](const char* name, const char* title, double value, double maximum, double step) {
+      auto& setting = *settings->add_settings();
+      setting.set_name(name), setting.set_title(title), setting.set_value(value);
+      setting.set_maximum(maximum), setting.set_step(step);
+    };
+    add("exposure", "Exposure", 1, 4, 0.05);
+    add("auto_focus", "Auto focus", 1, 1, 1);
+    bench.push("red1/camera/settings", settings);
+    bench.advance();
+    bench.tick(*view);
+    QVERIFY(!child<QLabel>(*view, "settingsNone").isVisible());
+    auto& exposure = child<QDoubleSpinBox>(*view, "setting/exposure");
+    QCOMPARE(exposure.value(), 1.0);
+    QCOMPARE(exposure.decimals(), 2);
+    auto& focus = child<QCheckBox>(*view, "setting/auto_focus");
+    QVERIFY(focus.isChecked());
+    keepPicture(*view, "camera-settings");
+    child<QSlider>(*view, "setting/exposure/slider").setValue(30);
+    QCOMPARE(bench.requests.back().set_camera().setting(), std::string("exposure"));
+    QCOMPARE(bench.requests.back().set_camera().value(), 1.5);
+    QCOMPARE(bench.requests.back().robot(), std::string("red1"));
+    QCOMPARE(exposure.value(), 1.5);
+    // What comes meanwhile is older.
+    bench.tick(*view);
+    QCOMPARE(exposure.value(), 1.5);
+    focus.click();
+    QCOMPARE(bench.requests.back().set_camera().setting(), std::string("auto_focus"));
+    QCOMPARE(bench.requests.back().set_camera().value(), 0.0);
+    child<QAction>(*view, "cameraResetAction").trigger();
+    QCOMPARE(exposure.value(), 0.0);
   }
 
   void withoutABoardNothingIsTaken() {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/dds/PackageTypes.h"
-
-#include <map>
+#include "robotlink/packages/PackageTypes.h"
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Ranging.pb.h"
@@ -16,7 +14,7 @@
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/packages/Packages.h"
 
-namespace robotlink::dds {
+namespace robotlink {
 namespace {
 
 using google::protobuf::Descriptor;
@@ -29,18 +27,22 @@ Types typesOf(const Package<T>&... packages) {
 
 }  // namespace
 
+const Types& ownPackageTypes() {
+  static const Types kTypes =
+      typesOf(kCameraImage, kCameraSettings, kJointStates, kBodySensors, kBodyReadings, kOracleWorld,
+              kOracleClasses, kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest,
+              kDriveRequest, kRemoteMotion, kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions,
+              kBallPercept, kLandmarkPercepts, kRobotPercepts, kBallModel, kRobotPose, kPlayersModel,
+              kMotionRequest, kHeadMode, kHeadRequest, kMotionStatus, kDrivePath, kBehaviorDrive);
+  return kTypes;
+}
+
 const Descriptor* typeOfPackage(const std::string& package) {
   if (package.starts_with("debug/queue/")) return robotcontrol::DebugQueue::descriptor();
   if (package.starts_with("debug/requests/")) return robotcontrol::RequestQueue::descriptor();
   if (package.starts_with("debug/processes/")) return robotcontrol::ProcessTable::descriptor();
-  static const Types kTypes =
-      typesOf(kCameraImage, kJointStates, kBodySensors, kBodyReadings, kOracleWorld, kOracleClasses,
-              kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest,
-              kRemoteMotion, kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept,
-              kLandmarkPercepts, kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest,
-              kHeadMode, kHeadRequest, kMotionStatus, kDrivePath, kBehaviorDrive);
-  const auto found = kTypes.find(package);
-  return found == kTypes.end() ? nullptr : found->second;
+  const auto found = ownPackageTypes().find(package);
+  return found == ownPackageTypes().end() ? nullptr : found->second;
 }
 
-}  // namespace robotlink::dds
+}  // namespace robotlink
