@@ -8,7 +8,10 @@
 
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
+#include "foxglove/Ranging.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "foxglove/Scene.pb.h"
+#include "robotlink/ros/KnownMarkers.h"
 #include "robotlink/ros/MessageView.h"
 
 namespace robotlink::ros {
@@ -101,6 +104,25 @@ PackagePtr frameTransforms(const Message& message) {
   return transforms;
 }
 
+/// What is nearer or farther than the laser measures is no reading: 0.
+PackagePtr laserScan(const Message& message) {
+  const MessageView from(&message);
+  auto scan = std::make_shared<foxglove::LaserScan>();
+  assign(*scan->mutable_timestamp(), from.in("header").in("stamp"));
+  scan->set_frame_id(from.in("header").text("frame_id"));
+  scan->mutable_pose()->mutable_orientation()->set_w(1);
+  scan->set_start_angle(from.number("angle_min"));
+  const int count = from.count("ranges");
+  scan->set_end_angle(from.number("angle_min") + from.number("angle_increment") * std::max(0, count - 1));
+  const double minimum = from.number("range_min"), maximum = from.number("range_max");
+  for (int i = 0; i < count; ++i) {
+    const double range = from.numberAt("ranges", i);
+    scan->add_ranges(range >= minimum && (maximum <= 0 || range <= maximum) ? range : 0);
+  }
+  for (int i = 0; i < from.count("intensities"); ++i) scan->add_intensities(from.numberAt("intensities", i));
+  return scan;
+}
+
 /// Levels are 10, 20 to 50 in ROS 2, and 1, 2, 4 to 16 in ROS 1.
 foxglove::Log::Level levelOf(double level) {
   constexpr std::array kRos2{10, 20, 30, 40, 50};
@@ -137,14 +159,17 @@ PackagePtr ros1Text(const Message& message) {
 }  // namespace
 
 const KnownType* knownType(std::string_view name) {
-  static constexpr std::array<KnownType, 7> kTypes{{
+  static constexpr std::array<KnownType, 10> kTypes{{
       {"rcl_interfaces.Log", &foxglove::Log::descriptor, &ros2Text},
       {"rosgraph_msgs.Log", &foxglove::Log::descriptor, &ros1Text},
       {"sensor_msgs.CompressedImage", &foxglove::CompressedImage::descriptor, &compressedImage},
       {"sensor_msgs.Image", &foxglove::RawImage::descriptor, &rawImage},
       {"sensor_msgs.JointState", &foxglove::JointStates::descriptor, &jointStates},
+      {"sensor_msgs.LaserScan", &foxglove::LaserScan::descriptor, &laserScan},
       {"tf.tfMessage", &foxglove::FrameTransforms::descriptor, &frameTransforms},
       {"tf2_msgs.TFMessage", &foxglove::FrameTransforms::descriptor, &frameTransforms},
+      {"visualization_msgs.Marker", &foxglove::SceneUpdate::descriptor, &sceneOfMarker},
+      {"visualization_msgs.MarkerArray", &foxglove::SceneUpdate::descriptor, &sceneOfMarkers},
   }};
   const auto found = std::ranges::find(kTypes, name, &KnownType::name);
   return found == kTypes.end() ? nullptr : &*found;

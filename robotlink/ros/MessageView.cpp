@@ -21,6 +21,10 @@ const FieldDescriptor* MessageView::field(const char* name, bool isRepeated) con
   return found != nullptr && found->is_repeated() == isRepeated ? found : nullptr;
 }
 
+bool MessageView::has(const char* name) const {
+  return message_ != nullptr && message_->GetDescriptor()->FindFieldByName(name) != nullptr;
+}
+
 double MessageView::numberOf(const FieldDescriptor* field, int element) const {
   if (field == nullptr || field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) return 0;
   return visitValue(*message_, *field, element, [](const auto& value) -> double {
@@ -78,6 +82,13 @@ double MessageView::numberAt(const char* name, int index) const {
 
 const std::string& MessageView::textAt(const char* name, int index) const {
   return textOf(index < count(name) ? field(name, true) : nullptr, index);
+}
+
+std::vector<double> MessageView::numbers(const char* name) const {
+  std::vector<double> values(static_cast<std::size_t>(count(name)));
+  const FieldDescriptor* list = field(name, true);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = numberOf(list, static_cast<int>(i));
+  return values;
 }
 
 void assign(google::protobuf::Timestamp& to, const MessageView& from) {

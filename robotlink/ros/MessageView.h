@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace google::protobuf {
 class Timestamp;
@@ -23,6 +24,9 @@ class MessageView {
  public:
   explicit MessageView(const google::protobuf::Message* message) : message_(message) {}
 
+  /// Whether there is a message at all, and whether its type has a field of this name.
+  bool isThere() const { return message_ != nullptr; }
+  bool has(const char* name) const;
   /// A message within this one.
   MessageView in(const char* name) const;
   double number(const char* name) const;
@@ -34,6 +38,8 @@ class MessageView {
   MessageView element(const char* name, int index) const;
   double numberAt(const char* name, int index) const;
   const std::string& textAt(const char* name, int index) const;
+  /// All values of a list.
+  std::vector<double> numbers(const char* name) const;
 
  private:
   const google::protobuf::FieldDescriptor* field(const char* name, bool isRepeated) const;

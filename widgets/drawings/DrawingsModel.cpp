@@ -67,8 +67,11 @@ void DrawingsModel::refreshStreams(const robotlink::StreamStore& store) {
   listVersion_ = store.listVersion();
   for (Row& row : rows_) row.exists = false;
   for (const auto* stream : store.streams()) {
-    const QString id = drawingId(stream->path);
-    if (!kinds_.contains(id.section(QLatin1Char('/'), 0, 0))) continue;
+    QString id = drawingId(stream->path);
+    if (lists_ && lists_(*session_, stream->path, stream->type))
+      id = QLatin1String(kStreams) + QString::fromStdString(stream->path);
+    else if (!kinds_.contains(id.section(QLatin1Char('/'), 0, 0)))
+      continue;
     addIfNew(id, false);
     find(id)->exists = true;
   }
@@ -216,6 +219,8 @@ QString DrawingsModel::toolTip(const Row& row) const {
     lines << tr("The robot does not draw it; check it to switch it on");
   } else if (!row.exists) {
     lines << tr("No robot has drawn it yet");
+  } else if (row.id.startsWith(QLatin1String(kStreams))) {
+    lines << tr("The messages of this stream, in the frame that they name");
   }
   return lines.join(QLatin1Char('\n'));
 }

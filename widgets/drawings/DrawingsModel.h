@@ -4,6 +4,7 @@
 #include <QAbstractListModel>
 #include <QJsonObject>
 #include <QStringList>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,16 @@ class DrawingsModel : public QAbstractListModel {
   /// kOffRole: whether its debug key is off on the robot (bool).
   enum Role { kIdRole = Qt::UserRole, kExistsRole, kOffRole };
 
+  /// Ids of streams that are shown themselves, without being drawings, begin with this.
+  static constexpr char kStreams[] = "stream/";
+  using StreamFilter = std::function<bool(const robotlink::Session& session, const std::string& path,
+                                          const std::string& type)>;
+
   /// `kinds`: the kinds to list, "image", or "field" and "robot".
   explicit DrawingsModel(QStringList kinds, QObject* parent = nullptr);
 
+  /// Lists streams, too, for which the filter is true.
+  void listStreams(StreamFilter filter) { lists_ = std::move(filter); }
   /// Adds new drawings of all robots and the keys with which `robot` could draw; returns early if nothing
   /// changed. The session must outlive the model.
   void refresh(robotlink::Session& session, const std::string& robot);
@@ -92,6 +100,7 @@ class DrawingsModel : public QAbstractListModel {
   void addIfNew(const QString& id, bool off);
 
   QStringList kinds_;
+  StreamFilter lists_;
   std::vector<Row> rows_;
   /// The store's version of its list of streams, as of the last refresh.
   quint64 listVersion_ = ~0ULL;

@@ -153,6 +153,7 @@ void FieldView::connectSignals() {
   connect(move_, &QAction::toggled, this, &FieldView::tick);
   connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
   connect(trailMenu_, &TrailMenu::changed, this, &FieldView::tick);
+  drawings()->listStreams(&StreamFigures::canShow);
   connect(drawings(), &DrawingsModel::shownChanged, this, &FieldView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, &FieldView::tick);
   connect(canvas_, &FieldCanvas::robotClicked, this, [this](const QString& robot) {
@@ -195,7 +196,7 @@ void FieldView::tick() {
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(measure_->isOn() ? std::vector<std::string>() : scene_.models(), move_->isChecked());
-  auto drawings = worldDrawings(session(), scene_, shownRobots, robots_->robots(session()),
+  auto drawings = worldDrawings(session(), scene_, streamFigures_, shownRobots, robots_->robots(session()),
                                 this->drawings()->shown(), shown);
   showAge(shownRobots, std::ranges::any_of(drawings, &WorldDrawing::old));
   canvas_->setContents(figures(shownRobots), std::move(drawings));

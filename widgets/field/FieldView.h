@@ -6,6 +6,7 @@
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
 #include "widgets/world/SceneState.h"
+#include "widgets/world/StreamFigures.h"
 #include "widgets/world/Trails.h"
 
 class QAction;
@@ -75,6 +76,7 @@ class FieldView final : public PictureView {
 
   /// The true poses.
   SceneState scene_;
+  StreamFigures streamFigures_;
   Trails trails_;
   /// The model that is being dragged.
   ModelDrag drag_;

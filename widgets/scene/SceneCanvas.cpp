@@ -161,7 +161,7 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
     const QString text = tr("The scene cannot be drawn: %1").arg(error);
     return paintSentence(painter, *this, text, SentencePlace::kMiddle);
   }
-  if (contents_.bodies.empty() && !hint_.isEmpty())
+  if (contents_.bodies.empty() && contents_.drawings.empty() && !hint_.isEmpty())
     paintSentence(painter, *this, hint_, SentencePlace::kMiddle);
   if (!notice_.isEmpty()) paintSentence(painter, *this, notice_, SentencePlace::kTop);
 }

@@ -109,6 +109,7 @@ void SceneView::connectSignals() {
   connect(grid_, &QAction::toggled, canvas_, &SceneCanvas::setGrid);
   connect(labels_, &QAction::toggled, canvas_, &SceneCanvas::setLabels);
   connect(move_, &QAction::toggled, this, &SceneView::tick);
+  drawings()->listStreams(&StreamFigures::canShow);
   connect(drawings(), &DrawingsModel::shownChanged, this, &SceneView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, [this] {
     ride_.forget();
@@ -181,7 +182,7 @@ void SceneView::tick() {
 VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   VisibleScene contents;
   contents.bodies = assembly_.bodies(scene_);
-  const auto drawings = worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
+  const auto drawings = worldDrawings(session(), scene_, streamFigures_, beliefs, robots_->robots(session()),
                                       this->drawings()->shown(), session().timeline().shown());
   contents.drawings = assembly_.drawings(drawings);
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));

@@ -11,6 +11,7 @@
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
 #include "widgets/world/SceneState.h"
+#include "widgets/world/StreamFigures.h"
 
 class QAction;
 class QLabel;
@@ -75,6 +76,7 @@ class SceneView final : public PictureView {
   void showContextMenu(const QPoint& at);
 
   SceneState scene_;
+  StreamFigures streamFigures_;
   SceneAssembly assembly_;
   ModelDrag drag_;
   /// Null: the world has none.

@@ -23,13 +23,6 @@ std::string modelOf(const foxglove::SceneEntity& entity) {
   return {};
 }
 
-Pose3 poseOf(const foxglove::FrameTransform& transform) {
-  foxglove::Pose pose;
-  *pose.mutable_position() = transform.translation();
-  if (transform.has_rotation()) *pose.mutable_orientation() = transform.rotation();
-  return robotlink::pose3(pose);
-}
-
 /// Messages that are published once may be later than the shown instant if that is before the history begins;
 /// then the first one counts.
 const robotlink::StreamMessage* latestOrFirst(const robotlink::StreamStore& store, const char* path,
@@ -53,6 +46,7 @@ void SceneState::update(const robotlink::StreamStore& store, robotlink::Instant 
     const auto* typed = dynamic_cast<const foxglove::FrameTransforms*>(value.get());
     if (typed != nullptr) updatePoses(*typed);
   }
+  tree_.update(store, shown);
   collectModels(store, shown);
 }
 
@@ -92,7 +86,7 @@ void SceneState::updatePoses(const foxglove::FrameTransforms& transforms) {
     before = open.size();
     std::erase_if(open, [&](const foxglove::FrameTransform* transform) {
       const auto parent = framePose(transform->parent_frame_id());
-      if (parent) poses_[transform->child_frame_id()] = *parent * poseOf(*transform);
+      if (parent) poses_[transform->child_frame_id()] = *parent * poseInParent(*transform);
       return parent.has_value();
     });
   }
@@ -117,7 +111,7 @@ void SceneState::collectModels(const robotlink::StreamStore& store, robotlink::I
 std::optional<Pose3> SceneState::framePose(const std::string& frame) const {
   const auto found = poses_.find(frame);
   if (found != poses_.end()) return found->second;
-  return frame.empty() || frame == kField ? std::optional(Pose3::Identity()) : std::nullopt;
+  return frame.empty() || frame == kField ? std::optional(Pose3::Identity()) : tree_.pose(frame);
 }
 
 std::string SceneState::modelFrame(const std::string& model) const {

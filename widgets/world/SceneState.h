@@ -10,6 +10,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/process/Link.h"
+#include "widgets/world/FrameTree.h"
 
 namespace foxglove {
 class FrameTransforms;
@@ -47,7 +48,7 @@ class SceneState {
   const std::map<std::string, Item>& items() const { return items_; }
 
   /// Pose of a frame in the field's frame; the identity for "field" and the empty name, unset for unknown
-  /// frames.
+  /// frames. Frames of other programs (FrameTree) begin where the field does.
   std::optional<robotlink::Pose3> framePose(const std::string& frame) const;
   /// Names of the models that can be moved, sorted.
   const std::vector<std::string>& models() const { return models_; }
@@ -67,6 +68,7 @@ class SceneState {
 
   std::map<std::string, Item> items_;
   std::map<std::string, robotlink::Pose3> poses_;
+  FrameTree tree_;
   std::vector<std::string> models_;
   /// The messages of the last update, to detect new ones.
   robotlink::PackagePtr newestScene_, transforms_, status_;

@@ -6,7 +6,9 @@
 #include "foxglove/Scene.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/drawings/DrawingsModel.h"
 #include "widgets/world/SceneState.h"
+#include "widgets/world/StreamFigures.h"
 
 namespace widgets {
 namespace {
@@ -31,7 +33,7 @@ Pose3 poseOnGround(const robotlink::Pose2& pose) {
 }
 
 std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
-                                        const std::vector<RobotBelief>& beliefs,
+                                        StreamFigures& figures, const std::vector<RobotBelief>& beliefs,
                                         const std::vector<std::string>& robots, const QStringList& ids,
                                         robotlink::Instant shown) {
   std::vector<WorldDrawing> drawings;
@@ -43,6 +45,14 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
         const auto pose = poseOfFrame(entity.frame_id(), scene, beliefs);
         if (pose) drawings.push_back({&entity, *pose, current.message, current.old});
       }
+    }
+  }
+  const QLatin1String folder(DrawingsModel::kStreams);
+  for (const QString& id : ids) {
+    if (!id.startsWith(folder)) continue;
+    for (const auto& figure : figures.of(session.store(), id.mid(folder.size()).toStdString(), shown)) {
+      if (const auto pose = poseOfFrame(figure.entity->frame_id(), scene, beliefs))
+        drawings.push_back({figure.entity, *pose, figure.keep, false});
     }
   }
   return drawings;

@@ -20,6 +20,7 @@ class Session;
 namespace widgets {
 
 class SceneState;
+class StreamFigures;
 
 /// A drawing in the world, and the frame of its coordinates.
 struct WorldDrawing {
@@ -35,11 +36,12 @@ struct WorldDrawing {
 /// The inverse of robotlink::groundPose() for poses that are upright on the ground.
 robotlink::Pose3 poseOnGround(const robotlink::Pose2& pose);
 
-/// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first. Drawings relative
+/// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first; then the figures of
+/// the streams among `ids` ("stream/PATH"). Drawings relative
 /// to a robot are placed at its true pose or, if that is unknown, at its pose estimate; without either they
 /// are left out.
 std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
-                                        const std::vector<RobotBelief>& beliefs,
+                                        StreamFigures& figures, const std::vector<RobotBelief>& beliefs,
                                         const std::vector<std::string>& robots, const QStringList& ids,
                                         robotlink::Instant shown);
 

@@ -65,6 +65,81 @@ std::string imageOf(const std::string& encoding, const std::string& data, int st
   return text;
 }
 
+TEST(KnownTypes, readingsThatALaserDoesNotMeasureAreZero) {
+  EXPECT_EQ(textOf(converted("sensor_msgs/LaserScan",
+                             "std_msgs/Header header\nfloat64 angle_min\nfloat64 angle_increment\n"
+                             "float64 range_min\nfloat64 range_max\nfloat64[] ranges" +
+                                 std::string(kHeader),
+                             "0000000000000000 01000000 63" +                        // frame c
+                                 std::string("000000000000f03f 000000000000e03f") +  // 1, 0.5
+                                 "000000000000e03f 0000000000000040" +               // 0.5, 2
+                                 "03000000 000000000000f03f 0000000000000840 000000000000d03f",
+                             kRos1)),
+            "foxglove.LaserScan timestamp { } frame_id: \"c\" pose { orientation { w: 1 } } start_angle: 1 "
+            "end_angle: 2 ranges: 1 ranges: 0 ranges: 0");
+}
+
+constexpr char kMarker[] =
+    "std_msgs/Header header\nstring ns\nint32 id\nint32 type\nint32 action\ngeometry_msgs/Pose pose\n"
+    "geometry_msgs/Vector3 scale\nstd_msgs/ColorRGBA color\nduration lifetime\nbool frame_locked\n"
+    "geometry_msgs/Point[] points\nstd_msgs/ColorRGBA[] colors\nstring text"
+    "\n===\nMSG: std_msgs/Header\ntime stamp\nstring frame_id"
+    "\n===\nMSG: geometry_msgs/Pose\ngeometry_msgs/Point position\ngeometry_msgs/Quaternion orientation"
+    "\n===\nMSG: geometry_msgs/Point\nfloat64 x\nfloat64 y\nfloat64 z"
+    "\n===\nMSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z"
+    "\n===\nMSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w"
+    "\n===\nMSG: std_msgs/ColorRGBA\nfloat32 r\nfloat32 g\nfloat32 b\nfloat32 a";
+constexpr char kZero[] = "0000000000000000", kOne[] = "000000000000f03f", kTwo[] = "0000000000000040";
+
+/// A marker of a kind with an action, at (1, 2, 0) without a turn, of size (1, 2, 0), red, with two points.
+std::string markerOf(int kind, int action, bool isArray = false) {
+  char numbers[32];
+  std::snprintf(numbers, sizeof numbers, "07000000 %02x000000 %02x000000", static_cast<unsigned>(kind),
+                static_cast<unsigned>(action));
+  const std::string zero = kZero, one = kOne, two = kTwo;
+  const std::string hex = "0000000000000000 01000000 63 01000000 6e " + std::string(numbers) + one + two +
+                          zero + zero + zero + zero + one + one + two + zero +
+                          "0000803f 00000000 00000000 0000803f" + "0300000000000000 00 02000000" + zero +
+                          zero + zero + zero + two + zero + "00000000 02000000 6869";
+  if (!isArray) return textOf(converted("visualization_msgs/Marker", kMarker, hex, kRos1));
+  return textOf(converted("visualization_msgs/MarkerArray",
+                          std::string("visualization_msgs/Marker[] markers\n===\nMSG: "
+                                      "visualization_msgs/Marker\n") +
+                              kMarker,
+                          "02000000" + hex + hex, kRos1));
+}
+
+TEST(KnownTypes, markersAreEntities) {
+  const std::string begin =
+      "foxglove.SceneUpdate entities { timestamp { } frame_id: \"c\" id: \"n/7\" "
+      "lifetime { seconds: 3 } ";
+  const std::string pose = "pose { position { x: 1 y: 2 } orientation { w: 1 } } ";
+  const std::string red = "color { r: 1 a: 1 } ";
+  EXPECT_EQ(markerOf(1, 0), begin + "cubes { " + pose + "size { x: 1 y: 2 } " + red + "} }");
+  EXPECT_EQ(markerOf(4, 0),
+            begin + "lines { " + pose + "thickness: 1 points { } points { y: 2 } " + red + "} }");
+  EXPECT_EQ(markerOf(9, 0), begin + "texts { " + pose + "billboard: true " + red + "text: \"hi\" } }");
+  // One square at each point.
+  const std::string points = markerOf(8, 0);
+  EXPECT_NE(points.find("position { x: 1 y: 4 }"), std::string::npos) << points;
+  // From the first point to the second, which lies to the left: a quarter of a turn.
+  const std::string arrow = markerOf(0, 0);
+  EXPECT_NE(arrow.find("z: 0.70710678118654"), std::string::npos) << arrow;
+  EXPECT_NE(arrow.find("head_diameter: 2"), std::string::npos) << arrow;
+  EXPECT_EQ(markerOf(10, 0), begin + "}") << "meshes of files are left out";
+}
+
+TEST(KnownTypes, markersAreDeleted) {
+  EXPECT_EQ(markerOf(1, 2), "foxglove.SceneUpdate deletions { timestamp { } id: \"n/7\" }");
+  EXPECT_EQ(markerOf(1, 3), "foxglove.SceneUpdate deletions { timestamp { } type: ALL }");
+  EXPECT_EQ(markerOf(1, 77), "foxglove.SceneUpdate ");
+}
+
+TEST(KnownTypes, arraysOfMarkersAreOneUpdate) {
+  const std::string both = markerOf(2, 0, true);
+  EXPECT_NE(both.find("spheres", both.find("spheres") + 1), std::string::npos) << both;
+}
+
 TEST(KnownTypes, encodingsOfRosHaveOurNames) {
   EXPECT_EQ(imageOf("yuv422", "01020304", 4), "uyvy 4 1 2 3 4");
   EXPECT_EQ(imageOf("yuv422_yuy2", "01020304", 4), "yuyv 4 1 2 3 4");

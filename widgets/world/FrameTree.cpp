@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/world/FrameTree.h"
+
+#include <algorithm>
+
+#include "foxglove/Geometry.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/session/StreamStore.h"
+
+namespace widgets {
+
+using robotlink::Instant;
+using robotlink::Pose3;
+using robotlink::StreamMessage;
+
+Pose3 poseInParent(const foxglove::FrameTransform& transform) {
+  foxglove::Pose pose;
+  *pose.mutable_position() = transform.translation();
+  if (transform.has_rotation()) *pose.mutable_orientation() = transform.rotation();
+  return robotlink::pose3(pose);
+}
+
+void FrameTree::update(const robotlink::StreamStore& store, Instant shown) {
+  if (generation_ != store.generation() ||
+      std::ranges::any_of(read_, [&](const auto& each) { return each.second.time > shown; })) {
+    generation_ = store.generation();
+    frames_.clear();
+    read_.clear();
+  }
+  const std::string& type = foxglove::FrameTransforms::descriptor()->full_name();
+  for (const auto* stream : store.streams()) {
+    if (stream->type != type || stream->path == robotlink::streams::kTransforms) continue;
+    const StreamMessage* newest = store.latest(stream->path, shown);
+    if (newest == nullptr) continue;
+    Read& read = read_[stream->path];
+    if (read.newest == newest->value) continue;
+    const auto& messages = stream->messages;
+    auto end = std::ranges::upper_bound(messages, shown, {}, &StreamMessage::time);
+    auto begin = end - std::min<std::ptrdiff_t>(end - messages.begin(), kMaxMessages);
+    if (read.newest != nullptr)
+      begin = std::lower_bound(begin, end, read.time, [](const auto& m, Instant t) { return m.time < t; });
+    for (; begin != end; ++begin) add(begin->value);
+    read = {newest->value, newest->time};
+  }
+}
+
+void FrameTree::add(const robotlink::PackagePtr& message) {
+  const auto* transforms = dynamic_cast<const foxglove::FrameTransforms*>(message.get());
+  if (transforms == nullptr) return;
+  for (const auto& transform : transforms->transforms()) {
+    frames_[transform.child_frame_id()] = {transform.parent_frame_id(), poseInParent(transform)};
+  }
+}
+
+std::optional<Pose3> FrameTree::pose(const std::string& frame) const {
+  Pose3 pose = Pose3::Identity();
+  const std::string* name = &frame;
+  bool isKnown = false;
+  for (std::size_t depth = 0; depth <= frames_.size(); ++depth) {
+    const auto found = frames_.find(*name);
+    if (found == frames_.end()) {
+      // The root is known as somebody's parent.
+      const auto isParent = [&](const auto& each) { return each.second.parent == *name; };
+      if (!isKnown && std::ranges::none_of(frames_, isParent)) return std::nullopt;
+      return pose;
+    }
+    isKnown = true;
+    pose = found->second.inParent * pose;
+    name = &found->second.parent;
+  }
+  return std::nullopt;
+}
+
+}  // namespace widgets

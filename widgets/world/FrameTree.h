@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/base/Geometry.h"
+#include "robotlink/process/Link.h"
+
+namespace foxglove {
+class FrameTransform;
+}
+namespace robotlink {
+class StreamStore;
+}
+
+namespace widgets {
+
+/// Of the child frame in its parent.
+robotlink::Pose3 poseInParent(const foxglove::FrameTransform& transform);
+
+/// The frames of all streams of transforms but our own ("transforms"), such as tf and tf_static of a robot
+/// with ROS: each transform holds until there is another one of the same child. Frames without a parent, such
+/// as map, are where the world is. GUI thread.
+class FrameTree {
+ public:
+  struct Frame {
+    std::string parent;
+    robotlink::Pose3 inParent = robotlink::Pose3::Identity();
+  };
+
+  /// Reads the transforms up to an instant. Costs what was added since the last call; going back in time
+  /// reads up to kMaxMessages of each stream again.
+  void update(const robotlink::StreamStore& store, robotlink::Instant shown);
+  /// By the names of the children.
+  const std::map<std::string, Frame>& frames() const { return frames_; }
+  /// In the frame without a parent; unset if the name is unknown, or if the frames go around in a circle.
+  std::optional<robotlink::Pose3> pose(const std::string& frame) const;
+
+  static constexpr std::size_t kMaxMessages = 5000;
+
+ private:
+  /// What was read of a stream: its newest message, at this time.
+  struct Read {
+    robotlink::PackagePtr newest;
+    robotlink::Instant time;
+  };
+  void add(const robotlink::PackagePtr& message);
+
+  std::map<std::string, Frame> frames_;
+  std::map<std::string, Read> read_;
+  std::uint64_t generation_ = 0;
+};
+
+}  // namespace widgets

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/process/Link.h"
+
+namespace foxglove {
+class SceneEntity;
+class SceneUpdate;
+}  // namespace foxglove
+namespace google::protobuf {
+class Message;
+}
+namespace robotlink {
+class Session;
+class StreamStore;
+}  // namespace robotlink
+
+namespace widgets {
+
+/// Messages of other programs as figures in the world: laser scans, clouds of points, poses, odometry, paths
+/// and maps of cells (as ROS or Foxglove have them), frames as their axes, and scenes, into which markers of
+/// ROS are converted. What our own programs publish has views of its own, and is none of these. GUI thread.
+class StreamFigures {
+ public:
+  /// Whether a stream of the session has figures: by its type, and unless it is our own.
+  static bool canShow(const robotlink::Session& session, const std::string& path, std::string_view type);
+
+  /// An entity, and the message that owns it.
+  struct Figure {
+    const foxglove::SceneEntity* entity = nullptr;
+    robotlink::PackagePtr keep;
+  };
+  /// The figures of a stream at an instant. Converted anew only where its message is another one.
+  std::vector<Figure> of(const robotlink::StreamStore& store, const std::string& path,
+                         robotlink::Instant shown);
+
+ private:
+  struct Shown {
+    robotlink::PackagePtr message;
+    robotlink::Instant time;
+    std::uint64_t generation = 0;
+    /// Of a scene: what the messages up to this one have left, by the entities' ids, with their times.
+    std::map<std::string, std::pair<Figure, robotlink::Instant>> entities;
+    /// Of others: what was made of the message.
+    std::shared_ptr<const foxglove::SceneUpdate> made;
+  };
+  static void addFrame(const std::string& frame, robotlink::Instant time, Shown& at);
+  static void follow(const robotlink::StreamStore& store, const std::string& path, robotlink::Instant shown,
+                     Shown& at);
+
+  std::map<std::string, Shown> shown_;
+};
+
+/// What is drawn for one message, in its frame; null: its type has no figure, or it is a scene itself.
+std::shared_ptr<const foxglove::SceneUpdate> figureOf(const google::protobuf::Message& message);
+
+}  // namespace widgets
