@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/streams/StreamAskers.h"
 
+#include <QCoreApplication>
+
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Linking.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/keys/KeyEntries.h"
@@ -11,6 +14,9 @@ namespace widgets {
 
 StreamAskers::StreamAskers(robotlink::Session& session) : session_(session) {
   for (const std::string& robot : session.robots()) addKeys(robot);
+  const auto* recording = session.store().latestAs<robotcontrol::RecordingStatus>(
+      robotlink::streams::kRecording, session.timeline().newest());
+  if (recording != nullptr && recording->recording()) recorded_.emplace(recording->selection());
 }
 
 void StreamAskers::addKeys(const std::string& robot) {
@@ -38,6 +44,8 @@ void StreamAskers::addKeys(const std::string& robot) {
 StreamAsked StreamAskers::of(const robotlink::StreamStore::Stream& stream) const {
   StreamAsked asked;
   for (const std::string& name : session_.readers().of(stream)) asked.views << QString::fromStdString(name);
+  if (recorded_ && recorded_->contains(stream.path))
+    asked.views << QCoreApplication::translate("StreamAskers", "Recording");
   for (std::string path = stream.path; !path.empty();) {
     if (const auto found = keys_.find(path); found != keys_.end()) {
       asked.key = found->second.text;

@@ -4,8 +4,10 @@
 #include <QString>
 #include <QStringList>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "logplayer/base/RecordedStreams.h"
 #include "robotlink/session/StreamStore.h"
 
 namespace robotlink {
@@ -16,7 +18,8 @@ namespace widgets {
 
 /// The views and clients that asked for a stream.
 struct StreamAsked {
-  /// The views of this window that read it, and the clients that subscribe to it over a link.
+  /// The views of this window that read it, and the recording that writes it; and the clients that subscribe
+  /// to it over a link.
   QStringList views, clients;
   /// The debug key that publishes it, with its mode: "package/models/ball: always"; empty: it is published
   /// always, or nobody knows.
@@ -42,6 +45,8 @@ class StreamAskers {
   robotlink::Session& session_;
   /// Keyed by the paths of what they publish. A key also publishes what is below its path.
   std::map<std::string, Key> keys_;
+  /// What is recorded now.
+  std::optional<logplayer::RecordedStreams> recorded_;
 };
 
 }  // namespace widgets

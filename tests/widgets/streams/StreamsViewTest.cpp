@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "robotcontrol/Linking.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "tests/widgets/Bench.h"
 
 namespace widgets::test {
@@ -119,6 +120,19 @@ class StreamsViewTest : public QObject {
     bench.settle();
     QCOMPARE(bench.cell("red1/plots/ball-model/position/x", StreamListModel::kAskedBy),
              QStringLiteral("RobotControl at 10.0.0.7:5123"));
+  }
+
+  void theRecordingIsNamedForWhatItWrites() {
+    Published bench;
+    robotcontrol::RecordingStatus status;
+    status.set_recording(true);
+    status.mutable_selection()->add_include("red1/*");
+    bench.push("recording", status, 3);
+    bench.settle();
+    QVERIFY(bench.cell("red1/plots/ball-model/position/x", StreamListModel::kAskedBy)
+                .contains(QStringLiteral("Recording")));
+    QVERIFY(
+        !bench.cell("blue1/models/pose", StreamListModel::kAskedBy).contains(QStringLiteral("Recording")));
   }
 
   void streamsThatNobodyReadsCanBeListedAlone() {
