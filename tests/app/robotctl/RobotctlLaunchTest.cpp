@@ -65,10 +65,11 @@ class Launched {
     return {};
   }
   void send(int signal) const { ::kill(process_, signal); }
-  /// Waits for its end; its exit status.
+  /// Waits for its end; its exit status. One that neither ends nor says anything for a minute is killed.
   int finish() {
     while (readMore()) {
     }
+    if (isSilent_) send(SIGKILL);
     all_ += std::exchange(pending_, {});
     int status = -1;
     ::waitpid(std::exchange(process_, 0), &status, 0);
@@ -80,7 +81,8 @@ class Launched {
   bool readMore() {
     pollfd ready{output_, POLLIN, 0};
     char bytes[4096];
-    if (::poll(&ready, 1, 60'000) <= 0) return false;
+    isSilent_ = ::poll(&ready, 1, 60'000) <= 0;
+    if (isSilent_) return false;
     const auto count = ::read(output_, bytes, sizeof bytes);
     if (count > 0) pending_.append(bytes, static_cast<std::size_t>(count));
     return count > 0;
@@ -89,6 +91,7 @@ class Launched {
   pid_t process_ = 0;
   int output_ = -1;
   std::string pending_, all_;
+  bool isSilent_ = false;
 };
 
 std::string domain() {
