@@ -718,6 +718,10 @@
         <source>Writes a view over time as numbered PNG files into a folder</source>
         <translation>Schreibt eine Ansicht über der Zeit als nummerierte PNG-Dateien in einen Ordner</translation>
     </message>
+    <message>
+        <source>Changes a setting of the selected robot&apos;s camera, as in the view Camera</source>
+        <translation>Ändert eine Einstellung der Kamera des ausgewählten Roboters, wie in der Ansicht Kamera</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -1702,6 +1706,13 @@
     </message>
 </context>
 <context>
+    <name>StreamAskers</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+</context>
+<context>
     <name>TimeLine</name>
     <message>
         <source>nothing for %1 s</source>
@@ -2050,8 +2061,8 @@
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Calibrates a camera: its lens by a chessboard, its place by a board or by marks of the field</source>
-        <translation>Kalibriert eine Kamera: ihr Objektiv mit einem Schachbrett, ihren Ort mit einem Brett oder mit Marken des Feldes</translation>
+        <source>Calibrates a camera: its lens by a chessboard, its place by a board or by marks of the field; and changes its exposure, gain and white balance</source>
+        <translation>Kalibriert eine Kamera: ihr Objektiv mit einem Schachbrett, ihre Lage mit einem Brett oder mit Marken des Feldes; und ändert Belichtung, Verstärkung und Weißabgleich</translation>
     </message>
 </context>
 <context>
@@ -5765,6 +5776,14 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>Set: %1. Save them in Solutions.</source>
         <translation>Gesetzt: %1. Gespeichert werden sie unter Lösungen.</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Refused: %1</source>
+        <translation>Abgelehnt: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::ColorActions</name>
@@ -7981,6 +8000,10 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>No robot has drawn it yet</source>
         <translation>Noch kein Roboter hat es gezeichnet</translation>
+    </message>
+    <message>
+        <source>The messages of this stream, in the frame that they name</source>
+        <translation>Die Nachrichten dieses Stroms, in dem Koordinatensystem, das sie nennen</translation>
     </message>
 </context>
 <context>
@@ -12045,6 +12068,45 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     <message>
         <source>Type a condition, such as models/ball.position.x &gt; 1, or choose Texts, and press Enter.</source>
         <translation>Eine Bedingung eingeben, etwa models/ball.position.x &gt; 1, oder Texte wählen, und die Eingabetaste drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SettingsPanel</name>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Sets all to what they were when the camera began</source>
+        <translation>Setzt alle auf die Werte, mit denen die Kamera begonnen hat</translation>
+    </message>
+    <message>
+        <source>Why there are no settings</source>
+        <translation>Warum es keine Einstellungen gibt</translation>
+    </message>
+    <message>
+        <source>This camera has no settings that can be changed while it takes images.</source>
+        <translation>Diese Kamera hat keine Einstellungen, die geändert werden können, während sie Bilder aufnimmt.</translation>
+    </message>
+    <message>
+        <source>What came of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>%1 to %2; the camera began with %3</source>
+        <translation>%1 bis %2; die Kamera hat mit %3 begonnen</translation>
     </message>
 </context>
 <context>
