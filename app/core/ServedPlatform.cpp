@@ -219,6 +219,7 @@ void Service::begin(const LoadedPlatform& loaded) {
 void Service::tick() {
   for (const auto& error : tables_.tick()) report(error.describe());
   restarts_.tick();
+  const robotlink::websocket::Server::Batch batch(*server_.server());
   session_.tick();
   server_.tick();
 }

@@ -18,6 +18,8 @@ struct ServedClient {
   /// call the server. Empty when the client is gone.
   std::function<void()> wake;
   bool isIdle = true;
+  /// Whether something waits for the end of a Batch.
+  bool isHeld = false;
   /// Why it is being closed; empty while it is not.
   std::string closing = {};
 

@@ -104,7 +104,7 @@ void Server::push(const ServerChannel& channel, const ServerChannel::Subscriber&
   storeNumber(message.head.data() + 5, static_cast<std::uint64_t>(time.time_since_epoch().count()));
   to.client->outbox.push(channel.id(), std::move(message), channel.setup().delivery,
                          channel.setup().maxWaiting);
-  wake(*to.client);
+  wakeForStream(*to.client);
 }
 
 void Server::publishTime(Instant time) {
@@ -113,7 +113,7 @@ void Server::publishTime(Instant time) {
   for (const ClientPtr& client : clients_) {
     if (!client->closing.empty()) continue;
     client->outbox.push(kTimeStream, {FrameKind::kBinary, {}, 0, bytes}, Delivery::kLatest, 1);
-    wake(*client);
+    wakeForStream(*client);
   }
 }
 
@@ -361,6 +361,26 @@ void Server::sendShared(ServedClient& client, FrameKind kind, const SharedBytes&
 void Server::wake(ServedClient& client) {
   if (client.isIdle && client.wake) client.wake();
   client.isIdle = false;
+}
+
+void Server::wakeForStream(ServedClient& client) const {
+  if (batches_ > 0)
+    client.isHeld = true;
+  else
+    wake(client);
+}
+
+Server::Batch::Batch(Server& server) : server_(server) {
+  const std::lock_guard lock(server_.mutex_);
+  ++server_.batches_;
+}
+
+Server::Batch::~Batch() {
+  const std::lock_guard lock(server_.mutex_);
+  if (--server_.batches_ > 0) return;
+  for (const ClientPtr& client : server_.clients_) {
+    if (std::exchange(client->isHeld, false)) wake(*client);
+  }
 }
 
 void Server::close(ServedClient& client, const std::string& reason) {

@@ -47,6 +47,19 @@ class Server : public std::enable_shared_from_this<Server> {
   void updateParameters(const std::vector<Parameter>& parameters);
   void setConnectionGraph(ConnectionGraph graph);
   void publishTime(Instant time);
+  /// While it exists, messages of channels wait for its end, so that those that are published together are
+  /// sent together. Keep it shorter than they may be late.
+  class Batch {
+   public:
+    explicit Batch(Server& server);
+    ~Batch();
+    Batch(const Batch&) = delete;
+    Batch& operator=(const Batch&) = delete;
+
+   private:
+    Server& server_;
+  };
+
   void publishPlaybackState(const PlaybackState& state);
   /// What clients can play: the range of time of the log that is open; none: there is no log. At first it is
   /// that of the options. If it changes, clients are told anew who the server is.
@@ -113,6 +126,8 @@ class Server : public std::enable_shared_from_this<Server> {
   void sendAll(const ServerMessage& message);
   void sendShared(ServedClient& client, FrameKind kind, const SharedBytes& bytes);
   static void wake(ServedClient& client);
+  /// The same for a message of a channel, which may wait for the end of a Batch.
+  void wakeForStream(ServedClient& client) const;
   void close(ServedClient& client, const std::string& reason);
   void complain(ServedClient& client, const std::string& problem);
   std::vector<Parameter> valuesFor(ServedClient& client, const std::vector<std::string>& names) const;
@@ -156,6 +171,7 @@ class Server : public std::enable_shared_from_this<Server> {
   /// Protects everything below, and what it protects of channels and clients. Handlers are called without it.
   mutable std::mutex mutex_;
   std::vector<ClientPtr> clients_;
+  int batches_ = 0;
   std::map<std::uint64_t, ChannelPtr> channels_;
   std::map<std::uint32_t, OfferedService> services_;
   /// The offer, kept for the next client; unset: it has changed since. With its schemas it is large.

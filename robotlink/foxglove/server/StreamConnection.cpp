@@ -11,6 +11,7 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <chrono>
 
 #include "robotlink/base/Printable.h"
 #include "robotlink/base/Utf8.h"
@@ -27,7 +28,10 @@ namespace http = beast::http;
 /// One client's connection. With TLS its handshake comes first.
 class StreamConnection final : public Connection, public std::enable_shared_from_this<StreamConnection> {
  public:
-  static constexpr std::size_t kFrameBytes = 16U << 10U;
+  /// Long messages are sent in frames of what the line takes in kFrameTime, so that pongs can go between
+  /// them.
+  static constexpr std::size_t kMinFrameBytes = 16U << 10U, kMaxFrameBytes = 256U << 10U;
+  static constexpr double kFrameTime = 0.005;  // s
   /// Messages from this size on are compressed, where messages are.
   static constexpr std::size_t kCompressedBytes = 128;
 
@@ -50,6 +54,8 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   void end() override;
 
  private:
+  /// What the line does takes real time, whatever the clock of the robot.
+  using SystemTime = std::chrono::steady_clock;
   enum class State { kRequest, kDecision, kRefusal, kUpgrade, kOpen, kClosing, kEnded };
   static constexpr std::size_t kMaxHeader = 8192;
   static constexpr std::size_t kReadBytes = 256U << 10U;
@@ -77,6 +83,8 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   void sendNext();
   void offerCompression();
   void onSent(error_code error, std::size_t bytes);
+  /// Follows how fast the line takes messages.
+  void fitFrames(std::size_t bytes);
   void noteHeard() {
     heardAt_ = port_.now();
     client_->heardAt = heardAt_.time_since_epoch().count();
@@ -106,6 +114,7 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   ClientPtr client_;
   Allowance messages_;
   std::optional<Outgoing> sending_;
+  SystemTime::time_point sendingAt_;
   bool isGreeted_ = false, isPinging_ = false, isReading_ = false, isInSend_ = false;
   /// When the handshake or, later, the conversation began; something was heard; the message that is being
   /// read began; the client was told to go; and was asked for a sign of life.
@@ -170,9 +179,9 @@ void StreamConnection::refuse(const Refusal& refusal) {
 
 void StreamConnection::upgrade(const std::string& protocol) {
   state_ = State::kUpgrade;
-  // Long messages in frames, so that pongs can go between them: until they went, nothing more is read.
+  // Until a pong went, nothing more is read.
   socket_.auto_fragment(true);
-  socket_.write_buffer_bytes(kFrameBytes);
+  socket_.write_buffer_bytes(kMinFrameBytes);
   socket_.read_message_max(port_.options.messageBytes);
   offerCompression();
   socket_.set_option(
@@ -261,11 +270,21 @@ void StreamConnection::sendNext() {
   socket_.compress(sending_->isCompressible);
   const std::array<asio::const_buffer, 2> parts{asio::buffer(sending_->head.data(), sending_->headSize),
                                                 asio::buffer(*sending_->payload)};
+  sendingAt_ = SystemTime::now();
   socket_.async_write(parts, handler(&StreamConnection::onSent));
 }
 
-void StreamConnection::onSent(error_code error, std::size_t) {
+void StreamConnection::fitFrames(std::size_t bytes) {
+  if (bytes < kMinFrameBytes) return;
+  const double seconds = std::chrono::duration<double>(SystemTime::now() - sendingAt_).count();
+  const double most = seconds > 0 ? static_cast<double>(bytes) * kFrameTime / seconds : kMaxFrameBytes;
+  socket_.write_buffer_bytes(
+      static_cast<std::size_t>(std::clamp<double>(most, kMinFrameBytes, kMaxFrameBytes)));
+}
+
+void StreamConnection::onSent(error_code error, std::size_t bytes) {
   sending_.reset();
+  if (!error) fitFrames(bytes);
   if (error || state_ == State::kEnded) return end();
   send();
 }
