@@ -749,36 +749,36 @@
 <context>
     <name>FieldMarks</name>
     <message>
-        <source>corner of the field</source>
-        <translation>Ecke des Feldes</translation>
-    </message>
-    <message>
-        <source>corner of the walls</source>
-        <translation>Ecke der Banden</translation>
-    </message>
-    <message>
-        <source>end of the halfway line</source>
-        <translation>Ende der Mittellinie</translation>
-    </message>
-    <message>
-        <source>center circle on the halfway line</source>
-        <translation>Mittelkreis auf der Mittellinie</translation>
-    </message>
-    <message>
-        <source>corner of the penalty area</source>
-        <translation>Ecke des Strafraums</translation>
-    </message>
-    <message>
-        <source>penalty area on the goal line</source>
-        <translation>Strafraum auf der Torlinie</translation>
-    </message>
-    <message>
         <source>goal post</source>
         <translation>Torpfosten</translation>
     </message>
     <message>
-        <source>foot of a beacon</source>
-        <translation>Fuß eines Landmarkenpfostens</translation>
+        <source>field corner</source>
+        <translation>Feldecke</translation>
+    </message>
+    <message>
+        <source>wall corner</source>
+        <translation>Bandenecke</translation>
+    </message>
+    <message>
+        <source>halfway line</source>
+        <translation>Mittellinie</translation>
+    </message>
+    <message>
+        <source>center circle</source>
+        <translation>Mittelkreis</translation>
+    </message>
+    <message>
+        <source>penalty corner</source>
+        <translation>Strafraumecke</translation>
+    </message>
+    <message>
+        <source>penalty at goal</source>
+        <translation>Strafraum/Torlinie</translation>
+    </message>
+    <message>
+        <source>beacon</source>
+        <translation>Bake</translation>
     </message>
 </context>
 <context>

@@ -53,7 +53,6 @@ CalibrationView::CalibrationView(ViewContext& context, QWidget* parent)
       finder_([this](Search wanted, const auto&) { search(std::move(wanted)); }),
       fitter_([this](const Question& asked, const auto&) { compute(asked); }) {
   marks_ = new MarkModel(this);
-  if (context.field != nullptr) marks_->setMarks(fieldMarks(*context.field));
   canvas_ = new ImageCanvas(this);
   canvas_->installEventFilter(this);
   QHBoxLayout* row = makeToolRow(this);
@@ -211,7 +210,16 @@ void CalibrationView::setCamera(const QString& setting, double value) {
   });
 }
 
+/// The view may be there before the field.
+void CalibrationView::followField() {
+  if (context().field == field_) return;
+  field_ = context().field;
+  marks_->setMarks(field_ ? fieldMarks(*field_) : std::vector<FieldMark>());
+  placeByMarks();
+}
+
 void CalibrationView::tick() {
+  followField();
   if (streams_->refresh(session()))
     Q_EMIT titleChanged(tr("Camera: %1").arg(QString::fromStdString(streams_->path(session()))));
   subscribe();

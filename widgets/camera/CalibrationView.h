@@ -74,6 +74,7 @@ class CalibrationView final : public PictureView {
   QTabWidget* createTabs();
   void connectSignals();
   void keepChoices();
+  void followField();
   bool shows(const QWidget* panel) const;
   /// Whether marks are clicked, and whether boards are looked for.
   bool picksMarks() const;
@@ -110,6 +111,8 @@ class CalibrationView final : public PictureView {
   SettingsPanel* settingsPanel_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr;
   MarkModel* marks_ = nullptr;
+  /// Whose marks these are.
+  std::shared_ptr<const robotlink::FieldDescription> field_;
   ParameterEdits* parameters_ = nullptr;
   PackageSubscription subscription_, settingsSubscription_;
 

@@ -35,17 +35,17 @@ std::vector<FieldMark> fieldMarks(const robotlink::FieldDescription& field) {
   std::vector<FieldMark> marks;
   const double goalLine = field.goalLineX(), touchLine = field.touchLineY();
   addQuarters(marks,
-              field.hasBoundary() ? translated(QT_TRANSLATE_NOOP("FieldMarks", "corner of the field"))
-                                  : translated(QT_TRANSLATE_NOOP("FieldMarks", "corner of the walls")),
+              field.hasBoundary() ? translated(QT_TRANSLATE_NOOP("FieldMarks", "field corner"))
+                                  : translated(QT_TRANSLATE_NOOP("FieldMarks", "wall corner")),
               goalLine, touchLine);
-  addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "end of the halfway line")), 0, touchLine);
+  addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "halfway line")), 0, touchLine);
   if (field.centerCircleDiameter > 0)
-    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "center circle on the halfway line")), 0,
+    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "center circle")), 0,
                 field.centerCircleDiameter / 2);
   if (field.penaltyAreaLength > 0) {
-    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "corner of the penalty area")),
+    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "penalty corner")),
                 goalLine - field.penaltyAreaLength, field.penaltyAreaWidth / 2);
-    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "penalty area on the goal line")), goalLine,
+    addQuarters(marks, translated(QT_TRANSLATE_NOOP("FieldMarks", "penalty at goal")), goalLine,
                 field.penaltyAreaWidth / 2);
   }
   for (const auto& goal : field.goals)
@@ -53,7 +53,7 @@ std::vector<FieldMark> fieldMarks(const robotlink::FieldDescription& field) {
       marks.push_back({translated(QT_TRANSLATE_NOOP("FieldMarks", "goal post")),
                        {goal.x, side * field.goalWidth / 2, 0}});
   for (const auto& beacon : field.beacons)
-    marks.push_back({translated(QT_TRANSLATE_NOOP("FieldMarks", "foot of a beacon")),
+    marks.push_back({translated(QT_TRANSLATE_NOOP("FieldMarks", "beacon")),
                      {beacon.position.x(), beacon.position.y(), 0}});
   return marks;
 }

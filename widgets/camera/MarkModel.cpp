@@ -2,7 +2,6 @@
 #include "widgets/camera/MarkModel.h"
 
 #include <QJsonArray>
-#include <QJsonObject>
 #include <algorithm>
 
 namespace widgets {
@@ -11,9 +10,11 @@ MarkModel::MarkModel(QObject* parent)
     : RowModel({tr("Mark"), tr("Place, m"), tr("Pixel"), tr("Error, px")}, parent) {}
 
 void MarkModel::setMarks(std::vector<FieldMark> marks) {
+  const QJsonObject clicked = save();
   std::vector<PickedMark> rows;
   for (FieldMark& mark : marks) rows.push_back({std::move(mark)});
   replaceRows(std::move(rows), [](const PickedMark&, const PickedMark&) { return false; });
+  restore(clicked);
 }
 
 void MarkModel::pick(int row, const std::optional<QPointF>& pixel) {
@@ -47,6 +48,7 @@ int MarkModel::nextFree(int row) const {
 }
 
 QJsonObject MarkModel::save() const {
+  if (rows_.empty()) return saved_;
   QJsonObject state;
   for (const PickedMark& mark : rows_)
     if (mark.pixel) state[mark.mark.name()] = QJsonArray{mark.pixel->x(), mark.pixel->y()};
@@ -54,6 +56,7 @@ QJsonObject MarkModel::save() const {
 }
 
 void MarkModel::restore(const QJsonObject& state) {
+  saved_ = state;
   for (PickedMark& mark : rows_) {
     const QJsonArray pixel = state[mark.mark.name()].toArray();
     mark.pixel =

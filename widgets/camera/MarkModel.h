@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonObject>
 #include <QPointF>
 #include <optional>
 #include <string>
@@ -27,7 +28,7 @@ class MarkModel final : public RowModel<PickedMark> {
   enum Column { kKind, kPlace, kPixel, kError };
 
   explicit MarkModel(QObject* parent = nullptr);
-  /// Replaces the marks; what was clicked is forgotten.
+  /// Replaces the marks; what was clicked stays for those with the same names.
   void setMarks(std::vector<FieldMark> marks);
   void pick(int row, const std::optional<QPointF>& pixel);
   /// Forgets what was clicked.
@@ -43,6 +44,10 @@ class MarkModel final : public RowModel<PickedMark> {
   void restore(const QJsonObject& state);
 
   QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  /// What was clicked of marks that are not known yet.
+  QJsonObject saved_;
 };
 
 }  // namespace widgets

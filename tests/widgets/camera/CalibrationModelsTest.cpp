@@ -34,18 +34,18 @@ TEST(FieldMarksTest, theFieldOf2002HasItsLinesPostsAndBeacons) {
   const auto count = [&](const QString& kind) {
     return std::ranges::count_if(marks, [&](const FieldMark& mark) { return mark.kind == kind; });
   };
-  EXPECT_EQ(count(QStringLiteral("corner of the walls")), 4);
-  EXPECT_EQ(count(QStringLiteral("end of the halfway line")), 2);
-  EXPECT_EQ(count(QStringLiteral("center circle on the halfway line")), 2);
-  EXPECT_EQ(count(QStringLiteral("corner of the penalty area")), 4);
-  EXPECT_EQ(count(QStringLiteral("penalty area on the goal line")), 4);
+  EXPECT_EQ(count(QStringLiteral("wall corner")), 4);
+  EXPECT_EQ(count(QStringLiteral("halfway line")), 2);
+  EXPECT_EQ(count(QStringLiteral("center circle")), 2);
+  EXPECT_EQ(count(QStringLiteral("penalty corner")), 4);
+  EXPECT_EQ(count(QStringLiteral("penalty at goal")), 4);
   EXPECT_EQ(count(QStringLiteral("goal post")), 4);
-  EXPECT_EQ(count(QStringLiteral("foot of a beacon")), 6);
+  EXPECT_EQ(count(QStringLiteral("beacon")), 6);
   std::set<QString> names;
   for (const FieldMark& mark : marks) names.insert(mark.name());
   EXPECT_EQ(names.size(), marks.size()) << "each name is one mark's";
   EXPECT_TRUE(names.contains(QStringLiteral("goal post (-2.10, 0.30)")));
-  EXPECT_TRUE(names.contains(QStringLiteral("end of the halfway line (0.00, -1.35)")));
+  EXPECT_TRUE(names.contains(QStringLiteral("halfway line (0.00, -1.35)")));
 }
 
 TEST(FieldMarksTest, aFieldWithBoundaryLinesHasTheirCorners) {
@@ -56,7 +56,7 @@ TEST(FieldMarksTest, aFieldWithBoundaryLinesHasTheirCorners) {
   field.boundaryWidth = 3;
   const auto marks = fieldMarks(field);
   ASSERT_EQ(marks.size(), 6U);
-  EXPECT_EQ(marks[0].name(), QStringLiteral("corner of the field (-2.50, 1.50)"));
+  EXPECT_EQ(marks[0].name(), QStringLiteral("field corner (-2.50, 1.50)"));
 }
 
 std::vector<robotlink::Vector2> shifted(double by) {
@@ -103,7 +103,7 @@ TEST_F(MarkModelTest, whatIsClickedIsShownWithItsError) {
   model_.pick(1, QPointF(12.34, 5));
   model_.pick(3, QPointF(1, 2));
   EXPECT_EQ(text(1, MarkModel::kPixel), QStringLiteral("12.3, 5.0"));
-  EXPECT_EQ(text(1, MarkModel::kKind), QStringLiteral("corner of the walls"));
+  EXPECT_EQ(text(1, MarkModel::kKind), QStringLiteral("wall corner"));
   EXPECT_EQ(text(1, MarkModel::kPlace), QStringLiteral("-2.10, -1.35"));
   EXPECT_EQ(text(0, MarkModel::kPixel), QString());
   model_.setErrors({0.5, 1.25});

@@ -171,6 +171,16 @@ class CalibrationViewTest : public QObject {
     auto other = bench.open<CalibrationView>();
     other->restoreState(state);
     QCOMPARE(other->saveState(), state);
+    // Also by a view that was there before the field.
+    const auto field = std::exchange(bench.context.field, nullptr);
+    auto early = bench.open<CalibrationView>();
+    early->restoreState(state);
+    QCOMPARE(child<QTableView>(*early, "placeMarks").model()->rowCount(), 0);
+    QCOMPARE(early->saveState(), state);
+    bench.context.field = field;
+    bench.tick(*early);
+    QVERIFY(child<QTableView>(*early, "placeMarks").model()->rowCount() > 0);
+    QCOMPARE(early->saveState(), state);
     child<QAction>(*view, "placeClearAction").trigger();
     QVERIFY(!child<QAction>(*view, "placeUseAction").isEnabled());
     // Without a selected mark a click picks nothing.
