@@ -78,7 +78,7 @@ QVariant MarkModel::data(const QModelIndex& index, int role) const {
       return mark.mark.placeText();
     case kPixel:
       return mark.pixel
-                 ? QStringLiteral("%1, %2").arg(mark.pixel->x(), 0, 'f', 1).arg(mark.pixel->y(), 0, 'f', 1)
+                 ? QStringLiteral("%1, %2").arg(mark.pixel->x(), 0, 'f', 0).arg(mark.pixel->y(), 0, 'f', 0)
                  : QString();
     default:
       return mark.error ? QString::number(*mark.error, 'f', 2) : QString();

@@ -32,8 +32,9 @@ class StreamConnection final : public Connection, public std::enable_shared_from
   /// them.
   static constexpr std::size_t kMinFrameBytes = 16U << 10U, kMaxFrameBytes = 256U << 10U;
   static constexpr double kFrameTime = 0.005;  // s
-  /// Messages from this size on are compressed, where messages are.
-  static constexpr std::size_t kCompressedBytes = 128;
+  /// Messages of these sizes are compressed, where messages are. While a longer one is packed, other clients
+  /// would wait.
+  static constexpr std::size_t kCompressedBytes = 128, kMaxCompressedBytes = 8U << 20U;
 
   StreamConnection(ListenerPort& port, TransportSocket socket, asio::ssl::context* tls, bool isRefused)
       : port_(port),
@@ -267,7 +268,7 @@ void StreamConnection::sendNext() {
     return;
   }
   socket_.binary(sending_->kind == FrameKind::kBinary);
-  socket_.compress(sending_->isCompressible);
+  socket_.compress(sending_->isCompressible && sending_->size() <= kMaxCompressedBytes);
   const std::array<asio::const_buffer, 2> parts{asio::buffer(sending_->head.data(), sending_->headSize),
                                                 asio::buffer(*sending_->payload)};
   sendingAt_ = SystemTime::now();

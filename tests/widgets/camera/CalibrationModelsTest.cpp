@@ -102,7 +102,7 @@ class MarkModelTest : public testing::Test {
 TEST_F(MarkModelTest, whatIsClickedIsShownWithItsError) {
   model_.pick(1, QPointF(12.34, 5));
   model_.pick(3, QPointF(1, 2));
-  EXPECT_EQ(text(1, MarkModel::kPixel), QStringLiteral("12.3, 5.0"));
+  EXPECT_EQ(text(1, MarkModel::kPixel), QStringLiteral("12, 5"));
   EXPECT_EQ(text(1, MarkModel::kKind), QStringLiteral("wall corner"));
   EXPECT_EQ(text(1, MarkModel::kPlace), QStringLiteral("-2.10, -1.35"));
   EXPECT_EQ(text(0, MarkModel::kPixel), QString());
