@@ -2,6 +2,7 @@
 #include "robotlink/foxglove/transport/TransportStream.h"
 
 #include <array>
+#include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/write.hpp>
@@ -27,6 +28,14 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
   void gather(bool isOn) { isGathering_ = isOn; }
   void flush() {
     if (!gathered_.empty()) writeAll();
+  }
+  void close() {
+    error_code ignored;
+    socket.close(ignored);
+    if (!next_.handler) return;
+    asio::post(socket.get_executor(), [write = std::exchange(next_, {})]() mutable {
+      write.handler(asio::error::operation_aborted, 0);
+    });
   }
   void write(asio::const_buffer large, std::size_t bytes, TransportHandler handler) {
     next_ = {large, bytes, std::move(handler)};
@@ -86,22 +95,22 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
     isWriting_ = true;
     writing_.swap(gathered_);
     gathered_.clear();
-    current_ = std::exchange(next_, {});
-    const std::array<asio::const_buffer, 2> parts{asio::buffer(writing_), current_.large};
-    const auto onDone = [self = shared_from_this()](error_code error, std::size_t) {
-      self->onWritten(error);
-    };
+    const std::array<asio::const_buffer, 2> parts{asio::buffer(writing_), next_.large};
+    // The handler is held by what is under way only, since it holds the stream in its turn.
+    auto onDone = [self = shared_from_this(), write = std::exchange(next_, {})](
+                      error_code error, std::size_t) mutable { self->onWritten(error, std::move(write)); };
     if (secured) {
-      asio::async_write(*secured, parts, onDone);
+      asio::async_write(*secured, parts, std::move(onDone));
     } else {
-      asio::async_write(socket, parts, onDone);
+      asio::async_write(socket, parts, std::move(onDone));
     }
   }
-  void onWritten(error_code error) {
+
+  void onWritten(error_code error, Write done) {
     isWriting_ = false;
     if (error) error_ = error;
     // It may begin the next write.
-    if (Write done = std::exchange(current_, {}); done.handler) done.handler(error_, error_ ? 0 : done.bytes);
+    if (done.handler) done.handler(error_, error_ ? 0 : done.bytes);
     if (next_.handler || (!isGathering_ && !gathered_.empty())) writeAll();
   }
 
@@ -113,7 +122,7 @@ class TransportStream::State : public std::enable_shared_from_this<State> {
   bool isGathering_ = false, isWriting_ = false;
   error_code error_;
   std::string gathered_, writing_;
-  Write current_, next_;
+  Write next_;
 };
 
 TransportStream::TransportStream(TransportSocket socket, asio::ssl::context* tls)
@@ -124,8 +133,7 @@ TransportStream::~TransportStream() {
 }
 
 void TransportStream::close() {
-  error_code ignored;
-  state_->socket.close(ignored);
+  state_->close();
 }
 
 TransportSocket& TransportStream::socket() {
