@@ -67,6 +67,19 @@ class PathReader {
   std::size_t at_ = 0;
 };
 
+/// The field of this name, or the only one that has it with a frame behind it: "position_in_robot" for
+/// "position".
+const FieldDescriptor* fieldNamed(const Descriptor& type, const std::string& name) {
+  if (const FieldDescriptor* exact = type.FindFieldByName(name)) return exact;
+  const FieldDescriptor* found = nullptr;
+  for (int i = 0; i < type.field_count(); ++i) {
+    if (!type.field(i)->name().starts_with(name + "_in_")) continue;
+    if (found != nullptr) return nullptr;
+    found = type.field(i);
+  }
+  return found;
+}
+
 std::vector<std::string> fieldNames(const Descriptor& type) {
   std::vector<std::string> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
@@ -156,7 +169,7 @@ Result<void> FieldPath::fits(const Descriptor& type) const {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     const bool isLast = i + 1 == steps_.size();
-    const FieldDescriptor* field = here->FindFieldByName(step.field);
+    const FieldDescriptor* field = fieldNamed(*here, step.field);
     if (field == nullptr) {
       return wrong(
           "path.field",
@@ -197,7 +210,7 @@ std::optional<FieldValue> FieldPath::valueIn(const Message& message) const {
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
     const bool isLast = i + 1 == steps_.size();
-    const FieldDescriptor* field = here->GetDescriptor()->FindFieldByName(step.field);
+    const FieldDescriptor* field = fieldNamed(*here->GetDescriptor(), step.field);
     if (field == nullptr) return std::nullopt;
     const google::protobuf::Reflection& reflection = *here->GetReflection();
     int element = -1;

@@ -87,6 +87,15 @@ TEST(FieldPath, aTypeWithoutTheFieldHasNoValueButDoesNoHarm) {
   EXPECT_FALSE(FieldPath::parse("joints[0]")->valueIn(jointStates()));
 }
 
+TEST(FieldPath, theFrameBehindANameMayBeLeftOutWhereItIsTheOnlyOne) {
+  robotcontrol::BallModel ball;
+  ball.mutable_position_in_robot()->set_x(-1.5);
+  EXPECT_EQ(number("position.x", ball), -1.5);
+  EXPECT_TRUE(FieldPath::parse("velocity.y")->fits(*robotcontrol::BallModel::descriptor()));
+  EXPECT_THAT(refusal("posit.x", *robotcontrol::BallModel::descriptor()).text,
+              HasSubstr("has no field posit"));
+}
+
 TEST(FieldPath, whatDoesNotFitIsRefusedWithItsPlaceAndTheNearestName) {
   const auto& type = *foxglove::JointStates::descriptor();
   EXPECT_THAT(refusal("joint[0].position", type).text, HasSubstr("did you mean 'joints'"));
