@@ -68,7 +68,7 @@ void DrawingsModel::refreshStreams(const robotlink::StreamStore& store) {
   for (Row& row : rows_) row.exists = false;
   for (const auto* stream : store.streams()) {
     QString id = drawingId(stream->path);
-    if (lists_ && lists_(*session_, stream->path, stream->type))
+    if (lists_ && lists_(stream->path, stream->type))
       id = QLatin1String(kStreams) + QString::fromStdString(stream->path);
     else if (!kinds_.contains(id.section(QLatin1Char('/'), 0, 0)))
       continue;

@@ -34,8 +34,7 @@ class DrawingsModel : public QAbstractListModel {
 
   /// Ids of streams that are shown themselves, without being drawings, begin with this.
   static constexpr char kStreams[] = "stream/";
-  using StreamFilter = std::function<bool(const robotlink::Session& session, const std::string& path,
-                                          const std::string& type)>;
+  using StreamFilter = std::function<bool(const std::string& path, const std::string& type)>;
 
   /// `kinds`: the kinds to list, "image", or "field" and "robot".
   explicit DrawingsModel(QStringList kinds, QObject* parent = nullptr);

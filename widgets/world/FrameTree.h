@@ -19,7 +19,7 @@ class StreamStore;
 
 namespace widgets {
 
-/// Of the child frame in its parent.
+/// The pose of the child frame in its parent.
 robotlink::Pose3 poseInParent(const foxglove::FrameTransform& transform);
 
 /// The frames of all streams of transforms but our own ("transforms"), such as tf and tf_static of a robot
@@ -35,7 +35,7 @@ class FrameTree {
   /// Reads the transforms up to an instant. Costs what was added since the last call; going back in time
   /// reads up to kMaxMessages of each stream again.
   void update(const robotlink::StreamStore& store, robotlink::Instant shown);
-  /// By the names of the children.
+  /// All of them by the names of the children.
   const std::map<std::string, Frame>& frames() const { return frames_; }
   /// In the frame without a parent; unset if the name is unknown, or if the frames go around in a circle.
   std::optional<robotlink::Pose3> pose(const std::string& frame) const;

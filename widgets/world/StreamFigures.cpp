@@ -11,7 +11,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/PackageTypes.h"
-#include "robotlink/session/Session.h"
+#include "robotlink/session/StreamStore.h"
 #include "widgets/world/FigureShapes.h"
 
 namespace widgets {
@@ -50,21 +50,17 @@ const FigureType* figureType(std::string_view type) {
   return found == kFigureTypes.end() ? nullptr : &*found;
 }
 
-bool isOwn(const robotlink::Session& session, const std::string& path) {
+bool isOwn(const std::string& path) {
   if (path == robotlink::streams::kScene || path == robotlink::streams::kTransforms) return true;
-  const auto slash = path.find('/');
-  if (slash == std::string::npos) return false;
-  const std::string rest = path.substr(slash + 1);
-  return std::ranges::count(session.robots(), path.substr(0, slash)) > 0 &&
-         (rest.starts_with("drawings/") || robotlink::typeOfPackage(rest) != nullptr);
+  const std::string rest = path.substr(path.find('/') + 1);
+  return rest.starts_with("drawings/") || robotlink::typeOfPackage(rest) != nullptr;
 }
 
 }  // namespace
 
-bool StreamFigures::canShow(const robotlink::Session& session, const std::string& path,
-                            std::string_view type) {
+bool StreamFigures::canShow(const std::string& path, const std::string& type) {
   const bool isKnown = type == kSceneType || type == kTransformsType || figureType(type) != nullptr;
-  return isKnown && !isOwn(session, path);
+  return isKnown && !isOwn(path);
 }
 
 std::shared_ptr<const foxglove::SceneUpdate> figureOf(const google::protobuf::Message& message) {

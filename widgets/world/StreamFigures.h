@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "robotlink/base/Clock.h"
@@ -18,7 +17,6 @@ namespace google::protobuf {
 class Message;
 }
 namespace robotlink {
-class Session;
 class StreamStore;
 }  // namespace robotlink
 
@@ -29,8 +27,8 @@ namespace widgets {
 /// ROS are converted. What our own programs publish has views of its own, and is none of these. GUI thread.
 class StreamFigures {
  public:
-  /// Whether a stream of the session has figures: by its type, and unless it is our own.
-  static bool canShow(const robotlink::Session& session, const std::string& path, std::string_view type);
+  /// Whether a stream has figures, by its type, and unless its path is that of one of our own.
+  static bool canShow(const std::string& path, const std::string& type);
 
   /// An entity, and the message that owns it.
   struct Figure {
@@ -46,9 +44,9 @@ class StreamFigures {
     robotlink::PackagePtr message;
     robotlink::Instant time;
     std::uint64_t generation = 0;
-    /// Of a scene: what the messages up to this one have left, by the entities' ids, with their times.
+    /// What the messages of a scene up to this one have left, by the entities' ids, with their times.
     std::map<std::string, std::pair<Figure, robotlink::Instant>> entities;
-    /// Of others: what was made of the message.
+    /// What was made of a message that is no scene.
     std::shared_ptr<const foxglove::SceneUpdate> made;
   };
   static void addFrame(const std::string& frame, robotlink::Instant time, Shown& at);

@@ -329,7 +329,6 @@ Result<void> CameraDevice::set(const std::string& control, std::int32_t value) {
   if (calls_.ioctl(file_, VIDIOC_S_CTRL, &wanted) < 0)
     return tl::unexpected(
         failed(control + " cannot be set; another control may have to be changed to manual first"));
-  refresh();
   return {};
 }
 

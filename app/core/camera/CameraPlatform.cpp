@@ -41,7 +41,8 @@ robotcontrol::CameraSettings CameraPlatform::settings() const {
 }
 
 robotlink::Result<void> CameraPlatform::setCamera(const robotcontrol::SetCamera& details) {
-  if (auto checked = check(settings(), details.setting(), details.value()); !checked) return checked;
+  if (auto checked = checkCameraSetting(settings(), details.setting(), details.value()); !checked)
+    return checked;
   reader_.set(details.setting(), static_cast<std::int32_t>(std::lround(details.value())));
   return {};
 }

@@ -69,9 +69,9 @@ void CameraReader::followControls(CameraDevice& device) {
     const std::lock_guard lock(mutex_);
     wanted = std::exchange(waiting_, {});
   }
-  std::vector<std::string> refusals;
+  std::map<std::string, std::string> refusals;
   for (const auto& [control, value] : wanted) {
-    if (const auto done = device.set(control, value); !done) refusals.push_back(done.error().text);
+    if (const auto done = device.set(control, value); !done) refusals[control] = done.error().text;
   }
   const robotlink::Instant now = clock_.now();
   if (wanted.empty() && now - refreshedAt_ < kRefreshEvery) return;
@@ -79,7 +79,10 @@ void CameraReader::followControls(CameraDevice& device) {
   device.refresh();
   const std::lock_guard lock(mutex_);
   controls_ = device.controls();
-  refusals_.insert(refusals_.end(), refusals.begin(), refusals.end());
+  for (const auto& [control, why] : refusals) {
+    chosen_.erase(control);
+    refusals_.push_back(why);
+  }
 }
 
 void CameraReader::openNow() {

@@ -19,7 +19,7 @@ CameraSettingsSender::CameraSettingsSender(robotlink::Process& platform)
     : sender_(platform, robotlink::kCameraSettings.name, robotlink::Blocking::kNo) {}
 
 bool CameraSettingsSender::isWanted() {
-  // Who wants them next gets them at once.
+  // So that the next receiver gets them at once.
   if (!sender_.connected()) sent_.clear();
   return sender_.connected();
 }
@@ -33,8 +33,8 @@ void CameraSettingsSender::send(robotcontrol::CameraSettings settings, robotlink
   sender_.send(std::make_shared<robotcontrol::CameraSettings>(std::move(settings)));
 }
 
-robotlink::Result<void> check(const robotcontrol::CameraSettings& settings, const std::string& name,
-                              double value) {
+robotlink::Result<void> checkCameraSetting(const robotcontrol::CameraSettings& settings,
+                                           const std::string& name, double value) {
   const auto found =
       std::ranges::find_if(settings.settings(), [&](const auto& s) { return s.name() == name; });
   if (found == settings.settings().end()) {

@@ -29,7 +29,7 @@ class CameraSettingsSender {
 };
 
 /// Fails with the reason unless there is a setting of this name with this value in its range.
-robotlink::Result<void> check(const robotcontrol::CameraSettings& settings, const std::string& name,
-                              double value);
+robotlink::Result<void> checkCameraSetting(const robotcontrol::CameraSettings& settings,
+                                           const std::string& name, double value);
 
 }  // namespace app

@@ -191,7 +191,8 @@ robotcontrol::CameraSettings SimulatedJointPlatform::cameraSettings() const {
 
 robotlink::Result<void> SimulatedJointPlatform::setCamera(const robotcontrol::SetCamera& details) {
   if (cameras_.empty()) return SimulatedPlatform::setCamera(details);
-  if (auto checked = check(cameraSettings(), details.setting(), details.value()); !checked) return checked;
+  if (auto checked = checkCameraSetting(cameraSettings(), details.setting(), details.value()); !checked)
+    return checked;
   for (const SimulatedSetting& each : kSimulatedSettings) {
     if (details.setting() != each.name) continue;
     for (const std::size_t camera : cameras_) world().cameraSetting(camera).*each.value = details.value();

@@ -98,7 +98,7 @@ class SimulatedWorld {
     /// LightAdjustment::whiteBalance.
     double whiteBalance = 0;
   };
-  /// By the index of the camera; changed from the next image on.
+  /// The setting of a camera, by its index; changes count from the next image on.
   CameraSetting& cameraSetting(std::size_t camera) { return cameraSettings_[camera]; }
 
   /// A hash of the states after all steps and of all images since the start, for comparing runs.

@@ -188,14 +188,13 @@ TEST_F(StreamFiguresTest, markersStayUntilTheyAreDeletedOrTheirLifeEnds) {
 }
 
 TEST_F(StreamFiguresTest, ownStreamsAreNone) {
-  session_.setRobots({"red1"});
-  EXPECT_TRUE(StreamFigures::canShow(session_, "scan", "foxglove.LaserScan"));
-  EXPECT_TRUE(StreamFigures::canShow(session_, "markers", "foxglove.SceneUpdate"));
-  EXPECT_TRUE(StreamFigures::canShow(session_, "tf", "foxglove.FrameTransforms"));
-  EXPECT_FALSE(StreamFigures::canShow(session_, "red1/range/laser", "foxglove.LaserScan"));
-  EXPECT_FALSE(StreamFigures::canShow(session_, "scene", "foxglove.SceneUpdate"));
-  EXPECT_FALSE(StreamFigures::canShow(session_, "transforms", "foxglove.FrameTransforms"));
-  EXPECT_FALSE(StreamFigures::canShow(session_, "imu", "sensor_msgs.Imu"));
+  EXPECT_TRUE(StreamFigures::canShow("scan", "foxglove.LaserScan"));
+  EXPECT_TRUE(StreamFigures::canShow("markers", "foxglove.SceneUpdate"));
+  EXPECT_TRUE(StreamFigures::canShow("tf", "foxglove.FrameTransforms"));
+  EXPECT_FALSE(StreamFigures::canShow("red1/range/laser", "foxglove.LaserScan"));
+  EXPECT_FALSE(StreamFigures::canShow("scene", "foxglove.SceneUpdate"));
+  EXPECT_FALSE(StreamFigures::canShow("transforms", "foxglove.FrameTransforms"));
+  EXPECT_FALSE(StreamFigures::canShow("imu", "sensor_msgs.Imu"));
 }
 
 class FrameTreeTest : public StreamFiguresTest {
