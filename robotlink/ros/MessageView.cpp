@@ -85,10 +85,35 @@ const std::string& MessageView::textAt(const char* name, int index) const {
 }
 
 std::vector<double> MessageView::numbers(const char* name) const {
-  std::vector<double> values(static_cast<std::size_t>(count(name)));
   const FieldDescriptor* list = field(name, true);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = numberOf(list, static_cast<int>(i));
-  return values;
+  if (list == nullptr) return {};
+    // A map has millions of cells. The list itself is copied a hundred times as fast as number by number, or
+    // as by GetRepeatedFieldRef(), which protobuf would have one use.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  const auto all = [&]<typename Number>(Number) {
+    const auto& numbers = message_->GetReflection()->GetRepeatedField<Number>(*message_, list);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  };
+#pragma GCC diagnostic pop
+  switch (list->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return all(std::int32_t());
+    case FieldDescriptor::CPPTYPE_INT64:
+      return all(std::int64_t());
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return all(std::uint32_t());
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return all(std::uint64_t());
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return all(float());
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return all(double());
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return all(bool());
+    default:
+      return std::vector<double>(static_cast<std::size_t>(count(name)));
+  }
 }
 
 void assign(google::protobuf::Timestamp& to, const MessageView& from) {

@@ -21,6 +21,14 @@ Pose3 poseInParent(const foxglove::FrameTransform& transform) {
   return robotlink::pose3(pose);
 }
 
+std::vector<const foxglove::FrameTransform*> transformsOf(const google::protobuf::Message& message) {
+  std::vector<const foxglove::FrameTransform*> found;
+  if (const auto* one = dynamic_cast<const foxglove::FrameTransform*>(&message)) found.push_back(one);
+  if (const auto* all = dynamic_cast<const foxglove::FrameTransforms*>(&message))
+    for (const auto& each : all->transforms()) found.push_back(&each);
+  return found;
+}
+
 void FrameTree::update(const robotlink::StreamStore& store, Instant shown) {
   if (generation_ != store.generation() ||
       std::ranges::any_of(read_, [&](const auto& each) { return each.second.time > shown; })) {
@@ -28,9 +36,11 @@ void FrameTree::update(const robotlink::StreamStore& store, Instant shown) {
     frames_.clear();
     read_.clear();
   }
-  const std::string& type = foxglove::FrameTransforms::descriptor()->full_name();
+  const std::string& one = foxglove::FrameTransform::descriptor()->full_name();
+  const std::string& several = foxglove::FrameTransforms::descriptor()->full_name();
   for (const auto* stream : store.streams()) {
-    if (stream->type != type || stream->path == robotlink::streams::kTransforms) continue;
+    if (stream->type != one && stream->type != several) continue;
+    if (stream->path == robotlink::streams::kTransforms) continue;
     const StreamMessage* newest = store.latest(stream->path, shown);
     if (newest == nullptr) continue;
     Read& read = read_[stream->path];
@@ -46,11 +56,8 @@ void FrameTree::update(const robotlink::StreamStore& store, Instant shown) {
 }
 
 void FrameTree::add(const robotlink::PackagePtr& message) {
-  const auto* transforms = dynamic_cast<const foxglove::FrameTransforms*>(message.get());
-  if (transforms == nullptr) return;
-  for (const auto& transform : transforms->transforms()) {
-    frames_[transform.child_frame_id()] = {transform.parent_frame_id(), poseInParent(transform)};
-  }
+  for (const auto* transform : transformsOf(*message))
+    frames_[transform->child_frame_id()] = {transform->parent_frame_id(), poseInParent(*transform)};
 }
 
 std::optional<Pose3> FrameTree::pose(const std::string& frame) const {

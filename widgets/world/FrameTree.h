@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
@@ -12,6 +13,9 @@
 
 namespace foxglove {
 class FrameTransform;
+}
+namespace google::protobuf {
+class Message;
 }
 namespace robotlink {
 class StreamStore;
@@ -21,6 +25,9 @@ namespace widgets {
 
 /// The pose of the child frame in its parent.
 robotlink::Pose3 poseInParent(const foxglove::FrameTransform& transform);
+
+/// The transforms of a message of type FrameTransforms or FrameTransform; none of any other message.
+std::vector<const foxglove::FrameTransform*> transformsOf(const google::protobuf::Message& message);
 
 /// The frames of all streams of transforms but our own ("transforms"), such as tf and tf_static of a robot
 /// with ROS: each transform holds until there is another one of the same child. Frames without a parent, such

@@ -22,7 +22,11 @@ using robotlink::StreamStore;
 
 namespace {
 
-constexpr char kSceneType[] = "foxglove.SceneUpdate", kTransformsType[] = "foxglove.FrameTransforms";
+constexpr char kSceneType[] = "foxglove.SceneUpdate";
+
+bool isOfTransforms(const std::string& type) {
+  return type == "foxglove.FrameTransforms" || type == "foxglove.FrameTransform";
+}
 /// So many messages of a scene's stream are read at most when one goes back in time.
 constexpr std::ptrdiff_t kMaxSceneMessages = 2000;
 
@@ -59,7 +63,7 @@ bool isOwn(const std::string& path) {
 }  // namespace
 
 bool StreamFigures::canShow(const std::string& path, const std::string& type) {
-  const bool isKnown = type == kSceneType || type == kTransformsType || figureType(type) != nullptr;
+  const bool isKnown = type == kSceneType || isOfTransforms(type) || figureType(type) != nullptr;
   return isKnown && !isOwn(path);
 }
 
@@ -88,11 +92,8 @@ void StreamFigures::follow(const StreamStore& store, const std::string& path, In
   else
     at.entities.clear();
   for (; begin < end; ++begin) {
-    if (const auto* frames = dynamic_cast<const foxglove::FrameTransforms*>(begin->value.get())) {
-      for (const auto& transform : frames->transforms())
-        addFrame(transform.child_frame_id(), begin->time, at);
-      continue;
-    }
+    for (const auto* transform : transformsOf(*begin->value))
+      addFrame(transform->child_frame_id(), begin->time, at);
     const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(begin->value.get());
     if (update == nullptr) continue;
     for (const auto& deletion : update->deletions()) {
@@ -115,7 +116,7 @@ std::vector<StreamFigures::Figure> StreamFigures::of(const StreamStore& store, c
   if (at.generation != store.generation()) at = {};
   at.generation = store.generation();
   const std::string& type = message->value->GetDescriptor()->full_name();
-  const bool isScene = type == kSceneType || type == kTransformsType;
+  const bool isScene = type == kSceneType || isOfTransforms(type);
   if (at.message != message->value) {
     if (isScene)
       follow(store, path, shown, at);

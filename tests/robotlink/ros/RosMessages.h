@@ -3,6 +3,7 @@
 
 #include <google/protobuf/message.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <string>
@@ -29,6 +30,31 @@ struct Encodings {
 };
 inline const Encodings kRos2{"ros2msg", "cdr"};
 inline const Encodings kRos1{"ros1msg", "ros1"};
+
+/// What fuzzers take: the encoding of the schema, that of the messages, the type's name, a line each, its
+/// definition up to a NUL, and a message.
+inline std::string fuzzInput(const Encodings& encodings, const std::string& name,
+                             const std::string& definition, const std::string& hex) {
+  const auto bytes = bytesOf(hex);
+  return encodings.schema + "\n" + encodings.message + "\n" + name + "\n" + definition +
+         std::string(1, '\0') + std::string(bytes.begin(), bytes.end());
+}
+
+/// The message of such an input; null if its definition or its bytes are refused.
+inline PackagePtr messageOfFuzzInput(std::string rest) {
+  const auto take = [&rest](char end) {
+    const std::size_t at = std::min(rest.find(end), rest.size());
+    const std::string taken = rest.substr(0, at);
+    rest.erase(0, std::min(at + 1, rest.size()));
+    return taken;
+  };
+  const std::string schema = take('\n'), encoding = take('\n'), name = take('\n'), definition = take('\0');
+  const auto type = RosType::of(name, schema, definition, encoding);
+  if (!type) return nullptr;
+  const auto message =
+      RosType::read(*type, {reinterpret_cast<const std::uint8_t*>(rest.data()), rest.size()});
+  return message ? PackagePtr(*message) : nullptr;
+}
 
 /// The values of a message as Protobuf's text, or what is wrong with it or its definition.
 inline std::string decoded(const std::string& definition, const std::string& hex,

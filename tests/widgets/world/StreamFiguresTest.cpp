@@ -216,6 +216,18 @@ class FrameTreeTest : public StreamFiguresTest {
   FrameTree tree_;
 };
 
+TEST_F(FrameTreeTest, aMessageMayBeOfOneTransform) {
+  auto one = std::make_shared<foxglove::FrameTransform>();
+  one->set_parent_frame_id("base");
+  one->set_child_frame_id("laser");
+  one->mutable_translation()->set_x(0.5);
+  push("r1/laser_mount", 1s, one);
+  push("r1/tf", 1s, transform("odom", "base", 2));
+  EXPECT_EQ(x("laser", 1s), 2.5);
+  EXPECT_TRUE(StreamFigures::canShow("r1/laser_mount", "foxglove.FrameTransform"));
+  EXPECT_EQ(StreamFigures().of(session_.store(), "r1/laser_mount", Instant(1s)).size(), 1u);
+}
+
 TEST_F(FrameTreeTest, framesOfSeveralStreamsAreOneTree) {
   push("tf_static", 1s, transform("base", "laser", 0.5));
   push("tf", 2s, transform("map", "odom", 10));

@@ -277,8 +277,8 @@ void RemoteSession::publishText(StatusLevel level, const std::string& text) {
   enter({path, std::max(time, newestOf[path].mapped), log, "link"});
 }
 
-/// An image is the same stream however it is sent. Foreign servers have texts and transforms under any name;
-/// views look for them here.
+/// An image is the same stream however it is sent. Foreign servers have texts under any name; views look for
+/// them here.
 RemoteRobotList::Place RemoteSession::placeOf(const RemoteChannel& channel) {
   RemoteRobotList::Place place = robots.placeOf(channel.topic);
   if (isOurs) {
@@ -287,7 +287,6 @@ RemoteRobotList::Place RemoteSession::placeOf(const RemoteChannel& channel) {
     return place;
   }
   if (channel.type == "foxglove.Log") place.stream = streams::kLog;
-  if (channel.type == "foxglove.FrameTransforms" && leads()) return {nullptr, streams::kTransforms};
   return place;
 }
 

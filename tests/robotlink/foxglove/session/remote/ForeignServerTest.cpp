@@ -2,6 +2,7 @@
 // Servers that know nothing of this program, such as foxglove_bridge, as robots of a session.
 #include <gmock/gmock.h>
 
+#include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -32,7 +33,8 @@ class ForeignServerTest : public testing::Test {
                               {"/cloud", "flatbuffer", "foxglove.PointCloud", "table", "flatbuffer"},
                               {"/scan/width", "cdr", "std_msgs/msg/UInt32", "uint32 data"},
                               {"/old/width", "ros1", "std_msgs/UInt32", "uint32 data", "ros1msg"},
-                              {"/status", "ros1", "rosgraph_msgs/Log", "string msg", "ros1msg"}});
+                              {"/status", "ros1", "rosgraph_msgs/Log", "string msg", "ros1msg"},
+                              {"/tf", "protobuf", "foxglove.FrameTransforms", "", "protobuf"}});
     Listener::Options listening;
     listening.address.port = 0;
     listener_ = *Listener::open(server_, listening);
@@ -85,6 +87,15 @@ TEST_F(ForeignServerTest, isOneRobotWhoseMessagesAreDecoded) {
       << "texts of ROS are where all texts are: " << shown("log");
 }
 
+TEST_F(ForeignServerTest, transformsKeepTheirPathSinceTheirFramesAreNotThoseOfTheScene) {
+  ASSERT_TRUE(soon([&] { return channels_[7]->isWanted(); }));
+  foxglove::FrameTransforms transforms;
+  transforms.add_transforms()->set_child_frame_id("odom");
+  channels_[7]->publish(Instant(1s), transforms.SerializeAsString());
+  EXPECT_TRUE(soon([&] { return shown("tf").find("odom") != std::string::npos; }));
+  EXPECT_EQ(session_.store().find("transforms"), nullptr);
+}
+
 TEST_F(ForeignServerTest, imagesAreSwitchedOnLikeDebugKeys) {
   EXPECT_TRUE(soon([&] { return channels_[0]->isWanted(); }));
   Request request;
@@ -100,7 +111,7 @@ TEST_F(ForeignServerTest, whatIsNotDecodedIsNamedOnce) {
     return shown("log").find("not decoded here: /cloud (flatbuffer)") != std::string::npos;
   })) << shown("log");
   const auto streams = client_->streams();
-  ASSERT_EQ(streams.size(), 7U);
+  ASSERT_EQ(streams.size(), 8U);
   EXPECT_EQ(streams[2].encoding, "flatbuffer");
   EXPECT_FALSE(streams[2].isDecoded);
   EXPECT_TRUE(streams[0].isDecoded);
