@@ -27,18 +27,34 @@ void Outbox::push(StreamId id, Outgoing message, Delivery delivery, std::size_t 
   const bool isCalm = message.size() + smallBytes_ <= limits_.calmBytes && !hasRate;
   addWaiting(message.size());
   if (delivery == Delivery::kLatest && !stream.waiting.empty() && !isCalm) {
-    while (stream.waiting.size() > 1) giveUpOldest(stream);
+    // The newest takes the first turn; those between need none any more.
+    while (stream.waiting.size() > 1) giveUp(stream, std::prev(stream.waiting.end()));
     Outgoing& waiting = stream.waiting.front()->message;
     removeWaiting(waiting.size());
     waiting = std::move(message);
     ++stream.counters.thinned;
   } else {
-    if (stream.waiting.size() >= std::max<std::size_t>(maxWaiting, 1)) giveUpOldest(stream);
-    turns_.push_back({id, std::move(message)});
-    stream.waiting.push_back(std::prev(turns_.end()));
+    if (stream.waiting.size() >= std::max<std::size_t>(maxWaiting, 1)) giveUp(stream, stream.waiting.begin());
+    addTurn(id, stream, std::move(message));
   }
-  while (streamBytes_ > limits_.streamBytes && turns_.size() > 1)
-    giveUpOldest(streams_[turns_.front().stream]);
+  while (streamBytes_ > limits_.streamBytes && small_.turns.size() + large_.turns.size() > 1) {
+    Stream& longest = longestWaiting();
+    giveUp(longest, longest.waiting.begin());
+  }
+}
+
+void Outbox::addTurn(StreamId id, Stream& stream, Outgoing message) {
+  if (stream.waiting.empty()) stream.line = message.size() > limits_.smallBytes ? &large_ : &small_;
+  Line& line = *stream.line;
+  if (line.turns.empty()) line.sent = std::max(small_.sent, large_.sent);
+  line.turns.push_back({id, std::move(message), turnCount_++});
+  stream.waiting.push_back(std::prev(line.turns.end()));
+}
+
+Outbox::Stream& Outbox::longestWaiting() {
+  const bool isSmall = large_.turns.empty() ||
+                       (!small_.turns.empty() && small_.turns.front().number < large_.turns.front().number);
+  return streams_[(isSmall ? small_ : large_).turns.front().stream];
 }
 
 void Outbox::addWaiting(std::size_t size) {
@@ -51,11 +67,11 @@ void Outbox::removeWaiting(std::size_t size) {
   if (size <= limits_.calmBytes) smallBytes_ -= size;
 }
 
-void Outbox::giveUpOldest(Stream& stream) {
+void Outbox::giveUp(Stream& stream, std::deque<Turns::iterator>::iterator which) {
   ++(stream.delivery == Delivery::kLatest ? stream.counters.thinned : stream.counters.dropped);
-  removeWaiting(stream.waiting.front()->message.size());
-  turns_.erase(stream.waiting.front());
-  stream.waiting.pop_front();
+  removeWaiting((*which)->message.size());
+  stream.line->turns.erase(*which);
+  stream.waiting.erase(which);
 }
 
 void Outbox::clear(StreamId id) {
@@ -63,7 +79,7 @@ void Outbox::clear(StreamId id) {
   if (found == streams_.end()) return;
   for (const auto turn : found->second.waiting) {
     removeWaiting(turn->message.size());
-    turns_.erase(turn);
+    found->second.line->turns.erase(turn);
   }
   found->second.waiting.clear();
 }
@@ -77,7 +93,8 @@ void Outbox::clear() {
   control_.clear();
   controlBytes_ = 0;
   for (auto& [id, stream] : streams_) stream.waiting.clear();
-  turns_.clear();
+  small_.turns.clear();
+  large_.turns.clear();
   streamBytes_ = smallBytes_ = 0;
 }
 
@@ -89,24 +106,40 @@ std::optional<Outgoing> Outbox::next(Instant now) {
     message = std::move(control_.front());
     control_.pop_front();
     controlBytes_ -= message->size();
-  } else if (const auto turn = isReady ? firstDue(now) : turns_.end(); turn != turns_.end()) {
+  } else if (const Turn* turn = isReady ? firstDue(now) : nullptr) {
     Stream& stream = streams_[turn->stream];
-    message = std::move(turn->message);
-    // Those of one stream are due together, so this is the first.
-    stream.waiting.pop_front();
-    turns_.erase(turn);
-    removeWaiting(message->size());
+    message = takeFirst(stream);
     noteSent(stream, message->size(), now);
   }
   if (!message) return message;
-  message->hasMore = !control_.empty() || firstDue(now) != turns_.end();
+  message->hasMore = !control_.empty() || firstDue(now) != nullptr;
   budget_.take(message->size());
   sentBytes_ += message->size();
   return message;
 }
 
-Outbox::Turns::iterator Outbox::firstDue(Instant now) {
-  return std::ranges::find_if(turns_, [&](const Turn& turn) { return streams_[turn.stream].due <= now; });
+/// Those of one stream are due together, so the one that is due is its first.
+Outgoing Outbox::takeFirst(Stream& stream) {
+  Outgoing message = std::move(stream.waiting.front()->message);
+  stream.line->sent += message.size();
+  stream.line->turns.erase(stream.waiting.front());
+  stream.waiting.pop_front();
+  removeWaiting(message.size());
+  return message;
+}
+
+Outbox::Turn* Outbox::firstDueOf(Line& line, Instant now) {
+  const auto due =
+      std::ranges::find_if(line.turns, [&](const Turn& turn) { return streams_[turn.stream].due <= now; });
+  return due == line.turns.end() ? nullptr : &*due;
+}
+
+Outbox::Turn* Outbox::firstDue(Instant now) {
+  Turn* small = firstDueOf(small_, now);
+  Turn* large = firstDueOf(large_, now);
+  if (small == nullptr || large == nullptr) return small != nullptr ? small : large;
+  if (small_.sent == large_.sent) return small->number < large->number ? small : large;
+  return small_.sent < large_.sent ? small : large;
 }
 
 void Outbox::noteSent(Stream& stream, std::size_t bytes, Instant now) {

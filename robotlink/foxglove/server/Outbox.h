@@ -47,8 +47,9 @@ struct Outgoing {
 
 /// What waits to be sent to one client. Control messages go first and without regard to the budget; messages
 /// of streams follow in the order in which their turns came: a message that replaces another takes its turn.
-/// A stream with a rate keeps its newest message until that is due. Memory is bounded; payloads are shared.
-/// Not thread-safe.
+/// Small and large ones have a line of turns each, and while both wait, both get the same number of bytes: on
+/// a narrow line many readings pass an image, which otherwise would each wait for one. A stream with a rate
+/// keeps its newest message until that is due. Memory is bounded; payloads are shared. Not thread-safe.
 class Outbox {
  public:
   struct Limits {
@@ -61,6 +62,8 @@ class Outbox {
     /// its stream: on a line that is fast enough nothing is thinned only because two messages were published
     /// at once, or because an image is being sent meanwhile.
     std::size_t calmBytes = 0;
+    /// Messages of more than this are large.
+    std::size_t smallBytes = 0;
   };
   using StreamId = std::uint64_t;
 
@@ -85,7 +88,7 @@ class Outbox {
 
   /// The next message to send now, if there is one within the budget.
   std::optional<Outgoing> next(Instant now);
-  bool isEmpty() const { return control_.empty() && turns_.empty(); }
+  bool isEmpty() const { return control_.empty() && !hasTurns(); }
   std::size_t waitingBytes() const { return controlBytes_ + streamBytes_; }
 
   StreamCounters counters(StreamId stream) const;
@@ -95,10 +98,20 @@ class Outbox {
   struct Turn {
     StreamId stream = 0;
     Outgoing message;
+    /// How many had got a turn before.
+    std::uint64_t number = 0;
   };
   using Turns = std::list<Turn>;
+  /// The turns of small messages, or of large ones.
+  struct Line {
+    Turns turns;
+    /// What it has sent, in bytes, as far as it is compared: a line that was empty has nothing saved up.
+    std::uint64_t sent = 0;
+  };
   struct Stream {
     std::deque<Turns::iterator> waiting;
+    /// Where they wait, all of them: messages of a stream keep their order.
+    Line* line = nullptr;
     Delivery delivery = Delivery::kLatest;
     StreamCounters counters;
     /// The time between two messages, and when the next one may be sent.
@@ -106,10 +119,18 @@ class Outbox {
     Instant due;
   };
 
-  /// The first of turns_ that is due.
-  Turns::iterator firstDue(Instant now);
+  /// The turn that is next among those that are due; null: none.
+  Turn* firstDue(Instant now);
+  Turn* firstDueOf(Line& line, Instant now);
+  void addTurn(StreamId id, Stream& stream, Outgoing message);
+  /// Takes the first message of a stream away.
+  Outgoing takeFirst(Stream& stream);
+  /// The stream whose first message waits longest.
+  Stream& longestWaiting();
   static void noteSent(Stream& stream, std::size_t bytes, Instant now);
-  void giveUpOldest(Stream& stream);
+  /// Drops one of those that wait of a stream.
+  void giveUp(Stream& stream, std::deque<Turns::iterator>::iterator which);
+  bool hasTurns() const { return !small_.turns.empty() || !large_.turns.empty(); }
   /// A message of this size waits from now on, or no longer.
   void addWaiting(std::size_t size);
   void removeWaiting(std::size_t size);
@@ -120,7 +141,8 @@ class Outbox {
   std::size_t controlBytes_ = 0, streamBytes_ = 0;
   /// Those of streamBytes_ that are in messages of up to Limits::calmBytes.
   std::size_t smallBytes_ = 0;
-  Turns turns_;
+  Line small_, large_;
+  std::uint64_t turnCount_ = 0;
   std::unordered_map<StreamId, Stream> streams_;
   std::uint64_t sentBytes_ = 0;
 };

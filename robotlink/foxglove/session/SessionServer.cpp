@@ -35,8 +35,8 @@ using robotcontrol::SolutionTable;
 
 /// A number that no client has.
 constexpr std::uint64_t kNoClientHere = std::numeric_limits<std::uint64_t>::max();
-/// What a line of 1 Mbit/s sends in 65 ms.
-constexpr std::size_t kCalmBytes = 8U << 10U;
+/// What a line of 1 Mbit/s sends in 65 ms; and what is smaller than an image.
+constexpr std::size_t kCalmBytes = 8U << 10U, kSmallBytes = 4U << 10U;
 /// How often it is looked whether lines carry what is sent.
 constexpr Duration kLookAtLines = std::chrono::milliseconds(250);
 constexpr char kRawImage[] = "foxglove.RawImage";
@@ -94,6 +94,7 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
   options.publishesTime = true;
   options.metadata.emplace(kSessionKey, "1");
   options.limits.outbox.calmBytes = kCalmBytes;
+  options.limits.outbox.smallBytes = kSmallBytes;
   server_ = Server::make(std::move(options), handlers(std::move(report)));
   offerServices("", robots_[""]);
   listener_ = session_.addListener({[this](const StreamMessage& message) { pass(message); },

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+
 namespace robotlink::websocket::test {
 namespace {
 
@@ -98,6 +100,52 @@ TEST_F(OutboxTest, aHeavyMessageThatWaitsThinsNoLightStream) {
   while (const auto next = outbox.next({})) texts.push_back(*next->payload);
   EXPECT_THAT(texts, ElementsAre(image, "one", "two", "six"));
   EXPECT_EQ(outbox.waitingBytes(), 0U);
+}
+
+/// What a line of so many bytes a second carries of two streams in so many seconds, as messages of each:
+/// images of 9 kB 25 times a second, and readings of 400 B 125 times a second.
+std::array<int, 2> carried(double bytesPerSecond, int seconds) {
+  Outbox outbox({1024, 16U << 20U, 16U << 20U, 8192, 4096});
+  const auto image = std::make_shared<const std::string>(9000, 'i');
+  const auto reading = std::make_shared<const std::string>(400, 'r');
+  std::array<int, 2> count{};
+  double sent = 0;
+  for (int ms = 0; ms < 1000 * seconds; ms += 4) {
+    const auto push = [&](Outbox::StreamId id, const SharedBytes& bytes) {
+      outbox.push(id, {FrameKind::kBinary, {}, 0, bytes}, Delivery::kLatest, kMany);
+    };
+    if (ms % 8 == 0) push(1, reading);
+    if (ms % 40 == 0) push(0, image);
+    while (sent < bytesPerSecond * ms / 1000) {
+      const auto next = outbox.next(Instant(milliseconds(ms)));
+      if (!next) {
+        sent = bytesPerSecond * ms / 1000;
+        break;
+      }
+      sent += static_cast<double>(next->size());
+      ++count[next->size() < 1000 ? 1 : 0];
+    }
+  }
+  return count;
+}
+
+TEST_F(OutboxTest, onANarrowLineReadingsDoNotWaitForOneImageEach) {
+  const auto [images, readings] = carried(80'000, 10);
+  EXPECT_GT(readings, 800) << "35 of 50 kB/s, not one for each image";
+  EXPECT_GT(images, 40) << "the other half of the line";
+  const auto [allImages, allReadings] = carried(1'000'000, 10);
+  EXPECT_GE(allImages, 249);
+  EXPECT_GE(allReadings, 1249);
+}
+
+TEST_F(OutboxTest, messagesOfAStreamKeepTheirOrderWhateverTheirSize) {
+  Outbox outbox({4, 100, 50, 0, 3});
+  for (const char* text : {"large 1", "s", "large 2"})
+    outbox.push(1, message(text), Delivery::kComplete, kMany);
+  outbox.push(2, message("t"), Delivery::kComplete, kMany);
+  std::vector<std::string> texts;
+  while (const auto next = outbox.next({})) texts.push_back(*next->payload);
+  EXPECT_THAT(texts, ElementsAre("large 1", "t", "s", "large 2"));
 }
 
 TEST_F(OutboxTest, aCompleteStreamDropsItsOldestOverItsBoundAndCountsIt) {
