@@ -50,11 +50,30 @@ BodyLink::~BodyLink() = default;
 void BodyLink::tick() {
   client_->tick();
   session_.tick();
+  followLine();
   if (!body_) lookForBody();
 }
 
+void BodyLink::followLine() {
+  const auto state = client_->state();
+  if (state.roundTrip == roundTrip_) return;
+  roundTrip_ = state.roundTrip;
+  // Another line, perhaps.
+  if (!roundTrip_) line_ = {};
+  const double before = line_.bytesPerSecond();
+  if (roundTrip_) line_.measured(*roundTrip_, state.bytesPerSecond);
+  if (line_.bytesPerSecond() != before) applyLimits();
+}
+
+void BodyLink::applyLimits() {
+  LinkLimits limits = limits_;
+  const double line = line_.bytesPerSecond();
+  if (line > 0 && (limits.bytesPerSecond == 0 || line < limits.bytesPerSecond)) limits.bytesPerSecond = line;
+  apply(limits, *client_);
+}
+
 void BodyLink::limit(const LinkLimits& limits) {
-  if (std::exchange(limits_, limits) != limits) apply(limits, *client_);
+  if (std::exchange(limits_, limits) != limits) applyLimits();
 }
 
 bool BodyLink::wants(const std::string& path) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/body/LineBudget.h"
 #include "app/core/remote/LinkLimits.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "robotcontrol/Body.pb.h"
@@ -89,6 +90,9 @@ class BodyLink {
   std::string url() const { return toString(client_->url()); }
 
  private:
+  /// Limits the connection to what it carries without a queue, and to what was chosen.
+  void followLine();
+  void applyLimits();
   /// Looks at a message of the server.
   void look(const robotlink::StreamMessage& message);
   bool wants(const std::string& path) const;
@@ -97,8 +101,11 @@ class BodyLink {
             std::function<void(const std::string& why)> done);
 
   const std::string wantedRobot_;
-  /// Those that the client has.
+  /// Those that were chosen.
   LinkLimits limits_;
+  LineBudget line_;
+  /// The measurement that line_ has.
+  std::optional<robotlink::Duration> roundTrip_;
   std::map<std::string, robotcontrol::BodyOffer> offers_;
   std::map<std::string, robotlink::PackagePtr> setups_;
   /// Does not change once it is set.
