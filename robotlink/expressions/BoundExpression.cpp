@@ -122,6 +122,10 @@ std::string BoundExpression::valuesInWords() const {
   return words;
 }
 
+std::string BoundExpression::resultInWords() {
+  return inWords(valueOrText());
+}
+
 std::optional<FieldValue> BoundExpression::state(std::optional<double> limit) {
   const auto value = valueOrText();
   if (!limit || !value) return value;

@@ -35,6 +35,8 @@ class BoundExpression {
   std::string valuesInWords() const;
   /// The result for the newest values; see Expression::value().
   std::optional<double> value() { return expression_.value(values_); }
+  /// The same for people: a number, a text, the name of a choice; "not there" while there are no values.
+  std::string resultInWords();
   /// See Expression::valueOrText().
   std::optional<FieldValue> valueOrText() { return expression_.valueOrText(values_); }
   /// What a step to the next change compares: the value or, with a limit, whether it has reached that.

@@ -47,7 +47,8 @@ class Reader {
     const std::size_t known = isOperandNext_ ? knownStream() : 0;
     if (known > 0) return value(known);
     if (isDigit(c) || (c == '.' && isDigit(at(at_ + 1)))) return number();
-    if (beginsName(c)) return word();
+    // A name of ROS begins with a slash.
+    if (beginsName(c) || (c == '/' && isOperandNext_ && beginsName(at(at_ + 1)))) return word();
     return operatorOrBracket();
   }
 
@@ -79,7 +80,7 @@ class Reader {
   }
 
   Result<void> word() {
-    std::size_t end = at_;
+    std::size_t end = at_ + (at(at_) == '/' ? 1 : 0);
     while (isNameCharacter(at(end)) || ((at(end) == '/' || at(end) == '-') && isNameCharacter(at(end + 1))))
       ++end;
     if (at(end) == '.' && beginsName(at(end + 1))) return value(end - at_);

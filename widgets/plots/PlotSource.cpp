@@ -203,7 +203,22 @@ QString PlotReader::problem(const robotlink::StreamStore& store) const {
 }
 
 PlotReader::News PlotReader::take(const robotlink::StreamStore& store) {
-  if (!source_.expression.empty()) return takeOfExpression(store);
+  // What another log or simulation has said, whose stream may be there no more.
+  const bool isOther = generation_ && generation_ != store.generation();
+  generation_ = store.generation();
+  if (isOther) {
+    cursors_.clear();
+    last_.reset();
+    expression_.reset();
+    listVersion_ = 0;
+    newest_ = -std::numeric_limits<double>::infinity();
+  }
+  News news = source_.expression.empty() ? takeOfStream(store) : takeOfExpression(store);
+  news.restarted = news.restarted || isOther;
+  return news;
+}
+
+PlotReader::News PlotReader::takeOfStream(const robotlink::StreamStore& store) {
   News news;
   const auto* stream = store.find(source_.stream);
   if (stream == nullptr) return news;

@@ -114,6 +114,7 @@ class PlotReader {
   std::optional<double> valueOf(const robotlink::StreamMessage& message);
   /// The number of a value, whose name is remembered.
   std::optional<double> numberOf(const std::optional<robotlink::FieldValue>& value);
+  News takeOfStream(const robotlink::StreamStore& store);
   News takeOfExpression(const robotlink::StreamStore& store);
   /// Binds the expression when there are other streams.
   void bind(const robotlink::StreamStore& store);
@@ -125,6 +126,8 @@ class PlotReader {
   QString problem_;
   /// The store's list of streams that the expression was bound to last; 0: never.
   std::uint64_t listVersion_ = 0;
+  /// That of the store at the last call.
+  std::optional<std::uint64_t> generation_;
   std::map<std::string, StreamCursor> cursors_;
   /// The time of the expression's newest point, in s.
   double newest_ = -std::numeric_limits<double>::infinity();

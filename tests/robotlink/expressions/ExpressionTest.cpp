@@ -67,6 +67,12 @@ TEST(Expression, knownStreamsMayHaveOtherCharacters) {
   EXPECT_THAT(inputs("/a.b c/d.x", {"/a", "/a.b c/d"}), testing::ElementsAre("/a.b c/d|x"));
 }
 
+TEST(Expression, namesOfStreamsMayBeginWithASlash) {
+  EXPECT_THAT(inputs("/odom.pose.x - 1 > 2 * /tf/a.y"), testing::ElementsAre("/odom|pose.x", "/tf/a|y"));
+  EXPECT_THAT(inputs("a.x /b.y"), testing::ElementsAre("a|x", "b|y")) << "behind a value it divides";
+  EXPECT_FALSE(Expression::parse("/ a.x"));
+}
+
 TEST(Expression, usesTheValuesInTheirOrder) {
   EXPECT_EQ(result("b.x - a.y", {numeric(5), numeric(3)}), 2);
   EXPECT_EQ(result("a.x + a.x", {numeric(5)}), 10);

@@ -176,6 +176,30 @@ TEST(PlotReader, computesExpressionsOfTheNewestValues) {
   EXPECT_EQ(reader.last(), 6);
 }
 
+TEST(PlotReader, valuesEndWithTheLogThatHadThem) {
+  for (const char* source :
+       {"red1/models/ball: position_in_robot.x", "= red1/models/ball.position_in_robot.x"}) {
+    Published published;
+    PlotReader reader(read(source));
+    published.pushBall(1, 0.5);
+    EXPECT_FALSE(reader.take(published.session.store()).restarted);
+    published.session.restart();
+    published.session.tick();
+    const auto news = reader.take(published.session.store());
+    EXPECT_TRUE(news.restarted);
+    EXPECT_TRUE(news.points.empty());
+    EXPECT_FALSE(reader.last().has_value());
+    published.pushBall(2, 0.75);
+    EXPECT_EQ(reader.take(published.session.store()).points.size(), 1U);
+    EXPECT_EQ(reader.last(), 0.75);
+  }
+}
+
+TEST(PlotReader, readsStreamsWhoseNamesBeginWithASlash) {
+  EXPECT_EQ(PlotSource::fromText(QStringLiteral("/odom.pose.x")).expression, "/odom.pose.x");
+  EXPECT_EQ(PlotReader(read("/odom.pose.x")).streams(), std::vector<std::string>{"/odom"});
+}
+
 TEST(PlotKeys, aStreamThatIsOffHasTheKeyThatPublishesIt) {
   Published published;
   EXPECT_TRUE(published.keyOf("red1/models/ball").empty());
