@@ -36,14 +36,18 @@ void LogModel::setShown(robotlink::Instant time) {
   if (from != to) Q_EMIT dataChanged(index(from + 1, 0), index(to, kColumns - 1), {Qt::ForegroundRole});
 }
 
-void LogModel::removePublished() {
-  if (std::none_of(entries_.begin(), entries_.end(), [](const LogEntry& said) { return said.logged; }))
-    return clear();
-  for (int row = rowCount() - 1; row >= 0; --row) {
-    if (entry(row).logged) continue;
-    beginRemoveRows({}, row, row);
-    entries_.erase(entries_.begin() + row);
-    endRemoveRows();
+void LogModel::removePublished(robotlink::Instant after) {
+  const auto begin = std::ranges::upper_bound(entries_, after, {}, &LogEntry::time) - entries_.begin();
+  for (int end = rowCount(); end > begin;) {
+    // Rows that go, and stand together.
+    int first = end;
+    while (first > begin && !entry(first - 1).logged) --first;
+    if (first < end) {
+      beginRemoveRows({}, first, end - 1);
+      entries_.erase(entries_.begin() + first, entries_.begin() + end);
+      endRemoveRows();
+    }
+    end = first - 1;
   }
 }
 

@@ -37,8 +37,8 @@ class LogModel final : public TimedModel<LogEntry> {
   void insert(std::vector<LogEntry> entries);
   /// Rows later than this are muted: an open log contains them, but the replay has not reached them.
   void setShown(robotlink::Instant time);
-  /// Removes the messages that no open log contains.
-  void removePublished();
+  /// Removes the messages that no open log contains: those that are later than `after`.
+  void removePublished(robotlink::Instant after = robotlink::Instant::min());
   /// "warning"; translated.
   static QString levelName(LogEntry::Level level);
 

@@ -237,7 +237,10 @@ void MessagesView::takeNew() {
   std::vector<LogEntry> entries;
   for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
     const QString robot = QString::fromStdString(robotPart(stream->path));
-    for (const auto* message : cursors_[stream->path].take(*stream).messages) {
+    const StreamCursor::News news = cursors_[stream->path].take(*stream);
+    // The clock went back, as at a reset: what was said later than that was not said.
+    if (news.restarted && !news.messages.empty()) removeLater(news.messages.front()->time, entries);
+    for (const auto* message : news.messages) {
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
       LogEntry entry = logEntry(*message, robot, *log);
@@ -248,6 +251,11 @@ void MessagesView::takeNew() {
   model_.insert(std::move(entries));
   if (follow_->isChecked() && session().timeline().live() && !logs_.replay().open()) table_->scrollToBottom();
   showState();
+}
+
+void MessagesView::removeLater(Instant time, std::vector<LogEntry>& unlisted) {
+  model_.removePublished(time);
+  std::erase_if(unlisted, [&](const LogEntry& entry) { return entry.time > time; });
 }
 
 void MessagesView::listRobots() {

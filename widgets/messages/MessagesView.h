@@ -44,6 +44,8 @@ class MessagesView final : public View {
   /// Appends the messages that arrived since the last tick. Starts over when the store was reset or the set
   /// of open logs changed.
   void takeNew();
+  /// Forgets what was said after a time, listed or about to be.
+  void removeLater(robotlink::Instant time, std::vector<LogEntry>& unlisted);
   /// Replaces the table by all messages that the open logs hold, played or not.
   void takeLogs();
   /// Mutes rows after the play head and selects the row of the shown instant.

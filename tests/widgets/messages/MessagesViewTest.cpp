@@ -12,6 +12,8 @@
 #include <QToolButton>
 
 #include "foxglove/Robot.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 #include "tests/widgets/LogBench.h"
 
 namespace widgets::test {
@@ -60,6 +62,31 @@ class MessagesViewTest : public QObject {
     QCOMPARE(cell(table, 2, 4), QStringLiteral("lost the ball"));
   }
 
+  void whatIsShownIsSavedAsTableOrTextAndNothingElse() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    bench.push("red1/log", log(Log::INFO, "a", "one, \"two\""), 1.0);
+    bench.push("red1/log", log(Log::ERROR, "b", "three"), 2.0);
+    bench.tick(*view);
+    const TestFolder folder;
+    const auto save = [&](const char* name) {
+      return view->saveTo(QString::fromStdString((folder / name).string()));
+    };
+    QVERIFY(save("m.csv"));
+    const std::string csv = robotlink::readFile(folder / "m.csv").value_or("none");
+    QVERIFY2(
+        csv.find("1.000,info,red1,a,\"one, \"\"two\"\"\"\n2.000,error,red1,b,three\n") != std::string::npos,
+        csv.c_str());
+    QVERIFY(csv.starts_with("Time"));
+    QVERIFY(save("m.txt"));
+    QVERIFY(robotlink::readFile(folder / "m.txt").value_or("none").find("error\tred1\tb\tthree\n") !=
+            std::string::npos);
+    const auto refused = save("m.json");
+    QVERIFY(!refused);
+    QVERIFY(refused.error().text.find(".png") != std::string::npos);
+    QVERIFY(!std::filesystem::exists(folder / "m.json"));
+  }
+
   void afterAJumpOnlyWhatWasSaidBeforeIsShown() {
     Bench bench;
     auto view = bench.open<widgets::MessagesView>();
@@ -81,6 +108,20 @@ class MessagesViewTest : public QObject {
     bench.session.restart();
     bench.tick(*view);
     QCOMPARE(table.model()->rowCount(), 0);
+  }
+
+  void afterAResetWhatWasSaidLaterIsGone() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    auto& table = child<QTableView>(*view, "messagesTable");
+    bench.push("red1/log", log(Log::INFO, "behavior", "kicked"), 8);
+    bench.push("blue1/log", log(Log::INFO, "behavior", "fell"), 9);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 2);
+    bench.push("red1/log", log(Log::INFO, "behavior", "stands"), 0.1);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 1);
+    QCOMPARE(cell(table, 0, 4), QStringLiteral("stands"));
   }
 
   void allThatALogHoldsIsListedBeforeItIsPlayed() {
