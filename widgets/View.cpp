@@ -8,8 +8,11 @@
 #include <QSplitter>
 #include <algorithm>
 
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/base/Registrations.h"
 #include "widgets/HeaderState.h"
+#include "widgets/ShownText.h"
 #include "widgets/SplitterState.h"
 #include "widgets/WrittenPicture.h"
 
@@ -42,7 +45,13 @@ void View::restoreState(const QJsonObject& state) {
 }
 
 robotlink::Result<void> View::saveTo(const QString& file) {
-  return writePicture(grab().toImage(), file);
+  const std::string path = file.toStdString(), suffix = robotlink::fileSuffix(path);
+  if (suffix != ".csv" && suffix != ".txt") return writePicture(grab().toImage(), file);
+  const auto shown = suffix == ".csv" ? shownTable(*this) : shownText(*this);
+  if (!shown)
+    return robotlink::failure("view.save", "this view shows no table and no text; save it as .png",
+                              {path, 0, 0});
+  return robotlink::writeFileAtomically(path, shown->toStdString());
 }
 
 QImage View::shownPicture() {

@@ -77,8 +77,8 @@ class View : public QWidget {
   /// Applies what saveState() returned, possibly in another version: unknown or missing entries must be
   /// harmless.
   virtual void restoreState(const QJsonObject& state);
-  /// Writes what the view can save to a file: by default a picture of it, as PNG; views that have more decide
-  /// by the file's suffix. Opens no dialog.
+  /// Writes what the view shows to a file, after its suffix: .png, a picture; .csv, its table; .txt, its
+  /// text, or its table with tabs. Others are refused, unless the view has more. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
 
   /// What a video of the view shows: by default all of it.

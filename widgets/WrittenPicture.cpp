@@ -8,6 +8,8 @@
 namespace widgets {
 
 robotlink::Result<void> writePicture(const QImage& picture, const QString& file) {
+  if (!file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+    return robotlink::failure("picture.suffix", "pictures are written as .png", {file.toStdString(), 0, 0});
   QSaveFile out(file);
   if (!picture.isNull() && out.open(QIODevice::WriteOnly) && picture.save(&out, "PNG") && out.commit())
     return {};

@@ -9,7 +9,8 @@ class QImage;
 
 namespace widgets {
 
-/// Writes a PNG file, whole or not at all. Fails if the picture is null or the file cannot be written. GUI
+/// Writes a PNG file, whole or not at all. Fails if the picture is null, the file is not named
+/// .png, or it cannot be written. GUI
 /// thread.
 robotlink::Result<void> writePicture(const QImage& picture, const QString& file);
 

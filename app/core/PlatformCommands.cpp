@@ -61,7 +61,7 @@ std::vector<CommandTable::Command> platformCommands() {
       commands.push_back({form.command, form.commandHelp, std::move(arguments)});
     }
     if (adapter.command == nullptr) continue;
-    commands.push_back({adapter.command, adapter.commandHelp, {{"source", Type::kFile, adapter.sources}}});
+    commands.push_back({adapter.command, adapter.commandHelp, {{"source", Type::kSource, adapter.sources}}});
   }
   return commands;
 }

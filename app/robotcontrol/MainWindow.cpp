@@ -300,7 +300,7 @@ void MainWindow::tick() {
   remote_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;
   sinceKept_.restart();
-  keepWindow();
+  if (!isOfScript_) keepWindow();
 }
 
 void MainWindow::restoreWindow() {
@@ -329,6 +329,11 @@ void MainWindow::restoreWindow() {
 }
 
 void MainWindow::keepWindow() {
+  if (!isOfScript_) noteWindow();
+  if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
+}
+
+void MainWindow::noteWindow() {
   perspectives_.keep(perspectives_.current(), *docks_);
   QJsonObject window{{QStringLiteral("geometry"), toText(saveGeometry())},
                      {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
@@ -345,13 +350,12 @@ void MainWindow::keepWindow() {
   // What a workbench that ends properly had open is nothing to be offered.
   if (!isEnding_) window.insert(QStringLiteral("open"), LeftOpenBar::stateOf(workbench_));
   perspectives_.setWindow(window);
-  if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }
 
 void MainWindow::keep() {
   isEnding_ = true;
   widgets::openLogs(context_).saveBookmarks();
-  keepWindow();
+  if (!isOfScript_) keepWindow();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

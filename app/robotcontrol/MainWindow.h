@@ -102,6 +102,9 @@ class MainWindow : public QMainWindow {
   void keep();
   /// Saves what the user arranged and what is open, for the case of a crash; the timer calls it.
   void keepWindow();
+  /// From now on the window is a script's: how it is arranged is not kept for the next start, only
+  /// perspectives that are saved by name.
+  void setOfScript() { isOfScript_ = true; }
 
  Q_SIGNALS:
   /// The user closed the window, so that the program ends, together with floating docks and dialogs.
@@ -162,6 +165,8 @@ class MainWindow : public QMainWindow {
   /// Brings a view to the front and opens it if needed. Fails if there is none of this name.
   robotlink::Result<ads::CDockWidget*> openView(const std::string& id);
   /// Writes a PNG file of a view, or of the "window".
+  /// Ends when what is visible has drawn what it shows now, or after a few seconds.
+  void finishPictures(QWidget& shown);
   robotlink::Result<void> saveScreenshot(const std::string& view, const std::string& file);
   /// Writes what a view, which is opened if need be, can save.
   robotlink::Result<void> saveView(const std::string& id, const std::string& file);
@@ -221,6 +226,8 @@ class MainWindow : public QMainWindow {
   void tickLogs();
   /// Reads the file with everything that the user arranged, which keepWindow() writes.
   void restoreWindow();
+  /// Takes up how everything is arranged now.
+  void noteWindow();
   /// The functions of menu entries.
   void openLayout();
   void loadColorTable();
@@ -253,6 +260,7 @@ class MainWindow : public QMainWindow {
   bool isPerspectiveWanted_ = false;
   /// Whether the window closes, so that nothing that is open was left so by a crash.
   bool isEnding_ = false;
+  bool isOfScript_ = false;
   bool isFirstStart_ = false;
   /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;

@@ -2,6 +2,8 @@
 // MainWindow: commands about the window, its views and perspectives, and the palette.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
+#include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QJsonDocument>
 #include <QMenu>
 #include <QPointer>
@@ -22,6 +24,7 @@
 #include "app/robotcontrol/presets/PresetMenu.h"
 #include "app/robotcontrol/presets/SweepDialog.h"
 #include "robotlink/base/Resources.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/WrittenPicture.h"
 #include "widgets/console/CommandLog.h"
 #include "widgets/log/TimeMarks.h"
@@ -340,6 +343,23 @@ Result<ads::CDockWidget*> MainWindow::openView(const std::string& id) {
   return unknownView(id);
 }
 
+void MainWindow::finishPictures(QWidget& shown) {
+  constexpr int kLimit = 3000;  // ms
+  QList<widgets::View*> views = shown.findChildren<widgets::View*>();
+  if (auto* view = qobject_cast<widgets::View*>(&shown)) views << view;
+  QElapsedTimer since;
+  since.start();
+  do {
+    // Docks that were just opened get their sizes by events.
+    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents, 20);
+    docks_->tick();
+  } while (since.elapsed() < kLimit && std::ranges::any_of(views, [](const widgets::View* view) {
+             return view->isVisible() && !view->isPictureReady();
+           }));
+  // Tables fit their columns a moment after their contents have changed.
+  for (auto* fit : shown.findChildren<widgets::ColumnFit*>()) fit->fit();
+}
+
 Result<void> MainWindow::saveScreenshot(const std::string& view, const std::string& file) {
   QWidget* shown = this;
   if (view != kWindow) {
@@ -347,14 +367,14 @@ Result<void> MainWindow::saveScreenshot(const std::string& view, const std::stri
     if (!dock) return tl::unexpected(dock.error());
     shown = (*dock)->widget();
   }
-  docks_->tick();
+  finishPictures(*shown);
   return widgets::writePicture(shown->grab().toImage(), QString::fromStdString(file));
 }
 
 Result<void> MainWindow::saveView(const std::string& id, const std::string& file) {
   const auto dock = openView(id);
   if (!dock) return tl::unexpected(dock.error());
-  docks_->tick();
+  finishPictures(*(*dock)->widget());
   return static_cast<widgets::View*>((*dock)->widget())->saveTo(QString::fromStdString(file));
 }
 

@@ -56,6 +56,7 @@ robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench) {
 
 StartScript::StartScript(Workbench& workbench, Options options, QObject* parent)
     : QObject(parent), workbench_(workbench), options_(std::move(options)), run_(scriptsOf(workbench)) {
+  run_.setOutput([](const std::string& text) { std::cout << robotlink::printableLines(text) << std::endl; });
   startTimer(kScriptTickMs);
 }
 

@@ -25,7 +25,7 @@ void printLines(const std::vector<Command>& commands) {
 nlohmann::json asJson(const robotlink::CommandTable::Argument& argument) {
   const char* type = argument.type == Type::kBool     ? "bool"
                      : argument.type == Type::kNumber ? "number"
-                     : argument.type == Type::kFile   ? "file"
+                     : argument.type >= Type::kFile   ? "file"
                                                       : "text";
   nlohmann::json json{
       {"name", argument.name}, {"type", type}, {"help", argument.help}, {"optional", argument.isOptional()}};

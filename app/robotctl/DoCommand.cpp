@@ -8,6 +8,7 @@
 
 #include "app/core/platform/NumberRange.h"
 #include "app/robotctl/Commands.h"
+#include "robotlink/base/Printable.h"
 #include "robotlink/commands/CommandSocket.h"
 
 namespace app {
@@ -19,7 +20,10 @@ struct DoArguments {
 };
 
 robotlink::Result<void> runLine(robotlink::CommandConnection& workbench, const std::string& line) {
-  return workbench.send(line).and_then([&] { return workbench.receive(); });
+  return workbench.send(line).and_then([&] {
+    return workbench.receive(
+        [](const std::string& text) { std::cout << robotlink::printableLines(text) << std::endl; });
+  });
 }
 
 /// Runs one line after the other, until one fails.

@@ -419,10 +419,6 @@
         <translation>Speichert die Anordnung der Ansichten als Perspektive</translation>
     </message>
     <message>
-        <source>Saves the contents of a view: its picture, points of plots, packets</source>
-        <translation>Speichert den Inhalt einer Ansicht: ihr Bild, Punkte von Kurven, Datenpakete</translation>
-    </message>
-    <message>
         <source>Saves the last seconds when a message arrives on a stream; empty: never</source>
         <translation>Speichert die letzten Sekunden, wenn eine Nachricht auf einem Datenstrom eintrifft; leer: nie</translation>
     </message>
@@ -721,6 +717,10 @@
     <message>
         <source>Changes a setting of the selected robot&apos;s camera, as in the view Camera</source>
         <translation>Ändert eine Einstellung der Kamera des ausgewählten Roboters, wie in der Ansicht Kamera</translation>
+    </message>
+    <message>
+        <source>Saves what a view shows: its picture, table or text, points of plots, packets</source>
+        <translation>Speichert, was eine Ansicht zeigt: Bild, Tabelle oder Text, Punkte von Kurven, Pakete</translation>
     </message>
 </context>
 <context>
@@ -7422,6 +7422,10 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>No command begins with %1.</source>
         <translation>Kein Befehl beginnt mit %1.</translation>
+    </message>
+    <message>
+        <source>No longer waiting: %1</source>
+        <translation>Nicht mehr gewartet wird auf: %1</translation>
     </message>
 </context>
 <context>

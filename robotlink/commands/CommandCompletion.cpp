@@ -43,7 +43,7 @@ std::vector<std::string> textsOf(const CommandTable::Command& command, const std
   if (command.offer) {
     for (std::string& text : command.offer(before)) texts.push_back(std::move(text));
   }
-  return wanted.type == CommandTable::Type::kFile && texts.empty() ? filesOf(begun) : texts;
+  return wanted.type >= CommandTable::Type::kFile && texts.empty() ? filesOf(begun) : texts;
 }
 
 /// The words that stand for arguments by their order; `named` becomes the argument that the last word names,

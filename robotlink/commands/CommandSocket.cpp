@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMaxClients = 8;
 constexpr std::string_view kBegin = "robotcontrol-", kEnd = ".sock";
-constexpr std::string_view kOk = "ok", kFailure = "failed ", kFolder = "folder ";
+constexpr std::string_view kOk = "ok", kFailure = "failed ", kFolder = "folder ", kPrinted = "printed ";
 
 std::string inOneLine(const std::string& text) {
   std::string result;
@@ -88,7 +88,10 @@ std::vector<std::filesystem::path> socketsIn(const std::filesystem::path& folder
 }  // namespace
 
 struct CommandSocket::Client {
-  Client(int connected, const ScriptRun::Workbench& workbench) : socket(connected), run(workbench) {}
+  Client(int connected, const ScriptRun::Workbench& workbench) : socket(connected), run(workbench) {
+    run.setOutput(
+        [this](const std::string& text) { answers += std::string(kPrinted) + inOneLine(text) + "\n"; });
+  }
   ~Client() { ::close(socket); }
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
@@ -233,12 +236,16 @@ Result<void> CommandConnection::useFolder(const std::filesystem::path& folder) {
   return send(std::string(kFolder) + folder.string()).and_then([this] { return receive(); });
 }
 
-Result<void> CommandConnection::receive() {
+Result<void> CommandConnection::receive(const std::function<void(const std::string&)>& printed) {
   LineReader reader;
   std::array<char, 4096> buffer{};
   while (true) {
     if (const auto line = reader.next()) {
       if (*line == kOk) return {};
+      if (line->starts_with(kPrinted)) {
+        if (printed) printed(inLines(std::string_view(*line).substr(kPrinted.size())));
+        continue;
+      }
       return failure(
           "socket.failed",
           inLines(std::string_view(*line).substr(line->starts_with(kFailure) ? kFailure.size() : 0)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,10 +14,11 @@ namespace robotlink {
 /// Lets other programs of the same user run lines of scripts in a running workbench (`robotctl do`), over a
 /// local socket: "robotcontrol-PID.sock" in the user's folder for such files, which only that user may open.
 ///
-/// A client sends lines, each of at most LineReader::kMaxLine bytes; each is answered, when it is done, with
-/// the line "ok", or "failed " and the reason, in which a line feed is "\n" and a backslash "\\". A client
-/// that closes its connection cancels what it waits for. The line "folder PATH" sets to which folder files
-/// are relative. One thread, that of the session; never blocks.
+/// A client sends lines, each of at most LineReader::kMaxLine bytes; each is answered with a line "printed "
+/// and a text for each that it prints and, when it is done, with the line "ok", or "failed " and the reason;
+/// in texts and reasons a line feed is "\n" and a backslash "\\". A client that closes its connection cancels
+/// what it waits for. The line "folder PATH" sets to which folder files are relative. One thread, that of the
+/// session; never blocks.
 class CommandSocket {
  public:
   /// What the lines act on must outlive it.
@@ -58,7 +60,8 @@ class CommandConnection {
   Result<void> useFolder(const std::filesystem::path& folder);
   /// Sends a line; receive() waits until it is done. Fails if the workbench has ended, or if the line failed.
   Result<void> send(const std::string& line);
-  Result<void> receive();
+  /// `printed` gets what it prints; may be empty.
+  Result<void> receive(const std::function<void(const std::string&)>& printed = {});
 
  private:
   explicit CommandConnection(int socket) : socket_(socket) {}

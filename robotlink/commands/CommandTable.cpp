@@ -30,7 +30,16 @@ const char* typeName(Type type) {
   return type == Type::kBool     ? "on or off"
          : type == Type::kNumber ? "number"
          : type == Type::kFile   ? "file"
+         : type == Type::kSource ? "file or name"
                                  : "text";
+}
+
+/// Whether it is relative to the folder, if it is not absolute.
+bool isPath(Type type, const std::string& word, const std::filesystem::path& folder) {
+  if (word.empty() || word.find("://") != std::string::npos) return false;
+  std::error_code ignored;
+  return type == Type::kFile || (type == Type::kSource && (word.find_first_of("./") != std::string::npos ||
+                                                           std::filesystem::exists(folder / word, ignored)));
 }
 
 std::string withArticle(Type type) {
@@ -264,7 +273,7 @@ Result<void> CommandTable::run(const std::string& name, const Values& arguments)
   const auto& wanted = (*command)->arguments;
   if (!countFits(**command, arguments.size())) return wrongCount(**command, arguments.size(), 0);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const Type type = wanted[i].type == Type::kFile ? Type::kText : wanted[i].type;
+    const Type type = std::min(wanted[i].type, Type::kText);
     if (typeOf(arguments[i]) != type)
       return wrongType(**command, wanted[i], withArticle(typeOf(arguments[i])), 0);
     if (!isChoice(wanted[i], arguments[i])) return wrongType(**command, wanted[i], inLine(arguments[i]), 0);
@@ -292,8 +301,7 @@ Result<void> CommandTable::runLine(const std::string& line, const std::filesyste
     }
     const CommandWord& word = *(*given)[i];
     auto value = parseValue(wanted[i].type, word.text);
-    const bool isPath = wanted[i].type == Type::kFile && !word.text.empty();
-    if (isPath && word.text.find("://") == std::string::npos) value = (folder / word.text).string();
+    if (isPath(wanted[i].type, word.text, folder)) value = (folder / word.text).string();
     if (!value || !isChoice(wanted[i], *value))
       return wrongType(**command, wanted[i], '"' + word.text + '"', word.column);
     values.push_back(*value);

@@ -20,7 +20,7 @@ namespace robotlink {
 /// that a command takes.
 class CommandTable {
  public:
-  /// The value of an argument; the alternatives have the order of Type, and paths are texts.
+  /// The value of an argument; the alternatives have the order of Type, and paths and sources are texts.
   using Value = std::variant<bool, double, std::string>;
   using Values = std::vector<Value>;
   enum class Type : std::uint8_t {
@@ -28,7 +28,10 @@ class CommandTable {
     kNumber,
     kText,
     /// A text that is the path of a file or folder, or a URL.
-    kFile
+    kFile,
+    /// The same, or the name of something shipped, such as a scene: a word without a dot or slash that is no
+    /// file.
+    kSource
   };
   /// The declaration of an argument.
   struct Argument {

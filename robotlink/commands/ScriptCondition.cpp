@@ -115,6 +115,10 @@ Result<bool> ScriptCondition::now() {
   return isTrue();
 }
 
+Result<std::string> ScriptCondition::valueNow() {
+  return now().map([this](bool) { return bound_->resultInWords(); });
+}
+
 std::string ScriptCondition::values() const {
   if (missing_) return missing_->text;
   return bound_ ? bound_->valuesInWords() : std::string();

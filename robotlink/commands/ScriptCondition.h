@@ -31,6 +31,9 @@ class ScriptCondition {
   Result<bool> look();
   /// Whether it is true now; fails if a stream is missing.
   Result<bool> now();
+  /// Its value now, for people: a number, a text, the name of a choice; "not there" while no message had it.
+  /// Fails if a stream is missing.
+  Result<std::string> valueNow();
   /// What is there, for people: "models/ball.position.x is 0.31", or why there are no values.
   std::string values() const;
 

@@ -164,9 +164,14 @@ Result<ScriptLine> readScriptLine(const std::string& line) {
   const Part word = takeWord(line, rest);
   if (word.text == "wait") return readWait(line, rest);
   if (word.text == "set") return readSet(line);
-  if (word.text == "assert") {
-    if (rest.text.empty()) return wrong("assert needs a condition", all.at + all.text.size());
-    return ScriptLine{.kind = Kind::kAssert, .text = rest.text, .column = static_cast<int>(rest.at) + 1};
+  if (word.text == "assert" || word.text == "print") {
+    const bool isAssert = word.text == "assert";
+    if (rest.text.empty())
+      return wrong(isAssert ? "assert needs a condition" : "print needs an expression",
+                   all.at + all.text.size());
+    return ScriptLine{.kind = isAssert ? Kind::kAssert : Kind::kPrint,
+                      .text = rest.text,
+                      .column = static_cast<int>(rest.at) + 1};
   }
   if (word.text == "include") {
     const auto words = argumentsOf(line, 1, "include takes one file");

@@ -22,6 +22,8 @@ struct ScriptLine {
     kWait,
     /// `assert EXPRESSION`
     kAssert,
+    /// `print EXPRESSION`
+    kPrint,
     /// `set NAME VALUE`
     kSet,
     /// `include FILE`

@@ -110,11 +110,21 @@ Result<void> ScriptRun::include(const std::filesystem::path& file) {
 std::optional<std::string> ScriptRun::variable(const std::string& name) const {
   if (const auto found = variables_.find(name); found != variables_.end()) return found->second;
   if (name == "folder") {
-    const std::string folder = sources_.back().folder.string();
+    const std::string folder = (sources_.empty() ? folder_ : sources_.back().folder).string();
     return folder.empty() ? "." : folder;
   }
   const char* value = std::getenv(name.c_str());
   return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
+}
+
+Result<std::string> ScriptRun::withValuesOfVariables(const std::string& line) const {
+  return withVariables(line, [this](const std::string& name) { return variable(name); });
+}
+
+void ScriptRun::cancel() {
+  sources_.clear();
+  waits_ = Waits::kNothing;
+  condition_.reset();
 }
 
 void ScriptRun::tick(Instant now) {
@@ -165,7 +175,7 @@ void ScriptRun::fail(Error error, Instant now) {
 }
 
 Result<void> ScriptRun::begin(const std::string& line, Instant now) {
-  const auto text = withVariables(line, [this](const std::string& name) { return variable(name); });
+  const auto text = withValuesOfVariables(line);
   if (!text) return tl::unexpected(text.error());
   auto read = readScriptLine(*text);
   if (!read) return tl::unexpected(read.error());
@@ -186,6 +196,8 @@ Result<void> ScriptRun::begin(const std::string& line, Instant now) {
       break;
     case ScriptLine::Kind::kAssert:
       return check(line_.text);
+    case ScriptLine::Kind::kPrint:
+      return print(line_.text);
     case ScriptLine::Kind::kSet:
       variables_[line_.text] = line_.value;
       break;
@@ -215,6 +227,13 @@ Result<void> ScriptRun::check(const std::string& expression) const {
   if (*isTrue) return {};
   return failure("script.assert", withValues("expected " + expression, condition.values()),
                  {{}, 0, line_.column});
+}
+
+Result<void> ScriptRun::print(const std::string& expression) const {
+  const auto value = ScriptCondition(workbench_.session, expression).valueNow();
+  if (!value) return tl::unexpected(inLine(value.error(), line_));
+  if (output_) output_(*value);
+  return {};
 }
 
 Result<bool> ScriptRun::isDone(Instant now) {

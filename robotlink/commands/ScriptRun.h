@@ -53,6 +53,13 @@ class ScriptRun {
   /// Sets to which folder files of commands and of lines are relative: by default, that of this program.
   void setFolder(std::filesystem::path folder) { folder_ = std::move(folder); }
 
+  /// Gets the lines of `print`, in tick(); without this they are lost.
+  void setOutput(std::function<void(const std::string&)> output) { output_ = std::move(output); }
+  /// Ends what runs, as if it were done; what it has asked for goes on.
+  void cancel();
+  /// The line with the values of variables in place of their names, as it would be run.
+  Result<std::string> withValuesOfVariables(const std::string& line) const;
+
   /// Runs what can be run now. `now` is real time from any zero.
   void tick(Instant now);
   /// Whether there is nothing to run: the script has ended, or failed.
@@ -85,6 +92,7 @@ class ScriptRun {
   Result<void> beginCommand();
   void take(const robotcontrol::RequestResult& result);
   Result<void> check(const std::string& condition) const;
+  Result<void> print(const std::string& expression) const;
   /// Whether the line is done.
   Result<bool> isDone(Instant now);
   Result<bool> isCommandDone(Instant now);
@@ -100,6 +108,7 @@ class ScriptRun {
   std::map<std::string, std::string> variables_;
   std::vector<ScriptOutcome> outcomes_;
   std::filesystem::path folder_;
+  std::function<void(const std::string&)> output_;
   std::optional<Error> failed_;
 
   // The line that runs now.

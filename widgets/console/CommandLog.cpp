@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/console/CommandLog.h"
 
+#include <utility>
+
 #include "robotlink/commands/CommandTable.h"
+#include "robotlink/commands/ScriptLine.h"
 
 namespace widgets {
 namespace {
 
 /// The most characters of a remembered line.
 constexpr int kMaxLine = 1000;
+/// How often a line that waits is looked at.
+constexpr int kTickMs = 20;
 const QLatin1String kHelp("help");
 
 QString asText(const std::string& text) {
@@ -15,6 +20,13 @@ QString asText(const std::string& text) {
 }
 
 }  // namespace
+
+CommandLog::CommandLog(robotlink::CommandTable& commands, robotlink::Session& session, QObject* parent)
+    : QObject(parent), commands_(commands), script_({commands, session}) {
+  script_.setOutput([this](const std::string& text) { add(Kind::kOutput, asText(text)); });
+}
+
+CommandLog::~CommandLog() = default;
 
 robotlink::Result<void> CommandLog::run(const QString& line) {
   const QString words = line.simplified();
@@ -25,9 +37,39 @@ robotlink::Result<void> CommandLog::run(const QString& line) {
     help(words.mid(kHelp.size()).trimmed());
     return {};
   }
-  auto done = commands_.runLine(line.toStdString());
+  using Word = robotlink::ScriptLine;
+  const auto read = script_.withValuesOfVariables(line.toStdString()).and_then(&robotlink::readScriptLine);
+  // What cannot be read is refused by the script, with the column.
+  if (read && read->kind == Word::Kind::kCommand) return runCommand(read->text);
+  runWord(line.trimmed());
+  return {};
+}
+
+robotlink::Result<void> CommandLog::runCommand(const std::string& line) {
+  auto done = commands_.runLine(line);
   if (!done) add(Kind::kError, asText(done.error().text));
   return done;
+}
+
+void CommandLog::runWord(const QString& line) {
+  if (!waiting_.isEmpty()) add(Kind::kOutput, tr("No longer waiting: %1").arg(waiting_));
+  script_.cancel();
+  waiting_ = line;
+  script_.runLines({}, line.toStdString());
+  if (timer_ == 0) timer_ = startTimer(kTickMs);
+  tickScript();
+}
+
+void CommandLog::tickScript() {
+  script_.tick(clock_.now());
+  if (!script_.isIdle()) return;
+  killTimer(std::exchange(timer_, 0));
+  waiting_.clear();
+  if (script_.failed()) add(Kind::kError, asText(script_.failed()->describe()));
+}
+
+void CommandLog::timerEvent(QTimerEvent* /*event*/) {
+  tickScript();
 }
 
 void CommandLog::help(const QString& begin) {
@@ -67,7 +109,8 @@ void CommandLog::setHistory(const QStringList& lines) {
 }
 
 CommandLog& commandLog(ViewContext& context) {
-  if (context.commandLog == nullptr) context.commandLog = std::make_shared<CommandLog>(context.commands);
+  if (context.commandLog == nullptr)
+    context.commandLog = std::make_shared<CommandLog>(context.commands, context.session);
   return *context.commandLog;
 }
 

@@ -5,13 +5,15 @@
 #include <QStringList>
 #include <deque>
 
+#include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/commands/ScriptRun.h"
 #include "widgets/View.h"
 
 namespace widgets {
 
 /// The commands that a person has typed, in whichever view, and what came of them. All of a window share one,
-/// see commandLog(). GUI thread; the command table must outlive it.
+/// see commandLog(). GUI thread; what they act on must outlive it.
 class CommandLog final : public QObject {
   Q_OBJECT
  public:
@@ -25,11 +27,14 @@ class CommandLog final : public QObject {
   static constexpr std::size_t kMaxEntries = 2000;
   static constexpr int kMaxHistory = 200;
 
-  explicit CommandLog(const robotlink::CommandTable& commands, QObject* parent = nullptr)
-      : QObject(parent), commands_(commands) {}
+  /// What lines act on must outlive this.
+  CommandLog(robotlink::CommandTable& commands, robotlink::Session& session, QObject* parent = nullptr);
+  ~CommandLog() override;
 
-  /// Runs a line as CommandTable::runLine() does, notes it and what came of it, and adds it to the history.
-  /// "help" lists all commands, "help robot." those that begin so.
+  /// Runs a line of a script, notes it and what came of it, and adds it to the history. A command has been
+  /// run at the return; the words of scripts (SCRIPTS.md) may take longer, and then note what came of them
+  /// later. One that still waits is cancelled by the next one. "help" lists all commands, "help robot." those
+  /// that begin so.
   robotlink::Result<void> run(const QString& line);
   /// Notes something that came of a command later, or that went wrong elsewhere.
   void add(Kind kind, const QString& text);
@@ -50,7 +55,20 @@ class CommandLog final : public QObject {
  private:
   void help(const QString& begin);
 
-  const robotlink::CommandTable& commands_;
+  void timerEvent(QTimerEvent* event) override;
+  robotlink::Result<void> runCommand(const std::string& line);
+  void runWord(const QString& line);
+  /// Goes on with what waits.
+  void tickScript();
+
+  robotlink::CommandTable& commands_;
+  const robotlink::SteadyClock clock_;
+  /// Runs what is no command, and has the variables.
+  robotlink::ScriptRun script_;
+  /// The line that it runs; empty: none.
+  QString waiting_;
+  /// While a line waits.
+  int timer_ = 0;
   std::deque<Entry> entries_;
   QStringList history_;
 };

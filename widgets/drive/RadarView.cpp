@@ -92,7 +92,10 @@ void RadarView::tick() {
       session().timeline().shown(), memory);
   readings.heading = mapHeading(robot, readings.heading);
   const bool reported = readings.time.has_value();
-  canvas_->show(std::move(readings), drawingsOf(robot), hint(robot, reported));
+  auto drawings = drawingsOf(robot);
+  // A walking robot has neither sonars nor a laser, but draws what it perceives.
+  const bool hasContents = reported || !drawings.empty();
+  canvas_->show(std::move(readings), std::move(drawings), hint(robot, hasContents));
   updateStatus();
 }
 
@@ -116,12 +119,12 @@ std::vector<WorldDrawing> RadarView::drawingsOf(const std::string& robot) const 
   return drawings;
 }
 
-QString RadarView::hint(const std::string& robot, bool reported) const {
+QString RadarView::hint(const std::string& robot, bool hasContents) const {
   if (robot.empty())
     return tr(
         "No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect a "
         "Pioneer…).");
-  if (reported) return {};
+  if (hasContents) return {};
   const QString name = QString::fromStdString(robot);
   const auto description = context().robots.find(robot);
   if (description != context().robots.end() && description->second && !description->second->drive)

@@ -36,7 +36,7 @@ class RadarView final : public PictureView {
   /// Heading of the robot on the map (rad): by its pose estimate if there is one, else the odometry's.
   double mapHeading(const std::string& robot, double odometry) const;
   /// Why nothing is shown and what to do; empty if there are readings (`told`).
-  QString hint(const std::string& robot, bool reported) const;
+  QString hint(const std::string& robot, bool hasContents) const;
   /// Updates the footer.
   void updateStatus();
 

@@ -82,6 +82,22 @@ TEST_F(RobotcontrolScripts, aFailureHasItsPlaceAndAJUnitFile) {
   EXPECT_THAT(read("a.xml"), HasSubstr("a.script:1: the included script failed: part.script:2:8: "));
 }
 
+TEST_F(RobotcontrolScripts, whatAScriptDoesToTheWindowIsNotKept) {
+  folder_.write("here/a.script", "view.perspective Motion\nprint 2 * 3\nscreenshot scene scene.png");
+  StartedProgram workbench = started("a.script");
+  EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+  EXPECT_THAT(read("scene.png"), StartsWith("\x89PNG"));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(home_))
+    EXPECT_NE(entry.path().filename(), "window.json");
+  folder_.write("here/b.script", "view.save-perspective Mine");
+  StartedProgram saving = started("b.script");
+  EXPECT_EQ(saving.wait(), 0) << saving.errors();
+  bool isThere = false;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(home_))
+    isThere = isThere || entry.path().filename() == "window.json";
+  EXPECT_TRUE(isThere) << "what it asks to be saved is";
+}
+
 TEST_F(RobotcontrolScripts, whatCannotBeOpenedOrIsRefusedFails) {
   folder_.write("here/a.script", "simulation.open none.sdf");
   StartedProgram opening = started("a.script");

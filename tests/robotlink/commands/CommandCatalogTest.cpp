@@ -19,8 +19,7 @@ TEST(CommandCatalog, everyRowIsCompleteAndUnique) {
     for (const auto& argument : command.arguments) {
       EXPECT_FALSE(argument.name.empty()) << name;
       if (argument.initial) {
-        const auto type =
-            argument.type == CommandTable::Type::kFile ? CommandTable::Type::kText : argument.type;
+        const auto type = std::min(argument.type, CommandTable::Type::kText);
         EXPECT_EQ(argument.initial->index(), static_cast<std::size_t>(type)) << name;
       }
     }

@@ -71,6 +71,22 @@ TEST_F(CommandSocketTest, filesAreRelativeToTheFolderOfWhoeverSendsTheLine) {
   EXPECT_THAT(said_, ElementsAre("/home/a b/c.log", "/d.log", "tcp://e"));
 }
 
+TEST_F(CommandSocketTest, namesOfWhatIsShippedAreNoFilesUnlessThereAreSome) {
+  commands_.add(
+      {"open", "Notes a source.", {{"source", CommandTable::Type::kSource}}, [this](const auto& values) {
+         said_.push_back(std::get<std::string>(values[0]));
+         return Result<void>();
+       }});
+  auto connection = connected();
+  const std::string folder = folder_.path().string();
+  folder_.write("field", "");
+  run(connection, "folder " + folder);
+  for (const char* source : {"house", "house.map", "a/house", "field", "tcp://house"})
+    EXPECT_EQ(run(connection, std::string("open ") + source), "");
+  EXPECT_THAT(said_, ElementsAre("house", folder + "/house.map", folder + "/a/house", folder + "/field",
+                                 "tcp://house"));
+}
+
 TEST_F(CommandSocketTest, linesRunOneAfterTheOther) {
   CommandConnection connection = connected();
   EXPECT_EQ(run(connection, "say 'a b'"), "");
@@ -85,6 +101,17 @@ TEST_F(CommandSocketTest, aFailureIsSaidAndTheNextLineRuns) {
   EXPECT_EQ(run(connection, "assert 1 > 2"), "expected 1 > 2");
   EXPECT_EQ(run(connection, "say \"a\\\\\\nb"), "the quote at column 5 is not closed");
   EXPECT_EQ(run(connection, "say still"), "");
+}
+
+TEST_F(CommandSocketTest, whatIsPrintedComesBeforeTheAnswer) {
+  CommandConnection connection = connected();
+  std::vector<std::string> printed;
+  ASSERT_TRUE(connection.send("print 1 + 1"));
+  tick();
+  EXPECT_TRUE(connection.receive([&](const std::string& text) { printed.push_back(text); }));
+  EXPECT_THAT(printed, ElementsAre("2"));
+  EXPECT_EQ(run(connection, "print 3"), "") << "who does not listen loses it";
+  EXPECT_EQ(run(connection, "say next"), "");
 }
 
 TEST_F(CommandSocketTest, reasonsKeepTheirLines) {

@@ -221,6 +221,30 @@ TEST_F(ScriptRunTest, anAssertionSaysWhatWasThere) {
       "a.script:2:8: expected models/ball.position_in_robot.x > 2: models/ball.position_in_robot.x is 1.25");
 }
 
+TEST_F(ScriptRunTest, valuesArePrinted) {
+  std::vector<std::string> printed;
+  run_.setOutput([&](const std::string& text) { printed.push_back(text); });
+  pushBall(1.25, 1s);
+  session_.tick();
+  run("print models/ball.position_in_robot.x\nprint 2 * models/ball.position_in_robot.x\nprint 1 + 1\n"
+      "print models/goal.x");
+  EXPECT_THAT(printed, ElementsAre("1.25", "2.5", "2"));
+  EXPECT_THAT(failure(), StartsWith("a.script:4:7: "));
+  run("print");
+  EXPECT_THAT(failure(), HasSubstr("print needs an expression"));
+}
+
+TEST_F(ScriptRunTest, whatIsCancelledDoesNotGoOnAndIsNoFailure) {
+  run("wait until 1 > 2 for 1000\nsay never");
+  run_.cancel();
+  tick(2000s);
+  EXPECT_TRUE(run_.isIdle());
+  EXPECT_EQ(failure(), "");
+  EXPECT_THAT(said_, IsEmpty());
+  run("say again");
+  EXPECT_THAT(said_, ElementsAre("again"));
+}
+
 TEST_F(ScriptRunTest, theTimeIsThatOfTheSession) {
   pushBall(1, 4s);
   session_.tick();

@@ -63,6 +63,25 @@ class ConsoleViewTest : public QObject {
     keepPicture(*console.view, "console");
   }
 
+  void theWordsOfScriptsCanBeTyped() {
+    ConsoleBench console;
+    const auto enter = [&](const QString& line) {
+      console.type(line);
+      console.press(Qt::Key_Return);
+    };
+    enter(QStringLiteral("print 2 * 3"));
+    QVERIFY(console.output().endsWith(QStringLiteral("> print 2 * 3\n6")));
+    enter(QStringLiteral("set x 0.5"));
+    enter(QStringLiteral("robot.walk $x"));
+    QCOMPARE(console.walked, 0.5);
+    enter(QStringLiteral("assert 1 > 2"));
+    QVERIFY(console.output().endsWith(QStringLiteral("expected 1 > 2")));
+    enter(QStringLiteral("wait until 1 > 2 for 1000"));
+    enter(QStringLiteral("wait until 1 > 2 for 0.05"));
+    QVERIFY(console.output().contains(QStringLiteral("No longer waiting: wait until 1 > 2 for 1000")));
+    QTRY_VERIFY(console.output().endsWith(QStringLiteral("waited 0.05 s for 1 > 2")));
+  }
+
   void tabCompletesNamesAndArgumentsAndListsWhatIsPossible() {
     ConsoleBench console;
     console.type(QStringLiteral("vi"));

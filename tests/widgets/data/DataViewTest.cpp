@@ -13,6 +13,8 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 #include "tests/game/Data.h"
 #include "tests/game/Log.h"
 #include "tests/widgets/LogBench.h"
@@ -78,6 +80,19 @@ class DataViewTest : public QObject {
     bench.tick(*view);
     QCOMPARE(textOf(position), QStringLiteral("0.5"));
     keepPicture(*view, "data");
+  }
+
+  void whatIsUnfoldedIsSavedAsTable() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    bench.push("red1/joints/states", joints(0.5), 1);
+    bench.tick(*view);
+    open(treeOf(*view), {kJoints, "joints", "[1] head.pan", "position"});
+    const TestFolder folder;
+    QVERIFY(view->saveTo(QString::fromStdString((folder / "d.csv").string())));
+    const std::string csv = robotlink::readFile(folder / "d.csv").value_or("none");
+    QVERIFY2(csv.find("\n        position,0.5") != std::string::npos, csv.c_str());
+    QVERIFY2(csv.find("\n      [0] ") != std::string::npos, csv.c_str());
   }
 
   void whatWasUnfoldedIsUnfoldedAgainAfterARestart() {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/ShownText.h"
+
+#include <QHeaderView>
+#include <QPlainTextEdit>
+#include <QTableView>
+#include <QTextEdit>
+#include <QTreeView>
+#include <algorithm>
+#include <vector>
+
+namespace widgets {
+namespace {
+
+/// The largest visible one; null: none.
+template <typename Part>
+const Part* largest(const QWidget& view) {
+  const Part* best = nullptr;
+  const auto area = [](const QWidget& part) { return part.width() * part.height(); };
+  for (const Part* part : view.findChildren<Part*>())
+    if (part->isVisibleTo(&view) && (best == nullptr || area(*part) > area(*best))) best = part;
+  return best;
+}
+
+const QHeaderView& headerOf(const QAbstractItemView& view) {
+  if (const auto* tree = qobject_cast<const QTreeView*>(&view)) return *tree->header();
+  return *static_cast<const QTableView&>(view).horizontalHeader();
+}
+
+bool isFolded(const QAbstractItemView& view, const QModelIndex& row) {
+  const auto* tree = qobject_cast<const QTreeView*>(&view);
+  return tree == nullptr || !tree->isExpanded(row);
+}
+
+bool isRowHidden(const QAbstractItemView& view, int row, const QModelIndex& parent) {
+  if (const auto* tree = qobject_cast<const QTreeView*>(&view)) return tree->isRowHidden(row, parent);
+  return static_cast<const QTableView&>(view).isRowHidden(row);
+}
+
+/// Writes what a table or tree shows, line by line.
+class TableWriter {
+ public:
+  TableWriter(const QAbstractItemView& view, QChar separator)
+      : view_(view), model_(*view.model()), separator_(separator) {
+    const QHeaderView& header = headerOf(view);
+    for (int place = 0; place < header.count(); ++place)
+      if (const int column = header.logicalIndex(place); !header.isSectionHidden(column))
+        columns_.push_back(column);
+  }
+
+  QString write() {
+    QStringList titles;
+    for (const int column : columns_) titles << model_.headerData(column, Qt::Horizontal).toString();
+    add(titles);
+    addRows(view_.rootIndex(), 0);
+    return text_;
+  }
+
+ private:
+  void addRows(const QModelIndex& parent, int level) {
+    for (int row = 0; row < model_.rowCount(parent); ++row) {
+      if (isRowHidden(view_, row, parent)) continue;
+      QStringList cells;
+      for (const int column : columns_) cells << cell(model_.index(row, column, parent));
+      if (!cells.isEmpty()) cells.front().prepend(QString(2 * level, QLatin1Char(' ')));
+      add(cells);
+      const QModelIndex first = model_.index(row, 0, parent);
+      if (!isFolded(view_, first)) addRows(first, level + 1);
+    }
+  }
+
+  static QString cell(const QModelIndex& index) {
+    const QVariant check = index.data(Qt::CheckStateRole);
+    const QString text = index.data().toString();
+    if (!check.isValid() || !text.isEmpty()) return text;
+    return check.toInt() == Qt::Checked ? QStringLiteral("1") : QStringLiteral("0");
+  }
+
+  void add(QStringList cells) {
+    for (QString& cell : cells) {
+      if (separator_ == QLatin1Char('\t')) {
+        std::replace_if(
+            cell.begin(), cell.end(),
+            [](QChar c) { return c == QLatin1Char('\n') || c == QLatin1Char('\t'); }, QLatin1Char(' '));
+      } else if (cell.contains(QLatin1Char('"')) || cell.contains(separator_) ||
+                 cell.contains(QLatin1Char('\n')) || cell.contains(QLatin1Char('\r'))) {
+        cell = QLatin1Char('"') + cell.replace(QLatin1String("\""), QLatin1String("\"\"")) + QLatin1Char('"');
+      }
+    }
+    text_ += cells.join(separator_) + QLatin1Char('\n');
+  }
+
+  const QAbstractItemView& view_;
+  const QAbstractItemModel& model_;
+  const QChar separator_;
+  /// From left to right.
+  std::vector<int> columns_;
+  QString text_;
+};
+
+std::optional<QString> tableOf(const QWidget& view, QChar separator) {
+  const QAbstractItemView* table = largest<QTableView>(view);
+  const QAbstractItemView* tree = largest<QTreeView>(view);
+  if (table == nullptr || (tree != nullptr && tree->height() > table->height())) table = tree;
+  if (table == nullptr || table->model() == nullptr) return std::nullopt;
+  return TableWriter(*table, separator).write();
+}
+
+}  // namespace
+
+std::optional<QString> shownTable(const QWidget& view) {
+  return tableOf(view, QLatin1Char(','));
+}
+
+std::optional<QString> shownText(const QWidget& view) {
+  if (const auto* text = largest<QPlainTextEdit>(view)) return text->toPlainText() + QLatin1Char('\n');
+  if (const auto* text = largest<QTextEdit>(view)) return text->toPlainText() + QLatin1Char('\n');
+  return tableOf(view, QLatin1Char('\t'));
+}
+
+}  // namespace widgets

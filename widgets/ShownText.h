@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+class QWidget;
+
+namespace widgets {
+
+/// The rows of the largest table or tree that a view shows, as CSV after RFC 4180 with the titles first: its
+/// columns from left to right without hidden ones, and the rows that can be reached by scrolling, so that
+/// those of folded branches are left out. In a tree the first column is indented by two spaces a level.
+/// Unset if there is neither. GUI thread.
+std::optional<QString> shownTable(const QWidget& view);
+
+/// The text of the largest text that a view shows, such as a console's; else its table with tabs between the
+/// columns. Unset if there is neither.
+std::optional<QString> shownText(const QWidget& view);
+
+}  // namespace widgets
