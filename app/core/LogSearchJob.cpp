@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/core/replay/ReplayComputation.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/export/MessageTable.h"
 #include "logplayer/file/LogFile.h"
@@ -37,11 +38,12 @@ Result<void> searchOne(const std::filesystem::path& path, const LogSearchJob::Pl
   opening.progress = goesOn;
   const auto log = logplayer::LogFile::open(path, opening);
   if (!log) return tl::unexpected(log.error());
-  const auto report =
-      logplayer::searchLog(*log, plan.expression, {.progress = goesOn}, [&](const logplayer::SearchHit& hit) {
-        table += hitRow(hit, **log);
-        return true;
-      });
+  const auto report = logplayer::searchLog(*log, plan.expression, {.progress = goesOn},
+                                           [&](const logplayer::SearchHit& hit) {
+                                             table += hitRow(hit, **log);
+                                             return true;
+                                           },
+                                           {computationByReplay()});
   return report ? Result<void>() : tl::unexpected(report.error());
 }
 

@@ -10,8 +10,9 @@
 
 namespace app {
 
-/// Searches whole logs for where an expression is true, in a thread of its own, without playing them. One
-/// search at a time; the destructor ends it. All functions in the thread of the owner.
+/// Searches whole logs for where an expression is true, in a thread of its own, without playing them. What a
+/// log lacks is computed by its robots' programs, apart from those of a replay. One search at a time; the
+/// destructor ends it. All functions in the thread of the owner.
 class LogSearchJob {
  public:
   struct Plan {

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/Workbench.h"
+#include "app/core/replay/ReplayComputation.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
@@ -23,6 +24,7 @@ namespace app {
 
 void MainWindow::createLogs() {
   auto& logs = widgets::openLogs(context_);
+  logs.setComputation(computationByReplay());
   opening_ = new LogOpening(*actions_, this);
   addToolBarBreak();
   logToolBar_ = new LogToolBar(*actions_, logs, this);

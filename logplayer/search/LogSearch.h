@@ -5,12 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
+#include "logplayer/search/Computation.h"
 
 namespace logplayer {
 
@@ -29,6 +31,8 @@ struct SearchHit {
 /// What a search found.
 struct SearchReport {
   std::uint64_t hits = 0;
+  /// The streams that the log lacks, and that its robots' programs have computed for the search.
+  std::set<std::string> computed = {};
   /// What could not be searched, one sentence each; empty if all was.
   std::vector<std::string> losses;
 };
@@ -38,8 +42,12 @@ struct SearchReport {
 /// one. Values that were published before the range count, too. `found` is called in order of the time at
 /// which a hit is complete, and ends the search by returning false. Fails if the expression does not fit the
 /// log, or with "log.given-up" if the progress callback returns false. `options.overwrite` has no meaning.
+///
+/// If the expression names streams that the log lacks, they are `computed` from the whole log up to the end
+/// of the range, which takes as long as the programs do; memory is bounded.
 robotlink::Result<SearchReport> searchLog(const std::shared_ptr<LogFile>& log, std::string_view expression,
                                           const ExportOptions& options,
-                                          const std::function<bool(const SearchHit&)>& found);
+                                          const std::function<bool(const SearchHit&)>& found,
+                                          const ComputedStreams& computed = {});
 
 }  // namespace logplayer

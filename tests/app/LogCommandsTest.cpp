@@ -7,11 +7,13 @@
 #include <thread>
 
 #include "app/core/Workbench.h"
+#include "logplayer/file/LogFile.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/TickUntil.h"
+#include "tests/game/Log.h"
 
 using namespace app;
 using robotcontrol::ControlReplay;
@@ -36,6 +38,23 @@ class LogCommandsTest : public testing::Test {
     workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(486)), status});
     workbench.session().setRobots({"nao"});
     workbench.tick();
+  }
+  void reportOpen(const std::filesystem::path& log) {
+    auto status = std::make_shared<robotcontrol::ReplayStatus>();
+    status->add_logs()->set_path(log.string());
+    workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(10)), status});
+    workbench.tick();
+  }
+  /// Searches the open logs to the end. Returns the id of the error; empty if there is none.
+  std::string search(const std::string& expression, const std::filesystem::path& table) {
+    const auto begun = workbench.commands().run("log.search", {expression, table.string()});
+    EXPECT_TRUE(begun) << begun.error().describe();
+    auto working = workbench.working();
+    while (working && *working) {
+      std::this_thread::yield();
+      working = workbench.working();
+    }
+    return working ? std::string() : working.error().id;
   }
   /// What a line asks for, or why it is refused.
   std::string run(const std::string& line) {
@@ -169,23 +188,23 @@ TEST_F(LogCommandsTest, theOpenLogsAreSearchedWithoutPlayingThem) {
             "no log is open; open one first: log.open FILE");
   const auto log = home / "short.mcap";
   app::test::ShortLog::write(log);
-  auto status = std::make_shared<robotcontrol::ReplayStatus>();
-  status->add_logs()->set_path(log.string());
-  workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(10)), status});
-  workbench.tick();
-  const auto search = [&](const std::string& expression) {
-    const auto begun = workbench.commands().run("log.search", {expression, table.string()});
-    EXPECT_TRUE(begun) << begun.error().describe();
-    auto working = workbench.working();
-    while (working && *working) {
-      std::this_thread::yield();
-      working = workbench.working();
-    }
-    return working ? std::string() : working.error().id;
-  };
+  reportOpen(log);
+  const auto search = [&](const std::string& expression) { return this->search(expression, table); };
   EXPECT_EQ(search("planner/notes.message =~ \"frame 4\""), "");
   EXPECT_EQ(robotlink::readFile(table).value_or(""),
             "log,robot,from,until,text\r\nshort.mcap,red1,4.600000,4.600000,frame 40\r\n");
   EXPECT_EQ(search("planner/notes.message =~ \"nobody\""), "log.not-found");
   EXPECT_EQ(search("no/such.field > 1"), "expression.stream");
+}
+
+TEST_F(LogCommandsTest, whatTheOpenLogsLackIsComputedForTheirSearch) {
+  const auto table = home / "found.csv", log = home / "game.log";
+  game::Log::write(log);
+  reportOpen(log);
+  EXPECT_EQ(search("models/ball.known >= 0", table), "");
+  const auto opened = logplayer::LogFile::open(log, {});
+  ASSERT_TRUE(opened);
+  const double from = robotlink::seconds(game::Log::imageTime(0) - (*opened)->begin());
+  EXPECT_EQ(robotlink::readFile(table).value_or(""),
+            "log,robot,from,until,text\r\ngame.log,nao," + std::to_string(from) + ",,\r\n");
 }

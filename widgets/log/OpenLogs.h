@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "logplayer/bookmarks/Bookmarks.h"
+#include "logplayer/search/Computation.h"
 #include "widgets/View.h"
 #include "widgets/log/LogOverview.h"
 #include "widgets/log/ReplayControl.h"
@@ -62,6 +63,9 @@ class OpenLogs final : public QObject {
 
   /// Follows the replay, takes what was read, and saves bookmarks.
   void tick();
+  /// How searches get what the logs lack; empty, as at first: not at all. Called in any thread.
+  const logplayer::MakeComputation& computation() const { return computation_; }
+  void setComputation(logplayer::MakeComputation make) { computation_ = std::move(make); }
   /// The control of the replay, which all views share.
   ReplayControl& replay() { return replay_; }
   /// Changes of the bookmarks of all logs; cleared when a log is closed.
@@ -117,6 +121,7 @@ class OpenLogs final : public QObject {
   void save(Log& log);
 
   ReadLog read_;
+  logplayer::MakeComputation computation_;
   ReplayControl replay_;
   QUndoStack undo_;
   std::vector<std::unique_ptr<Log>> logs_;

@@ -112,13 +112,14 @@ class LogSearcher::Run {
     for (std::size_t i = 0; i < expressions->size() && !isFull(); ++i) {
       const double passes = static_cast<double>(expressions->size());
       const double before = static_cast<double>(number) + static_cast<double>(i) / passes;
-      const auto report =
-          logplayer::searchLog(*log, (*expressions)[i],
-                               {.progress = [&](double share) { return progress(before + share / passes); }},
-                               [&](const logplayer::SearchHit& hit) {
-                                 add(number, logplayer::renamedRobot(hit.robot, own, entry.robots), hit);
-                                 return !stop_.stop_requested() && !isFull();
-                               });
+      const auto report = logplayer::searchLog(
+          *log, (*expressions)[i],
+          {.progress = [&](double share) { return progress(before + share / passes); }},
+          [&](const logplayer::SearchHit& hit) {
+            add(number, logplayer::renamedRobot(hit.robot, own, entry.robots), hit);
+            return !stop_.stop_requested() && !isFull();
+          },
+          computedFor(entry, own));
       if (!report) return tl::unexpected(report.error());
       searcher_.report(stop_, [&](News& news) {
         news.losses.insert(news.losses.end(), report->losses.begin(), report->losses.end());
@@ -129,6 +130,15 @@ class LogSearcher::Run {
   bool isFull() const { return count_ >= kMaxHits; }
 
  private:
+  /// Adds to the news what is computed for a log with these robots.
+  logplayer::ComputedStreams computedFor(const Log& entry, const std::vector<std::string>& own) {
+    return {plan_.computation, [this, &entry, &own](const std::set<std::string>& streams) {
+              searcher_.report(stop_, [&](News& news) {
+                for (const std::string& stream : streams)
+                  news.computed.insert(renamedStream(stream, own, entry.robots));
+              });
+            }};
+  }
   bool progress(double logs) {
     searcher_.report(stop_,
                      [&](News& news) { news.progress = logs / static_cast<double>(plan_.logs.size()); });

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace widgets {
 
 /// Searches whole logs in a thread of its own, without playing them. One search at a time; a newer one
 /// replaces it. The public functions are called by one thread and do not block; the destructor waits for at
-/// most one read.
+/// most one read, or one instant of a program that computes what a log lacks.
 class LogSearcher {
  public:
   struct Log {
@@ -30,6 +31,8 @@ class LogSearcher {
     /// messages contain: a regular expression (RE2), in any case of letters.
     std::string wanted;
     bool isTexts = false;
+    /// Computes the streams of conditions that a log lacks, in the thread of the search; may be empty.
+    logplayer::MakeComputation computation = {};
   };
   struct Hit {
     /// Which of the logs.
@@ -47,6 +50,8 @@ class LogSearcher {
     std::vector<Hit> hits = {};
     /// The share of all logs that was searched, 0 to 1.
     double progress = 0;
+    /// The streams that are computed since a log lacks them, with the names of its robots in the session.
+    std::set<std::string> computed = {};
     /// What could not be searched, and why nothing could; with isDone only.
     std::vector<std::string> losses = {};
     std::optional<robotlink::Error> failure = {};

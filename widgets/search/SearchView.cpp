@@ -109,7 +109,7 @@ Result<void> SearchView::search(const QString& wanted, bool isTexts) {
   if (wanted.trimmed().isEmpty()) return robotlink::failure("search.empty", "say what is to be searched for");
   wanted_->setText(wanted);
   kind_->setCurrentIndex(isTexts ? 1 : 0);
-  plan_ = {{}, wanted.trimmed().toStdString(), isTexts};
+  plan_ = {{}, wanted.trimmed().toStdString(), isTexts, logs_.computation()};
   for (const auto& log : logs_.logs()) plan_.logs.push_back({log->path, log->offset, log->robots});
   model_.clear();
   showMarks();
@@ -165,9 +165,10 @@ void SearchView::takeNews() {
 void SearchView::showState(const LogSearcher::News& news) {
   constexpr double kPercent = 100;
   const QString count = counted(model_.rowCount(), tr("1 hit"), tr("%1 hits"));
-  if (!news.isDone)
-    return showOutcome(
-        *state_, tr("Searching: %1 %, %2").arg(static_cast<int>(news.progress * kPercent)).arg(count), false);
+  if (!news.isDone) {
+    const QString running = news.computed.empty() ? tr("Searching: %1 %, %2") : tr("Computing: %1 %, %2");
+    return showOutcome(*state_, running.arg(static_cast<int>(news.progress * kPercent)).arg(count), false);
+  }
   if (news.failure) {
     const int column = news.failure->where.column;
     const QString reason = QString::fromStdString(news.failure->text);
@@ -175,6 +176,11 @@ void SearchView::showState(const LogSearcher::News& news) {
                        true);
   }
   QStringList lines{news.isCut ? tr("%1; there are more, which are not shown").arg(count) : count};
+  if (!news.computed.empty()) {
+    QStringList streams;
+    for (const std::string& stream : news.computed) streams << QString::fromStdString(stream);
+    lines << tr("Computed by the program: %1").arg(streams.join(QStringLiteral(", ")));
+  }
   for (const std::string& loss : news.losses) lines << QString::fromStdString(loss);
   showOutcome(*state_, lines.join(QLatin1Char('\n')), false);
 }

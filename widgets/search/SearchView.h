@@ -17,8 +17,8 @@ namespace widgets {
 class EmptyHint;
 
 /// Searches the whole of the open logs in the background, without playing them: for where an expression is
-/// true, or for texts that match a regular expression. A click on a hit jumps there; hits are marked in the
-/// timeline and in plots.
+/// true, or for texts that match a regular expression. What the logs lack is computed as OpenLogs knows how
+/// to. A click on a hit jumps there; hits are marked in the timeline and in plots.
 ///
 /// Registered as "search". GUI thread.
 class SearchView final : public View {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct ReplayLog {
   /// Whether the user chose the offset. Otherwise a log that does not overlap with the first one is shifted
   /// to begin with it, since the clocks of different computers do not agree.
   bool offsetChosen = false;
+  /// The open file; null: it is opened.
+  std::shared_ptr<logplayer::LogFile> opened = {};
 };
 
 /// What is replayed, and how. A plain value.

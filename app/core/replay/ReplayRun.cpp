@@ -93,7 +93,8 @@ Errors ReplayRun::open() {
         return options_.progress((static_cast<double>(i) + share) / count);
       };
     }
-    auto file = LogFile::open(options_.logs[i].file, std::move(opening));
+    const auto& opened = options_.logs[i].opened;
+    auto file = opened ? opened : LogFile::open(options_.logs[i].file, std::move(opening));
     if (!file) return {file.error()};
     options_.logs[i].offset = offsetOf(options_.logs[i], **file);
     auto& source = logs_.add(options_.logs[i], *file);

@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/program/ShippedFiles.h"
+#include "app/core/program/SolutionChoices.h"
+#include "app/core/replay/ReplayComputation.h"
 #include "app/robotctl/log/LogInput.h"
 #include "app/robotctl/log/LogSubcommands.h"
 #include "foxglove/Robot.pb.h"
@@ -28,7 +35,31 @@ struct SearchArguments {
   TimeRangeOptions range;
   std::uint64_t limit = 10'000;
   bool asJson = false;
+  /// For programs that compute what the log lacks.
+  std::string layout;
+  std::vector<std::string> solutions;
 };
+
+/// As in `robotctl run`: longer than any module takes on a machine that is busy.
+constexpr std::chrono::seconds kSearchPatience{30};
+
+std::string listOf(const std::set<std::string>& streams) {
+  return fmt::format("{}", fmt::join(streams, ", "));
+}
+
+/// Has the robots' programs compute what the log lacks, and says so. Fails if a solution is no TASK=SOLUTION.
+robotlink::Result<logplayer::ComputedStreams> computedStreams(const SearchArguments& arguments,
+                                                              TerminalProgress& progress) {
+  auto solutions = solutionsOf(arguments.solutions);
+  if (!solutions) return tl::unexpected(solutions.error());
+  ComputationOptions options{.solutions = std::move(*solutions), .patience = kSearchPatience};
+  if (!arguments.layout.empty()) options.layout = layoutNamed(arguments.layout);
+  return logplayer::ComputedStreams{
+      computationByReplay(std::move(options)), [&](const auto& streams) {
+        progress.erase();
+        std::cerr << "not in the log, so the robot's program computes it: " << listOf(streams) << "\n";
+      }};
+}
 
 std::string beginText(Instant time) {
   return logplayer::isDate(time) ? logplayer::dateText(time)
@@ -60,12 +91,47 @@ json objectOf(const SearchHit& hit, Instant begin) {
   return object;
 }
 
+int printWrongUsage(const robotlink::Error& error) {
+  std::cerr << "robotctl log search: " << error.text << "\n";
+  return kUsage;
+}
+
+/// An expression that is wrong is wrong usage.
+int printSearchError(robotlink::Error error) {
+  const bool isExpression = error.id.starts_with("expression.") || error.id.starts_with("path.");
+  if (isExpression) error.where = {"expression", 1, error.where.column};
+  const int status = printErrors({error});
+  return isExpression ? kUsage : status;
+}
+
+/// Prints what was found, `hits` for --json only, and what could not be searched.
+int printFound(logplayer::SearchReport report, const SearchArguments& arguments, json hits) {
+  if (report.hits >= arguments.limit) {
+    report.losses.push_back("only the first " + logplayer::plural(arguments.limit, "hit") +
+                            " were looked for; --limit takes more");
+  }
+  if (arguments.asJson) {
+    std::cout << jsonOutput(json{{"file", arguments.file},
+                                 {"expression", arguments.expression},
+                                 {"computed", report.computed},
+                                 {"hits", std::move(hits)},
+                                 {"losses", report.losses}});
+  } else {
+    const bool isComputed = !report.computed.empty();
+    std::cout << logplayer::plural(report.hits, "hit")
+              << (isComputed ? ", computed by the program: " + listOf(report.computed) : "") << "\n";
+  }
+  return printLosses(report.losses);
+}
+
 int searchIn(const SearchArguments& arguments) {
   const auto input = LogInput::of(arguments.file);
   if (!input) return printErrors({input.error()});
   const auto range = arguments.range.of(input->path());
   if (!range) return printRangeError(range.error());
   TerminalProgress progress;
+  const auto computed = computedStreams(arguments, progress);
+  if (!computed) return printWrongUsage(computed.error());
   logplayer::LogFile::Options opening;
   opening.progress = progress.function();
   const auto log = logplayer::LogFile::open(input->path(), opening);
@@ -84,36 +150,20 @@ int searchIn(const SearchArguments& arguments) {
     return ++shown < arguments.limit && std::cout.good();
   };
   auto report = logplayer::searchLog(*log, arguments.expression,
-                                     {range->from, range->to, false, progress.function()}, found);
+                                     {range->from, range->to, false, progress.function()}, found, *computed);
   progress.erase();
-  if (!report) {
-    const bool isExpression =
-        report.error().id.starts_with("expression.") || report.error().id.starts_with("path.");
-    if (isExpression) report.error().where = {"expression", 1, report.error().where.column};
-    const int status = printErrors({report.error()});
-    return isExpression ? kUsage : status;
-  }
-  if (report->hits >= arguments.limit) {
-    report->losses.push_back("only the first " + logplayer::plural(arguments.limit, "hit") +
-                             " were looked for; --limit takes more");
-  }
-  if (arguments.asJson) {
-    std::cout << jsonOutput(json{{"file", arguments.file},
-                                 {"expression", arguments.expression},
-                                 {"hits", std::move(hits)},
-                                 {"losses", report->losses}});
-  } else {
-    std::cout << logplayer::plural(report->hits, "hit") << "\n";
-  }
-  return printLosses(report->losses);
+  if (!report) return printSearchError(report.error());
+  return printFound(std::move(*report), arguments, std::move(hits));
 }
 
 }  // namespace
 
 void addLogSearchCommand(CLI::App& log, int& status) {
   auto arguments = std::make_shared<SearchArguments>();
-  CLI::App* command =
-      log.add_subcommand("search", "Finds where a condition becomes true, without playing the log");
+  CLI::App* command = log.add_subcommand(
+      "search",
+      "Finds where a condition becomes true, without playing the log; what the log lacks, the "
+      "programs of its robots compute");
   command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")
       ->required();
   command
@@ -121,6 +171,10 @@ void addLogSearchCommand(CLI::App& log, int& status) {
                    "The condition, over values of streams: 'models/ball.position.x > 1', "
                    "'log.message =~ \"(?i)lost\"'")
       ->required();
+  command->add_option("--layout", arguments->layout,
+                      "The process layout of the programs that compute what the log lacks: a file, or the "
+                      "name of a shipped one; else that of the log or of the robot");
+  command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of that layout's");
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->add_option("--limit", arguments->limit, "Ends the search after so many hits")
       ->check(CLI::PositiveNumber)

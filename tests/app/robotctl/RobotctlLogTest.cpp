@@ -357,6 +357,25 @@ TEST_F(RobotctlLog, theExampleInPythonPlotsValues) {
   EXPECT_THAT(plot("'red1/models/ball.x[y'").errors, HasSubstr("cannot be read from \"[y\" on"));
 }
 
+TEST_P(RobotctlWholeLog, searchHasTheProgramComputeWhatTheLogLacks) {
+  const auto data = game::dataOf(GetParam());
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "the real log is not in " << data;
+  const std::string file = "'" + (data / "logs/bhuman2009.log").string() + "'";
+  const Outcome outcome = log("search " + file + " 'models/ball.known >= 0' --json");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("the robot's program computes it: nao/models/ball"));
+  const json found = json::parse(outcome.out, nullptr, false);
+  EXPECT_EQ(found.at("computed"), json::array({"nao/models/ball"}));
+  ASSERT_EQ(found.at("hits").size(), 1U) << found;
+  const double image =
+      GetParam() == "real" ? 486.749 : robotlink::seconds(game::Log::imageTime(0) - robotlink::Instant());
+  EXPECT_NEAR(found.at("hits")[0].at("time").get<double>(), image, 1e-6);
+  const Outcome text = log("search " + file + " 'models/ball.known >= 0' --solution ball-model=last-percept");
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_THAT(text.out, HasSubstr("1 hit, computed by the program: nao/models/ball"));
+  EXPECT_EQ(log("search " + file + " 'models/ball.known' --solution nonsense").status, 2);
+}
+
 TEST_P(RobotctlWholeLog, aLogOf2009IsDescribedImportedCutAndExported) {
   const bool real = GetParam() == "real";
   const auto data = game::dataOf(GetParam());

@@ -13,8 +13,10 @@
 #include "tests/app/ShortLog.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
+#include "tests/game/Log.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/search/SearchView.h"
 
 namespace app::test {
 
@@ -137,6 +139,25 @@ class OpenedLogsGuiTest : public WindowTest {
                              kWaitMs);
     open(desk, "first.mcap");
     QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
+  }
+
+  void whatALogLacksIsComputedForASearchWhileTheShownProgramStays() {
+    game::Log::write(file("game.log"));
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    open(desk, "game.log");
+    QVERIFY(desk.workbench.commands().run("view.show", {std::string("search")}));
+    auto& view = desk.find<widgets::SearchView>("searchView");
+    auto& logs = *desk.window.context().logs;
+    QTRY_VERIFY_WITH_TIMEOUT(!logs.logs().empty(), kWaitMs);
+    const auto shown = logs.replay().shown();
+    QVERIFY(view.search(QStringLiteral("models/ball.known >= 0"), false));
+    QTRY_VERIFY_WITH_TIMEOUT(!view.isSearching(), kWaitMs);
+    const QString state = desk.find<QLabel>("searchState").text();
+    QVERIFY2(state.contains(QStringLiteral("Computed by the program: nao/models/ball")), qPrintable(state));
+    QCOMPARE(view.hits().rowCount(), 1);
+    QVERIFY(view.hits().row(0).from == game::Log::imageTime(0));
+    QVERIFY(logs.replay().shown() == shown);
   }
 
   void openingSaysHowFarItIsAndCanBeGivenUp() {

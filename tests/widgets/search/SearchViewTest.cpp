@@ -61,6 +61,22 @@ struct SearchedLog : LogBench {
   std::filesystem::path file = folder / "game.mcap";
 };
 
+/// A program that sees the ball from 20 to 25 s in any log.
+class SeenBall final : public logplayer::Computation {
+ public:
+  std::vector<std::string> streams() const override { return {"nao/percepts/ball"}; }
+  robotlink::Result<std::vector<std::string>> run(const std::set<std::string>&, const Visit& visit) override {
+    for (int i = 0; i < 300; ++i) {
+      auto ball = std::make_shared<robotcontrol::BallModel>();
+      ball->set_known(i >= 100 && i < 150);
+      const auto time = at(10 + 0.1 * i);
+      if (const auto done = visit(time, {{"nao/percepts/ball", time, ball}}); !done)
+        return tl::unexpected(done.error());
+    }
+    return std::vector<std::string>{};
+  }
+};
+
 }  // namespace
 
 class SearchViewTest : public QObject {
@@ -122,6 +138,26 @@ class SearchViewTest : public QObject {
     log.type(*view, 0, "");
     QVERIFY(!view->isSearching());
     QVERIFY(!child<QLabel>(*view, "searchState").text().isEmpty());
+  }
+
+  void whatTheLogLacksIsComputedWhichIsSaid() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 0, "percepts/ball.known");
+    log.finish(*view);
+    QCOMPARE(view->hits().rowCount(), 0);
+    QVERIFY(child<QLabel>(*view, "searchState").text().contains(QStringLiteral("no stream percepts/ball")));
+    log.logs().setComputation(
+        [](const auto&) { return std::unique_ptr<logplayer::Computation>(std::make_unique<SeenBall>()); });
+    log.type(*view, 0, "percepts/ball.known");
+    log.finish(*view);
+    QCOMPARE(child<QLabel>(*view, "searchState").text(),
+             QStringLiteral("1 hit\nComputed by the program: nao/percepts/ball"));
+    QVERIFY(view->hits().row(0).from == at(20));
+    QCOMPARE(view->hits().index(0, SearchModel::kLength).data().toString(), QStringLiteral("5.000"));
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    log.finish(*view);
+    QCOMPARE(child<QLabel>(*view, "searchState").text(), QStringLiteral("3 hits"));
   }
 
   void hitsAreMarkedInTheTimelineAndClicksInItsRulerMeetThem() {
