@@ -202,7 +202,7 @@ QString CurveModel::csv() const {
       if (next[i] < points.size()) time = std::min(time.value_or(points[next[i]].time), points[next[i]].time);
     }
     if (!time) return text;
-    text += QString::number(*time, 'f', 6);
+    text += QString::number(*time - origin_, 'f', 6);
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const Series& points = columns[i]->points();
       std::optional<double> value;

@@ -99,15 +99,15 @@ class CurveModel final : public QAbstractTableModel {
   void clear();
   /// Adds the points that arrived since the last call. True if there is something new to draw.
   bool update(const robotlink::StreamStore& store);
-  /// Sets the time that headers show as 0 s.
+  /// Sets the time that headers and csv() show as 0 s.
   void setOrigin(double seconds);
   /// Time under the cursor in s; empty: the cursor is not over the plot.
   void setCursor(std::optional<double> time);
   /// The curves, in the order of the rows; what draws them shares them.
   std::vector<std::shared_ptr<Curve>>& curves() { return curves_; }
   const std::vector<std::shared_ptr<Curve>>& curves() const { return curves_; }
-  /// All points as text: a column "time_s", then one per curve, empty where it has no value at that time;
-  /// states by their names. A curve over another one has two columns.
+  /// All points as text: a column "time_s", since the origin, then one per curve, empty where it has no value
+  /// at that time; states by their names. A curve over another one has two columns.
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -17,7 +17,9 @@
 #include <cmath>
 
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/RobotDescription.h"
+#include "tests/TestFolder.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/Theme.h"
@@ -289,6 +291,20 @@ class PlotsViewTest : public QObject {
     QVERIFY(svg.readAll().contains("<polyline"));
     click(child<QToolButton>(*view, "plotsCopy"));
     QVERIFY(QGuiApplication::clipboard()->image().width() > 100);
+  }
+
+  void exportedTimesCountFromTheOriginAsThoseOfThePlot() {
+    Bench bench;
+    const TestFolder folder;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1000, 0.5);
+    pushPlot(bench, 1002.5, 0.75);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.session.timeline().setOrigin(robotlink::Instant(std::chrono::seconds(1000)));
+    bench.tick(*view);
+    QVERIFY(view->saveTo(QString::fromStdString((folder / "points.csv").string())));
+    QCOMPARE(QString::fromStdString(robotlink::readFile(folder / "points.csv").value_or("")),
+             QStringLiteral("time_s,\"red1/plots/ball-model/position/x\"\n0.000000,0.5\n2.500000,0.75\n"));
   }
 
   void theFileOfAnExportIsAskedFor() {
