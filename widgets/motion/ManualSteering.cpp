@@ -50,7 +50,7 @@ void ManualSteering::follow() {
     control_ = {};
     axes_ = {};
     tables_.clear();
-    isStatusRequested_ = false;
+    isStatusRequested_ = isCommanded_ = false;
   }
   // The description of a robot elsewhere is known later than its name.
   const auto known = context_.robots.find(robot);
@@ -63,18 +63,28 @@ void ManualSteering::follow() {
     control_.update(tasksOf(tables));
   }
   commander_.setActive(isTaken());
-  if (!isTaken() && control_.state() != State::kSwitching) commander_.halt();
+  if (isTaken() || control_.state() == State::kSwitching) return;
+  commander_.halt();
+  isCommanded_ = false;
 }
 
 void ManualSteering::tick() {
   follow();
-  if (!commander_.tick(status())) return;
   const auto steering = steeringState(context_.session, robot_);
-  if (!steering || !steering->isOthers()) send();
+  const bool isOthers = steering && steering->isOthers();
+  // When they have gone, the robot waits for a new command of this window.
+  if (isOthers) isCommanded_ = false;
+  if (commander_.tick(status()) && !isOthers) send();
+}
+
+bool ManualSteering::isSteeredHere() const {
+  if (isCommanded_ || !context_.session.remoteRobots().contains(robot_)) return true;
+  const auto steering = steeringState(context_.session, robot_);
+  return steering && steering->who == SteeringState::Who::kThisPerson;
 }
 
 void ManualSteering::send() {
-  if (isLost(context_.session, robot_)) return;
+  if (isLost(context_.session, robot_) || !isSteeredHere()) return;
   robotcontrol::Request request;
   *request.mutable_motion() = commander_.command();
   robotlink::assign(*request.mutable_motion()->mutable_timestamp(), context_.session.timeline().newest());
@@ -91,6 +101,7 @@ Result<void> ManualSteering::takeOver(bool take) {
   const std::string solution = control_.begin(take);
   if (solution.empty() && !isSo && control_.state() != State::kSwitching)
     return failure("robot.take-over", control_.text().toStdString(), {}, {robot_});
+  isCommanded_ = take;
   if (!solution.empty()) {
     robotcontrol::Request request;
     request.mutable_select_solution()->set_task(control_.task());
@@ -118,7 +129,14 @@ void ManualSteering::requestStatus() {
 void ManualSteering::setAxes(const WalkAxes& axes) {
   const bool isUntouched = axes.zero() && axes_.zero();
   axes_ = axes;
-  if (!isUntouched) commander_.setAxes(commander_.active() ? axes : WalkAxes{});
+  if (isUntouched) return;
+  if (commander_.active()) isCommanded_ = true;
+  commander_.setAxes(commander_.active() ? axes : WalkAxes{});
+}
+
+void ManualSteering::setHead(const HeadTarget& head) {
+  if (commander_.active()) isCommanded_ = true;
+  commander_.setHead(head);
 }
 
 void ManualSteering::releaseAxes() {
@@ -135,7 +153,10 @@ Result<void> ManualSteering::requireRobot() {
 
 Result<void> ManualSteering::requireControl() {
   if (auto robot = requireRobot(); !robot) return robot;
-  if (isTaken() || control_.state() == State::kSwitching) return {};
+  if (isTaken() || control_.state() == State::kSwitching) {
+    isCommanded_ = true;
+    return {};
+  }
   return failure("robot.not-taken", robot_ + " obeys its program; take it over first: robot.take-over on", {},
                  {robot_});
 }

@@ -21,7 +21,9 @@ namespace widgets {
 /// takeOver() switches the robot's behavior (or driving) task to the solution "obey"; from then on tick()
 /// sends what is commanded, ten times a second and whenever it changes. Nothing is commanded before manual
 /// control is confirmed, nothing while somebody else steers the robot over a link, and nothing more to a
-/// robot that is no longer selected, which is told to stand.
+/// robot that is no longer selected, which is told to stand. A robot elsewhere may obey somebody else, so
+/// nothing is sent to it, not even to stand, before it was taken over or commanded here, or says that this
+/// session steers it.
 ///
 /// One for all views of a window, see manualSteering(). GUI thread; the context must outlive it.
 class ManualSteering final : public QObject {
@@ -42,6 +44,8 @@ class ManualSteering final : public QObject {
   void setAxes(const WalkAxes& axes);
   /// Ends what pad, keys and gamepad command, and sends that at once.
   void releaseAxes();
+  /// Commands what the panel of the head says.
+  void setHead(const HeadTarget& head);
 
   // The functions for commands. They fail without manual control; while it has been requested and is not
   // confirmed yet, what they command begins as soon as it is.
@@ -69,7 +73,7 @@ class ManualSteering final : public QObject {
   const ManualControl& control() const { return control_; }
   /// Whether the user commands the robot.
   bool isTaken() const { return control_.state() == ManualControl::State::kTaken; }
-  /// Limits, head and command; the view changes its limits and its head directly.
+  /// Limits, head and command; the view changes its limits directly.
   MotionCommander& commander() { return commander_; }
   /// What the robot reports to execute; null: nothing.
   const robotcontrol::MotionStatus* status() const;
@@ -78,7 +82,8 @@ class ManualSteering final : public QObject {
   bool hasWheels() const;
   /// Follows the selected robot; fails if there is none.
   robotlink::Result<void> requireRobot();
-  /// Fails, with the reason, unless manual control is taken or being taken.
+  /// Fails, with the reason, unless manual control is taken or being taken. Else this window commands from
+  /// now on.
   robotlink::Result<void> requireControl();
   /// The same for what only legged robots can do.
   robotlink::Result<void> requireLegs(const char* what);
@@ -88,6 +93,8 @@ class ManualSteering final : public QObject {
                                        double angle) const;
   /// Requests that the robot's program publishes what it executes.
   void requestStatus();
+  /// Whether commands of this window are sent: to robots elsewhere, not before there was one.
+  bool isSteeredHere() const;
   /// Sends the commander's command with the timeline's newest time.
   void send();
 
@@ -102,6 +109,8 @@ class ManualSteering final : public QObject {
   std::vector<const void*> tables_;
   /// Whether the debug key of MotionStatus was requested for this robot.
   bool isStatusRequested_ = false;
+  /// Whether the robot was taken over or commanded in this window.
+  bool isCommanded_ = false;
 };
 
 /// The steering that all views of the context share.

@@ -238,7 +238,7 @@ void MotionView::tick() {
 void MotionView::steerHead() {
   const HeadTarget panel = head_->target();
   if (panel != panelHead_) {
-    manual_.commander().setHead(panel);
+    manual_.setHead(panel);
   } else if (manual_.commander().head() != commandedHead_) {
     head_->setTarget(manual_.commander().head());
   }

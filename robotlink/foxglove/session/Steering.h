@@ -16,9 +16,9 @@ namespace robotlink::websocket {
 
 /// Keeps who steers which robot over a link. A robot whose person is not heard any more stands.
 ///
-/// Whoever sends the first motion, goal or command to a base steers the robot; others are refused until that
-/// person gives up, goes, commands nothing for a while, or somebody takes over. People at the robot's own
-/// machine need not ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
+/// Whoever sends the first motion, goal or command to a base steers the robot, unless that is only to stand;
+/// others are refused until that person gives up, goes, is silent, commands nothing for a while, or somebody
+/// takes over. People at the robot's own machine need not ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
 /// link of its person lives, and is set again when the same person is heard again. One thread.
 class Steering {
  public:
@@ -58,7 +58,7 @@ class Steering {
   static bool isSteering(const robotcontrol::Request& request);
 
   /// A client wants to steer. Returns why it may not, or nothing: then it steers, and the request is to be
-  /// passed on.
+  /// passed on. A motion that is only to stand is passed on, too, but who sends it does not steer for that.
   std::string admit(const ClientInfo& client, const robotcontrol::Request& request, Instant now);
   /// A client steers from now on, whoever did before; the robot stands until it is commanded.
   void takeOver(const ClientInfo& client, const std::string& robot, Instant now);

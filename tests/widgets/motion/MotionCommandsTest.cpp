@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QToolButton>
 
+#include "robotcontrol/Linking.pb.h"
 #include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/config/RobotDescription.h"
 #include "tests/widgets/Bench.h"
@@ -42,6 +43,21 @@ struct CommandedRobot : Bench {
   void step() {
     session.tick();
     context.steering->tick();
+  }
+  /// Whether motions are sent within a second.
+  bool sends() {
+    requests.clear();
+    for (int i = 0; i < 30; ++i) step();
+    return std::any_of(requests.begin(), requests.end(),
+                       [](const auto& request) { return request.has_motion(); });
+  }
+  /// As a robot elsewhere says who steers it; an empty name: nobody.
+  void showSteering(const std::string& who, bool own) {
+    robotcontrol::SteeringStatus status;
+    status.set_who(who);
+    status.set_client(who.empty() ? 0 : 1);
+    status.set_own(own);
+    push("red1/steering", status, ++time);
   }
   std::string refusal(const char* line) {
     const auto done = commands.runLine(line);
@@ -161,6 +177,30 @@ class MotionCommandsTest : public QObject {
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QCOMPARE(bench.requests.front().robot(), std::string("red1"));
     QCOMPARE(bench.motion().motion().kind(), MotionRequest::STAND);
+  }
+
+  void aRobotElsewhereThatObeysIsLeftAloneUntilItIsCommandedHere() {
+    CommandedRobot bench;
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
+    bench.show("obey");
+    QVERIFY(!bench.sends());
+    QCOMPARE(bench.refusal("robot.stand"), std::string());
+    QVERIFY(bench.sends());
+    // After somebody else has steered it, it waits for a new command.
+    bench.showSteering("Anna", false);
+    QVERIFY(!bench.sends());
+    bench.showSteering("", false);
+    QVERIFY(!bench.sends());
+    bench.showSteering("RobotControl", true);
+    QVERIFY(bench.sends());
+    bench.showSteering("", false);
+    QVERIFY(!bench.sends());
+    QCOMPARE(bench.refusal("robot.take-over on"), std::string());
+    QVERIFY(bench.sends());
+    bench.session.selectRobot("blue1");
+    bench.step();
+    bench.session.selectRobot("red1");
+    QVERIFY(!bench.sends());
   }
 
   void viewAndCommandsSteerTogether() {

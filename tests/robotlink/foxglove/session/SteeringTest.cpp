@@ -164,6 +164,21 @@ TEST_F(SteeringTest, oneSteersUntilItGivesUpGoesIsIdleOrSomebodyTakesOver) {
   EXPECT_TRUE(isBen());
 }
 
+TEST_F(SteeringTest, whoOnlyLetsTheRobotStandDoesNotSteer) {
+  Request stand;
+  stand.set_robot("red1");
+  stand.mutable_motion();
+  EXPECT_EQ(steering_.admit(anna_, stand, now_), "");
+  EXPECT_EQ(status_.who, "");
+  EXPECT_EQ(steering_.admit(ben_, walk(), now_), "");
+  EXPECT_THAT(steering_.admit(anna_, stand, now_), HasSubstr("steered by Ben"));
+  // Who steers, goes on with it.
+  pass(8s, {&anna_, &ben_});
+  EXPECT_EQ(steering_.admit(ben_, stand, now_), "");
+  pass(8s, {&anna_, &ben_});
+  EXPECT_EQ(status_.client, ben_.id);
+}
+
 TEST_F(SteeringTest, peopleAtTheRobotsMachineNeedNotAsk) {
   steering_.admit(anna_, walk(), now_);
   steering_.noteLocal(walk(), now_);
