@@ -37,8 +37,17 @@ bool Steering::isSteering(const Request& request) {
 /// Whether the client may steer without taking over.
 bool Steering::isFree(const Robot& robot, const ClientInfo& client, Instant now) const {
   const bool isIdle = !robot.goal && now - robot.commandedAt > limits_.idleTime;
-  return robot.who.empty() || robot.client == client.id || robot.silentSince || isIdle ||
-         (robot.client != 0 && !actions_.heardAt(robot.client));
+  if (robot.who.empty() || robot.client == client.id || robot.silentSince || isIdle) return true;
+  if (robot.client == 0) return false;
+  const auto heardAt = actions_.heardAt(robot.client);
+  return !heardAt || (robot.person == personOf(client) && isOutdated(robot.client, *heardAt, now));
+}
+
+/// What a dead line held back comes late, and makes a connection that its person has given up look alive.
+bool Steering::isOutdated(std::uint64_t client, Instant heardAt, Instant now) const {
+  const auto silent = silentAt_.find(client);
+  const bool wasSilent = silent != silentAt_.end() && now - silent->second <= limits_.resumeTime;
+  return wasSilent || now - heardAt > limits_.linkTime;
 }
 
 std::string Steering::admit(const ClientInfo& client, const Request& request, Instant now) {
@@ -49,7 +58,13 @@ std::string Steering::admit(const ClientInfo& client, const Request& request, In
   // Who only lets it stand does not keep others from steering.
   const bool isStand = request.has_motion() && request.motion().motion().kind() == MotionRequest::STAND;
   if (robot.client != client.id && isStand) return {};
-  if (robot.client != client.id) begin(request.robot(), robot, client, now);
+  if (robot.client != client.id) {
+    // A goal that the same person has set over another connection holds.
+    const bool isSame = robot.person == personOf(client) && !robot.silentSince;
+    auto goal = isSame ? robot.goal : std::nullopt;
+    begin(request.robot(), robot, client, now);
+    robot.goal = std::move(goal);
+  }
   note(robot, request, now);
   if (robot.silentSince) {
     robot.silentSince.reset();
@@ -112,8 +127,8 @@ void Steering::giveUpHere(const std::string& name) {
 
 void Steering::joined(const ClientInfo& client) {
   for (auto& [name, robot] : robots_) {
-    const bool isBack = robot.client != 0 && robot.goal && robot.silentSince &&
-                        robot.person == personOf(client) && !actions_.heardAt(robot.client);
+    const bool isBack =
+        robot.client != 0 && robot.goal && robot.silentSince && robot.person == personOf(client);
     if (!isBack) continue;
     robot.client = client.id;
     robot.who = shownName(client);
@@ -177,6 +192,7 @@ void Steering::watchLink(const std::string& name, Robot& robot, Instant now) {
   if (robot.client == 0) return;
   const auto heardAt = actions_.heardAt(robot.client);
   const bool isSilent = !heardAt || now - *heardAt > limits_.linkTime;
+  if (isSilent) silentAt_[robot.client] = now;
   if (isSilent && !robot.silentSince) {
     robot.silentSince = now;
     const bool moved = robot.motion || robot.goal;
@@ -214,6 +230,7 @@ void Steering::tick(Instant now) {
     ask(name, robot, now);
     forgetIdle(name, robot, now);
   }
+  std::erase_if(silentAt_, [&](const auto& silent) { return now - silent.second > limits_.resumeTime; });
 }
 
 void Steering::end() {

@@ -18,7 +18,8 @@ namespace robotlink::websocket {
 ///
 /// Whoever sends the first motion, goal or command to a base steers the robot, unless that is only to stand;
 /// others are refused until that person gives up, goes, is silent, commands nothing for a while, or somebody
-/// takes over. People at the robot's own machine need not ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
+/// takes over. The same person may go on over a new connection. People at the robot's own machine need not
+/// ask. A motion holds for `commandTime` and has to be repeated; a goal holds as long as the
 /// link of its person lives, and is set again when the same person is heard again. One thread.
 class Steering {
  public:
@@ -116,10 +117,14 @@ class Steering {
   void ask(const std::string& name, Robot& robot, Instant now);
   void tell(const std::string& name, Robot& robot, const std::string& text);
   bool isFree(const Robot& robot, const ClientInfo& client, Instant now) const;
+  /// Whether a client that was heard at an instant has probably connected anew since.
+  bool isOutdated(std::uint64_t client, Instant heardAt, Instant now) const;
 
   const Limits limits_;
   const Actions actions_;
   std::map<std::string, Robot> robots_;
+  /// When clients that steered were silent or gone last.
+  std::map<std::uint64_t, Instant> silentAt_;
   std::uint64_t nextAsking_ = 1;
 };
 

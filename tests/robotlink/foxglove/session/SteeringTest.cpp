@@ -179,6 +179,34 @@ TEST_F(SteeringTest, whoOnlyLetsTheRobotStandDoesNotSteer) {
   EXPECT_EQ(status_.client, ben_.id);
 }
 
+TEST_F(SteeringTest, theSamePersonSteersOverANewConnectionAlsoIfTheOldOneIsHeardLate) {
+  const ClientInfo again{3, "10.0.0.1:777", "Anna"};
+  for (const Duration silence : {Duration(5s), Duration(20s)}) {
+    steering_.takeOver(anna_, "red1", now_);
+    EXPECT_EQ(steering_.admit(anna_, walk(), now_), "");
+    pass(silence, {});
+    hear(again), steering_.joined(again);
+    // What the line held back.
+    hear(anna_);
+    EXPECT_EQ(steering_.admit(anna_, walk(), now_), "");
+    pass(20ms, {&anna_, &again, &ben_});
+    EXPECT_NE(steering_.admit(ben_, walk(), now_), "");
+    EXPECT_EQ(steering_.admit(again, walk(), now_), "");
+    EXPECT_EQ(status_.client, again.id);
+    EXPECT_NE(steering_.admit(anna_, walk(), now_), "");
+  }
+}
+
+TEST_F(SteeringTest, aSecondConnectionOfThePersonWhoSteersIsRefused) {
+  const ClientInfo second{3, "10.0.0.1:777", "Anna"};
+  EXPECT_EQ(steering_.admit(anna_, walk(), now_), "");
+  pass(100ms, {&anna_, &second});
+  EXPECT_NE(steering_.admit(second, walk(), now_), "");
+  // Its silence was not noticed yet.
+  now_ += 2s;
+  EXPECT_EQ(steering_.admit(second, walk(), now_), "");
+}
+
 TEST_F(SteeringTest, peopleAtTheRobotsMachineNeedNotAsk) {
   steering_.admit(anna_, walk(), now_);
   steering_.noteLocal(walk(), now_);
