@@ -8,6 +8,43 @@ namespace robotlink::websocket {
 
 using robotcontrol::KeyMode;
 
+namespace {
+
+KeyMode alwaysMode() {
+  KeyMode always;
+  always.set_kind(KeyMode::ALWAYS);
+  return always;
+}
+
+bool isSame(const KeyMode& one, const KeyMode& other) {
+  return one.SerializeAsString() == other.SerializeAsString();
+}
+
+/// Modes of a higher one publish more in the long run.
+int densityOf(const KeyMode& mode) {
+  switch (mode.kind()) {
+    case KeyMode::ALWAYS:
+      return 3;
+    case KeyMode::EVERY_N:
+    case KeyMode::EVERY_MS:
+      return 2;
+    case KeyMode::N_TIMES:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+/// The mode that is enough for both. How many frames there are in a time is not known here.
+KeyMode denserOf(const KeyMode& one, const KeyMode& other) {
+  if (densityOf(one) != densityOf(other)) return densityOf(one) > densityOf(other) ? one : other;
+  if (one.kind() != other.kind()) return alwaysMode();
+  const bool isMoreDense = one.kind() == KeyMode::N_TIMES ? one.n() > other.n() : one.n() < other.n();
+  return isMoreDense ? one : other;
+}
+
+}  // namespace
+
 /// A plot's curves, and the stopwatches of the processes, have streams below that of their key.
 bool KeyRequests::publishesOn(const Key& key, const std::string& stream) {
   if (key.stream.empty() || !stream.starts_with(key.stream)) return false;
@@ -108,26 +145,24 @@ std::set<std::string> KeyRequests::subscribersOf(const Key& key, const Robot& ro
 }
 
 std::optional<KeyMode> KeyRequests::wantedMode(const Key& key, const Robot& robot) {
-  std::set<std::string> subscribers = subscribersOf(key, robot);
-  for (const auto& [client, mode] : key.choices) subscribers.erase(client);
-  const auto isOn = [](const auto& choice) { return choice.second.kind() != KeyMode::OFF; };
-  const auto newest = std::find_if(key.choices.rbegin(), key.choices.rend(), isOn);
-  if (newest != key.choices.rend()) return newest->second;
-  const bool isOwnOn = key.before.value_or(key.mode).kind() != KeyMode::OFF;
-  if (subscribers.empty()) return key.choices.empty() ? std::nullopt : std::optional(KeyMode());
-  if (isOwnOn || key.isTheirs) return std::nullopt;
-  KeyMode always;
-  always.set_kind(KeyMode::ALWAYS);
-  return always;
+  std::set<std::string> undecided = subscribersOf(key, robot);
+  KeyMode densest;
+  for (const auto& [client, mode] : key.choices) {
+    undecided.erase(client);
+    densest = denserOf(densest, mode);
+  }
+  if (undecided.empty()) return key.choices.empty() ? std::nullopt : std::optional(densest);
+  const KeyMode own = key.before.value_or(key.mode);
+  if (own.kind() == KeyMode::OFF && !key.isTheirs) return alwaysMode();
+  // Its own mode is what they get without those who have chosen one.
+  densest = denserOf(own, densest);
+  return isSame(densest, own) ? std::nullopt : std::optional(densest);
 }
 
 std::optional<KeyMode> KeyRequests::takeChange(Key& key, const Robot& robot) {
-  const auto same = [](const KeyMode& one, const KeyMode& other) {
-    return one.SerializeAsString() == other.SerializeAsString();
-  };
   if (const auto wanted = wantedMode(key, robot)) {
     // Also if the table says something else: that may be older than our request.
-    if (same(key.before ? key.asked : key.mode, *wanted)) return std::nullopt;
+    if (isSame(key.before ? key.asked : key.mode, *wanted)) return std::nullopt;
     if (!key.before) key.before = key.mode;
     key.isRestored = false;
     key.asked = *wanted;
@@ -154,6 +189,10 @@ std::optional<KeyMode> KeyRequests::choose(const std::string& robot, const std::
   if (found == known->second.keys.end()) return mode;
   std::erase_if(found->second.choices, [&](const auto& choice) { return choice.first == client; });
   if (mode) found->second.choices.emplace_back(client, *mode);
+  const auto wanted = wantedMode(found->second, known->second);
+  // It counts anew, also if the same was asked for before.
+  if (mode && mode->kind() == KeyMode::N_TIMES && wanted && isSame(*wanted, *mode))
+    found->second.asked.Clear();
   known->second.hasChanged = true;
   const auto change = takeChange(found->second, known->second);
   if (change) found->second.mode = *change;

@@ -31,9 +31,10 @@ class KeyRequests {
   /// The subscribers of one of a robot's streams, after each change; none: the last one has gone.
   void setSubscribers(const std::string& robot, const std::string& stream,
                       const std::set<std::string>& clients);
-  /// A client chooses a mode for as long as it is connected; the newest choice counts, and one that switches
-  /// the key off only as long as nobody else wants it on. Without a mode it has no choice any more. Returns
-  /// what the robot is to be asked for now; nothing if its mode stays.
+  /// A client chooses a mode for as long as it is connected. Of several choices the one counts that publishes
+  /// most, which is always while somebody subscribes who has chosen none, and one that switches the key off
+  /// counts only as long as nobody else wants it on. Without a mode it has no choice any more. Returns what
+  /// the robot is to be asked for now; nothing if its mode stays.
   std::optional<robotcontrol::KeyMode> choose(const std::string& robot, const std::string& key,
                                               const std::string& client,
                                               const std::optional<robotcontrol::KeyMode>& mode);
@@ -44,8 +45,8 @@ class KeyRequests {
   void forgetSubscribers(const std::string& robot);
   /// The newest table of a robot's keys.
   void setTable(const std::string& robot, const robotcontrol::KeyTable& table);
-  /// Somebody (a view, a script, also a client by its own request) sets a key explicitly. Ignored while this
-  /// object itself does.
+  /// Somebody at this machine (a view, a script) sets a key explicitly. Ignored while this object itself
+  /// does.
   void noteChosen(const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode);
 
   /// The clients that subscribe to what a robot's keys publish, or have chosen a mode, by key.
@@ -68,7 +69,7 @@ class KeyRequests {
     std::optional<robotcontrol::KeyMode> before;
     /// What was asked for here while `before` is set.
     robotcontrol::KeyMode asked;
-    /// Clients with the modes that they have chosen, the newest last.
+    /// Clients with the modes that they have chosen.
     std::vector<std::pair<std::string, robotcontrol::KeyMode>> choices;
     /// Its mode was asked back, and no table says yet that it is.
     bool isRestored = false;

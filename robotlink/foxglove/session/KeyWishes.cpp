@@ -11,23 +11,44 @@ using robotcontrol::KeyTable;
 
 KeyWishes::Outcome KeyWishes::set(const robotcontrol::SetKey& request) {
   const Key* key = find(request.name());
+  if (key == nullptr) return {true, false};
+  const bool wasChosen = choices_.erase(request.name()) + counted_.erase(request.name()) > 0;
   // Keys that publish no stream are none that one can subscribe to.
-  if (key == nullptr || key->stream().empty()) return {true, false};
-  if (areChannels_ && request.mode().kind() != KeyMode::OFF)
-    return {false, wanted_.insert(request.name()).second};
+  if (key->stream().empty()) {
+    choose(request);
+    return {true, true};
+  }
+  if (areChannels_ && isOn(request.mode())) return {false, wanted_.insert(request.name()).second};
   switch (request.mode().kind()) {
     case KeyMode::ALWAYS:
-      return {false, wanted_.insert(request.name()).second, choices_.erase(request.name()) > 0};
-    case KeyMode::OFF:
-      return {isOn(*key), wanted_.erase(request.name()) > 0, choices_.erase(request.name()) > 0};
+      return {false, wanted_.insert(request.name()).second || wasChosen, wasChosen};
+    case KeyMode::OFF: {
+      const bool wasWanted = wanted_.erase(request.name()) > 0;
+      if (!isOn(key->mode())) return {false, wasWanted, wasChosen};
+      choose(request);
+      return {true, true};
+    }
     case KeyMode::N_TIMES:
-      // That ends by itself.
-      return {true, wanted_.insert(request.name()).second, choices_.erase(request.name()) > 0};
+      choose(request);
+      return {true, wanted_.insert(request.name()).second || wasChosen};
     default:
-      choices_[request.name()] = request.mode();
+      choose(request);
       wanted_.insert(request.name());
       return {false, true, true};
   }
+}
+
+/// What is counted ends by itself, and is not told again.
+void KeyWishes::choose(const robotcontrol::SetKey& request) {
+  if (request.mode().kind() == KeyMode::N_TIMES)
+    counted_.insert(request.name());
+  else
+    choices_[request.name()] = request.mode();
+}
+
+void KeyWishes::setUnsent() {
+  areUnsent_ = true;
+  counted_.clear();
 }
 
 std::optional<KeyMode> KeyWishes::choice(const std::string& key) const {
@@ -49,7 +70,7 @@ void KeyWishes::setChannelKeys(const KeyTable& table) {
 
 KeyTable KeyWishes::shown(KeyTable table) const {
   for (Key& key : *table.mutable_keys()) {
-    if (!isOn(key) && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
+    if (!isOn(key.mode()) && wanted_.contains(key.name())) key.mutable_mode()->set_kind(KeyMode::ALWAYS);
     if (const auto chosen = choice(key.name())) *key.mutable_mode() = *chosen;
   }
   return table;
@@ -57,7 +78,9 @@ KeyTable KeyWishes::shown(KeyTable table) const {
 
 bool KeyWishes::wants(const std::string& stream) const {
   const Key* key = keyOf(stream);
-  return key != nullptr && (wanted_.contains(key->name()) || isOn(*key));
+  if (key == nullptr) return false;
+  const auto chosen = choice(key->name());
+  return chosen ? isOn(*chosen) : wanted_.contains(key->name()) || isOn(key->mode());
 }
 
 const KeyWishes::Key* KeyWishes::find(const std::string& name) const {
@@ -75,8 +98,8 @@ const KeyWishes::Key* KeyWishes::keyOf(const std::string& stream) const {
   return found == table_.keys().end() ? nullptr : &*found;
 }
 
-bool KeyWishes::isOn(const Key& key) {
-  return key.mode().kind() != KeyMode::OFF;
+bool KeyWishes::isOn(const KeyMode& mode) {
+  return mode.kind() != KeyMode::OFF;
 }
 
 }  // namespace robotlink::websocket

@@ -12,18 +12,19 @@
 namespace robotlink::websocket {
 
 /// The debug keys of one robot at the far end, as a session here sees them. While the session wants what a
-/// key publishes, it subscribes to it, and the robot switches the key on for it. A mode such as "every 3" is
-/// chosen beside that, and ends with the connection, too. The robot's tables have the modes without both:
-/// what is on only because of clients is off in them. One thread.
+/// key publishes, it subscribes to it, and the robot switches the key on for it. A mode such as "every 3",
+/// the mode of a key without a stream, and that a key which the robot has on is off, are chosen beside that.
+/// They end with the connection, too, and are chosen again in the next one. The robot's tables have the modes
+/// without both: what is on only because of clients is off in them. One thread.
 class KeyWishes {
  public:
   /// What a request to set a key leads to.
   struct Outcome {
-    /// It goes to the robot, too.
+    /// It goes to the robot, too, as a request, which is a choice there.
     bool isForwarded = false;
     /// The streams that are wanted have changed.
     bool hasChanged = false;
-    /// The mode that this client has chosen has changed: see choice().
+    /// The mode that this client has chosen has changed, and the robot has to be told: see choice().
     bool isChoice = false;
   };
 
@@ -31,7 +32,7 @@ class KeyWishes {
   /// The mode that a key has for this client, as long as it is connected; nothing if it has chosen none.
   std::optional<robotcontrol::KeyMode> choice(const std::string& key) const;
   /// The robot does not know any more what was chosen.
-  void setUnsent() { areUnsent_ = true; }
+  void setUnsent();
   /// The keys of which it has to be told.
   std::vector<std::string> takeUnsent();
   /// The newest table of the robot.
@@ -51,12 +52,14 @@ class KeyWishes {
   using Key = robotcontrol::KeyTable::Key;
   const Key* find(const std::string& name) const;
   const Key* keyOf(const std::string& stream) const;
-  /// On by itself, whoever subscribes.
-  static bool isOn(const Key& key);
+  void choose(const robotcontrol::SetKey& request);
+  static bool isOn(const robotcontrol::KeyMode& mode);
 
   robotcontrol::KeyTable table_;
   std::set<std::string> wanted_;
   std::map<std::string, robotcontrol::KeyMode> choices_;
+  /// Keys for which a number of times was chosen, which the robot keeps until it is told otherwise.
+  std::set<std::string> counted_;
   bool areUnsent_ = false;
   bool areChannels_ = false;
 };

@@ -164,6 +164,9 @@ class SessionServer {
   Result<robotcontrol::Request> requestFor(const Parameter& parameter) const;
   Result<std::vector<robotcontrol::Request>> requestsFor(const std::vector<Parameter>& parameters) const;
   void set(const ClientInfo& client, const std::vector<Parameter>& parameters, const Reply& reply);
+  /// A client chooses the mode of a key, for as long as it is connected.
+  void setKey(const ClientInfo& client, const robotcontrol::Request& wanted,
+              std::function<void(const robotcontrol::RequestResult&)> onResult);
   /// The mode of a key that a client has chosen: what the robot is asked for; nothing if it is not asked.
   std::optional<robotcontrol::Request> chosenBy(const ClientInfo& client, robotcontrol::Request request);
   void play(const PlaybackControl& control);

@@ -165,9 +165,13 @@ void SessionServer::call(const std::string& robot, const std::string& service, c
     const std::string why = steering_.admit(client, *wanted, server_->clock().now());
     if (!why.empty()) return answer(reply, call.encoding, why);
   }
-  request(std::move(*wanted), [reply, encoding = call.encoding](const RequestResult& result) {
+  const auto onResult = [reply, encoding = call.encoding](const RequestResult& result) {
     reply.succeed(encodeResult(result, encoding), encoding);
-  });
+  };
+  if (!wanted->has_set_key()) return request(std::move(*wanted), onResult);
+  // Without a mode, a service switches off.
+  wanted->mutable_set_key()->mutable_mode();
+  setKey(client, *wanted, onResult);
 }
 
 void SessionServer::steer(const std::string& robot, const std::string& service, const ClientInfo& client,
@@ -289,22 +293,35 @@ void SessionServer::set(const ClientInfo& client, const std::vector<Parameter>& 
   const auto joint = std::make_shared<JointReply>(reply, requests->size());
   for (const Request& wanted : *requests) {
     if (wanted.has_set_parameters()) modules_.expect(wanted);
-    const auto asked = wanted.has_set_key() ? chosenBy(client, wanted) : std::optional(wanted);
-    if (!asked) {
-      RequestResult done;
-      done.set_accepted(true);
-      joint->add(done);
+    if (wanted.has_set_key()) {
+      setKey(client, wanted, [joint](const RequestResult& result) { joint->add(result); });
       continue;
     }
-    isChoosing_ = wanted.has_set_key();
-    request(*asked, [this, joint, client, asked = *asked](const RequestResult& result) {
-      noteSet(asked, result.accepted());
-      if (!result.accepted() && asked.has_set_key())
-        keys_.choose(asked.robot(), asked.set_key().name(), shownName(client), std::nullopt);
+    request(wanted, [this, joint, wanted](const RequestResult& result) {
+      noteSet(wanted, result.accepted());
       joint->add(result);
     });
-    isChoosing_ = false;
   }
+}
+
+/// What a client asks for ends with it.
+void SessionServer::setKey(const ClientInfo& client, const Request& wanted,
+                           std::function<void(const RequestResult&)> onResult) {
+  const auto asked = chosenBy(client, wanted);
+  if (!asked) {
+    RequestResult done;
+    done.set_accepted(true);
+    return onResult(done);
+  }
+  isChoosing_ = true;
+  request(*asked,
+          [this, client, asked = *asked, onResult = std::move(onResult)](const RequestResult& result) {
+            noteSet(asked, result.accepted());
+            if (!result.accepted())
+              keys_.choose(asked.robot(), asked.set_key().name(), shownName(client), std::nullopt);
+            onResult(result);
+          });
+  isChoosing_ = false;
 }
 
 std::optional<Request> SessionServer::chosenBy(const ClientInfo& client, Request request) {

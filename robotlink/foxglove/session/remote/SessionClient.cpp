@@ -28,12 +28,13 @@ void RemoteSession::answer(std::uint64_t id, bool isAccepted, const std::string&
 void RemoteSession::setKey(RemoteRobotList::Robot& robot, const Request& request) {
   const KeyWishes before = robot.keys;
   const KeyWishes::Outcome outcome = robot.keys.set(request.set_key());
-  if (outcome.isChoice && client->state().isConnected()) {
-    if (!client->state().takesMessages) {
+  if (client->state().isConnected()) {
+    const bool isChoice = outcome.isChoice || (outcome.isForwarded && isOurs);
+    if (isChoice && !client->state().takesMessages) {
       robot.keys = before;
       return answer(request.id(), false, "you may only watch " + robot.local);
     }
-    sendChoice(robot, request.set_key().name());
+    if (outcome.isChoice) sendChoice(robot, request.set_key().name());
   }
   hasChanged |= outcome.hasChanged;
   if (outcome.hasChanged) changedKeys.insert(robot.remote);

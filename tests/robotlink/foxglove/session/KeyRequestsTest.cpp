@@ -115,15 +115,50 @@ TEST_F(KeyRequestsTest, aModeThatAClientChoosesEndsWithItAndOthersStay) {
   setTable("every 3");
   EXPECT_EQ(textOf(*requests_.ownMode("red1", disc)), "off");
   EXPECT_THAT(requests_.onDemand("red1").at(disc), ElementsAre("a"));
-  EXPECT_EQ(choose("b", "every 200 ms"), "every 200 ms");
-  setTable("every 200 ms");
-  requests_.setSubscribers("red1", kDisc, {"c"});
+  EXPECT_EQ(choose("b", "every 2"), "every 2");
+  setTable("every 2");
   requests_.setClients({"a", "c"});
   EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc every 3"));
+  requests_.setSubscribers("red1", kDisc, {"c"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always"));
   requests_.setClients({"c"});
-  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always")) << "c still subscribes";
+  EXPECT_THAT(takeSet(), IsEmpty()) << "c still subscribes";
   requests_.setSubscribers("red1", kDisc, {});
   EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc off"));
+}
+
+TEST_F(KeyRequestsTest, aModeThatAClientChoosesLeavesOthersWhatTheyWant) {
+  const std::string disc = "ball-percept/disc";
+  const auto choose = [&](const std::string& client, const std::string& mode) {
+    const auto asked = requests_.choose("red1", disc, client, *keyModeOf(mode));
+    return asked ? textOf(*asked) : "";
+  };
+  requests_.setSubscribers("red1", kDisc, {"a", "b"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always"));
+  for (const char* mode : {"every 50", "3 times", "every 200 ms", "off"}) EXPECT_EQ(choose("a", mode), "");
+  // Of those who have chosen one, all get at least that.
+  EXPECT_EQ(choose("b", "every 50"), "every 50");
+  EXPECT_EQ(choose("a", "every 20"), "every 20");
+  EXPECT_EQ(choose("a", "every 70"), "every 50");
+  EXPECT_EQ(choose("a", "3 times"), "");
+  EXPECT_EQ(choose("a", "every 200 ms"), "always") << "which of them is more is not known";
+  requests_.setClients({"a"});
+  EXPECT_THAT(takeSet(), IsEmpty()) << "b still subscribes";
+}
+
+TEST_F(KeyRequestsTest, whoeverSubscribesGetsAtLeastWhatTheRobotPublishesByItself) {
+  setTable("every 5");
+  requests_.setSubscribers("red1", kDisc, {"a", "b"});
+  EXPECT_FALSE(requests_.choose("red1", "ball-percept/disc", "a", *keyModeOf("every 50")));
+  EXPECT_TRUE(requests_.choose("red1", "ball-percept/disc", "a", *keyModeOf("every 2")));
+  setTable("every 2");
+  requests_.setClients({"b"});
+  EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc every 5"));
+}
+
+TEST_F(KeyRequestsTest, aNumberOfTimesCountsAnewEachTimeItIsChosen) {
+  for (int i = 0; i < 2; ++i)
+    EXPECT_TRUE(requests_.choose("red1", "ball-percept/disc", "a", *keyModeOf("3 times")));
 }
 
 TEST_F(KeyRequestsTest, whatTheProgramAskedForStaysWhenAClientThatChoseAnotherModeHasGone) {

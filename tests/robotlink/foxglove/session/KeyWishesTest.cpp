@@ -61,6 +61,14 @@ TEST_F(KeyWishesTest, whatTheRobotSwitchedOnItselfIsWantedAndSwitchedOffThere) {
   setMode(0, KeyMode::EVERY_N);
   EXPECT_TRUE(keys_.wants("drawings/disc"));
   EXPECT_TRUE(keys_.set(keyRequest("disc", KeyMode::OFF)).isForwarded);
+  EXPECT_FALSE(keys_.wants("drawings/disc"));
+  EXPECT_EQ(keys_.shown().keys(0).mode().kind(), KeyMode::OFF);
+  keys_.setUnsent();
+  EXPECT_EQ(keys_.takeUnsent(), std::vector<std::string>{"disc"});
+  EXPECT_EQ(keys_.choice("disc")->kind(), KeyMode::OFF);
+  const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
+  EXPECT_TRUE(on.isChoice);
+  EXPECT_FALSE(keys_.choice("disc"));
 }
 
 TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
@@ -68,6 +76,16 @@ TEST_F(KeyWishesTest, otherModesAndKeysWithoutAStreamAreTheRobots) {
   EXPECT_TRUE(keys_.wants("drawings/disc"));
   EXPECT_TRUE(keys_.set(keyRequest("no-stream", KeyMode::ALWAYS)).isForwarded);
   EXPECT_TRUE(keys_.set(keyRequest("unknown", KeyMode::ALWAYS)).isForwarded);
+  // They end with the connection, and what is not counted is chosen again.
+  keys_.setUnsent();
+  EXPECT_EQ(keys_.takeUnsent(), std::vector<std::string>{"no-stream"});
+}
+
+TEST_F(KeyWishesTest, afterANumberOfTimesAKeyIsSwitchedOnForGood) {
+  keys_.set(keyRequest("disc", KeyMode::N_TIMES));
+  const auto on = keys_.set(keyRequest("disc", KeyMode::ALWAYS));
+  EXPECT_TRUE(on.isChoice);
+  EXPECT_FALSE(keys_.choice("disc"));
 }
 
 TEST_F(KeyWishesTest, aModeIsChosenForThisClientAloneAndToldAgainAfterACut) {

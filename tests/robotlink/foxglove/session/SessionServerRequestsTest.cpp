@@ -149,6 +149,20 @@ TEST_F(SessionServerRequestsTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand)
   EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
 }
 
+TEST_F(SessionServerRequestsTest, theModeThatAClientSetsEndsWithIt) {
+  publishTables();
+  auto ids = services();
+  EXPECT_EQ(call(client_, ids["red1/set_key"],
+                 R"({"name": "ball-percept/disc", "mode": {"kind": "EVERY_N", "n": 3}})"),
+            "");
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].set_key().mode().kind(), robotcontrol::KeyMode::EVERY_N);
+  server_->server()->disconnected(client_);
+  tick();
+  ASSERT_EQ(requests_.size(), 2U);
+  EXPECT_EQ(requests_[1].set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+}
+
 TEST_F(SessionServerRequestsTest, resultsThatComeWhenTheOfferHasEndedAreIgnored) {
   publishTables();
   heard<Advertise>();
