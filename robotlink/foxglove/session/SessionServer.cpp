@@ -4,7 +4,6 @@
 #include <google/protobuf/descriptor.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <set>
 
@@ -13,20 +12,17 @@
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/foxglove/session/ChannelSetups.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/LinkNames.h"
 #include "robotlink/foxglove/session/PostedWork.h"
 #include "robotlink/foxglove/session/ProcessTables.h"
 #include "robotlink/foxglove/session/RobotPath.h"
 #include "robotlink/packages/Conversions.h"
-#include "robotlink/packages/Schema.h"
-#include "robotlink/session/LatchedMessages.h"
 
 namespace robotlink::websocket {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::DescriptorPool;
 using google::protobuf::Message;
 using robotcontrol::KeyTable;
 using robotcontrol::ProcessTable;
@@ -46,32 +42,6 @@ constexpr Duration kKeepType = std::chrono::seconds(1);
 
 /// After so many ticks without anything new the session counts as paused.
 constexpr int kStillTicks = 10;
-
-struct StreamType {
-  const char* prefix;
-  const char* type;
-};
-/// What is published on the streams of debug keys that are not packages.
-constexpr std::array kStreamTypes{StreamType{streams::kImageDrawings, "foxglove.ImageAnnotations"},
-                                  StreamType{streams::kFieldDrawings, "foxglove.SceneUpdate"},
-                                  StreamType{streams::kRobotDrawings, "foxglove.SceneUpdate"},
-                                  StreamType{streams::kImages, "foxglove.RawImage"},
-                                  StreamType{streams::kPlots, "robotcontrol.PlotValue"}};
-/// Beside what is latched: types of which no message may be replaced by a newer one.
-constexpr std::array kCompleteTypes{"foxglove.Log", "foxglove.Event", "robotcontrol.PlotValue",
-                                    "robotcontrol.Request", "robotcontrol.LinkPackets"};
-
-constexpr std::array kImageTypes{"foxglove.RawImage", "foxglove.CompressedImage", "foxglove.CompressedVideo"};
-
-ChannelSetup setupOf(const std::string& path, const Descriptor& type) {
-  ChannelSetup setup{path, "protobuf", type.full_name(), schemaOf(type)};
-  setup.latched = isLatched(path, type.full_name());
-  const bool complete =
-      setup.latched || std::ranges::find(kCompleteTypes, type.full_name()) != kCompleteTypes.end();
-  setup.delivery = complete ? Delivery::kComplete : Delivery::kLatest;
-  setup.isCompressible = std::ranges::find(kImageTypes, type.full_name()) == kImageTypes.end();
-  return setup;
-}
 
 bool fits(const StreamMessage& message, const ServerChannel& channel) {
   return message.value->GetDescriptor()->full_name() == channel.setup().schemaName;
@@ -299,11 +269,6 @@ void SessionServer::noticeTable(const std::string& robot, const std::string& str
 }
 
 void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable& table, Robot& to) {
-  std::map<std::string, std::string> types;
-  for (const auto& process : table.processes()) {
-    for (const auto* ports : {&process.senders(), &process.receivers()})
-      for (const auto& port : *ports) types[port.package()] = port.type();
-  }
   to.graph = graphOf(robot, table);
   ConnectionGraph all;
   for (const auto& [name, other] : robots_) {
@@ -311,25 +276,13 @@ void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable
     all.subscribedTopics.insert(other.graph.subscribedTopics.begin(), other.graph.subscribedTopics.end());
   }
   server_->setConnectionGraph(std::move(all));
-  if (types == to.packageTypes) return;
-  to.packageTypes = std::move(types);
+  to.processes = table;
   offerKeyChannels(robot, to);
 }
 
 void SessionServer::offerKeyChannels(const std::string& robot, const Robot& from) {
-  std::vector<ChannelSetup> setups;
-  for (const auto& key : from.keys.keys()) {
-    const std::string path = robot + "/" + key.stream();
-    if (key.stream().empty() || channels_.contains(path)) continue;
-    const auto known = std::ranges::find_if(
-        kStreamTypes, [&](const StreamType& type) { return key.stream().starts_with(type.prefix); });
-    const auto package = from.packageTypes.find(key.stream());
-    std::string type;
-    if (known != kStreamTypes.end()) type = known->type;
-    if (package != from.packageTypes.end()) type = package->second;
-    const Descriptor* descriptor = DescriptorPool::generated_pool()->FindMessageTypeByName(type);
-    if (descriptor != nullptr) setups.push_back(setupOf(path, *descriptor));
-  }
+  auto setups = keyChannels(robot, from.keys, from.processes,
+                            [this](const std::string& path) { return channels_.contains(path); });
   if (!setups.empty()) addChannels(std::move(setups));
 }
 
@@ -376,9 +329,11 @@ void SessionServer::updateRobots() {
     if (!robot.services.empty()) continue;
     offerServices(name, robot);
     offerSteering(name, robot);
-    // So that its first text finds its subscribers.
-    const std::string path = name + "/" + streams::kLog;
-    if (!channels_.contains(path)) addChannels({setupOf(path, *foxglove::Log::descriptor())});
+    // So that its first text finds its subscribers, and the first person who steers.
+    const std::string log = name + "/" + streams::kLog, steering = name + "/" + streams::kSteering;
+    if (!channels_.contains(log)) addChannels({setupOf(log, *foxglove::Log::descriptor())});
+    if (!channels_.contains(steering))
+      addChannels({setupOf(steering, *robotcontrol::SteeringStatus::descriptor())});
   }
   for (auto robot = robots_.begin(); robot != robots_.end();) {
     const auto& [name, known] = *robot;

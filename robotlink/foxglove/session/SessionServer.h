@@ -100,8 +100,8 @@ class SessionServer {
     int asking = 0;
     /// The clients by key, as they were published.
     std::map<std::string, std::set<std::string>> subscribers;
-    /// Types of packages, of the newest table of processes.
-    std::map<std::string, std::string> packageTypes;
+    /// The newest tables of its processes and keys.
+    robotcontrol::ProcessTable processes;
     robotcontrol::KeyTable keys;
     /// The keys that are on only for subscribers, as tables said last.
     std::set<std::string> onDemand;

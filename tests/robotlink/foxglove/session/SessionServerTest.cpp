@@ -177,6 +177,32 @@ TEST_F(SessionServerTest, servicesAreAnnouncedBeforeChannels) {
   EXPECT_THAT(order, ElementsAre("services", "channels"));
 }
 
+TEST_F(SessionServerTest, whatWasNeverPublishedIsAChannelAsSoonAsItsKeyIsKnown) {
+  EXPECT_EQ(advertised().at("red1/steering").schemaName, "robotcontrol.SteeringStatus");
+  publishTables();
+  EXPECT_EQ(advertised().count("red1/stopwatches/cognition"), 0U);
+  robotcontrol::KeyTable keys;
+  const auto addKey = [&](const std::string& name, const std::string& stream) {
+    keys.add_keys()->set_name(name);
+    keys.mutable_keys()->rbegin()->set_stream(stream);
+  };
+  addKey("timing/tasks", "stopwatches");
+  // These are in no table of processes.
+  addKey("package/camera/settings", "camera/settings");
+  addKey("package/oracle/classes", "oracle/classes");
+  addKey("package/models/unknown", "models/unknown");
+  publish("red1/tables/keys", Instant(2ms), keys);
+  tick();
+  const auto channels = advertised();
+  EXPECT_EQ(channels.size(), 3U);
+  EXPECT_EQ(channels.at("red1/stopwatches/cognition").schemaName, "robotcontrol.StopwatchTimes");
+  EXPECT_EQ(channels.at("red1/camera/settings").schemaName, "robotcontrol.CameraSettings");
+  EXPECT_EQ(channels.at("red1/oracle/classes").schemaName, "foxglove.RawImage");
+  say(Subscribe{{{1, channels.at("red1/stopwatches/cognition").id}}});
+  ASSERT_EQ(requests_.size(), 1U);
+  EXPECT_EQ(requests_[0].set_key().name(), "timing/tasks");
+}
+
 TEST_F(SessionServerTest, aKeyOfARobotThatWasGoneIsOffUntilSomebodySubscribesAnew) {
   publishTables();
   const auto channels = advertised();
@@ -294,7 +320,7 @@ TEST_F(SessionServerTest, aRobotThatIsGoneTakesItsChannelsAndServicesWithIt) {
     if (const auto* gone = std::get_if<Unadvertise>(&message)) channels += gone->channelIds.size();
     if (const auto* gone = std::get_if<UnadvertiseServices>(&message)) services += gone->serviceIds.size();
   }
-  EXPECT_EQ(channels, 6U);
+  EXPECT_EQ(channels, 7U);
   EXPECT_GT(services, 5U);
 }
 
