@@ -3,8 +3,10 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
 #include <array>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/packages/Packages.h"
@@ -80,6 +82,20 @@ Result<void> checkCommandChannel(const ClientChannel& channel) {
   const std::string type = topic->type().GetTypeName();
   if (channel.encoding == "protobuf" && !channel.schemaName.empty() && channel.schemaName != type)
     return wrongCommand(channel.topic + " takes messages of " + type + ", not of " + channel.schemaName);
+  return {};
+}
+
+std::string whyIgnored(const Request& request, const robotcontrol::SolutionTable& solutions) {
+  constexpr char kObey[] = "obey";
+  if (!request.has_motion()) return {};
+  for (const auto& task : solutions.tasks()) {
+    const bool canObey =
+        std::ranges::any_of(task.solutions(), [&](const auto& solution) { return solution.name() == kObey; });
+    if (!canObey) continue;
+    if (task.active() == kObey) return {};
+    return request.robot() + " ignores this as long as its " + task.name() + " is '" + task.active() +
+           "', and not '" + kObey + "': set the parameter " + request.robot() + "/solutions/" + task.name();
+  }
   return {};
 }
 

@@ -10,7 +10,8 @@
 
 namespace robotcontrol {
 class Request;
-}
+class SolutionTable;
+}  // namespace robotcontrol
 
 namespace robotlink::websocket {
 
@@ -24,6 +25,10 @@ namespace robotlink::websocket {
 std::string commandTopics();
 /// Fails if the topic is none of these, or the schema is that of another type.
 Result<void> checkCommandChannel(const ClientChannel& channel);
+/// Why a robot with these solutions ignores the motion that a client commands: another solution than "obey"
+/// controls it. Empty: it does not, or that is not known. A solution of another name may follow commands,
+/// too.
+std::string whyIgnored(const robotcontrol::Request& request, const robotcontrol::SolutionTable& solutions);
 /// The request that such a message makes. Fails if it is no such message or makes no sense.
 Result<robotcontrol::Request> commandOf(const ClientChannel& channel, std::string_view payload);
 

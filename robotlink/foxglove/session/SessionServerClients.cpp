@@ -7,6 +7,7 @@
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/foxglove/session/ClientCommands.h"
 #include "robotlink/foxglove/session/KeyModeText.h"
 #include "robotlink/foxglove/session/LinkNames.h"
@@ -221,8 +222,11 @@ void SessionServer::command(const ClientInfo& client, const ClientChannel& chann
     return complain(client, channel.topic, "there is no robot '" + wanted->robot() + "'");
   const std::string why = steering_.admit(client, *wanted, server_->clock().now());
   if (!why.empty()) return complain(client, channel.topic, why);
-  request(std::move(*wanted), [this, client, topic = channel.topic](const RequestResult& result) {
-    complain(client, topic, result.accepted() ? "" : result.reason());
+  const auto* solutions = session_.store().latestAs<robotcontrol::SolutionTable>(
+      wanted->robot() + "/" + streams::kSolutions, Instant::max());
+  std::string ignored = solutions == nullptr ? "" : whyIgnored(*wanted, *solutions);
+  request(std::move(*wanted), [this, client, topic = channel.topic, ignored](const RequestResult& result) {
+    complain(client, topic, result.accepted() ? ignored : result.reason());
   });
 }
 

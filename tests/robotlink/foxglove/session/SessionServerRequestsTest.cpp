@@ -87,6 +87,28 @@ TEST_F(SessionServerRequestsTest, whatIsWrongWithCommandsIsSaidOnce) {
   EXPECT_EQ(heard<Status>().size(), 1U);
 }
 
+TEST_F(SessionServerRequestsTest, whoDrivesARobotThatDoesNotObeyIsToldSoOnce) {
+  robotcontrol::SolutionTable table;
+  auto& task = *table.add_tasks();
+  task.set_name("behavior");
+  task.set_active("go-to-ball");
+  task.add_solutions()->set_name("obey");
+  publish("red1/tables/solutions", Instant(1ms), table);
+  tick();
+  say(ClientAdvertise{{{7, "red1/remote/drive", "json", "", "", ""}}});
+  heard<Status>();
+  for (int i = 0; i < 3; ++i) say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
+  const auto complaints = heard<Status>();
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_THAT(complaints[0].message, HasSubstr("its behavior is 'go-to-ball'"));
+  EXPECT_THAT(complaints[0].message, HasSubstr("red1/solutions/behavior"));
+  task.set_active("obey");
+  publish("red1/tables/solutions", Instant(2ms), table);
+  tick();
+  say(ClientMessageData{7, R"({"velocity": {"x": 0.1}})"});
+  EXPECT_THAT(heard<Status>(), IsEmpty());
+}
+
 TEST_F(SessionServerRequestsTest, oneSteersAndTheOtherTakesOverButStopIsEverybodys) {
   auto ids = services();
   const ClientPtr other = *server_->server()->connect({0, "127.0.0.1:2", "y"}, [] {});
