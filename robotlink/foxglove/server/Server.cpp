@@ -95,6 +95,11 @@ void Server::publish(ServerChannel& channel, Instant time, SharedBytes payload) 
   channel.latched_ = std::move(payload);
 }
 
+void Server::setBackLatched(Instant time) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [id, channel] : channels_) channel->latchedTime_ = std::min(channel->latchedTime_, time);
+}
+
 void Server::push(const ServerChannel& channel, const ServerChannel::Subscriber& to, Instant time,
                   const SharedBytes& payload) {
   if (!to.client->closing.empty()) return;

@@ -106,7 +106,9 @@ void SessionServer::tick() {
   if (++stillTicks_ > kStillTicks) publishUnheard();
   if (session_.store().newest() == newest_) return;
   stillTicks_ = 0;
-  newest_ = session_.store().newest();
+  const Instant before = std::exchange(newest_, session_.store().newest());
+  // Clients that come later get what is latched with a time that is not ahead of the session's.
+  if (newest_ < before && newest_ != Instant()) server_->setBackLatched(newest_);
   server_->publishTime(newest_);
 }
 

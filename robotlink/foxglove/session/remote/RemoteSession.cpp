@@ -324,6 +324,8 @@ Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latc
   remote = std::max(remote, Instant());
   const auto known = newestOf.find(path);
   const Duration disorder = isOurs && isOfWorld(path) ? Duration(0) : kReset;
+  const bool hadTime = shift.hasTime();
+  const auto before = shift.newest();
   if (known != newestOf.end() && !latchedMessage && known->second.remote != Instant::min() &&
       remote < known->second.remote - disorder) {
     shift.reset();
@@ -335,12 +337,23 @@ Instant RemoteSession::timeOf(const std::string& path, Instant remote, bool latc
   }
   // A server that goes on to invent names.
   if (newestOf.size() >= kMaxPaths && known == newestOf.end()) newestOf.clear();
-  Instant mapped = shift.map(remote, leading);
+  Instant mapped = latchedMessage ? shift.mapLatched(remote, leading) : shift.map(remote, leading);
+  if (!latchedMessage && !hadTime && !leading && before && mapped < *before - kReset) setBack(mapped);
   Times& times = newestOf[path];
   // Messages of several processes may come out of order.
   mapped = std::max(mapped, times.mapped);
   times = {remote, mapped};
   return mapped;
+}
+
+/// What came before the first message that has the robot's time is from before a reset.
+void RemoteSession::setBack(Instant time) {
+  for (auto& [path, times] : newestOf) times.mapped = std::min(times.mapped, time);
+  for (StreamMessage& message : latched.all()) {
+    if (message.time <= time) continue;
+    message.time = time;
+    enter(std::move(message));
+  }
 }
 
 // ---- What is subscribed to

@@ -46,6 +46,8 @@ class RemoteSession {
   PackagePtr shownSteering(const std::string& path, const PackagePtr& value);
   void onNumber(std::uint64_t value);
   Instant timeOf(const std::string& path, Instant remote, bool latched);
+  /// Enters again, with this time, what is latched with a later one.
+  void setBack(Instant time);
 
   bool leads() const { return !options.leadingTime || !options.leadingTime(); }
   bool wants(const RemoteChannel& channel);

@@ -35,4 +35,14 @@ Instant TimeShift::map(Instant remote, std::optional<Instant> leading) {
   return *newest_;
 }
 
+Instant TimeShift::mapLatched(Instant remote, std::optional<Instant> leading) {
+  remote = std::clamp(remote, Instant(), kMaxTime);
+  // What comes next decides how long the gap was.
+  if (gap_ && newest_) return *newest_;
+  if (newestRemote_ && newest_) return std::clamp(remote + offset_, Instant(), *newest_);
+  const Instant mapped = leading ? std::clamp(*leading, Instant(), kMaxTime) : remote;
+  newest_ = std::max(newest_.value_or(Instant()), mapped);
+  return mapped;
+}
+
 }  // namespace robotlink::websocket

@@ -26,6 +26,12 @@ class TimeShift {
   void reset();
 
   Instant map(Instant remote, std::optional<Instant> leading);
+  /// The same for a latched message, whose time may be from before a reset: other messages are not placed by
+  /// it, and it is not newer than they are. Before the first of them it is where it was, or at the leading
+  /// time.
+  Instant mapLatched(Instant remote, std::optional<Instant> leading);
+  /// Whether there was another message than latched ones.
+  bool hasTime() const { return newestRemote_.has_value(); }
   /// The newest time so far, as mapped.
   std::optional<Instant> newest() const { return newest_; }
 

@@ -4,6 +4,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "robotlink/foxglove/session/LinkNames.h"
 #include "tests/robotlink/foxglove/session/OfferedSessionTest.h"
 
 namespace robotlink::websocket::test {
@@ -92,6 +93,18 @@ TEST_F(SessionServerTest, whoComesLaterGetsTheNewestTableAtOnce) {
   const auto channels = advertised();
   say(Subscribe{{{1, channels.at("red1/tables/keys").id}}});
   ASSERT_EQ(heard<MessageData>().size(), 1U);
+}
+
+TEST_F(SessionServerTest, whoComesAfterAResetGetsTablesAtTheTimeOfTheSession) {
+  publish("transforms", Instant(759s), foxglove::FrameTransforms());
+  publish("red1/tables/keys", Instant(760s), robotcontrol::KeyTable());
+  tick();
+  publish("transforms", Instant(1s), foxglove::FrameTransforms());
+  tick();
+  say(Subscribe{{{1, advertised().at("red1/tables/keys").id}}});
+  const auto tables = heard<MessageData>();
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(tables[0].time, Instant(1s));
 }
 
 TEST_F(SessionServerTest, aKeyIsOnWhileItsChannelHasASubscriber) {

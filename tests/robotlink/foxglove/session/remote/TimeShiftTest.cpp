@@ -62,8 +62,23 @@ TEST(TimeShift, aRobotThatWasStartedAnewContinuesAfterTheGap) {
   EXPECT_EQ(shift.map(secondsAt(1.5), {}), secondsAt(321));
 }
 
+TEST(TimeShift, latchedMessagesAreNotNewerThanOthersAndMoveNothing) {
+  TimeShift shift;
+  EXPECT_EQ(shift.mapLatched(secondsAt(763), {}), secondsAt(763));
+  EXPECT_FALSE(shift.hasTime());
+  EXPECT_EQ(shift.map(secondsAt(14), {}), secondsAt(14));
+  EXPECT_TRUE(shift.hasTime());
+  EXPECT_EQ(shift.mapLatched(secondsAt(763), {}), secondsAt(14));
+  EXPECT_EQ(shift.mapLatched(secondsAt(5), {}), secondsAt(5));
+  EXPECT_EQ(shift.map(secondsAt(15), {}), secondsAt(15));
+  shift.continueAfter(20s);
+  EXPECT_EQ(shift.mapLatched(secondsAt(0.5), {}), secondsAt(15));
+  EXPECT_EQ(shift.map(secondsAt(0.5), {}), secondsAt(35));
+}
+
 TEST(TimeShift, absurdTimesDoNotOverflow) {
   TimeShift shift;
+  EXPECT_LE(shift.mapLatched(Instant::max(), Instant::max()), Instant(24h * 365 * 101));
   EXPECT_LE(shift.map(Instant::max(), Instant::max()), Instant(24h * 365 * 101));
   EXPECT_GE(shift.map(Instant::min(), secondsAt(0)), secondsAt(0));
 }
