@@ -54,9 +54,11 @@ std::string wrongColorTable(const Request& request) {
   return wrongWith(request.set_color_table().table());
 }
 
+/// What is left out of a pose is 0, but a pose that is left out as a whole was forgotten.
 std::string wrongGoal(const Request& request) {
-  return isFinite(request.set_goal().pose_in_field()) ? ""
-                                                      : "the goal's pose has values that are not numbers";
+  const robotcontrol::DriveGoal& goal = request.set_goal();
+  if (!goal.cancelled() && !goal.has_pose_in_field()) return "the goal has no pose";
+  return isFinite(goal.pose_in_field()) ? "" : "the goal's pose has values that are not numbers";
 }
 
 bool isFinite(const robotcontrol::RemoteMotion& motion) {
@@ -90,14 +92,15 @@ std::string wrongMotionText(const Request& request) {
 }
 
 std::string wrongPlace(const Request& request) {
+  if (!request.place_model().has_pose_in_field()) return "the pose at which the model is placed is missing";
   return isFinite(request.place_model().pose_in_field()) ? ""
                                                          : "the place's pose has values that are not numbers";
 }
 
-/// A negative speed leaves the speed as it is.
+/// A negative speed leaves the speed as it is, as does one that is left out.
 std::string wrongSimulationSpeed(const Request& request) {
-  const double speed = request.control_simulation().speed();
-  return speed < 0 ? "" : wrongSpeed(speed, kSimulationSpeeds);
+  const auto& control = request.control_simulation();
+  return !control.has_speed() || control.speed() < 0 ? "" : wrongSpeed(control.speed(), kSimulationSpeeds);
 }
 
 std::string wrongCamera(const Request& request) {

@@ -92,6 +92,19 @@ TEST_F(SimulationFeedTest, theLightIsChangedAndKeptByAReset) {
   EXPECT_NE(robotlink::describe(errors).find("the brightness must be between 0 and 10"), std::string::npos);
 }
 
+TEST_F(SimulationFeedTest, numbersThatARequestLeavesOutStayAsTheyAre) {
+  run("simulation.speed 2");
+  run("simulation.light 0.5 0");
+  robotcontrol::Request reset, light;
+  reset.mutable_control_simulation()->set_action(robotcontrol::ControlSimulation::RESET);
+  light.mutable_set_lighting()->set_warmth(0.25);
+  workbench.session().request(reset);
+  workbench.session().request(light);
+  ASSERT_TRUE(waitFor([this] { return status()->warmth() == 0.25; }));
+  EXPECT_EQ(status()->brightness(), 0.5);
+  EXPECT_EQ(status()->requested_speed(), 2);
+}
+
 TEST_F(SimulationFeedTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
   run("simulation.start");
   run("simulation.open /no/such/scene.sdf");

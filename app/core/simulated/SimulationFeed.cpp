@@ -222,7 +222,9 @@ robotlink::Result<void> SimulationFeed::placeModel(const robotcontrol::Request& 
 }
 
 robotlink::Result<void> SimulationFeed::setLighting(const robotcontrol::Request& request) {
-  return run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
+  const auto& wanted = request.set_lighting();
+  const double before = run_->world().options().lighting.brightness;
+  return run_->world().setLighting({wanted.has_brightness() ? wanted.brightness() : before, wanted.warmth()});
 }
 
 robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {
@@ -236,7 +238,7 @@ robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request&
 robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Request& request) {
   using Control = robotcontrol::ControlSimulation;
   const Control& control = request.control_simulation();
-  if (control.speed() >= 0) pace_.setSpeed(control.speed());
+  if (control.has_speed() && control.speed() >= 0) pace_.setSpeed(control.speed());
   restartPace();
   switch (control.action()) {
     case Control::START:

@@ -97,6 +97,15 @@ std::vector<Service> servicesOf(bool robots) {
   return services;
 }
 
+/// Older clients serialize a speed of 0, which is as fast as possible, as nothing; what is left then asks for
+/// nothing else.
+void addOldSpeed(Request& request) {
+  if (!request.has_control_simulation()) return;
+  robotcontrol::ControlSimulation& control = *request.mutable_control_simulation();
+  if (control.action() == robotcontrol::ControlSimulation::UNCHANGED && !control.has_speed())
+    control.set_speed(0);
+}
+
 }  // namespace
 
 std::string jsonSchemaOf(const Descriptor& type) {
@@ -134,6 +143,7 @@ Result<Request> requestOf(const std::string& robot, const std::string& service,
     if (!message.ParseFromString(payload)) {
       return failure("foxglove.service", "the argument is no " + field->message_type()->full_name());
     }
+    addOldSpeed(request);
   } else if (call.encoding == kJson) {
     const auto status = payload.empty() ? util::Status() : util::JsonStringToMessage(payload, &message);
     if (!status.ok()) {

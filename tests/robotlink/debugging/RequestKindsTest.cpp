@@ -68,6 +68,8 @@ TEST(RequestKinds, speedsHaveLimits) {
   EXPECT_EQ(wrongWith(simulation), "the speed must be between 0 and 100 times real time");
   simulation.mutable_control_simulation()->set_speed(-1);
   EXPECT_EQ(wrongWith(simulation), "") << "the speed stays";
+  simulation.mutable_control_simulation()->clear_speed();
+  EXPECT_EQ(wrongWith(simulation), "") << "the speed stays";
 }
 
 TEST(RequestKinds, twoRequestsSetTheSameIfTheirSubjectIsTheSame) {
@@ -88,6 +90,15 @@ TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
   Request place;
   place.mutable_place_model()->mutable_pose_in_field()->set_x(std::numeric_limits<double>::quiet_NaN());
   EXPECT_NE(wrongWith(place), "");
+  place.mutable_place_model()->clear_pose_in_field();
+  EXPECT_EQ(wrongWith(place), "the pose at which the model is placed is missing");
+  place.mutable_place_model()->mutable_pose_in_field();
+  EXPECT_EQ(wrongWith(place), "") << "the middle of the field";
+  Request goal;
+  goal.mutable_set_goal();
+  EXPECT_EQ(wrongWith(goal), "the goal has no pose");
+  goal.mutable_set_goal()->set_cancelled(true);
+  EXPECT_EQ(wrongWith(goal), "");
   Request table;
   table.mutable_set_color_table();
   EXPECT_EQ(wrongWith(table), "") << "without cells it takes back the one before";

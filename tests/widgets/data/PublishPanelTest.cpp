@@ -59,7 +59,8 @@ class PublishPanelTest : public QObject {
     const auto placed =
         readRequest(Request::kPlaceModel, "red1", R"({"model": "ball", "pose_in_field": {"x": 1}})");
     QVERIFY(placed && placed->robot().empty() && placed->place_model().model() == "ball");
-    const auto goal = readRequest(Request::kSetGoal, "red1", "");
+    QVERIFY(!readRequest(Request::kSetGoal, "red1", ""));
+    const auto goal = readRequest(Request::kSetGoal, "red1", R"({"pose_in_field": {}})");
     QVERIFY(goal && goal->robot() == "red1");
     QVERIFY(!readRequest(Request::kSetGoal, "red1", R"({"pose_in_field": {"x": "NaN"}})"));
     const auto wrong = readRequest(Request::kSetGoal, "red1", R"({"pose": 1})");

@@ -54,6 +54,23 @@ TEST(RequestServices, aRequestWithoutAnArgumentNeedsNone) {
   EXPECT_TRUE(request->has_send_tables());
 }
 
+TEST(RequestServices, aSpeedThatIsLeftOutStaysUnlessAnOlderClientMeansZero) {
+  const auto control = [](const std::string& payload, const std::string& encoding) {
+    const auto request = requestOf("", "control_simulation", callWith(payload, encoding));
+    EXPECT_TRUE(request);
+    return request ? request->control_simulation() : robotcontrol::ControlSimulation();
+  };
+  EXPECT_FALSE(control(R"({"action": "RESET"})", "json").has_speed());
+  EXPECT_FALSE(control("{}", "json").has_speed());
+  EXPECT_TRUE(control(R"({"speed": 0})", "json").has_speed());
+  robotcontrol::ControlSimulation reset;
+  reset.set_action(robotcontrol::ControlSimulation::RESET);
+  EXPECT_FALSE(control(reset.SerializeAsString(), "protobuf").has_speed());
+  const auto fast = control("", "protobuf");
+  EXPECT_TRUE(fast.has_speed());
+  EXPECT_EQ(fast.speed(), 0);
+}
+
 TEST(RequestServices, aWrongArgumentIsRefusedWithTheReason) {
   const auto reason = [](const std::string& payload, const std::string& encoding) {
     const auto request = requestOf("red1", "red1/set_key", callWith(payload, encoding));
