@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/Abandoned.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
@@ -18,6 +19,7 @@
 #include "app/core/replay/ReplayRun.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Hosting.pb.h"
+#include "robotlink/base/FileSuffix.h"
 #include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
@@ -131,8 +133,17 @@ class HeadlessReplayEnd {
   const std::shared_ptr<HeadlessReplay> replay_;
 };
 
-/// Adds the logs that a text like "log:a.mcap,log:b.mcap" names. Returns what is wrong with it; empty if
-/// nothing is.
+/// Whether a text names logs: "log:FILE", or a file that no other adapter opens.
+bool namesLogs(const std::string& platform) {
+  if (platform.starts_with(kLogPlatform)) return true;
+  const PlatformAdapter* adapter = adapterFor(platform);
+  if (adapter == nullptr || adapter->name != std::string_view(ReplayFeed::kAdapter)) return false;
+  std::error_code ignored;
+  return robotlink::fileSuffix(platform) == ".mcap" || std::filesystem::is_regular_file(platform, ignored);
+}
+
+/// Adds the logs that a text like "log:a.mcap,log:b.mcap" or "a.mcap" names. Returns what is wrong with it;
+/// empty if nothing is.
 std::string addLogs(const HeadlessChoices& choices, ReplayOptions& options) {
   std::vector<FormValue> offsets;
   if (const auto given = choices.options.lists.find(kOffset); given != choices.options.lists.end())
@@ -141,10 +152,12 @@ std::string addLogs(const HeadlessChoices& choices, ReplayOptions& options) {
     if (!(std::abs(std::get<double>(offset)) <= robotlink::kMaxLogOffset))
       return "--offset takes a number of seconds, and at most 100 years";
   }
-  std::string_view rest = choices.platform;
+  const bool isPath = !choices.platform.starts_with(kLogPlatform);
+  const std::string text = isPath ? std::string(kLogPlatform) + choices.platform : choices.platform;
+  std::string_view rest = text;
   while (rest.starts_with(kLogPlatform)) {
     rest.remove_prefix(kLogPlatform.size());
-    const std::size_t end = std::min(rest.find(",log:"), rest.size());
+    const std::size_t end = isPath ? rest.size() : std::min(rest.find(",log:"), rest.size());
     if (end == 0) return "--platform names no file after 'log:'";
     ReplayLog log{std::string(rest.substr(0, end))};
     if (options.logs.size() < offsets.size()) {
@@ -376,9 +389,9 @@ Result<HeadlessServing> prepareServedReplay(const HeadlessChoices& choices, cons
 
 HeadlessPlatform headlessReplay() {
   return {
-      .help = "log:FILE (log:- is standard input), or several logs: log:FILE,log:FILE...",
-      .usage = "log:FILE or log:FILE,log:FILE...",
-      .runs = [](const std::string& platform) { return platform.starts_with(kLogPlatform); },
+      .help = "a log file (log:- is standard input), or several logs: log:FILE,log:FILE...",
+      .usage = "a log file or log:FILE,log:FILE...",
+      .runs = namesLogs,
       .options = {{.name = kOffset,
                    .kind = Kind::kNumber,
                    .help = "Seconds added to the times of a log; one for each, in their order",

@@ -109,7 +109,7 @@ void addSpreadOptions(CLI::App& command, SpreadOptions& spread) {
       ->capture_default_str();
 }
 
-/// "log:FILE, or ...; or a Pioneer: ..."
+/// "a log file, or ...; or a Pioneer: ..."
 std::string helpOnPlatforms() {
   std::string help;
   for (const HeadlessPlatform& platform : headlessPlatforms())

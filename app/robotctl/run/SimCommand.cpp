@@ -235,7 +235,23 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
+/// Finds a shipped scene by its name. A path that leads nowhere is reported when it is read.
+robotlink::Result<void> findScene(std::filesystem::path& scene) {
+  const std::string name = scene.string();
+  scene = sceneNamed(name);
+  std::error_code ignored;
+  if (scene.has_extension() || scene.has_parent_path() || std::filesystem::exists(scene, ignored)) return {};
+  std::string shipped;
+  for (const auto& file : shippedScenes()) shipped += (shipped.empty() ? "" : ", ") + file.stem().string();
+  return robotlink::failure(
+      "sim.scene", "there is no scene '" + name + "': give a file, or one of " + shipped, {}, {name});
+}
+
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (const auto found = findScene(arguments.run.scene); !found) {
+    std::cerr << "robotctl sim: " << found.error().text << "\n";
+    return kUsage;
+  }
   if (arguments.arcos.given() && arguments.listen.given()) {
     std::cerr
         << "robotctl sim: with --arcos robots have no programs here that could be watched; omit --listen\n";
@@ -284,7 +300,9 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
 void addSimCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SimArguments>();
   CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
-  sim->add_option("scene", arguments->run.scene, "An SDFormat world, or a map (*.map)")->required();
+  sim->add_option("scene", arguments->run.scene,
+                  "An SDFormat world, a map (*.map), or the name of a shipped one")
+      ->required();
   auto* seconds =
       sim->add_option(
              "--seconds", arguments->seconds,

@@ -50,6 +50,14 @@ TEST(Robotctl, helpIsGivenAndWrongUsageIsTwo) {
   EXPECT_EQ(robotctl("sim " + kScene + " --solution nonsense").status, 2);
 }
 
+TEST(Robotctl, simTakesTheNameOfAShippedScene) {
+  EXPECT_EQ(robotctl("sim field2002 --seconds 0.1").status, 0);
+  const PrintedOutcome outcome = robotctl("sim field2020");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.text.find("there is no scene 'field2020'"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("field2002"), std::string::npos) << outcome.text;
+}
+
 TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
   const PrintedOutcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
@@ -246,7 +254,8 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   std::filesystem::remove(cut);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + cut.string()).status, 0);
   std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 100);
-  const PrintedOutcome lossy = robotctl("run --platform log:" + cut.string());
+  EXPECT_EQ(robotctl("run --platform /no/such.mcap").status, 1) << "a log's path is enough";
+  const PrintedOutcome lossy = robotctl("run --platform " + cut.string());
   EXPECT_EQ(lossy.status, 3) << lossy.text;
   EXPECT_NE(lossy.text.find("not closed"), std::string::npos) << lossy.text;
   const PrintedOutcome refused =
