@@ -280,12 +280,17 @@ void RemoteRobots::tick() {
   subscribeRecorded();
 }
 
-/// The first that was heard; if none was, the first.
+/// The first that was heard, but foreign servers, which have no simulation, after the others; if none was
+/// heard, the first. When another one leads, the session's time goes on.
 void RemoteRobots::findLeader() {
-  if (leader_ != nullptr && leader_->client->newest()) return;
-  const auto heard = std::ranges::find_if(
-      lines_, [](const auto& line) { return line->client && line->client->newest().has_value(); });
-  leader_ = heard == lines_.end() ? lines_.front().get() : heard->get();
+  const auto isHeard = [](const Line& line) { return line.client && line.client->newest().has_value(); };
+  const auto hasWorld = [&](const Line& line) { return isHeard(line) && line.client->hasSession(); };
+  if (leader_ != nullptr && hasWorld(*leader_)) return;
+  auto found = std::ranges::find_if(lines_, [&](const auto& line) { return hasWorld(*line); });
+  if (found == lines_.end() && leader_ != nullptr && isHeard(*leader_)) return;
+  if (found == lines_.end())
+    found = std::ranges::find_if(lines_, [&](const auto& line) { return isHeard(*line); });
+  leader_ = found == lines_.end() ? lines_.front().get() : found->get();
 }
 
 /// Texts about gaps stand among those of the robots, also in recordings.

@@ -37,8 +37,9 @@ class RecordingJobs;
 
 /// The robots of a session whose programs run elsewhere, beside those of the platform that is open: one
 /// connection for each server (robotlink/foxglove/FOXGLOVE.md). Connections are lost and found again by
-/// themselves. Requests to these robots go to them; what is asked of no robot goes to the first connection,
-/// unless a platform is open. What is received is recorded as that of other robots.
+/// themselves. Requests to these robots go to them; what is asked of no robot goes to the connection that
+/// leads, unless a platform is open: the first one to a session of this program, or else the first one. What
+/// is received is recorded as that of other robots.
 ///
 /// One thread, that of Session::tick(). Session, recorder and limits must outlive it.
 class RemoteRobots {
@@ -86,7 +87,7 @@ class RemoteRobots {
   robotlink::Result<void> trust(const std::string& url, const std::string& fingerprint);
   bool empty() const { return lines_.empty(); }
 
-  /// The robots of the platform that is open; nothing if none is open, so that the first connection leads.
+  /// The robots of the platform that is open; nothing if none is open, so that a connection leads.
   void setPlatform(std::optional<std::set<std::string>> robots);
   /// The names of all remote robots, in the order of the connections.
   std::vector<std::string> robots() const;

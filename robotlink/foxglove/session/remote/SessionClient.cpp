@@ -175,6 +175,10 @@ void SessionClient::setBudget(double bytesPerSecond) {
   parts_->client->setBudget(bytesPerSecond);
 }
 
+bool SessionClient::hasSession() const {
+  return parts_->isOurs;
+}
+
 bool SessionClient::hasService(const std::string& name) const {
   return parts_->services.contains(name);
 }

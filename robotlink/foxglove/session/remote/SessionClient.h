@@ -88,6 +88,9 @@ class SessionClient {
   void setImageRate(double imagesPerSecond);
   /// Bytes a second that the server may send; 0 without limit.
   void setBudget(double bytesPerSecond);
+  /// Whether the server offers a session of this program, with robots and maybe a world; foreign servers do
+  /// not. As it was while the connection is lost; false before the first one.
+  bool hasSession() const;
   /// Whether the server has a service of this name, by its name there.
   bool hasService(const std::string& name) const;
   /// For what sessions know nothing of: client channels, parameters, playback.
