@@ -41,6 +41,8 @@ struct RemoteRobot {
   std::vector<LineGap> gaps = {};
   /// Keyed by the streams' paths in the session; those that came whole are missing.
   std::map<std::string, LeftOut> leftOut = {};
+  /// Whether its server is of another program, so that it has no solutions, keys or processes as others have.
+  bool isForeign = false;
   bool operator==(const RemoteRobot&) const = default;
 };
 

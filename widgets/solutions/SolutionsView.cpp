@@ -101,14 +101,22 @@ void SolutionsView::tick() {
       tree_->resizeColumnToContents(SolutionModel::kProcess);
       showCurrent(tree_->currentIndex());
     }
-    hint_->setHint(
-        model_.rowCount() > 0 ? QString()
-        : robot.empty()
-            ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-            : tr("The robot has not reported its tasks yet. Start its program."));
   }
+  showHint();
   defaults_->setEnabled(model_.rowCount() > 0);
   parameters_->tick();
+}
+
+void SolutionsView::showHint() {
+  const auto& remote = session().remoteRobots();
+  const auto found = remote.find(robot_);
+  hint_->setHint(
+      model_.rowCount() > 0 ? QString()
+      : robot_.empty()
+          ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
+      : found != remote.end() && found->second.isForeign
+          ? tr("%1 has no solutions: its server is none of RobotControl.").arg(QString::fromStdString(robot_))
+          : tr("The robot has not reported its tasks yet. Start its program."));
 }
 
 void SolutionsView::choose(const QModelIndex& index) {

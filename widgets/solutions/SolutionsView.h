@@ -40,6 +40,8 @@ class SolutionsView final : public View {
   void select(const std::string& task, const std::string& solution);
   /// Requests the layout's default solution for every task that runs another one.
   void selectDefaults();
+  /// Says why there is nothing to choose, if there is nothing.
+  void showHint();
   /// Shows the parameters of the solution at `index` if the panel is visible.
   void showCurrent(const QModelIndex& index);
 

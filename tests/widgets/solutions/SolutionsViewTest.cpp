@@ -98,6 +98,21 @@ QTreeView& openParameters(Bench& bench, widgets::SolutionsView& view,
 class SolutionsViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void whyThereIsNothingToChooseIsSaid() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.tick(*view);
+    const auto hint = [&] {
+      return child<QLabel>(child<QTreeView>(*view, "solutionsTree"), "emptyHint").text();
+    };
+    QVERIFY(hint().contains(QStringLiteral("not reported its tasks")));
+    robotlink::RemoteRobot remote;
+    remote.isForeign = true;
+    bench.session.setRemoteRobots({{"red1", remote}});
+    bench.tick(*view);
+    QVERIFY(hint().contains(QStringLiteral("red1 has no solutions")));
+  }
+
   void oneClickSwitchesAndTheSwitchIsPendingUntilTheRobotConfirms() {
     Bench bench;
     auto view = bench.open<widgets::SolutionsView>();
