@@ -53,13 +53,7 @@ SessionServer::SessionServer(Session& session, ServerOptions options, Report rep
                              Steering::Limits steering)
     : session_(session),
       posted_(std::make_shared<Posted>()),
-      keys_([this](const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode) {
-        Request request;
-        request.set_robot(robot);
-        request.mutable_set_key()->set_name(key);
-        *request.mutable_set_key()->mutable_mode() = mode;
-        session_.request(std::move(request));
-      }),
+      keys_([this](const auto& robot, const auto& key, const auto& mode) { setMode(robot, key, mode); }),
       steering_(steering, steeringActions()) {
   options.publishesTime = true;
   options.metadata.emplace(kSessionKey, "1");

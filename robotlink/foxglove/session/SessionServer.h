@@ -171,6 +171,10 @@ class SessionServer {
   std::optional<robotcontrol::Request> chosenBy(const ClientInfo& client, robotcontrol::Request request);
   void play(const PlaybackControl& control);
   void noteSet(const robotcontrol::Request& request, bool isAccepted);
+  /// Switches a key of a robot for clients; a refusal is reported.
+  void setMode(const std::string& robot, const std::string& key, const robotcontrol::KeyMode& mode);
+  /// Whether what a key would publish is in the log that is open.
+  bool isLogged(const std::string& robot, const std::string& key) const;
   void call(const std::string& robot, const std::string& service, const ClientInfo& client,
             const ServiceCallRequest& call, const Reply& reply);
   void steer(const std::string& robot, const std::string& service, const ClientInfo& client,

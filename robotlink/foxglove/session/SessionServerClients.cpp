@@ -340,6 +340,29 @@ std::optional<Request> SessionServer::chosenBy(const ClientInfo& client, Request
   return request;
 }
 
+void SessionServer::setMode(const std::string& robot, const std::string& key,
+                            const robotcontrol::KeyMode& mode) {
+  Request wanted;
+  wanted.set_robot(robot);
+  wanted.mutable_set_key()->set_name(key);
+  *wanted.mutable_set_key()->mutable_mode() = mode;
+  const std::weak_ptr<const int> alive = alive_;
+  const std::string what = inWords(wanted);
+  session_.request(std::move(wanted), [this, alive, what, robot, key](const RequestResult& result) {
+    if (alive.expired() || result.accepted() || isLogged(robot, key)) return;
+    session_.reportRefusal(what, result.reason());
+  });
+}
+
+/// That comes as it was recorded, whether the program that runs on the log can publish it or not.
+bool SessionServer::isLogged(const std::string& robot, const std::string& key) const {
+  const auto known = robots_.find(robot);
+  if (known == robots_.end() || session_.store().find(streams::kReplay) == nullptr) return false;
+  const auto& keys = known->second.keys.keys();
+  const auto row = std::ranges::find(keys, key, &robotcontrol::KeyTable::Key::name);
+  return row != keys.end() && session_.store().find(robot + "/" + row->stream()) != nullptr;
+}
+
 /// The robot's table follows; who asked shall see the value at once.
 void SessionServer::noteSet(const Request& request, bool isAccepted) {
   const std::string& robot = request.robot();

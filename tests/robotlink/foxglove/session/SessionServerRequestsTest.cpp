@@ -2,6 +2,8 @@
 // What clients ask of robots in a session: services, commands, and who steers.
 #include "robotlink/foxglove/session/SessionServer.h"
 
+#include "foxglove/Image.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "tests/robotlink/foxglove/session/OfferedSessionTest.h"
 
 namespace robotlink::websocket::test {
@@ -11,6 +13,25 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using SessionServerRequestsTest = OfferedSessionTest;
+
+TEST_F(SessionServerRequestsTest, aKeyThatIsRefusedIsReportedUnlessALogHasWhatItPublishes) {
+  std::vector<std::string> refused;
+  session_.setRefusalHandler(
+      [&](const std::string& what, const std::string& reason) { refused.push_back(what + ": " + reason); });
+  refusal_ = "no process has it";
+  publishTables();
+  publish("red1/camera/image", Instant(2ms), foxglove::RawImage());
+  tick();
+  const auto channel = advertised().at("red1/camera/image").id;
+  say(Subscribe{{{1, channel}}});
+  EXPECT_THAT(refused, ElementsAre("set key of red1: no process has it"));
+  say(Unsubscribe{{1}});
+  refused.clear();
+  publish("replay", Instant(2ms), robotcontrol::ReplayStatus());
+  tick();
+  say(Subscribe{{{2, channel}}});
+  EXPECT_THAT(refused, IsEmpty());
+}
 
 TEST_F(SessionServerRequestsTest, aRequestIsAServiceThatAnswersWithItsResult) {
   auto ids = services();
