@@ -29,7 +29,9 @@ struct Shade {
   double r, g, b;
 };
 constexpr Shade kScanShade{0.9, 0.2, 0.2}, kCloudShade{0.3, 0.6, 0.9}, kPoseShade{0.1, 0.7, 0.3},
-    kPathShade{0.2, 0.8, 0.2}, kWallShade{0.25, 0.25, 0.25};
+    kPathShade{0.2, 0.8, 0.2};
+/// A blue gray in the middle between the backgrounds of the light and the dark theme.
+constexpr Shade kWallShade{0.42, 0.5, 0.6};
 
 void setColor(foxglove::Color& to, const Shade& from) {
   to.set_r(from.r);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "foxglove/Geometry.pb.h"
@@ -95,14 +96,18 @@ TEST(FigureOf, aPathIsALine) {
   EXPECT_EQ(entity.lines(0).points(1).y(), 4);
 }
 
-TEST(FigureOf, occupiedCellsOfAMapAreSquares) {
+std::shared_ptr<const foxglove::SceneUpdate> mapFigure() {
   Cdr cdr;
   cdr.header("map").add(0.5F).add(std::uint32_t{3}).add(std::uint32_t{2}).pose(10, 0);
   cdr.add(std::uint32_t{6}).bytes({100, 100, 0, 0, 255, 60});
-  const auto figure = figureOf(*cdr.as("nav_msgs/msg/OccupancyGrid",
-                                       "std_msgs/Header header\nnav_msgs/MapMetaData info\nint8[] data"
-                                       "\n===\nMSG: nav_msgs/MapMetaData\nfloat32 resolution\nuint32 width\n"
-                                       "uint32 height\ngeometry_msgs/Pose origin"));
+  return figureOf(*cdr.as("nav_msgs/msg/OccupancyGrid",
+                          "std_msgs/Header header\nnav_msgs/MapMetaData info\nint8[] data"
+                          "\n===\nMSG: nav_msgs/MapMetaData\nfloat32 resolution\nuint32 width\n"
+                          "uint32 height\ngeometry_msgs/Pose origin"));
+}
+
+TEST(FigureOf, occupiedCellsOfAMapAreSquares) {
+  const auto figure = mapFigure();
   const auto& entity = entityOf(figure);
   ASSERT_EQ(entity.triangles_size(), 1);
   const auto& squares = entity.triangles(0);
@@ -113,6 +118,22 @@ TEST(FigureOf, occupiedCellsOfAMapAreSquares) {
   EXPECT_EQ(squares.points(2).y(), 0.5);
   EXPECT_EQ(squares.points(4).x(), 1);
   EXPECT_EQ(squares.points(4).y(), 0.5);
+}
+
+/// The relative luminance of a color, as WCAG 2 defines it.
+double luminance(double r, double g, double b) {
+  const auto linear = [](double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+}
+
+TEST(FigureOf, occupiedCellsOfAMapStandOutInBothThemes) {
+  const auto figure = mapFigure();
+  const auto& color = entityOf(figure).triangles(0).color();
+  const double cells = luminance(color.r(), color.g(), color.b()) + 0.05;
+  EXPECT_GT((luminance(0.88, 0.88, 0.88) + 0.05) / cells, 2.5) << "on a light background";
+  EXPECT_GT(cells / (luminance(0.2, 0.2, 0.2) + 0.05), 2.5) << "on a dark background";
 }
 
 TEST(FigureOf, pointsOfACloudAreDots) {
