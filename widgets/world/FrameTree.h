@@ -31,7 +31,8 @@ std::vector<const foxglove::FrameTransform*> transformsOf(const google::protobuf
 
 /// The frames of all streams of transforms but our own ("transforms"), such as tf and tf_static of a robot
 /// with ROS: each transform holds until there is another one of the same child. Frames without a parent, such
-/// as map, are where the world is. GUI thread.
+/// as map, are where the world is. Each robot (robotPart() of the streams' paths) has a tree of its own,
+/// since robots give their frames the same names; streams without a robot, as in logs, share one. GUI thread.
 class FrameTree {
  public:
   struct Frame {
@@ -42,10 +43,12 @@ class FrameTree {
   /// Reads the transforms up to an instant. Costs what was added since the last call; going back in time
   /// reads up to kMaxMessages of each stream again.
   void update(const robotlink::StreamStore& store, robotlink::Instant shown);
-  /// All of them by the names of the children.
-  const std::map<std::string, Frame>& frames() const { return frames_; }
+  /// All of a tree by the names of the children.
+  using Frames = std::map<std::string, Frame>;
   /// In the frame without a parent; unset if the name is unknown, or if the frames go around in a circle.
-  std::optional<robotlink::Pose3> pose(const std::string& frame) const;
+  /// What the robot's own tree does not have is looked up in that of the streams without a robot; if the
+  /// robot has no tree at all, also in the only one that there is.
+  std::optional<robotlink::Pose3> pose(const std::string& robot, const std::string& frame) const;
 
   static constexpr std::size_t kMaxMessages = 5000;
 
@@ -55,9 +58,10 @@ class FrameTree {
     robotlink::PackagePtr newest;
     robotlink::Instant time;
   };
-  void add(const robotlink::PackagePtr& message);
+  static void add(Frames& frames, const robotlink::PackagePtr& message);
 
-  std::map<std::string, Frame> frames_;
+  /// By robot; empty: the streams without one.
+  std::map<std::string, Frames> trees_;
   std::map<std::string, Read> read_;
   std::uint64_t generation_ = 0;
 };

@@ -108,10 +108,10 @@ void SceneState::collectModels(const robotlink::StreamStore& store, robotlink::I
   models_.erase(std::unique(models_.begin(), models_.end()), models_.end());
 }
 
-std::optional<Pose3> SceneState::framePose(const std::string& frame) const {
+std::optional<Pose3> SceneState::framePose(const std::string& frame, const std::string& robot) const {
   const auto found = poses_.find(frame);
   if (found != poses_.end()) return found->second;
-  return frame.empty() || frame == kField ? std::optional(Pose3::Identity()) : tree_.pose(frame);
+  return frame.empty() || frame == kField ? std::optional(Pose3::Identity()) : tree_.pose(robot, frame);
 }
 
 std::string SceneState::modelFrame(const std::string& model) const {

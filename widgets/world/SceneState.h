@@ -48,8 +48,9 @@ class SceneState {
   const std::map<std::string, Item>& items() const { return items_; }
 
   /// Pose of a frame in the field's frame; the identity for "field" and the empty name, unset for unknown
-  /// frames. Frames of other programs (FrameTree) begin where the field does.
-  std::optional<robotlink::Pose3> framePose(const std::string& frame) const;
+  /// frames. Frames of other programs (FrameTree) begin where the field does; `robot` is the one whose frame
+  /// it is, empty if the stream that names the frame is of no robot.
+  std::optional<robotlink::Pose3> framePose(const std::string& frame, const std::string& robot = {}) const;
   /// Names of the models that can be moved, sorted.
   const std::vector<std::string>& models() const { return models_; }
   /// Frame of a model: the one with its name or, without such, that of its first entity; empty if there is

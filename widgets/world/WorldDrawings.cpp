@@ -5,6 +5,7 @@
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/session/Session.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/world/SceneState.h"
@@ -15,9 +16,10 @@ namespace {
 
 using robotlink::Pose3;
 
-std::optional<Pose3> poseOfFrame(const std::string& frame, const SceneState& scene,
+/// `robot` is the one whose frame it is, empty if it is named by a stream without a robot.
+std::optional<Pose3> poseOfFrame(const std::string& robot, const std::string& frame, const SceneState& scene,
                                  const std::vector<RobotBelief>& beliefs) {
-  if (auto pose = scene.framePose(frame)) return pose;
+  if (auto pose = scene.framePose(frame, robot)) return pose;
   const auto belief = std::ranges::find(beliefs, frame, &RobotBelief::robot);
   if (belief == beliefs.end() || !belief->pose()) return std::nullopt;
   return poseOnGround(*belief->pose());
@@ -42,7 +44,7 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
       const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(current.message.get());
       if (update == nullptr) continue;
       for (const auto& entity : update->entities()) {
-        const auto pose = poseOfFrame(entity.frame_id(), scene, beliefs);
+        const auto pose = poseOfFrame(robot.substr(0, robot.find('/')), entity.frame_id(), scene, beliefs);
         if (pose) drawings.push_back({&entity, *pose, current.message, current.old});
       }
     }
@@ -50,8 +52,9 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
   const QLatin1String folder(DrawingsModel::kStreams);
   for (const QString& id : ids) {
     if (!id.startsWith(folder)) continue;
-    for (const auto& figure : figures.of(session.store(), id.mid(folder.size()).toStdString(), shown)) {
-      if (const auto pose = poseOfFrame(figure.entity->frame_id(), scene, beliefs))
+    const std::string path = id.mid(folder.size()).toStdString();
+    for (const auto& figure : figures.of(session.store(), path, shown)) {
+      if (const auto pose = poseOfFrame(robotPart(path), figure.entity->frame_id(), scene, beliefs))
         drawings.push_back({figure.entity, *pose, figure.keep, false});
     }
   }

@@ -228,9 +228,9 @@ class FrameTreeTest : public StreamFiguresTest {
     one.mutable_translation()->set_x(x);
     return message;
   }
-  double x(const std::string& frame, robotlink::Duration at) {
+  double x(const std::string& frame, robotlink::Duration at, const std::string& robot = {}) {
     tree_.update(session_.store(), Instant(at));
-    const auto pose = tree_.pose(frame);
+    const auto pose = tree_.pose(robot, frame);
     return pose ? pose->translation().x() : -1;
   }
 
@@ -259,6 +259,30 @@ TEST_F(FrameTreeTest, framesOfSeveralStreamsAreOneTree) {
   EXPECT_EQ(x("laser", 2s), 12.5) << "also back in time";
   EXPECT_EQ(x("map", 3s), 0);
   EXPECT_EQ(x("camera", 3s), -1);
+}
+
+TEST_F(FrameTreeTest, framesOfTheSameNameAreOfTheirOwnRobots) {
+  push("one/tf", 1s, transform("map", "base", 1));
+  push("two/tf", 2s, transform("map", "base", 2));
+  push("two/tf_static", 2s, transform("base", "laser", 0.5));
+  EXPECT_EQ(x("base", 3s, "one"), 1);
+  EXPECT_EQ(x("base", 3s, "two"), 2);
+  EXPECT_EQ(x("laser", 3s, "two"), 2.5);
+  EXPECT_EQ(x("laser", 3s, "one"), -1) << "only the other one has a laser";
+  EXPECT_EQ(x("base", 3s), -1) << "there is more than one";
+}
+
+TEST_F(FrameTreeTest, streamsWithoutARobotAreOneTree) {
+  push("/tf", 1s, transform("map", "base", 1));
+  push("/robot1/tf_static", 1s, transform("base", "laser", 0.5));
+  EXPECT_EQ(x("laser", 1s), 1.5);
+  EXPECT_EQ(x("laser", 1s, "lidar"), 1.5) << "a stream lidar/points of a log without leading slashes";
+}
+
+TEST_F(FrameTreeTest, theOnlyTreeIsThatOfAllStreams) {
+  push("vehicle/tf", 1s, transform("map", "base", 1));
+  EXPECT_EQ(x("base", 1s), 1);
+  EXPECT_EQ(x("base", 1s, "lidar"), 1);
 }
 
 TEST_F(FrameTreeTest, framesInACircleAreNowhere) {
