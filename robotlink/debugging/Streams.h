@@ -6,7 +6,9 @@ namespace robotlink::streams {
 // The paths of a robot's messages, below its name: the values of DebugMessage.path. All streams with their
 // types and sources are listed in robotlink/session/STREAMS.md. The path of a requested package is its name.
 
-inline constexpr char kLog[] = "log";                     ///< foxglove.Log, of all processes
+inline constexpr char kLog[] = "log";  ///< foxglove.Log, of all processes
+/// foxglove.Log.name of what a robot's platform reports; else it is the process.
+inline constexpr char kPlatformSource[] = "platform";
 inline constexpr char kKeys[] = "tables/keys";            ///< KeyTable, of all processes together
 inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable

@@ -18,9 +18,19 @@ void Platform::report(std::string text) {
   reports_.push_back(std::move(text));
 }
 
+void Platform::reportProblem(std::string text) {
+  const std::lock_guard lock(reportsMutex_);
+  problems_.push_back(std::move(text));
+}
+
 std::vector<std::string> Platform::takeReports() {
   const std::lock_guard lock(reportsMutex_);
   return std::exchange(reports_, {});
+}
+
+std::vector<std::string> Platform::takeProblems() {
+  const std::lock_guard lock(reportsMutex_);
+  return std::exchange(problems_, {});
 }
 
 }  // namespace robotlink

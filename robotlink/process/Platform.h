@@ -53,16 +53,19 @@ class Platform : public Process {
   /// Removes and returns sentences for the user about setting up and shutting down since the last call. Any
   /// thread.
   std::vector<std::string> takeReports();
+  /// The same about what does not work, such as a device that cannot be opened. Any thread.
+  std::vector<std::string> takeProblems();
 
  protected:
   void report(std::string text);
+  void reportProblem(std::string text);
   /// Whether the robot has to stand, whatever was requested last.
   bool mustStand() const { return stopEngaged() || unattended(); }
 
  private:
   std::atomic<bool> unattended_{false};
-  std::mutex reportsMutex_;  // protects reports_
-  std::vector<std::string> reports_;
+  std::mutex reportsMutex_;  // protects reports_ and problems_
+  std::vector<std::string> reports_, problems_;
 };
 
 }  // namespace robotlink

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "foxglove/Image.pb.h"
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
@@ -93,6 +94,27 @@ class ImageStreamViewTest : public QObject {
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
     QCOMPARE(s.text("imageTime"), QStringLiteral("1.000 s"));
+  }
+
+  void saysWhyThereIsNoImage() {
+    ShownImage s;
+    foxglove::Log text;
+    text.set_name("platform");
+    text.set_level(foxglove::Log::WARNING);
+    text.set_message("/dev/video0: no such device");
+    s.world.push("red1/log", text, 1);
+    text.set_name("cognition");
+    text.set_message("nothing is seen");
+    s.world.push("red1/log", text, 1);
+    s.step();
+    QCOMPARE(s.canvas->hint(),
+             QStringLiteral("No image yet from red1/camera/image.\n/dev/video0: no such device"));
+    text.set_name("platform");
+    text.set_level(foxglove::Log::INFO);
+    text.set_message("the camera takes images");
+    s.world.push("red1/log", text, 1.01);
+    s.step();
+    QCOMPARE(s.canvas->hint(), QStringLiteral("No image yet from red1/camera/image"));
   }
 
   void showsTheImageInItsColors() {

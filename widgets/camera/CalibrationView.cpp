@@ -23,6 +23,7 @@
 #include "widgets/camera/SettingsPanel.h"
 #include "widgets/image/CompareRow.h"
 #include "widgets/image/ImageCanvas.h"
+#include "widgets/image/ImageHint.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/solutions/ParameterEdits.h"
@@ -360,7 +361,7 @@ void CalibrationView::showImage() {
 QString CalibrationView::hint() const {
   if (session().robots().empty())
     return tr("No camera. Open one with Robot > Open a Camera…, or a robot or a log that has images.");
-  return tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session())));
+  return imageHint(session(), streams_->path(session()));
 }
 
 bool CalibrationView::eventFilter(QObject* watched, QEvent* event) {

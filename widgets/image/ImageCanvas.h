@@ -36,6 +36,7 @@ class ImageCanvas final : public QWidget {
   void setMeasure(const MeasureTool* measure) { measure_ = measure; }
   /// Text in the middle while there is no picture.
   void setHint(const QString& hint);
+  const QString& hint() const { return hint_; }
   /// Whether the picture is frozen, which a frame shows.
   void setFrozen(bool frozen);
 

@@ -16,6 +16,7 @@
 #include "widgets/image/CompareRow.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
+#include "widgets/image/ImageHint.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/picture/MeasureTool.h"
@@ -142,9 +143,7 @@ void ImageStreamView::showMessage() {
   auto drawings = image ? drawingsOf(robot(), instant(), imageTime_) : std::vector<CurrentDrawing>();
   bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
-  canvas_->setHint(session().robots().empty()
-                       ? tr("No robot. Start a simulation or connect to a robot.")
-                       : tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
+  canvas_->setHint(imageHint(session(), streams_->path(session())));
   if (compare_->isChecked()) {
     const bool isOther = second_->update(session(), image_ ? imageTime_ : instant());
     auto seconds = second_->image() ? drawingsOf(second_->robot(), second_->time(), second_->time())

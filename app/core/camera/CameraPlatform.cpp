@@ -19,10 +19,15 @@ CameraPlatform::CameraPlatform(const robotlink::Clock& clock, std::string robot,
 
 void CameraPlatform::actuate() {
   for (std::string& why : reader_.takeRefusals()) report(std::move(why) + ".");
-  std::string state = reader_.state();
+  const std::string problem = reader_.problem();
+  std::string state = problem.empty() ? reader_.state() : problem;
   if (state == reported_) return;
   reported_ = std::move(state);
-  report(reported_ + ".");
+  if (problem.empty()) {
+    report(reported_ + ".");
+  } else {
+    reportProblem(reported_ + ".");
+  }
 }
 
 robotcontrol::CameraSettings CameraPlatform::settings() const {

@@ -43,6 +43,11 @@ std::string CameraReader::state() const {
   return state_;
 }
 
+std::string CameraReader::problem() const {
+  const std::lock_guard lock(mutex_);
+  return isProblem_ ? state_ : std::string();
+}
+
 CameraReader::Counts CameraReader::counts() const {
   const std::lock_guard lock(mutex_);
   return counts_;
@@ -96,6 +101,13 @@ void CameraReader::openNow() {
 void CameraReader::setState(std::string state) {
   const std::lock_guard lock(mutex_);
   state_ = std::move(state);
+  isProblem_ = false;
+}
+
+void CameraReader::setProblem(const std::string& why) {
+  const std::lock_guard lock(mutex_);
+  state_ = why + "; it is tried again";
+  isProblem_ = true;
 }
 
 bool CameraReader::quits() const {
@@ -114,7 +126,7 @@ void CameraReader::run() {
   do {
     auto device = CameraDevice::open(address_, calls_);
     if (!device) {
-      setState(device.error().text + "; it is tried again");
+      setProblem(device.error().text);
       continue;
     }
     const CameraDevice::Mode& mode = (*device)->mode();
@@ -132,9 +144,9 @@ void CameraReader::run() {
     const robotlink::Error why = read(**device);
     isOpen_ = false;
     if (quits()) return;
+    setProblem(why.text);
     const std::lock_guard lock(mutex_);
     ++counts_.losses;
-    state_ = why.text + "; it is tried again";
   } while (pause());
 }
 

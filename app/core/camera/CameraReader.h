@@ -50,6 +50,8 @@ class CameraReader {
   std::vector<std::string> takeRefusals();
   /// The state as a sentence without its period.
   std::string state() const;
+  /// Why there are no images, as such a sentence; empty if there are, or if it is not known yet.
+  std::string problem() const;
   Counts counts() const;
   /// Ends the pause between two attempts to open the camera.
   void openNow();
@@ -60,6 +62,8 @@ class CameraReader {
   /// Reads until the camera is gone or the thread is to end; returns why.
   robotlink::Error read(CameraDevice& device);
   void setState(std::string state);
+  /// Sets the state to what does not work.
+  void setProblem(const std::string& why);
   /// Gives the camera the values that were set since the last call, and looks at all every second.
   void followControls(CameraDevice& device);
   /// Waits for the next attempt. Returns false if the thread is to end.
@@ -75,6 +79,8 @@ class CameraReader {
   bool quit_ = false, now_ = false;
   std::optional<Shot> newest_;
   std::string state_;
+  /// Whether the state is one in which there are no images.
+  bool isProblem_ = false;
   Counts counts_;
   std::vector<CameraDevice::Control> controls_;
   /// All that were set, and those that the camera has not got yet.

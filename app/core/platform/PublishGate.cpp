@@ -128,10 +128,20 @@ void PublishGate::publishMapNotes(const std::string& robot, robotlink::Instant t
 
 void PublishGate::publishPlatform(const std::string& robot, robotlink::Instant time,
                                   const std::string& text) {
+  publishPlatformText(robot, time, foxglove::Log::INFO, text);
+}
+
+void PublishGate::publishPlatformProblem(const std::string& robot, robotlink::Instant time,
+                                         const std::string& text) {
+  publishPlatformText(robot, time, foxglove::Log::WARNING, text);
+}
+
+void PublishGate::publishPlatformText(const std::string& robot, robotlink::Instant time, int level,
+                                      const std::string& text) {
   if (reports_) {
     reports_->push_back(robot + ": " + text);
   } else {
-    publishText(robot, "platform", time, foxglove::Log::INFO, text);
+    publishText(robot, robotlink::streams::kPlatformSource, time, level, text);
   }
 }
 

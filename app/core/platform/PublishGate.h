@@ -71,6 +71,8 @@ class PublishGate {
   void publishMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
   /// Publishes a sentence about a robot's platform in the robot's log, or keeps it for keptReports().
   void publishPlatform(const std::string& robot, robotlink::Instant time, const std::string& text);
+  /// The same about what does not work, as a warning.
+  void publishPlatformProblem(const std::string& robot, robotlink::Instant time, const std::string& text);
   /// To be called before the run ends: what the platforms report from now on is kept, since the session will
   /// belong to another run.
   void keepReports();
@@ -83,6 +85,8 @@ class PublishGate {
   void publishTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 
  private:
+  void publishPlatformText(const std::string& robot, robotlink::Instant time, int level,
+                           const std::string& text);
   /// Calls `push`, now or when the gate is opened.
   void pass(std::function<void()> push);
   /// Adds a frame to the recorder, if there is one.

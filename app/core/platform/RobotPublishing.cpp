@@ -13,9 +13,11 @@ RobotHost::Listeners listenersOf(PublishGate& gate) {
       .platform = [&gate](const std::string& robot, robotlink::Instant time,
                           const std::string& text) { gate.publishPlatform(robot, time, text); },
       .overridden = {},
-      .hosting =
-          [&gate](const std::string& robot, robotlink::Instant time,
-                  const robotcontrol::HostingStatus& status) { gate.publishHosting(robot, time, status); }};
+      .hosting = [&gate](
+                     const std::string& robot, robotlink::Instant time,
+                     const robotcontrol::HostingStatus& status) { gate.publishHosting(robot, time, status); },
+      .problem = [&gate](const std::string& robot, robotlink::Instant time,
+                         const std::string& text) { gate.publishPlatformProblem(robot, time, text); }};
 }
 
 }  // namespace app

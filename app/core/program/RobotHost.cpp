@@ -238,6 +238,13 @@ std::shared_ptr<const robotlink::SharedDebugQueue> RobotHost::answersToCome() {
 
 void RobotHost::reportPlatform() {
   for (const std::string& text : platform_->takeReports()) reportPlatform(text);
+  for (const std::string& text : platform_->takeProblems()) {
+    if (!listeners_.problem) {
+      reportPlatform(text);
+    } else {
+      listeners_.problem(robot_.name, platform_->clock().now(), text);
+    }
+  }
 }
 
 void RobotHost::reportPlatform(const std::string& text) const {

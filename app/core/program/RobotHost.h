@@ -50,6 +50,9 @@ class RobotHost {
     std::function<void(const std::string& robot, robotlink::Instant time,
                        const robotcontrol::HostingStatus& status)>
         hosting = {};
+    /// Like `platform`, about what does not work; if it is empty, `platform` is called.
+    std::function<void(const std::string& robot, robotlink::Instant time, const std::string& text)> problem =
+        {};
   };
   /// What a program is to be made of.
   struct Parts {

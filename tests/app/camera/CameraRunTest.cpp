@@ -38,6 +38,10 @@ class CameraRunTest : public testing::Test {
       const std::lock_guard lock(mutex_);
       reports_ += text + "\n";
     };
+    listeners.problem = [this](const std::string&, robotlink::Instant, const std::string& text) {
+      const std::lock_guard lock(mutex_);
+      problems_ += text + "\n";
+    };
     auto run = RealRun::create(cameraOptions(url, camera_), listeners);
     ASSERT_TRUE(run) << robotlink::describe(run.error());
     run_ = std::move(*run);
@@ -81,12 +85,16 @@ class CameraRunTest : public testing::Test {
     const std::lock_guard lock(mutex_);
     return reports_.find(text) != std::string::npos;
   }
+  bool reportedProblem(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    return problems_.find(text) != std::string::npos;
+  }
 
   test::FakeCamera camera_;
-  std::mutex mutex_;  // protects paths_, settings_ and reports_
+  std::mutex mutex_;  // protects paths_, settings_, reports_ and problems_
   std::set<std::string> paths_;
   std::shared_ptr<const robotcontrol::CameraSettings> settings_;
-  std::string reports_;
+  std::string reports_, problems_;
   std::unique_ptr<RealRun> run_;
 };
 
@@ -101,7 +109,8 @@ TEST_F(CameraRunTest, aCameraThatWasUnpluggedIsOpenedAgain) {
   open();
   EXPECT_TRUE(playUntil([&] { return run_->platform().isConnected(); }));
   camera_.unplug(true);
-  EXPECT_TRUE(playUntil([&] { return !run_->platform().isConnected() && reported("it is tried again"); }));
+  EXPECT_TRUE(
+      playUntil([&] { return !run_->platform().isConnected() && reportedProblem("it is tried again"); }));
   EXPECT_EQ(camera_.opened(), 0);
   camera_.unplug(false);
   run_->connectNow();
@@ -111,10 +120,12 @@ TEST_F(CameraRunTest, aCameraThatWasUnpluggedIsOpenedAgain) {
 TEST_F(CameraRunTest, itIsOpenedWhenItIsPluggedIn) {
   camera_.unplug(true);
   open();
-  EXPECT_TRUE(playUntil([&] { return reported("is the camera plugged in?"); }));
+  EXPECT_TRUE(playUntil([&] { return reportedProblem("is the camera plugged in?"); }));
   camera_.unplug(false);
   run_->connectNow();
   EXPECT_TRUE(playUntil([&] { return has("camera/camera/image"); }));
+  EXPECT_TRUE(reported("Fake camera takes images of"));
+  EXPECT_FALSE(reported("is the camera plugged in?"));
 }
 
 TEST_F(CameraRunTest, itsSettingsAreChangedWhileItTakesImages) {

@@ -73,6 +73,16 @@ TEST_F(PublishGateTest, openingTwicePublishesNothingTwice) {
   EXPECT_EQ(texts(), "once|");
 }
 
+TEST_F(PublishGateTest, whatDoesNotWorkOfAPlatformIsAWarning) {
+  gate.open();
+  gate.publishPlatform("red1", instantAt(1), "it was set up");
+  gate.publishPlatformProblem("red1", instantAt(2), "no such device");
+  EXPECT_EQ(texts(), "it was set up|no such device|");
+  const auto& all = session.store().find("red1/log")->messages;
+  EXPECT_EQ(dynamic_cast<const foxglove::Log&>(*all.front().value).level(), foxglove::Log::INFO);
+  EXPECT_EQ(dynamic_cast<const foxglove::Log&>(*all.back().value).level(), foxglove::Log::WARNING);
+}
+
 TEST_F(PublishGateTest, notesOfAMapAreWarningsWhereItIsIncomplete) {
   robotlink::GroundMap map;
   map.notes = {"a line is missing"};

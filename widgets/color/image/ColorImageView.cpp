@@ -19,6 +19,7 @@
 #include "widgets/color/image/ColorEffectRow.h"
 #include "widgets/color/image/ColorStrip.h"
 #include "widgets/color/image/ColorToolRow.h"
+#include "widgets/image/ImageHint.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/log/OpenLogs.h"
@@ -227,7 +228,7 @@ void ColorImageView::tick() {
     Q_EMIT titleChanged(tr("Color image: %1").arg(QString::fromStdString(streams_->path(session()))));
   if (!gesture_) bench_.setFrame(shownFrame());
   colorSender(bench_).tick();
-  left_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
+  left_->setHint(imageHint(session(), streams_->path(session())));
   updateStatus();
 }
 

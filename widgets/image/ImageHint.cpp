@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/image/ImageHint.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "foxglove/Robot.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
+#include "widgets/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+/// So many texts are looked at, the newest ones, since this is done in each tick.
+constexpr std::ptrdiff_t kMaxTexts = 1000;
+
+QString sentence(const char* text) {
+  return QCoreApplication::translate("ImageHint", text);
+}
+
+/// What does not work, as the robot's platform reported it last; empty if it reported something else since.
+std::string platformProblem(robotlink::Session& session, const std::string& robot) {
+  const auto* stream = session.store().find(robot + '/' + robotlink::streams::kLog);
+  if (stream == nullptr) return {};
+  const auto& all = stream->messages;
+  const auto end =
+      std::ranges::upper_bound(all, session.timeline().shown(), {}, &robotlink::StreamMessage::time);
+  const auto begin = end - std::min<std::ptrdiff_t>(end - all.begin(), kMaxTexts);
+  for (auto at = end; at != begin;) {
+    --at;
+    const auto* text = dynamic_cast<const foxglove::Log*>(at->value.get());
+    if (text == nullptr || text->name() != robotlink::streams::kPlatformSource) continue;
+    return text->level() >= foxglove::Log::WARNING ? text->message() : std::string();
+  }
+  return {};
+}
+
+}  // namespace
+
+QString imageHint(robotlink::Session& session, const std::string& path) {
+  if (session.robots().empty())
+    return sentence(QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
+  const QString none =
+      sentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));
+  const std::string problem = platformProblem(session, robotPart(path));
+  return problem.empty() ? none : none + QStringLiteral(".\n") + QString::fromStdString(problem);
+}
+
+}  // namespace widgets
