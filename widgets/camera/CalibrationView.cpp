@@ -25,6 +25,7 @@
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageHint.h"
 #include "widgets/image/ImagePixels.h"
+#include "widgets/image/RawPicture.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/solutions/ParameterEdits.h"
 
@@ -331,7 +332,7 @@ void CalibrationView::showImage() {
   ImagePicture picture;
   std::vector<robotlink::PackagePtr> keep;
   if (image_) {
-    picture.pixels = toQImage(robotlink::imageView(*image_));
+    picture.pixels = rawPicture(*image_);
     auto annotations = std::make_shared<foxglove::ImageAnnotations>();
     robotlink::ImageDrawing drawing(*annotations);
     if (looksForBoard()) {

@@ -2,8 +2,7 @@
 #include "widgets/data/ImageThumbnails.h"
 
 #include "foxglove/Image.pb.h"
-#include "robotlink/packages/Conversions.h"
-#include "widgets/image/ImagePixels.h"
+#include "widgets/image/RawPicture.h"
 
 namespace widgets {
 namespace {
@@ -13,10 +12,7 @@ constexpr std::uint64_t kTicksKept = 8;  // about four pictures a second
 }  // namespace
 
 QImage imageOf(const google::protobuf::Message& message) {
-  if (const auto* raw = dynamic_cast<const foxglove::RawImage*>(&message)) {
-    const robotlink::ImageView view = robotlink::imageView(*raw);
-    return view.empty() ? QImage() : toQImage(view);
-  }
+  if (const auto* raw = dynamic_cast<const foxglove::RawImage*>(&message)) return rawPicture(*raw);
   if (const auto* compressed = dynamic_cast<const foxglove::CompressedImage*>(&message)) {
     return QImage::fromData(reinterpret_cast<const uchar*>(compressed->data().data()),
                             static_cast<int>(compressed->data().size()));

@@ -61,7 +61,7 @@ std::string classNameOf(const PixelValue& pixel, const std::vector<std::string>&
     const auto index = static_cast<std::size_t>(*pixel.value);
     return index < names.size() ? names[index] : std::string();
   }
-  if (pixel.ycbcr || field == nullptr) return {};
+  if (pixel.ycbcr || pixel.depth || field == nullptr) return {};
   for (const auto& color : field->palette) {
     if (color.rgb == pixel.rgb) return color.name;
   }

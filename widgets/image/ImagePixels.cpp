@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <array>
+#include <cmath>
 
 namespace widgets {
 namespace {
@@ -106,7 +107,7 @@ QImage toQImage(const robotlink::ImageView& image, std::span<const Rgb> classCol
 
 std::optional<PixelValue> pixelAt(const robotlink::ImageView& image, int x, int y) {
   if (image.empty() || x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
-  PixelValue pixel{x, y, {}, {}, {}};
+  PixelValue pixel{x, y, {}, {}, {}, {}};
   pixel.rgb = robotlink::pixelRgb(image, x, y);
   switch (image.format) {
     case PixelFormat::kYuyv:
@@ -132,7 +133,10 @@ QString describe(const PixelValue& pixel, const std::string& className) {
                 .arg(pixel.ycbcr->cb, 3)
                 .arg(pixel.ycbcr->cr, 3);
   }
-  if (pixel.value) {
+  if (pixel.depth) {
+    text += std::isnan(*pixel.depth) ? QStringLiteral("   –")
+                                     : QStringLiteral("   %1 m").arg(*pixel.depth, 0, 'f', 3);
+  } else if (pixel.value) {
     text += QStringLiteral("   value %1").arg(*pixel.value, 3);
   } else {
     text += QStringLiteral("   R %1  G %2  B %3").arg(pixel.rgb.r, 3).arg(pixel.rgb.g, 3).arg(pixel.rgb.b, 3);

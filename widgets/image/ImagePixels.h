@@ -27,8 +27,10 @@ struct PixelValue {
   robotlink::Rgb rgb;
   /// Only of images in YCbCr.
   std::optional<robotlink::YCbCr> ycbcr;
-  /// Only of kMono8: the gray value or class number.
+  /// Only of kMono8 and mono16: the gray value or class number.
   std::optional<int> value;
+  /// Only of depths: m; NaN: none was measured.
+  std::optional<double> depth = {};
 };
 
 /// Unset outside of the image.

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "foxglove/Image.pb.h"
-#include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
@@ -18,6 +17,7 @@
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImageHint.h"
 #include "widgets/image/ImagePixels.h"
+#include "widgets/image/RawPicture.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/ViewPicture.h"
@@ -182,7 +182,7 @@ QString ImageStreamView::staleText() const {
 void ImageStreamView::updatePixel() {
   const auto at = canvas_->pixelUnderCursor();
   if (!at || !image_) return pixel_->clear();
-  const auto pixel = pixelAt(robotlink::imageView(*image_), at->x(), at->y());
+  const auto pixel = rawPixel(*image_, at->x(), at->y());
   const QString text =
       pixel ? describe(*pixel, classNameOf(*pixel, classes(), context().field.get())) : QString();
   pixel_->setText(text + secondPixelText(*at));

@@ -7,7 +7,6 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Sensing.pb.h"
-#include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/drawings/DrawingsModel.h"
@@ -16,8 +15,8 @@
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImageComparison.h"
-#include "widgets/image/ImagePixels.h"
 #include "widgets/image/ImageStreamView.h"
+#include "widgets/image/RawPicture.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/picture/MeasureTool.h"
 
@@ -49,9 +48,8 @@ ImagePicture ImageStreamView::pictureOf(const foxglove::RawImage* image, const s
                                         std::vector<robotlink::PackagePtr>& keep) const {
   ImagePicture picture;
   if (image == nullptr) return picture;
-  picture.pixels =
-      toQImage(robotlink::imageView(*image),
-               classColors(classNames(session().store(), path, *image, time), context().field.get()));
+  picture.pixels = rawPicture(
+      *image, classColors(classNames(session().store(), path, *image, time), context().field.get()));
   for (const CurrentDrawing& drawing : drawings) {
     const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
     if (annotations == nullptr) continue;

@@ -8,8 +8,7 @@
 #include "logplayer/file/LogFile.h"
 #include "logplayer/file/LogImport.h"
 #include "logplayer/images/ImageCoding.h"
-#include "robotlink/packages/Conversions.h"
-#include "widgets/image/ImagePixels.h"
+#include "widgets/image/RawPicture.h"
 
 namespace widgets {
 
@@ -219,7 +218,7 @@ QImage LogReader::thumbnail(const std::string& stream, Instant time, int height)
     raw = std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
   }
   if (raw == nullptr) return {};
-  const QImage image = toQImage(robotlink::imageView(*raw));
+  const QImage image = rawPicture(*raw);
   return image.isNull() ? image : image.scaledToHeight(height, Qt::SmoothTransformation);
 }
 
