@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/image/StreamSelector.h"
 
+#include <algorithm>
+
 #include "robotlink/session/Session.h"
+#include "widgets/TypedStreams.h"
 
 namespace widgets {
 
 StreamSelector::StreamSelector(std::string type, QString choice, QWidget* parent)
-    : QComboBox(parent), type_(std::move(type)), choice_(std::move(choice)) {
+    : QComboBox(parent), type_(std::move(type)), initial_(std::move(choice)), choice_(initial_) {
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(14);
   connect(this, QOverload<int>::of(&QComboBox::activated), this,
@@ -18,26 +21,46 @@ bool StreamSelector::refresh(robotlink::Session& session) {
   if (store.listVersion() == listVersion_ && session.selectedRobot() == listedRobot_) return false;
   listVersion_ = store.listVersion();
   listedRobot_ = session.selectedRobot();
-  const QString folder = QString::fromStdString(listedRobot_) + QLatin1Char('/');
+  // Without a robot "*/cam" would be "/cam" once more.
+  const QString folder =
+      listedRobot_.empty() ? QString() : QString::fromStdString(listedRobot_) + QLatin1Char('/');
   QStringList choices, paths;
   for (const auto* stream : store.streams()) {
     if (stream->type != type_) continue;
     const QString path = QString::fromStdString(stream->path);
     paths << path;
-    if (path.startsWith(folder)) choices << QStringLiteral("*/") + path.mid(folder.size());
+    if (!folder.isEmpty() && path.startsWith(folder))
+      choices << QStringLiteral("*/") + path.mid(folder.size());
   }
-  if (!paths.contains(choice_) && !choices.contains(choice_)) choices.prepend(choice_);
+  shown_.clear();
+  const QString wanted = QString::fromStdString(path(session));
+  shown_ = paths.contains(wanted) ? QString() : substitute(choices, paths, session);
+  const QString& current = !shown_.isEmpty()                            ? shown_
+                           : folder.isEmpty() && paths.contains(wanted) ? wanted
+                                                                        : choice_;
+  if (!paths.contains(current) && !choices.contains(current)) choices.prepend(current);
   clear();
   for (const QString& choice : choices + paths) {
     const bool ofSelected = choice.startsWith(QLatin1Char('*'));
     addItem(ofSelected ? tr("Selected robot: %1").arg(choice.mid(2)) : choice, choice);
   }
-  setCurrentIndex(findData(choice_));
+  setCurrentIndex(findData(current));
   return true;
 }
 
+QString StreamSelector::substitute(const QStringList& ofSelected, const QStringList& paths,
+                                   const robotlink::Session& session) const {
+  if (choice_ != initial_) return {};
+  if (!ofSelected.isEmpty()) return ofSelected.front();
+  const auto& robots = session.robots();
+  const auto found = std::ranges::find_if(paths, [&](const QString& path) {
+    return std::ranges::find(robots, robotPart(path.toStdString())) == robots.end();
+  });
+  return found == paths.end() ? QString() : *found;
+}
+
 std::string StreamSelector::path(const robotlink::Session& session) const {
-  QString path = choice_;
+  QString path = shown_.isEmpty() ? choice_ : shown_;
   if (path.startsWith(QLatin1Char('*'))) path.replace(0, 1, QString::fromStdString(session.selectedRobot()));
   return path.toStdString();
 }
@@ -45,6 +68,7 @@ std::string StreamSelector::path(const robotlink::Session& session) const {
 void StreamSelector::setChoice(const QString& choice) {
   if (choice.isEmpty()) return;
   choice_ = choice;
+  shown_.clear();
   listVersion_ = ~0ULL;  // lists the choice even if it does not exist
   Q_EMIT choiceChanged();
 }

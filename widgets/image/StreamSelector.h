@@ -12,7 +12,8 @@ namespace widgets {
 
 /// A combo box that selects a stream of one message type by its path: a certain one, or with "*" in place of
 /// the robot that of the session's selected robot. A stream that was chosen and does not exist (yet) stays
-/// chosen. GUI thread.
+/// chosen. While the initial choice, which nobody chose, does not exist, the first stream there is stands for
+/// it: one of the selected robot, else one of no robot, as in logs of other programs. GUI thread.
 class StreamSelector final : public QComboBox {
   Q_OBJECT
  public:
@@ -22,7 +23,8 @@ class StreamSelector final : public QComboBox {
   /// Lists the session's streams; returns early while they are unchanged. True if the list, and so perhaps
   /// path(), changed.
   bool refresh(robotlink::Session& session);
-  /// Path of the chosen stream, with the selected robot's name in place of "*".
+  /// Path of the chosen stream, or of the one that stands for it, with the selected robot's name in place of
+  /// "*".
   std::string path(const robotlink::Session& session) const;
 
   /// The choice as saved in a view's state: "red1/camera/image" or "*/camera/image".
@@ -34,9 +36,16 @@ class StreamSelector final : public QComboBox {
   void choiceChanged();
 
  private:
+  /// Which choice stands for the initial one; empty: none.
+  QString substitute(const QStringList& ofSelected, const QStringList& paths,
+                     const robotlink::Session& session) const;
+
   /// Full name of the message type.
   std::string type_;
+  const QString initial_;
   QString choice_;
+  /// What substitute() returned.
+  QString shown_;
   /// The store's list of streams and the selected robot that the combo box shows.
   quint64 listVersion_ = ~0ULL;
   std::string listedRobot_;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stream the view of images shows until the user chooses one.
+#include <QComboBox>
+#include <QTest>
+
+#include "tests/widgets/FieldBench.h"
+#include "widgets/image/ImageCanvas.h"
+#include "widgets/image/ImageStreamView.h"
+
+namespace widgets::test {
+namespace {
+
+constexpr robotlink::YCbCr kDark{60, 128, 128}, kBright{200, 128, 128};
+
+struct ShownStreams {
+  FieldBench world;
+  std::unique_ptr<ImageStreamView> view = world.open<ImageStreamView>();
+  QComboBox* streams = &child<QComboBox>(*view, "imageStream");
+
+  void push(const std::string& path, robotlink::YCbCr color) { world.pushImage(path, {80, 60}, color); }
+  void step() {
+    world.advance();
+    view->tick();
+  }
+  const ImageCanvas& canvas() const { return child<ImageCanvas>(*view, "imageCanvas"); }
+  bool shows(robotlink::YCbCr color) const {
+    const QImage& pixels = canvas().picture().pixels;
+    const robotlink::Rgb rgb = toRgb(color);
+    return !pixels.isNull() && isNear(pixels.pixelColor(10, 10), QColor(rgb.r, rgb.g, rgb.b), 2);
+  }
+};
+
+}  // namespace
+
+class ImageStreamsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void imagesOfALogWithoutARobotAreShownAtOnce() {
+    ShownStreams s;
+    s.world.session.setRobots({});
+    s.push("/cam", kDark);
+    s.push("/depth", kBright);
+    s.step();
+    QVERIFY(s.shows(kDark));
+    QCOMPARE(s.streams->count(), 2);
+    QCOMPARE(s.streams->currentText(), QStringLiteral("/cam"));
+    s.streams->setFocus();
+    QTest::keyClick(s.streams, Qt::Key_Down);
+    s.step();
+    QVERIFY(s.shows(kBright));
+    QCOMPARE(s.streams->currentText(), QStringLiteral("/depth"));
+  }
+
+  void theCameraIsShownInsteadOfOtherImagesAsSoonAsItHasAny() {
+    ShownStreams s;
+    s.push("red1/front/color", kDark);
+    s.step();
+    QVERIFY(s.shows(kDark));
+    s.push("red1/camera/image", kBright);
+    s.step();
+    QVERIFY(s.shows(kBright));
+  }
+
+  void aChosenStreamStaysChosenAlthoughItDoesNotExist() {
+    ShownStreams s;
+    s.view->restoreState({{QStringLiteral("stream"), QStringLiteral("red1/images/lines")}});
+    s.push("red1/front/color", kDark);
+    s.step();
+    QVERIFY(s.canvas().picture().pixels.isNull());
+    QCOMPARE(s.streams->currentText(), QStringLiteral("red1/images/lines"));
+  }
+
+  void imagesOfAnotherRobotAreNotTakenForThoseOfTheSelectedOne() {
+    ShownStreams s;
+    s.world.session.setRobots({"red1", "blue1"});
+    s.push("blue1/camera/image", kDark);
+    s.step();
+    QVERIFY(s.canvas().picture().pixels.isNull());
+  }
+};
+
+const GuiTest<ImageStreamsTest> kImageStreamsTest;
+
+}  // namespace widgets::test
+
+#include "ImageStreamsTest.moc"
