@@ -9,7 +9,9 @@
 #include "app/core/program/ColorTables.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/KeyModes.h"
 #include "robotlink/session/RobotTables.h"
 
@@ -30,13 +32,43 @@ Result<void> ask(OpenPlatform& open, Request request) {
   return {};
 }
 
-Result<void> select(OpenPlatform& open, const std::string& name) {
+Result<void> requireRobot(OpenPlatform& open, const std::string& name) {
   const auto& robots = open.session().robots();
-  if (std::ranges::find(robots, name) == robots.end()) {
-    return robotlink::failure("robot.unknown", "there is no robot " + name, {}, {name});
-  }
+  if (std::ranges::find(robots, name) != robots.end()) return {};
+  return robotlink::failure("robot.unknown",
+                            "there is no robot " + name + robotlink::suggestion(name, robots), {}, {name});
+}
+
+Result<void> select(OpenPlatform& open, const std::string& name) {
+  if (auto known = requireRobot(open, name); !known) return known;
   open.session().selectRobot(name);
   return {};
+}
+
+/// Stands for every robot where commands name one.
+constexpr char kAll[] = "all";
+
+/// Sends a request to the selected robot if `whose` is empty, to all robots, or to the one of this name.
+Result<void> askRobots(OpenPlatform& open, const std::string& whose, const Request& request) {
+  const auto& robots = open.session().robots();
+  if (whose.empty() || robots.empty()) return ask(open, request);
+  if (whose != kAll) {
+    if (auto known = requireRobot(open, whose); !known) return known;
+  }
+  for (const std::string& robot : robots) {
+    if (whose != kAll && robot != whose) continue;
+    Request one = request;
+    one.set_robot(robot);
+    open.ask(std::move(one));
+  }
+  return {};
+}
+
+/// What completes the name of a robot, or all.
+std::vector<std::string> robotsOrAll(OpenPlatform& open) {
+  std::vector<std::string> names = open.session().robots();
+  names.emplace_back(kAll);
+  return names;
 }
 
 Result<void> setKey(OpenPlatform& open, const Values& values) {
@@ -49,7 +81,7 @@ Result<void> setKey(OpenPlatform& open, const Values& values) {
   Request request;
   request.mutable_set_key()->set_name(text(values, 0));
   *request.mutable_set_key()->mutable_mode() = *mode;
-  return ask(open, std::move(request));
+  return askRobots(open, text(values, 2), request);
 }
 
 Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
@@ -82,6 +114,7 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
   commands.attach(
       "robot.key", [&open](const Values& values) { return setKey(open, values); },
       [&open](const auto& before) {
+        if (before.size() > 1) return robotsOrAll(open);
         return before.empty() ? robotlink::keyNames(open.session())
                               : std::vector<std::string>{"off", "always", "n 1", "every 10", "every-ms 100"};
       });
@@ -91,9 +124,10 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
         Request request;
         request.mutable_select_solution()->set_task(text(values, 0));
         request.mutable_select_solution()->set_solution(text(values, 1));
-        return ask(open, std::move(request));
+        return askRobots(open, text(values, 2), request);
       },
       [&open](const auto& before) {
+        if (before.size() > 1) return robotsOrAll(open);
         return before.empty() ? robotlink::taskNames(open.session())
                               : robotlink::solutionNames(open.session(), before.front());
       });

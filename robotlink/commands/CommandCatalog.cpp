@@ -39,6 +39,8 @@ Rows simulationRows() {
 }
 
 Rows robotRows() {
+  const CommandTable::Argument whose{"robot", Type::kText, "its name, or all; '': the selected one",
+                                     std::string()};
   return {
       {"robot.connect-now",
        "Reconnects to the robot now instead of after a pause; its program keeps running"},
@@ -53,13 +55,14 @@ Rows robotRows() {
        {{"robot", Type::kText, "its name"},
         {"on", Type::kBool, "true: instead of whoever steers it now; false: gives it up"}}},
       {"robot.key",
-       "Sets a debug key of the selected robot's program",
+       "Sets a debug key of the program of the selected robot, of another one, or of all",
        {{"key", Type::kText, "its name, as in the view of debug keys"},
         {"mode", Type::kText, "off, always, 'n 3' (times), 'every 3' (frames) or 'every-ms 40'",
-         std::string("always")}}},
+         std::string("always")},
+        whose}},
       {"robot.solution",
-       "Switches the solution of a task of the selected robot's program",
-       {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}}},
+       "Switches the solution of a task of the program of the selected robot, of another one, or of all",
+       {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}, whose}},
       {"robot.color-table",
        "Sends a color table to the selected robot's program, which uses it from its next image on",
        {{"file", Type::kFile, "a color table: .c64, or another team's"}}},

@@ -57,6 +57,29 @@ TEST_F(RobotCommandsTest, aKeysModeIsOneOfFive) {
   }
 }
 
+TEST_F(RobotCommandsTest, aKeyAndASolutionAreSetInTheSelectedRobotInAnotherOneOrInAll) {
+  auto& session = workbench_.session();
+  std::vector<std::string> asked;
+  session.setRobots({"red1", "red2", "blue1"});
+  session.setRequestSink([&](const auto& request) { asked.push_back(request.robot()); });
+  const auto run = [&](const std::string& line) {
+    asked.clear();
+    const auto done = workbench_.commands().runLine(line);
+    return done ? std::string() : done.error().text;
+  };
+  EXPECT_EQ(run("robot.key a/b always"), "");
+  EXPECT_EQ(asked, std::vector<std::string>{"red1"});
+  EXPECT_EQ(run("robot.key a/b --robot red2"), "");
+  EXPECT_EQ(asked, std::vector<std::string>{"red2"});
+  EXPECT_EQ(run("robot.key a/b off --robot=all"), "");
+  EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red2", "blue1"}));
+  EXPECT_EQ(run("robot.solution driving halt --robot all"), "");
+  EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red2", "blue1"}));
+  EXPECT_NE(run("robot.solution driving halt --robot blue2").find("did you mean"), std::string::npos);
+  EXPECT_TRUE(asked.empty());
+  session.setRequestSink({});
+}
+
 TEST_F(RobotCommandsTest, aSetUpThatMakesNoSenseIsRefusedAtOnce) {
   const std::string scene = "pioneer", kind = "p3at", both = "both";
   EXPECT_EQ(refusal("simulation.setup", {scene, kind, 101.0, false, 0.0, false, both}), "simulation.setup");

@@ -49,6 +49,10 @@ void DebugKeysView::createActions() {
                             tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
   allOff_ = makeAction(this, "clear",
                        {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
+  inAllRobots_ =
+      makeAction(this, "robot",
+                 {"keysInAllRobots", tr("In all robots"),
+                  tr("Switches this key, or all keys below this row, in the other robots as it is here")});
   savePreset_ =
       makeAction(this, "save",
                  {"keysSavePreset", tr("Save preset"),
@@ -71,6 +75,8 @@ void DebugKeysView::createViews() {
   tree_ = makeTree(this, {"keysTree", tr("Debug keys"), {}}, filter_);
   tree_->setItemDelegate(new KeyDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  tree_->addAction(inAllRobots_);
   auto* fit = new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber});
   fit->expect(KeyTreeModel::kMode, tr("every n-th"));
   hint_ = new EmptyHint(tree_);
@@ -104,6 +110,7 @@ void DebugKeysView::connectSignals() {
     showState();
   });
   connect(allOff_, &QAction::triggered, this, &DebugKeysView::allOff);
+  connect(inAllRobots_, &QAction::triggered, this, &DebugKeysView::setInAllRobots);
   connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
     if (index.column() != KeyTreeModel::kName && index.flags().testFlag(Qt::ItemIsEditable))
       tree_->edit(index);
@@ -117,6 +124,7 @@ void DebugKeysView::connectSignals() {
 
 void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
+  inAllRobots_->setEnabled(session().robots().size() > 1);
   // What is switched here acts on the robot now, whatever instant the data views show.
   const auto now = session().timeline().newest();
   const auto tables = latestTable(session().store(), robot, robotlink::streams::kKeys, now);
@@ -192,6 +200,26 @@ void DebugKeysView::allOff() {
   const std::vector<KeyEntry> keys = model_.keys();
   for (const KeyEntry& key : keys) {
     if (model_.shownValue(key).kind != KeyValue::Kind::kOff) model_.choose(key.name, {});
+  }
+}
+
+void DebugKeysView::setInAllRobots() {
+  const QModelIndex current = tree_->currentIndex();
+  if (!current.isValid()) return;
+  notify({});
+  for (const std::string& name : model_.keysBelow(filter_->mapToSource(current.siblingAtColumn(0)))) {
+    const auto key = std::ranges::find(model_.keys(), name, &KeyEntry::name);
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(name);
+    assign(*request.mutable_set_key()->mutable_mode(), model_.shownValue(*key));
+    for (const std::string& robot : session().robots()) {
+      if (robot == robot_) continue;
+      ask(session(), robot, request, this, [this, robot, name](bool accepted, const QString& reason) {
+        if (accepted) return;
+        notify(tr("%1 of %2 was refused: %3")
+                   .arg(QString::fromStdString(name), QString::fromStdString(robot), reason));
+      });
+    }
   }
 }
 

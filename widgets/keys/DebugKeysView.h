@@ -40,6 +40,9 @@ class DebugKeysView final : public View {
   void search(const QString& text);
   /// Toggles the key at `index`, or all keys of the group at `index`.
   void toggle(const QModelIndex& index);
+  /// Requests the modes that are shown of the current key, or of the keys below the current group, from all
+  /// other robots.
+  void setInAllRobots();
   /// Requests "off" for every key that is not off.
   void allOff();
   /// Requests the mode of one key; a refusal is shown at the key and in the state line.
@@ -69,6 +72,7 @@ class DebugKeysView final : public View {
   EmptyHint* hint_ = nullptr;
   QAction* activeOnly_ = nullptr;
   QAction* allOff_ = nullptr;
+  QAction* inAllRobots_ = nullptr;
   QAction* savePreset_ = nullptr;
   QAction* removePreset_ = nullptr;
   /// The text set by notify().

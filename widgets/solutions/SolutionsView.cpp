@@ -42,6 +42,9 @@ void SolutionsView::createActions() {
       makeAction(this, "reset",
                  {"solutionsDefaults", tr("Defaults"),
                   tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
+  inAllRobots_ = makeAction(
+      this, "robot",
+      {"solutionsInAllRobots", tr("In all robots"), tr("Switches the task to this solution in all robots")});
   showParameters_ = makeToggle(this, "settings",
                                {"solutionsParameters", tr("Parameters"),
                                 tr("Shows the parameters of the current solution"), tr("Ctrl+Shift+I")});
@@ -52,6 +55,8 @@ void SolutionsView::createViews() {
   tree_->setItemDelegate(new SolutionDelegate(tree_));
   tree_->setAlternatingRowColors(false);
   tree_->setIndentation(14);
+  tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  tree_->addAction(inAllRobots_);
   new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kText});
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
@@ -75,6 +80,7 @@ void SolutionsView::connectSignals() {
   connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
+  connect(inAllRobots_, &QAction::triggered, this, &SolutionsView::selectInAllRobots);
   connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
   connect(showParameters_, &QAction::toggled, this, [this](bool on) {
     parameters_->setVisible(on);
@@ -104,6 +110,8 @@ void SolutionsView::tick() {
   }
   showHint();
   defaults_->setEnabled(model_.rowCount() > 0);
+  inAllRobots_->setEnabled(session().robots().size() > 1 &&
+                           tree_->currentIndex().data(SolutionModel::kSolutionRole).isValid());
   parameters_->tick();
 }
 
@@ -145,6 +153,25 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
         if (robot == robot_) model_.refuse(task, solution, reason);
         showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
       });
+}
+
+void SolutionsView::selectInAllRobots() {
+  const QModelIndex current = tree_->currentIndex();
+  const std::string task = current.data(SolutionModel::kTaskRole).toString().toStdString();
+  const std::string solution = current.data(SolutionModel::kSolutionRole).toString().toStdString();
+  if (solution.empty()) return;
+  choose(current);
+  robotcontrol::Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  for (const std::string& robot : session().robots()) {
+    if (robot == robot_) continue;
+    ask(session(), robot, request, this,
+        [this, name = QString::fromStdString(robot + ": " + task + " / " + solution)](bool accepted,
+                                                                                      const QString& reason) {
+          if (!accepted) showOutcome(*state_, tr("%1 was refused: %2").arg(name, reason), true);
+        });
+  }
 }
 
 void SolutionsView::selectDefaults() {

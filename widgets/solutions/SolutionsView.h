@@ -38,6 +38,8 @@ class SolutionsView final : public View {
   void choose(const QModelIndex& index);
   /// Requests a solution and shows the outcome.
   void select(const std::string& task, const std::string& solution);
+  /// Requests the current solution from all robots, this one included.
+  void selectInAllRobots();
   /// Requests the layout's default solution for every task that runs another one.
   void selectDefaults();
   /// Says why there is nothing to choose, if there is nothing.
@@ -53,6 +55,7 @@ class SolutionsView final : public View {
   QLabel* state_ = nullptr;
   EmptyHint* hint_ = nullptr;
   QAction* defaults_ = nullptr;
+  QAction* inAllRobots_ = nullptr;
   QAction* showParameters_ = nullptr;
   std::string robot_;
   /// Addresses of the tables that the tree shows, to detect new ones.

@@ -2,6 +2,7 @@
 #include "widgets/keys/DebugKeysView.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -100,6 +101,34 @@ class DebugKeysViewTest : public QObject {
     QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::N_TIMES);
     QCOMPARE(bench.requests[0].set_key().mode().n(), 1U);
     QCOMPARE(find(tree, QStringLiteral("circle"), 1).data().toString(), QStringLiteral("n times"));
+  }
+
+  void oneClickSwitchesAKeyOrAGroupInAllOtherRobotsAsItIsHere() {
+    Bench bench;
+    bench.session.setRobots({"red1", "red2", "blue1"});
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    auto& inAll = child<QAction>(*view, "keysInAllRobotsAction");
+    QVERIFY(tree.actions().contains(&inAll));
+    tree.setCurrentIndex(find(tree, QStringLiteral("position")));
+    inAll.trigger();
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    QCOMPARE(bench.requests[0].robot(), std::string("red2"));
+    QCOMPARE(bench.requests[1].robot(), std::string("blue1"));
+    QCOMPARE(bench.requests[1].set_key().name(), std::string("ball-model/position"));
+    QCOMPARE(bench.requests[1].set_key().mode().kind(), KeyMode::EVERY_MS);
+    QCOMPARE(bench.requests[1].set_key().mode().n(), 200U);
+    bench.answer(false, "there is no such key");
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "keysState").text().contains(QStringLiteral("blue1")));
+    tree.setCurrentIndex(find(tree, QStringLiteral("ball-percept")));
+    inAll.trigger();
+    QCOMPARE(bench.requests.size(), std::size_t{6});
+    bench.session.setRobots({"red1"});
+    bench.tick(*view);
+    QVERIFY(!inAll.isEnabled());
   }
 
   void theNumberIsEditedInPlace() {

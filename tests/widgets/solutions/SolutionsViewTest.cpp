@@ -2,6 +2,7 @@
 #include "widgets/solutions/SolutionsView.h"
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
@@ -180,6 +181,32 @@ class SolutionsViewTest : public QObject {
     bench.answer(asked, false, "its parameters cannot be read");
     bench.tick(*view);
     QCOMPARE(state(), QStringLiteral("Takes the largest orange region"));
+  }
+
+  void oneClickSwitchesATaskInAllRobots() {
+    Bench bench;
+    bench.session.setRobots({"red1", "red2", "blue1"});
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    auto& inAll = child<QAction>(*view, "solutionsInAllRobotsAction");
+    tree.setCurrentIndex(find(tree, QStringLiteral("ball-percept")));
+    bench.tick(*view);
+    QVERIFY2(!inAll.isEnabled(), "a task is no solution");
+    tree.setCurrentIndex(find(tree, QStringLiteral("regions")));
+    bench.tick(*view);
+    QVERIFY(inAll.isEnabled());
+    bench.requests.clear();
+    inAll.trigger();
+    QCOMPARE(bench.requests.size(), std::size_t{3});
+    for (const auto& request : bench.requests)
+      QCOMPARE(request.select_solution().solution(), std::string("regions"));
+    QCOMPARE(bench.requests[0].robot(), std::string("red1"));
+    QCOMPARE(bench.requests[2].robot(), std::string("blue1"));
+    bench.answer(false, "it has no camera");
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("blue1")));
   }
 
   void defaultsSwitchesOnlyWhatIsNotDefault() {
