@@ -90,6 +90,7 @@ void MainWindow::attachCommands() {
   attachPlotCommands();
   attachSearchCommands();
   attachExportCommands();
+  attachPictureCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {

@@ -2,6 +2,8 @@
 // The rows of the catalog about the window and about color tables.
 #include "robotlink/commands/CommandCatalog.h"
 
+#include <utility>
+
 namespace robotlink {
 namespace {
 
@@ -83,10 +85,35 @@ Rows exportRows() {
   };
 }
 
+Rows pictureRows() {
+  const CommandTable::Argument image{"view", Type::kText, "image; the second one is image#2"};
+  const char* const kStream = "its path: red1/camera/image; */camera/image is that of the selected robot";
+  return {
+      {"image.stream",
+       "Chooses the images that an Image view shows",
+       {image, {"stream", Type::kText, kStream}}},
+      {"image.compare",
+       "Compares the images of an Image view with second ones",
+       {image,
+        {"stream", Type::kText, "the same; or none"},
+        {.name = "mode",
+         .help = "how both are shown",
+         .initial = std::string("side-by-side"),
+         .choices = {"side-by-side", "blend", "difference"}}}},
+      {"view.drawing",
+       "Checks or unchecks a drawing in the list of a view; one that is off at the robot is switched on "
+       "there",
+       {{"view", Type::kText, "image, field, scene or radar; the second one is image#2"},
+        {"drawing", Type::kText, "its name, as in the list"},
+        {"on", Type::kBool, "off hides it; the robot goes on drawing it", true}}},
+  };
+}
+
 }  // namespace
 
 Rows windowCatalog() {
   Rows rows = exportRows();
+  for (auto& row : pictureRows()) rows.push_back(std::move(row));
   const Rows others{
       {"view.show",
        "Brings a view to the front and opens it if needed",

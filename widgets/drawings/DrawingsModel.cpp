@@ -93,6 +93,23 @@ void DrawingsModel::setAllShown(bool shown) {
   Q_EMIT shownChanged();
 }
 
+bool DrawingsModel::setShown(const QString& name, bool shown) {
+  bool isFound = false;
+  for (int row = 0; row < rowCount(); ++row) {
+    const QString& id = rows_[static_cast<std::size_t>(row)].id;
+    if (id != name && id.section(QLatin1Char('/'), 1) != name) continue;
+    setData(index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+    isFound = true;
+  }
+  return isFound;
+}
+
+QStringList DrawingsModel::names() const {
+  QStringList names;
+  for (const Row& row : rows_) names << row.id.section(QLatin1Char('/'), 1);
+  return names;
+}
+
 void DrawingsModel::switchKey(int row, bool on) {
   if (row < 0 || row >= rowCount() || session_ == nullptr || robot_.empty()) return;
   Row& chosen = rows_[static_cast<std::size_t>(row)];

@@ -48,6 +48,11 @@ class DrawingsModel : public QAbstractListModel {
   QStringList shown() const;
   /// Checks or unchecks all rows without switching any key.
   void setAllShown(bool shown);
+  /// Checks or unchecks what has this id, or this name without its kind ("ball-percept/circle"), as a click
+  /// does. False if there is no such row.
+  bool setShown(const QString& name, bool shown);
+  /// The names of all rows without their kinds.
+  QStringList names() const;
   /// Requests the drawing's debug key on or off; a refusal is shown in the tool tip.
   void switchKey(int row, bool on);
   /// Moves a row by so many rows of this model; -1 is up. Ignored at the ends.

@@ -107,6 +107,11 @@ void CompareRow::propose(const QString& choice) {
   isChosen_ = false;
 }
 
+void CompareRow::choose(const QString& stream, Mode mode) {
+  stream_->setChoice(stream);
+  mode_->setCurrentIndex(static_cast<int>(mode));
+}
+
 bool CompareRow::update(robotlink::Session& session, robotlink::Instant time) {
   stream_->refresh(session);
   shift_->setEnabled(!isHeld());

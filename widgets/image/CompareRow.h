@@ -36,6 +36,8 @@ class CompareRow final : public QWidget {
 
   explicit CompareRow(QWidget* parent);
 
+  /// Chooses stream and mode, as the user does.
+  void choose(const QString& stream, Mode mode);
   /// The stream to begin with, if none was chosen yet.
   void propose(const QString& choice);
   /// Lists the streams, and looks for the second image that belongs to a first one at `time`. True if it is

@@ -43,6 +43,13 @@ class ImageStreamView final : public PictureView {
 
   /// Shows the newest image not later than the shown instant, and its drawings.
   void tick() override;
+  /// Chooses the stream by its path or "*/camera/image". Fails if there are no such images (yet).
+  robotlink::Result<void> showStream(const std::string& stream);
+  /// Compares with such a stream; `mode`: "side-by-side", "blend" or "difference". Fails as showStream().
+  robotlink::Result<void> compareWith(const std::string& stream, const std::string& mode);
+  void endComparison();
+  /// What these functions take as a stream.
+  std::vector<std::string> streamChoices() const;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
@@ -56,6 +63,8 @@ class ImageStreamView final : public PictureView {
 
   /// ImageStreamViewTools.cpp: comparing and measuring.
   void createMeasure();
+  /// Fails if there are no such images, and names those that there are.
+  robotlink::Result<void> requireStream(const std::string& stream) const;
   /// Shows or hides the second image.
   void compare(bool on);
   /// Passes the second image to the canvas, beside the first or within it.

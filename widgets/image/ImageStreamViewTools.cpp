@@ -7,6 +7,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/drawings/DrawingsModel.h"
@@ -57,6 +58,45 @@ ImagePicture ImageStreamView::pictureOf(const foxglove::RawImage* image, const s
     keep.push_back(drawing.message);
   }
   return picture;
+}
+
+std::vector<std::string> ImageStreamView::streamChoices() const {
+  std::vector<std::string> choices;
+  const std::string folder = session().selectedRobot() + "/";
+  for (const auto* stream : session().store().streams()) {
+    if (stream->type != "foxglove.RawImage") continue;
+    choices.push_back(stream->path);
+    if (stream->path.starts_with(folder)) choices.push_back("*/" + stream->path.substr(folder.size()));
+  }
+  return choices;
+}
+
+robotlink::Result<void> ImageStreamView::requireStream(const std::string& stream) const {
+  const auto known = streamChoices();
+  if (std::ranges::find(known, stream) != known.end()) return {};
+  return robotlink::failure("image.stream",
+                            "there are no images of " + stream + robotlink::suggestion(stream, known), {},
+                            {stream});
+}
+
+robotlink::Result<void> ImageStreamView::showStream(const std::string& stream) {
+  if (auto known = requireStream(stream); !known) return known;
+  streams_->setChoice(QString::fromStdString(stream));
+  return {};
+}
+
+robotlink::Result<void> ImageStreamView::compareWith(const std::string& stream, const std::string& mode) {
+  using Mode = CompareRow::Mode;
+  if (auto known = requireStream(stream); !known) return known;
+  second_->choose(QString::fromStdString(stream), mode == "blend"        ? Mode::kBlend
+                                                  : mode == "difference" ? Mode::kDifference
+                                                                         : Mode::kSideBySide);
+  compare_->setChecked(true);
+  return {};
+}
+
+void ImageStreamView::endComparison() {
+  compare_->setChecked(false);
 }
 
 void ImageStreamView::compare(bool on) {

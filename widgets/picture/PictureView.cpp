@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "robotlink/base/Spelling.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/SplitterState.h"
@@ -69,6 +70,21 @@ PictureView::Side PictureView::makeDrawings(const QStringList& kinds) {
       this, "layers",
       {named("Drawings").constData(), tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   return {new DrawingsPanel(*drawings_, this), toggle, kDrawingsWidth};
+}
+
+robotlink::Result<void> PictureView::showDrawing(const std::string& name, bool shown) {
+  if (drawings_ == nullptr)
+    return robotlink::failure("view.drawings", "this view has no list of drawings", {}, {name});
+  tick();  // lists what there is now
+  if (drawings_->setShown(QString::fromStdString(name), shown)) return {};
+  std::vector<std::string> known;
+  for (const QString& each : drawingNames()) known.push_back(each.toStdString());
+  return robotlink::failure("view.drawing",
+                            "there is no drawing " + name + robotlink::suggestion(name, known), {}, {name});
+}
+
+QStringList PictureView::drawingNames() const {
+  return drawings_ == nullptr ? QStringList() : drawings_->names();
 }
 
 void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, const Side& side,

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <functional>
 #include <initializer_list>
+#include <string>
 
 #include "robotlink/base/Clock.h"
 #include "widgets/View.h"
@@ -36,6 +37,11 @@ class PictureView : public View {
   /// The canvas, without what is beside it.
   QImage shownPicture() override { return rendered_(); }
   QSize shownPictureSize() const override;
+  /// Checks or unchecks a drawing in the list, by its name with or without its kind, as a click does. Fails
+  /// if the view has no such list, or no such drawing is in it.
+  robotlink::Result<void> showDrawing(const std::string& name, bool shown);
+  /// The names of the drawings in the list, without their kinds; empty without a list.
+  QStringList drawingNames() const;
 
  protected:
   /// What is beside the picture.

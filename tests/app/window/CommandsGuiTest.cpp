@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 
 #include "app/robotcontrol/actions/Appearance.h"
+#include "foxglove/Image.pb.h"
 #include "robotlink/commands/CommandTable.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
@@ -139,6 +140,30 @@ class CommandsGuiTest : public WindowTest {
     QCOMPARE(run(QStringLiteral("plots.add ") + curve), QString());
     QCOMPARE(run(QStringLiteral("plots.clear")), QString());
     QVERIFY(view->curves().isEmpty());
+  }
+
+  void whatAnImageViewShowsIsChosen() {
+    CommandDesk desk(home_);
+    const QString path = QStringLiteral("red1/camera/image");
+    QCOMPARE(desk.run(QStringLiteral("image.stream image ") + path), QStringLiteral("image.stream"));
+    desk.workbench.session().push({path.toStdString(), robotlink::Instant(std::chrono::seconds(1)),
+                                   std::make_shared<foxglove::RawImage>()});
+    desk.window.tick();
+    QCOMPARE(desk.run(QStringLiteral("view.another image")), QString());
+    QCOMPARE(desk.run(QStringLiteral("image.stream image#2 ") + path), QString());
+    QCOMPARE(desk.run(QStringLiteral("image.compare image#2 %1 blend").arg(path)), QString());
+    const auto docks = desk.window.docks().docks(QStringLiteral("image"));
+    QCOMPARE(docks.size(), std::size_t{2});
+    const auto state = [&](std::size_t i) {
+      return static_cast<widgets::View*>(docks[i]->widget())->saveState();
+    };
+    QCOMPARE(state(1)[QStringLiteral("stream")].toString(), path);
+    QVERIFY(state(1)[QStringLiteral("compare")].toBool());
+    QVERIFY(state(0)[QStringLiteral("stream")].toString() != path);
+    QCOMPARE(desk.run(QStringLiteral("image.compare image#2 none")), QString());
+    QVERIFY(!state(1)[QStringLiteral("compare")].toBool());
+    QCOMPARE(desk.run(QStringLiteral("image.stream field ") + path), QStringLiteral("view.kind"));
+    QCOMPARE(desk.run(QStringLiteral("view.drawing field nothing off")), QStringLiteral("view.drawing"));
   }
 
   void robotsAndTheBallArePlaced() {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MainWindow: commands about what views with pictures show.
+#include <qtadvanceddocking/DockWidget.h>
+#include <QPointer>
+
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "widgets/image/ImageStreamView.h"
+#include "widgets/picture/PictureView.h"
+
+namespace app {
+namespace {
+
+using robotlink::failure;
+using robotlink::Result;
+using Values = robotlink::CommandTable::Values;
+using Names = std::vector<std::string>;
+
+const std::string& text(const Values& values, std::size_t index) {
+  return std::get<std::string>(values[index]);
+}
+
+/// The open views of a class, by the names that commands use.
+template <typename V>
+Names openNames(const ViewDocks& docks) {
+  Names names;
+  for (const ads::CDockWidget* dock : docks.openDocks()) {
+    if (qobject_cast<const V*>(dock->widget()) == nullptr) continue;
+    QString name = dock->objectName();
+    if (name.endsWith(QLatin1String("#1"))) name.chop(2);
+    names.push_back(name.toStdString());
+  }
+  return names;
+}
+
+/// The open view of this name; null if there is none of this class.
+template <typename V>
+const V* namedView(const ViewDocks& docks, const std::string& name) {
+  const ads::CDockWidget* dock = docks.named(QString::fromStdString(name));
+  return dock == nullptr ? nullptr : qobject_cast<const V*>(dock->widget());
+}
+
+}  // namespace
+
+template <typename V>
+Result<V*> MainWindow::openPicture(const std::string& name) {
+  const auto dock = openView(name);
+  if (!dock) return tl::unexpected(dock.error());
+  if (V* view = qobject_cast<V*>((*dock)->widget())) return view;
+  return failure("view.kind", "the view " + name + " cannot do this", {}, {name});
+}
+
+void MainWindow::attachPictureCommands() {
+  const auto streams = [window = QPointer(this)](const Names& before) {
+    if (!window || before.size() > 1) return Names();
+    if (before.empty()) return openNames<widgets::ImageStreamView>(*window->docks_);
+    const auto* view = namedView<widgets::ImageStreamView>(*window->docks_, before.front());
+    return view == nullptr ? Names() : view->streamChoices();
+  };
+  attach(
+      "image.stream",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openPicture<widgets::ImageStreamView>(text(values, 0));
+        if (!view) return tl::unexpected(view.error());
+        return (*view)->showStream(text(values, 1));
+      },
+      streams);
+  attach(
+      "image.compare",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openPicture<widgets::ImageStreamView>(text(values, 0));
+        if (!view) return tl::unexpected(view.error());
+        if (text(values, 1) != "none") return (*view)->compareWith(text(values, 1), text(values, 2));
+        (*view)->endComparison();
+        return {};
+      },
+      [streams](const Names& before) {
+        Names names = streams(before);
+        if (before.size() == 1) names.emplace_back("none");
+        return names;
+      });
+  attach(
+      "view.drawing",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openPicture<widgets::PictureView>(text(values, 0));
+        if (!view) return tl::unexpected(view.error());
+        return (*view)->showDrawing(text(values, 1), std::get<bool>(values[2]));
+      },
+      [window = QPointer(this)](const Names& before) {
+        Names names;
+        if (!window || before.size() > 1) return names;
+        if (before.empty()) return openNames<widgets::PictureView>(*window->docks_);
+        const auto* view = namedView<widgets::PictureView>(*window->docks_, before.front());
+        if (view == nullptr) return names;
+        for (const QString& name : view->drawingNames()) names.push_back(name.toStdString());
+        return names;
+      });
+}
+
+}  // namespace app
