@@ -8,6 +8,7 @@
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ColorTables.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Conversions.h"
@@ -84,6 +85,32 @@ Result<void> setKey(OpenPlatform& open, const Values& values) {
   return askRobots(open, text(values, 2), request);
 }
 
+/// Asks for a change of where and how programs run. Without a name for the selected robot.
+Result<void> host(OpenPlatform& open, const std::string& whose, const robotcontrol::HostProgram& choice) {
+  Request request;
+  *request.mutable_host_program() = choice;
+  if (whose != kAll || open.session().robots().empty()) return askRobots(open, whose, request);
+  open.ask(std::move(request));  // without a robot it is for all, which change together
+  return {};
+}
+
+Result<void> chooseHost(OpenPlatform& open, const Values& values) {
+  using robotcontrol::HostProgram;
+  const std::string& where = text(values, 0);
+  const std::string& whose = text(values, 1);
+  HostProgram choice;
+  if (where == "inside" || where == "own-process") {
+    choice.set_where(where == "inside" ? HostProgram::IN_WORKBENCH : HostProgram::OWN_PROCESS);
+    return host(open, whose, choice);
+  }
+  if (!whose.empty() && whose != kAll) {
+    return robotlink::failure("robot.host", where + " is chosen for all robots together; leave out " + whose,
+                              {}, {where, whose});
+  }
+  choice.set_executor(where == "threads" ? HostProgram::THREADS : HostProgram::LOCKSTEP);
+  return host(open, kAll, choice);
+}
+
 Result<void> setColorTable(OpenPlatform& open, const std::string& file) {
   auto table = readColorTable(file);
   if (!table) return tl::unexpected(table.error());
@@ -130,6 +157,21 @@ void addForProgram(CommandTable& commands, OpenPlatform& open) {
         if (before.size() > 1) return robotsOrAll(open);
         return before.empty() ? robotlink::taskNames(open.session())
                               : robotlink::solutionNames(open.session(), before.front());
+      });
+  commands.attach(
+      "robot.host", [&open](const Values& values) { return chooseHost(open, values); },
+      [&open](const auto& before) {
+        return before.size() == 1 ? robotsOrAll(open) : std::vector<std::string>();
+      });
+  commands.attach(
+      "robot.start-again",
+      [&open](const Values& values) {
+        robotcontrol::HostProgram choice;
+        choice.set_start_again(true);
+        return host(open, text(values, 0), choice);
+      },
+      [&open](const auto& before) {
+        return before.empty() ? robotsOrAll(open) : std::vector<std::string>();
       });
   commands.attach("robot.color-table",
                   [&open](const Values& values) { return setColorTable(open, text(values, 0)); });

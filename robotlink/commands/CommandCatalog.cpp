@@ -63,6 +63,19 @@ Rows robotRows() {
       {"robot.solution",
        "Switches the solution of a task of the program of the selected robot, of another one, or of all",
        {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}, whose}},
+      {"robot.host",
+       "Chooses where the program of the selected robot, of another one or of all runs, and how the "
+       "processes "
+       "of all programs are executed; the programs are started again",
+       {{.name = "where",
+         .help = "in the workbench, or in a process of its own; threads: each process of all robots has a "
+                 "thread, in real time; lockstep: they are executed one after the other",
+         .choices = {"inside", "own-process", "threads", "lockstep"}},
+        whose}},
+      {"robot.start-again",
+       "Starts the program of the selected robot, of another one or of all again; keys, solutions and "
+       "parameters stay",
+       {whose}},
       {"robot.color-table",
        "Sends a color table to the selected robot's program, which uses it from its next image on",
        {{"file", Type::kFile, "a color table: .c64, or another team's"}}},

@@ -9,6 +9,7 @@
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/session/KeyPresets.h"
@@ -77,6 +78,37 @@ TEST_F(RobotCommandsTest, aKeyAndASolutionAreSetInTheSelectedRobotInAnotherOneOr
   EXPECT_EQ(asked, (std::vector<std::string>{"red1", "red2", "blue1"}));
   EXPECT_NE(run("robot.solution driving halt --robot blue2").find("did you mean"), std::string::npos);
   EXPECT_TRUE(asked.empty());
+  session.setRequestSink({});
+}
+
+TEST_F(RobotCommandsTest, whereProgramsRunIsChosenForOneRobotOrAll) {
+  using robotcontrol::HostProgram;
+  EXPECT_EQ(refusal("robot.host", {std::string("inside")}), "robot.none");
+  EXPECT_EQ(refusal("robot.start-again", {std::string("all")}), "robot.none");
+  auto& session = workbench_.session();
+  robotcontrol::Request asked;
+  int count = 0;
+  session.setRobots({"red1", "red2"});
+  session.setRequestSink([&](const auto& request) {
+    asked = request;
+    ++count;
+  });
+  const auto& commands = workbench_.commands();
+  ASSERT_TRUE(commands.runLine("robot.host own-process"));
+  EXPECT_EQ(asked.robot(), "red1");
+  EXPECT_EQ(asked.host_program().where(), HostProgram::OWN_PROCESS);
+  ASSERT_TRUE(commands.runLine("robot.host inside --robot all"));
+  EXPECT_EQ(asked.robot(), "");
+  EXPECT_EQ(asked.host_program().where(), HostProgram::IN_WORKBENCH);
+  ASSERT_TRUE(commands.runLine("robot.host threads"));
+  EXPECT_EQ(asked.robot(), "");
+  EXPECT_EQ(asked.host_program().executor(), HostProgram::THREADS);
+  EXPECT_EQ(asked.host_program().where(), HostProgram::UNCHANGED);
+  EXPECT_EQ(refusal("robot.host", {std::string("lockstep"), std::string("red2")}), "robot.host");
+  ASSERT_TRUE(commands.runLine("robot.start-again --robot red2"));
+  EXPECT_EQ(asked.robot(), "red2");
+  EXPECT_TRUE(asked.host_program().start_again());
+  EXPECT_EQ(count, 4);
   session.setRequestSink({});
 }
 
