@@ -3,6 +3,7 @@
 
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 
@@ -28,6 +29,16 @@ Result<void> setSimulationSpeed(OpenPlatform& open, double speed) {
   return control(open, Control::UNCHANGED, speed);
 }
 
+/// Opens the simulation that runs again, since a world gets its noise when it is made.
+Result<void> setNoise(OpenPlatform& open, bool on) {
+  const LoadedPlatform* loaded = open.loaded();
+  if (loaded == nullptr || loaded->adapter != SimulationFeed::kAdapter || loaded->sources.empty())
+    return robotlink::failure("simulation.none", "there is no simulation; open a scene first");
+  open.open(SimulationFeed::opening(loaded->sources.front(),
+                                    [on](RunOptions& options) { options.world.noise = on; }));
+  return {};
+}
+
 }  // namespace
 
 void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
@@ -40,6 +51,8 @@ void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
   action("simulation.reset", Control::RESET);
   commands.attach("simulation.speed",
                   [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); });
+  commands.attach("simulation.noise",
+                  [&open](const Values& values) { return setNoise(open, flag(values, 0)); });
   commands.attach("simulation.light", [&open](const Values& values) -> Result<void> {
     robotcontrol::Request request;
     request.mutable_set_lighting()->set_brightness(number(values, 0));

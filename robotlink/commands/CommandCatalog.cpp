@@ -21,6 +21,10 @@ Rows simulationRows() {
       {"simulation.speed",
        "Sets how many times real time the simulation runs; 0 is as fast as possible",
        {{"speed", Type::kNumber, "times real time, 0 to 100"}}},
+      {"simulation.noise",
+       "Chooses whether sensors, cameras and odometry have errors; the simulation is opened again and begins "
+       "at its start",
+       {{"on", Type::kBool, "off: they measure what is true"}}},
       {"simulation.light",
        "Changes the light that cameras see; 1 0 is the scene's own",
        {{"brightness", Type::kNumber, "times the scene's, 0 to 10"},

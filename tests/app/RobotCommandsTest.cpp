@@ -8,6 +8,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -141,6 +142,24 @@ TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
     return false;
   }));
   EXPECT_EQ(errors, "");
+}
+
+TEST_F(RobotCommandsTest, noiseIsSwitchedByOpeningTheSimulationAgain) {
+  EXPECT_EQ(refusal("simulation.noise", {false}), "simulation.none");
+  workbench_.open(SimulationFeed::opening(defaultSimulation()));
+  ASSERT_TRUE(test::tickUntil(workbench_, [&] { return workbench_.loaded() != nullptr; }));
+  const auto saysSo = [&] {
+    const auto* stream = workbench_.session().store().find("red1/log");
+    return stream != nullptr && std::ranges::any_of(stream->messages, [](const auto& message) {
+             const auto* log = dynamic_cast<const foxglove::Log*>(message.value.get());
+             return log != nullptr && log->message().find("no noise") != std::string::npos;
+           });
+  };
+  ASSERT_TRUE(workbench_.commands().runLine("simulation.noise off"));
+  EXPECT_TRUE(test::tickUntil(workbench_, [&] { return !workbench_.loading() && saysSo(); }));
+  ASSERT_TRUE(workbench_.commands().runLine("simulation.noise on"));
+  EXPECT_TRUE(test::tickUntil(workbench_, [&] { return !workbench_.loading() && !saysSo(); }));
+  EXPECT_EQ(workbench_.loaded()->name(), "field2002");
 }
 
 TEST_F(RobotCommandsTest, keysThatAreBeingSwitchedOnAreNotLostToTheNextStart) {

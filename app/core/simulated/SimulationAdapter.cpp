@@ -54,6 +54,7 @@ void applySimulationChoices(const FormValues& values, RunOptions& options) {
   options.robots = robotsToAdd(values, options.world.seed);
   options.ports = portsToOpen(values);
   options.world.kinematic = flagOf(values, "kinematic", options.world.kinematic);
+  options.world.noise = flagOf(values, "noise", options.world.noise);
   if (values.contains("own")) options.hosting.choose({}, flagOf(values, "own"));
   const std::string executor = textOf(values, "executor");
   if (!executor.empty()) options.hosting.threads = executor == nameOf(ExecutorKind::kThreads);
@@ -264,6 +265,15 @@ PlatformForm simulationForm() {
                          .group = "Robots",
                          .option = "--teams",
                          .remembered = "simulation_setup/6"});
+  form.fields.push_back({.name = "noise",
+                         .kind = Kind::kFlag,
+                         .label = "Sensors with noise",
+                         .help =
+                             "Sensors, cameras and odometry have errors, as the scene says; without, they "
+                             "measure what is true",
+                         .initial = true,
+                         .group = "Robots",
+                         .remembered = "simulation_setup/7"});
   for (auto& field : hiddenFields()) form.fields.push_back(std::move(field));
   form.follow = followSimulation;
   return form;

@@ -125,6 +125,10 @@ void SimulationFeed::begin() {
   if (choices_) choices_(run_->options());
   restartPace();
   publishScene();
+  if (!run_->options().world.noise && !run_->robots().empty()) {
+    gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO,
+                      "Sensors and odometry have no noise in this simulation.");
+  }
   if (const auto map = run_->map(); map && !run_->robots().empty()) {
     gate_.publishMapNotes(run_->robots().front(), now(), *map);
   }
