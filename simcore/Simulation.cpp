@@ -39,6 +39,26 @@ class TouchCount {
 /// Separates the solver's random numbers from those of the sensors.
 constexpr std::uint64_t kSolverStream = 0x736F6C766572;
 
+/// Whether a model can be placed there: all is finite, and near enough to be computed with.
+bool isPlace(const robotlink::Pose2& pose, const std::optional<ModelPosture>& posture) {
+  if (!(std::abs(pose.x) < 1e4 && std::abs(pose.y) < 1e4 && std::isfinite(pose.heading))) return false;
+  return !posture || (std::abs(posture->height.value_or(0)) < 1e4 && std::isfinite(posture->roll) &&
+                      std::isfinite(posture->pitch));
+}
+
+/// The transform that moves a model from where it stands to a pose on the ground, tilted if it is to be.
+Pose3 moveBetween(const Pose3& now, const robotlink::Pose2& pose,
+                  const std::optional<ModelPosture>& posture) {
+  const auto lift = [](const robotlink::Pose2& p) {
+    return Pose3(Eigen::Translation3d(p.x, p.y, 0) * Eigen::AngleAxisd(p.heading, Vector3::UnitZ()));
+  };
+  if (!posture) return lift(pose) * lift(robotlink::groundPose(now)).inverse();
+  Pose3 then = lift(pose) * Eigen::AngleAxisd(posture->pitch, Vector3::UnitY()) *
+               Eigen::AngleAxisd(posture->roll, Vector3::UnitX());
+  then.translation().z() = posture->height.value_or(now.translation().z());
+  return then * now.inverse();
+}
+
 }  // namespace
 
 struct Simulation::Implementation {
@@ -273,7 +293,8 @@ std::optional<Pose3> Simulation::modelPose(const std::string& model) const {
   return implementation_->physics->modelInWorld(index);
 }
 
-robotlink::Result<void> Simulation::placeModel(const std::string& model, const robotlink::Pose2& pose) {
+robotlink::Result<void> Simulation::placeModel(const std::string& model, const robotlink::Pose2& pose,
+                                               const std::optional<ModelPosture>& posture) {
   Implementation& i = *implementation_;
   const int index = i.modelIndex(model);
   if (index < 0)
@@ -281,15 +302,11 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   if (i.world.models[static_cast<std::size_t>(index)].type->isStatic) {
     return robotlink::failure("simulation.static-model", "'" + model + "' is fixed", {}, {model});
   }
-  if (!(std::abs(pose.x) < 1e4 && std::abs(pose.y) < 1e4 && std::isfinite(pose.heading))) {
+  if (!isPlace(pose, posture)) {
     return robotlink::failure("simulation.place", "that place is too far away", {}, {model});
   }
-  const auto lift = [](const robotlink::Pose2& p) {
-    return Pose3(Eigen::Translation3d(p.x, p.y, 0) * Eigen::AngleAxisd(p.heading, Vector3::UnitZ()));
-  };
   const auto before = i.physics->motionOf(index);
-  const Pose3 move = lift(pose) * lift(robotlink::groundPose(i.physics->modelInWorld(index))).inverse();
-  i.physics->moveModel(index, move);
+  i.physics->moveModel(index, moveBetween(i.physics->modelInWorld(index), pose, posture));
   const int other = i.physics->overlappedModel(index, kMaxOverlap);
   // A model that stays goes on as it moved.
   if (other >= 0) i.physics->setMotion(index, before);

@@ -28,6 +28,14 @@ struct SimulationOptions {
   bool kinematic = false;
 };
 
+/// How a placed model is tilted: turned by roll about x, then by pitch about y, then by the heading about z;
+/// rad.
+struct ModelPosture {
+  /// The height of the model's frame in the world, m; unset: as it is.
+  std::optional<double> height = {};
+  double roll = 0, pitch = 0;
+};
+
 /// A running simulation of a world: bodies, joints, contacts, sensors and servos, in steps of kStep. SI
 /// units; poses are in the world's frame.
 ///
@@ -93,9 +101,11 @@ class Simulation {
   /// The true pose of a model ("red1", "ball") in the world; empty if there is none. A robot's frame is at
   /// the center of its body, x to the front.
   std::optional<Pose3> modelPose(const std::string& model) const;
-  /// Moves a model to a pose on the ground and brings it to rest, with the same height and joint angles.
-  /// Fails, changing nothing, if the model is unknown or static, or does not fit there.
-  robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose);
+  /// Moves a model to a pose on the ground and brings it to rest, with the same joint angles; without a
+  /// posture also with the same height and tilt. Fails, changing nothing, if the model is unknown or static,
+  /// or does not fit there.
+  robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose,
+                                     const std::optional<ModelPosture>& posture = {});
 
   /// How often robots began to touch a ball.
   std::uint64_t ballContacts() const;

@@ -42,6 +42,9 @@ Result<void> place(OpenPlatform& open, const Values& values) {
   details.mutable_pose_in_field()->set_x(number(values, 1));
   details.mutable_pose_in_field()->set_y(number(values, 2));
   details.mutable_pose_in_field()->set_heading(std::remainder(number(values, 3), 2 * std::numbers::pi));
+  details.set_height(number(values, 4));
+  details.set_roll(number(values, 5));
+  details.set_pitch(number(values, 6));
   open.ask(std::move(request));
   return {};
 }

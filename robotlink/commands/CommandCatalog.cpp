@@ -30,11 +30,15 @@ Rows simulationRows() {
        {{"brightness", Type::kNumber, "times the scene's, 0 to 10"},
         {"warmth", Type::kNumber, "-1 (bluish) to 1 (reddish)", 0.0}}},
       {"scene.place",
-       "Places a robot or the ball of the simulation",
+       "Places a robot or the ball of the simulation; with a height, roll or pitch also tilted, such as "
+       "lying",
        {{"model", Type::kText, "its name in the scene: red1, ball"},
         {"x", Type::kNumber, "m, in the field's frame"},
         {"y", Type::kNumber, "m"},
-        {"heading", Type::kNumber, "rad, counterclockwise", 0.0}}},
+        {"heading", Type::kNumber, "rad, counterclockwise", 0.0},
+        {"height", Type::kNumber, "m, of the middle of its body; 0: as it is", 0.0},
+        {"roll", Type::kNumber, "rad, about its x axis, before pitch and heading", 0.0},
+        {"pitch", Type::kNumber, "rad, about its y axis; all three 0: it stays as it stands", 0.0}}},
       {"layout.open",
        "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
        "one",

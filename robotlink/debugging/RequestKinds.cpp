@@ -92,9 +92,12 @@ std::string wrongMotionText(const Request& request) {
 }
 
 std::string wrongPlace(const Request& request) {
-  if (!request.place_model().has_pose_in_field()) return "the pose at which the model is placed is missing";
-  return isFinite(request.place_model().pose_in_field()) ? ""
-                                                         : "the place's pose has values that are not numbers";
+  const auto& place = request.place_model();
+  if (!place.has_pose_in_field()) return "the pose at which the model is placed is missing";
+  return isFinite(place.pose_in_field()) && std::isfinite(place.height()) && std::isfinite(place.roll()) &&
+                 std::isfinite(place.pitch())
+             ? ""
+             : "the place's pose has values that are not numbers";
 }
 
 /// A negative speed leaves the speed as it is, as does one that is left out.

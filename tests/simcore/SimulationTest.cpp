@@ -191,6 +191,26 @@ TEST_F(SimulationTest, aDraggedRobotStandsWhereItWasPut) {
   EXPECT_LT((position("red1") - Vector3(0.5, -0.6, height)).norm(), 0.01);
 }
 
+TEST_F(SimulationTest, aRobotIsPutOnItsSideAndFalls) {
+  run(100);
+  const double height = position("red1").z();
+  ASSERT_TRUE(simulation_->placeModel("red1", {0.5, -0.6, 2.0},
+                                      ModelPosture{.height = height + 0.2, .roll = robotlink::radians(90)}));
+  const Pose3 placed = *simulation_->modelPose("red1");
+  EXPECT_LT((placed.translation() - Vector3(0.5, -0.6, height + 0.2)).norm(), 1e-9);
+  EXPECT_NEAR(placed.linear()(2, 2), 0, 1e-9) << "its back is to the side";
+  EXPECT_NEAR(placed.linear()(2, 1), 1, 1e-9) << "its left side is up";
+  EXPECT_NEAR(robotlink::groundPose(placed).heading, 2.0, 1e-9);
+  run(100);
+  EXPECT_LT(position("red1").z(), height + 0.1);
+  // Without a posture it is moved as it lies.
+  const double tilt = simulation_->modelPose("red1")->linear()(2, 2);
+  ASSERT_TRUE(simulation_->placeModel("red1", {-0.5, 0.6, 0}));
+  EXPECT_NEAR(simulation_->modelPose("red1")->linear()(2, 2), tilt, 1e-9);
+  EXPECT_FALSE(simulation_->placeModel(
+      "red1", {}, ModelPosture{.roll = std::numeric_limits<double>::quiet_NaN(), .pitch = 0}));
+}
+
 TEST_F(SimulationTest, aPlaceWhereAModelDoesNotFitIsRefused) {
   const Vector3 ball = position("ball");
   const auto inRobot = simulation_->placeModel("ball", {-0.7275, 0.066, 0});

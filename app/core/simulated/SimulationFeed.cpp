@@ -219,8 +219,15 @@ robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Re
 
 robotlink::Result<void> SimulationFeed::placeModel(const robotcontrol::Request& request) {
   const auto& place = request.place_model();
+  std::optional<simcore::ModelPosture> posture;
+  if (place.height() != 0 || place.roll() != 0 || place.pitch() != 0) {
+    posture.emplace();
+    if (place.height() != 0) posture->height = place.height();
+    posture->roll = place.roll();
+    posture->pitch = place.pitch();
+  }
   const auto done =
-      run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
+      run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()), posture);
   publishTransforms();
   return done;
 }

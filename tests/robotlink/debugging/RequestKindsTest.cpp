@@ -94,6 +94,8 @@ TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
   EXPECT_EQ(wrongWith(place), "the pose at which the model is placed is missing");
   place.mutable_place_model()->mutable_pose_in_field();
   EXPECT_EQ(wrongWith(place), "") << "the middle of the field";
+  place.mutable_place_model()->set_roll(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NE(wrongWith(place), "");
   Request goal;
   goal.mutable_set_goal();
   EXPECT_EQ(wrongWith(goal), "the goal has no pose");
