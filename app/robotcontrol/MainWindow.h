@@ -154,11 +154,12 @@ class MainWindow : public QMainWindow {
   /// Export of views as videos and images (MainWindowExport.cpp).
   void createExport();
   void attachExportCommands();
-  /// What views with pictures show (MainWindowPictures.cpp).
+  /// What views show (MainWindowViews.cpp).
   void attachPictureCommands();
+  void attachDataCommands();
   /// The view of the name that commands use, opened if need be. Fails if it is not of this class.
   template <typename V>
-  robotlink::Result<V*> openPicture(const std::string& name);
+  robotlink::Result<V*> openAs(const std::string& name);
   /// Asks what is to be exported; `name`: the dock to begin with, empty: the one in focus.
   void showExport(const QString& name);
   /// Runs export.video (or export.images) with checked values.

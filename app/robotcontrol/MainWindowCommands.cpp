@@ -91,6 +91,7 @@ void MainWindow::attachCommands() {
   attachSearchCommands();
   attachExportCommands();
   attachPictureCommands();
+  attachDataCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {

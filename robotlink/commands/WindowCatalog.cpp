@@ -2,8 +2,6 @@
 // The rows of the catalog about the window and about color tables.
 #include "robotlink/commands/CommandCatalog.h"
 
-#include <utility>
-
 namespace robotlink {
 namespace {
 
@@ -109,11 +107,26 @@ Rows pictureRows() {
   };
 }
 
+Rows dataRows() {
+  return {
+      {"data.compare",
+       "Compares the values in a Data view with others",
+       {{"with", Type::kText, "none, now (these values, from now on), remembered, logged, or a robot"},
+        {"view", Type::kText, "data; the second one is data#2", std::string("data")}}},
+      {"data.publish",
+       "Sends a message to a robot once, as the view Data does",
+       {{"message", Type::kText, "set-goal, place-model, ... as in the list of the view"},
+        {"json", Type::kText, "its fields: '{\"cancelled\": true}'; '': as by default", std::string()},
+        {"robot", Type::kText, "its name; '': the selected one", std::string()}}},
+  };
+}
+
 }  // namespace
 
 Rows windowCatalog() {
   Rows rows = exportRows();
-  for (auto& row : pictureRows()) rows.push_back(std::move(row));
+  for (Rows& more : std::vector<Rows>{pictureRows(), dataRows()})
+    rows.insert(rows.end(), more.begin(), more.end());
   const Rows others{
       {"view.show",
        "Brings a view to the front and opens it if needed",

@@ -16,6 +16,7 @@
 #include <QTreeView>
 #include <algorithm>
 
+#include "robotlink/base/Spelling.h"
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
@@ -40,6 +41,9 @@ constexpr char kPlotCommand[] = "plots.add";
 constexpr QLatin1String kRemembered("remembered");
 constexpr QLatin1String kLogged("logged");
 constexpr QLatin1String kRobotPrefix("robot:");
+
+// What commands compare with besides.
+constexpr char kNone[] = "none", kNow[] = "now";
 
 DataComparison comparisonFrom(const QString& text) {
   if (text == kRemembered) return {DataComparison::With::kRemembered};
@@ -239,6 +243,33 @@ void DataView::listComparisons() {
                         std::ranges::find(robots, entry.robot) == robots.end();
     if (isGone) comparison_->removeItem(i);
   }
+}
+
+std::vector<std::string> DataView::comparisons(const robotlink::Session& session) {
+  std::vector<std::string> all{kNone, kNow, kRemembered.latin1(), kLogged.latin1()};
+  all.insert(all.end(), session.robots().begin(), session.robots().end());
+  return all;
+}
+
+robotlink::Result<void> DataView::compareWith(const std::string& what) {
+  tick();  // lists the robots
+  if (what == kNow) {
+    remember_->trigger();
+    return {};
+  }
+  const QString name = QString::fromStdString(what);
+  const QString data = what == kNone                            ? QString()
+                       : name == kRemembered || name == kLogged ? name
+                                                                : kRobotPrefix + name;
+  const int index = comparison_->findData(data);
+  if (index >= 0) {
+    comparison_->setCurrentIndex(index);
+    return {};
+  }
+  return robotlink::failure("data.compare",
+                            "there is nothing called " + what + " to compare with" +
+                                robotlink::suggestion(what, comparisons(session())),
+                            {}, {what});
 }
 
 void DataView::compare() {

@@ -33,6 +33,12 @@ class DataView final : public View {
   explicit DataView(ViewContext& context, QWidget* parent = nullptr);
   void tick() override;
 
+  /// Compares with "none", "now" (remembers the values that are shown), "remembered", "logged", or a robot.
+  /// Fails if there is no such robot.
+  robotlink::Result<void> compareWith(const std::string& what);
+  /// What this function takes now.
+  static std::vector<std::string> comparisons(const robotlink::Session& session);
+
  private:
   void createActions();
   void createTree();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/session/Session.h"
 
 namespace widgets {
 namespace {
@@ -58,6 +60,12 @@ std::string templateOf(Request::WhatCase what) {
   return json;
 }
 
+/// "set-goal" for "set goal".
+std::string wordOf(std::string title) {
+  std::ranges::replace(title, ' ', '-');
+  return title;
+}
+
 tl::unexpected<robotlink::Error> wrong(std::string text) {
   return tl::unexpected(robotlink::Error{"data.request", std::move(text), {}, {}});
 }
@@ -87,6 +95,34 @@ robotlink::Result<Request> readRequest(Request::WhatCase what, const std::string
     request.set_robot(robot);
   if (std::string reason = robotlink::wrongWith(request); !reason.empty()) return wrong(std::move(reason));
   return request;
+}
+
+std::vector<std::string> requestWords() {
+  std::vector<std::string> words;
+  for (const RequestForm& form : requestForms()) words.push_back(wordOf(form.title));
+  return words;
+}
+
+robotlink::Result<void> publish(robotlink::Session& session, const std::string& kind, const std::string& json,
+                                const std::string& robot) {
+  const auto forms = requestForms();
+  const auto form = std::ranges::find_if(
+      forms, [&](const RequestForm& each) { return wordOf(each.title) == wordOf(kind); });
+  if (form == forms.end()) {
+    return robotlink::failure(
+        "data.message", "there is no message " + kind + robotlink::suggestion(wordOf(kind), requestWords()),
+        {}, {kind});
+  }
+  const auto& robots = session.robots();
+  if (!robot.empty() && std::ranges::find(robots, robot) == robots.end()) {
+    return robotlink::failure(
+        "robot.unknown", "there is no robot " + robot + robotlink::suggestion(robot, robots), {}, {robot});
+  }
+  auto request = readRequest(form->what, robot.empty() ? session.selectedRobot() : robot,
+                             json.empty() ? form->json : json);
+  if (!request) return tl::unexpected(request.error());
+  session.request(std::move(*request));
+  return {};
 }
 
 }  // namespace widgets

@@ -7,6 +7,10 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Error.h"
 
+namespace robotlink {
+class Session;
+}
+
 // Requests as JSON that a person fills in: the fields of one alternative of robotcontrol.Request. Include
 // this in sources only, since it exposes protobuf.
 namespace widgets {
@@ -28,5 +32,13 @@ std::vector<RequestForm> requestForms();
 /// field that is wrong, or if nobody could fulfill the request.
 robotlink::Result<robotcontrol::Request> readRequest(robotcontrol::Request::WhatCase what,
                                                      const std::string& robot, const std::string& json);
+
+/// The titles of all kinds, each as one word of a command line: "set-goal".
+std::vector<std::string> requestWords();
+/// Sends a request once. `kind`: its title or the word for it. `json`: its fields; empty: as by default.
+/// `robot`: empty for the selected one. Fails if it cannot be sent; whoever fulfills it may refuse it later,
+/// which the session's refusal handler gets. GUI thread.
+robotlink::Result<void> publish(robotlink::Session& session, const std::string& kind, const std::string& json,
+                                const std::string& robot);
 
 }  // namespace widgets

@@ -166,6 +166,17 @@ class CommandsGuiTest : public WindowTest {
     QCOMPARE(desk.run(QStringLiteral("view.drawing field nothing off")), QStringLiteral("view.drawing"));
   }
 
+  void theDataViewIsComparedAndMessagesArePublished() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("data.compare now --view field")), QStringLiteral("view.kind"));
+    QCOMPARE(desk.run(QStringLiteral("data.compare logged")), QString());
+    QVERIFY(desk.isOpen("data"));
+    QCOMPARE(desk.run(QStringLiteral("data.compare nobody")), QStringLiteral("data.compare"));
+    QCOMPARE(desk.run(QStringLiteral("data.publish set-goal '{\"x\": 1}'")), QStringLiteral("data.request"));
+    QCOMPARE(desk.run(QStringLiteral("data.publish set-goal '{\"cancelled\": true}'")), QString());
+    QCOMPARE(desk.run(QStringLiteral("data.publish nothing")), QStringLiteral("data.message"));
+  }
+
   void robotsAndTheBallArePlaced() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);

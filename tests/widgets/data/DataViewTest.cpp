@@ -198,6 +198,26 @@ class DataViewTest : public QObject {
     QCOMPARE(child<QComboBox>(*next, "dataComparison").currentText(), QStringLiteral("blue1"));
   }
 
+  void whatIsComparedWithIsChosenByItsName() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    bench.push("red1/joints/states", joints(0.5), 1);
+    bench.push("blue1/joints/states", joints(0.25), 1);
+    bench.tick(*view);
+    auto& comparison = child<QComboBox>(*view, "dataComparison");
+    QVERIFY(view->compareWith("blue1"));
+    QCOMPARE(comparison.currentText(), QStringLiteral("blue1"));
+    QVERIFY(view->compareWith("now"));
+    QCOMPARE(comparison.currentText(), QStringLiteral("Remembered values"));
+    QVERIFY(view->compareWith("logged"));
+    QCOMPARE(comparison.currentText(), QStringLiteral("Logged values"));
+    const auto wrong = view->compareWith("blue2");
+    QVERIFY(!wrong);
+    QVERIFY(wrong.error().text.find("'blue1'") != std::string::npos);
+    QVERIFY(view->compareWith("none"));
+    QVERIFY(treeOf(*view).isColumnHidden(DataModel::kOther));
+  }
+
   void aRememberedInstantIsComparedWith() {
     Bench bench;
     auto view = bench.open<DataView>();

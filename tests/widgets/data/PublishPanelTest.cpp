@@ -68,6 +68,22 @@ class PublishPanelTest : public QObject {
     QVERIFY(!readRequest(Request::kSetGoal, "red1", std::string(2U << 20U, ' ')));
   }
 
+  void aMessageIsSentByItsNameAndItsFields() {
+    Bench bench;
+    QVERIFY(publish(bench.session, "set-goal", R"({"pose_in_field": {"x": 2}})", ""));
+    QCOMPARE(bench.requests.back().robot(), std::string("red1"));
+    QCOMPARE(bench.requests.back().set_goal().pose_in_field().x(), 2.0);
+    QVERIFY(publish(bench.session, "set goal", R"({"cancelled": true})", "blue1"));
+    QCOMPARE(bench.requests.back().robot(), std::string("blue1"));
+    QVERIFY(bench.requests.back().set_goal().cancelled());
+    const auto unknown = publish(bench.session, "set-gaol", "", "");
+    QVERIFY(!unknown);
+    QVERIFY(unknown.error().text.find("'set-goal'") != std::string::npos);
+    QVERIFY(!publish(bench.session, "set-goal", "{", ""));
+    QVERIFY(!publish(bench.session, "set-goal", "", "nobody"));
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+  }
+
   void aMessageIsFilledInAndSentOnce() {
     Bench bench;
     auto view = bench.open<DataView>();

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MainWindow: commands about what views with pictures show.
+// MainWindow: commands about what views show: images, drawings, data.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QPointer>
+#include <variant>
 
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "robotlink/session/Session.h"
+#include "widgets/data/DataView.h"
+#include "widgets/data/RequestText.h"
 #include "widgets/image/ImageStreamView.h"
 #include "widgets/picture/PictureView.h"
 
@@ -16,7 +20,7 @@ using robotlink::Result;
 using Values = robotlink::CommandTable::Values;
 using Names = std::vector<std::string>;
 
-const std::string& text(const Values& values, std::size_t index) {
+const std::string& textAt(const Values& values, std::size_t index) {
   return std::get<std::string>(values[index]);
 }
 
@@ -43,7 +47,7 @@ const V* namedView(const ViewDocks& docks, const std::string& name) {
 }  // namespace
 
 template <typename V>
-Result<V*> MainWindow::openPicture(const std::string& name) {
+Result<V*> MainWindow::openAs(const std::string& name) {
   const auto dock = openView(name);
   if (!dock) return tl::unexpected(dock.error());
   if (V* view = qobject_cast<V*>((*dock)->widget())) return view;
@@ -60,17 +64,17 @@ void MainWindow::attachPictureCommands() {
   attach(
       "image.stream",
       [](MainWindow& window, const Values& values) -> Result<void> {
-        const auto view = window.openPicture<widgets::ImageStreamView>(text(values, 0));
+        const auto view = window.openAs<widgets::ImageStreamView>(textAt(values, 0));
         if (!view) return tl::unexpected(view.error());
-        return (*view)->showStream(text(values, 1));
+        return (*view)->showStream(textAt(values, 1));
       },
       streams);
   attach(
       "image.compare",
       [](MainWindow& window, const Values& values) -> Result<void> {
-        const auto view = window.openPicture<widgets::ImageStreamView>(text(values, 0));
+        const auto view = window.openAs<widgets::ImageStreamView>(textAt(values, 0));
         if (!view) return tl::unexpected(view.error());
-        if (text(values, 1) != "none") return (*view)->compareWith(text(values, 1), text(values, 2));
+        if (textAt(values, 1) != "none") return (*view)->compareWith(textAt(values, 1), textAt(values, 2));
         (*view)->endComparison();
         return {};
       },
@@ -82,9 +86,9 @@ void MainWindow::attachPictureCommands() {
   attach(
       "view.drawing",
       [](MainWindow& window, const Values& values) -> Result<void> {
-        const auto view = window.openPicture<widgets::PictureView>(text(values, 0));
+        const auto view = window.openAs<widgets::PictureView>(textAt(values, 0));
         if (!view) return tl::unexpected(view.error());
-        return (*view)->showDrawing(text(values, 1), std::get<bool>(values[2]));
+        return (*view)->showDrawing(textAt(values, 1), std::get<bool>(values[2]));
       },
       [window = QPointer(this)](const Names& before) {
         Names names;
@@ -94,6 +98,31 @@ void MainWindow::attachPictureCommands() {
         if (view == nullptr) return names;
         for (const QString& name : view->drawingNames()) names.push_back(name.toStdString());
         return names;
+      });
+}
+
+void MainWindow::attachDataCommands() {
+  attach(
+      "data.compare",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openAs<widgets::DataView>(textAt(values, 1));
+        if (!view) return tl::unexpected(view.error());
+        return (*view)->compareWith(textAt(values, 0));
+      },
+      [window = QPointer(this)](const Names& before) {
+        if (!window || before.size() > 1) return Names();
+        return before.empty() ? widgets::DataView::comparisons(window->context_.session)
+                              : openNames<widgets::DataView>(*window->docks_);
+      });
+  attach(
+      "data.publish",
+      [](MainWindow& window, const Values& values) {
+        return widgets::publish(window.context_.session, textAt(values, 0), textAt(values, 1),
+                                textAt(values, 2));
+      },
+      [window = QPointer(this)](const Names& before) {
+        if (before.empty()) return widgets::requestWords();
+        return window && before.size() == 2 ? window->context_.session.robots() : Names();
       });
 }
 
