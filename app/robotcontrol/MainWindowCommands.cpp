@@ -24,6 +24,7 @@
 #include "app/robotcontrol/presets/PresetMenu.h"
 #include "app/robotcontrol/presets/SweepDialog.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/base/Spelling.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/WrittenPicture.h"
 #include "widgets/console/CommandLog.h"
@@ -58,10 +59,6 @@ std::vector<std::string> toStrings(const QStringList& texts) {
   return strings;
 }
 
-tl::unexpected<robotlink::Error> unknownView(const std::string& id) {
-  return failure("view.unknown", "there is no view '" + id + "'", {}, {id});
-}
-
 Result<void> noCurve(const QString& value) {
   const std::string name = value.toStdString();
   return failure("plots.curve", "there is no curve of " + name, {}, {name});
@@ -71,7 +68,14 @@ std::vector<std::string> viewNames(const std::vector<std::string>& before) {
   std::vector<std::string> names;
   if (!before.empty()) return names;
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) names.emplace_back(type.id);
+  std::ranges::sort(names);
   return names;
+}
+
+/// Names the view that was probably meant, or all that there are.
+tl::unexpected<robotlink::Error> unknownView(const std::string& id) {
+  return failure("view.unknown", "there is no view '" + id + "'" + robotlink::suggestion(id, viewNames({})),
+                 {}, {id});
 }
 
 }  // namespace

@@ -56,6 +56,17 @@ class CommandsGuiTest : public WindowTest {
     QCOMPARE(desk.run(QStringLiteral("view.close nothing")), QStringLiteral("view.unknown"));
   }
 
+  void aViewThatDoesNotExistIsAnsweredWithThoseThatDo() {
+    CommandDesk desk(home_);
+    const auto reason = [&](const char* line) {
+      const auto done = desk.workbench.commands().runLine(line);
+      return done ? QString() : QString::fromStdString(done.error().text);
+    };
+    QVERIFY(reason("view.show plot").contains(QStringLiteral("did you mean 'plots'?")));
+    QVERIFY(reason("view.screenshot camera-calibration x.png").contains(QStringLiteral("camera, color-")));
+    QVERIFY(reason("view.close camera-calibration").contains(QStringLiteral("; there are ")));
+  }
+
   void perspectivesAreShownSavedResetAndDeleted() {
     CommandDesk desk(home_);
     QCOMPARE(desk.run(QStringLiteral("view.perspective Motion")), QString());
