@@ -7,9 +7,12 @@
 
 #include "app/core/CommandValues.h"
 #include "app/core/LogSearchJob.h"
+#include "app/core/LogWriteJob.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ShippedFiles.h"
+#include "logplayer/base/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/ParsedNumber.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -236,7 +239,96 @@ void addProgram(CommandTable& commands, const Logs& logs) {
   });
 }
 
+/// A range of the time line; unset where it is open.
+struct TimeRange {
+  std::optional<robotlink::Instant> from, to;
+};
+
+/// "start", "end", or seconds since the beginning.
+Result<std::optional<robotlink::Instant>> endOfRange(const ReplayStatus& status, const std::string& text) {
+  if (text == "start" || text == "end") return std::nullopt;
+  const auto seconds = robotlink::parsedNumber<double>(text);
+  if (!seconds)
+    return failure("log.time", "a time is in seconds since the start, or start or end, not '" + text + "'");
+  const auto time = timeAt(status, *seconds);
+  if (!time) return tl::unexpected(time.error());
+  return robotlink::Instant(robotlink::Duration(*time));
+}
+
+Result<TimeRange> rangeOf(const ReplayStatus& status, const std::string& from, const std::string& to) {
+  if (from == "end" || to == "start")
+    return failure("log.time", "the range must not begin at the end or end at the start");
+  const auto first = endOfRange(status, from);
+  const auto last = endOfRange(status, to);
+  if (!first || !last) return tl::unexpected(first ? last.error() : first.error());
+  if (*first && *last && **last < **first) return TimeRange{*last, *first};
+  return TimeRange{*first, *last};
+}
+
+Result<void> cut(const Logs& logs, LogWriteJob& job, const Values& values) {
+  const auto status = logs.status();
+  if (!status) return tl::unexpected(status.error());
+  const auto range = rangeOf(**status, text(values, 1), text(values, 2));
+  if (!range) return tl::unexpected(range.error());
+  const auto selection = logplayer::readSelection(text(values, 3));
+  if (!selection) return tl::unexpected(selection.error());
+  logplayer::RewriteOptions options;
+  for (const auto& log : (*status)->logs())
+    options.inputs.push_back({log.path(), robotlink::Duration(log.offset())});
+  options.from = range->from;
+  options.to = range->to;
+  options.streams.include = {selection->include().begin(), selection->include().end()};
+  options.streams.exclude = {selection->exclude().begin(), selection->exclude().end()};
+  return job.cut(std::move(options), text(values, 0));
+}
+
+LogWriteJob::Export::Kind exportKind(const std::string& name) {
+  using enum LogWriteJob::Export::Kind;
+  return name == "images" ? kImages : name == "csv" ? kCsv : name == "json" ? kJson : kTexts;
+}
+
+Result<void> exportLog(const Logs& logs, LogWriteJob& job, const Values& values) {
+  const auto status = logs.status();
+  if (!status) return tl::unexpected(status.error());
+  const auto range = rangeOf(**status, text(values, 3), text(values, 4));
+  if (!range) return tl::unexpected(range.error());
+  const std::string wanted = logNamed(text(values, 5), **status);
+  const auto& open = (*status)->logs();
+  const auto log = wanted.empty()
+                       ? open.begin()
+                       : std::ranges::find_if(open, [&](const auto& each) { return each.path() == wanted; });
+  if (log == open.end()) return failure("log.unknown", "no log " + wanted + " is open", {}, {wanted});
+  LogWriteJob::Export what{.kind = exportKind(text(values, 0)),
+                           .log = log->path(),
+                           .streams = text(values, 1),
+                           .target = text(values, 2)};
+  const robotlink::Duration offset(log->offset());
+  if (range->from) what.from = *range->from - offset;
+  if (range->to) what.to = *range->to - offset;
+  return job.exportLog(std::move(what));
+}
+
+/// The names of the files of the open logs.
+std::vector<std::string> logNames(const Logs& logs) {
+  std::vector<std::string> names;
+  const auto status = logs.status();
+  if (!status) return names;
+  for (const auto& log : (*status)->logs())
+    names.push_back(std::filesystem::path(log.path()).filename().string());
+  return names;
+}
+
 }  // namespace
+
+void addLogWriting(CommandTable& commands, OpenPlatform& open, LogWriteJob& job) {
+  const Logs logs(open);
+  commands.attach("log.cut", [logs, &job](const Values& values) { return cut(logs, job, values); });
+  commands.attach(
+      "log.export", [logs, &job](const Values& values) { return exportLog(logs, job, values); },
+      [logs](const auto& before) {
+        return before.size() == 5 ? logNames(logs) : std::vector<std::string>();
+      });
+}
 
 void addLogSearch(CommandTable& commands, OpenPlatform& open, LogSearchJob& job) {
   commands.attach("log.search", [logs = Logs(open), &job](const Values& values) -> Result<void> {

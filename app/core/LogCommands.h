@@ -8,6 +8,7 @@ class CommandTable;
 namespace app {
 
 class LogSearchJob;
+class LogWriteJob;
 class OpenPlatform;
 
 /// Attaches the commands that add logs and control their replay: log.add, log.play, log.step and so on. What
@@ -18,5 +19,7 @@ class OpenPlatform;
 void addLogCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 /// Attaches log.search, which searches the open logs by `job`.
 void addLogSearch(robotlink::CommandTable& commands, OpenPlatform& open, LogSearchJob& job);
+/// Attaches log.cut and log.export, which write parts of the open logs by `job`.
+void addLogWriting(robotlink::CommandTable& commands, OpenPlatform& open, LogWriteJob& job);
 
 }  // namespace app

@@ -25,6 +25,8 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addLogCommands(commands_, *this);
   addLogSearch(commands_, *this, logSearch_);
   addJob([this] { return logSearch_.working(); });
+  addLogWriting(commands_, *this, logWriting_);
+  addJob([this] { return logWriting_.working(); });
   addRecordingCommands(commands_, *this);
   addTimelineCommands(commands_, *this, changeSteps_);
   addJob([this] { return changeSteps_.working(); });

@@ -172,6 +172,29 @@ Rows openedLogRows() {
   };
 }
 
+Rows writtenLogRows() {
+  const CommandTable::Argument from{"from", Type::kText, "seconds since the start; or start",
+                                    std::string("start")};
+  const CommandTable::Argument to{"to", Type::kText, "seconds since the start; or end", std::string("end")};
+  return {
+      {"log.cut",
+       "Writes a part of the open logs into a new log",
+       {{"file", Type::kFile, "a .mcap file that does not exist yet"},
+        from,
+        to,
+        {"streams", Type::kText,
+         "comma-separated paths; * matches any text, - excludes: red1/*,-*/log; '': all", std::string()}}},
+      {"log.export",
+       "Writes a part of an open log as images, a table (CSV), JSON lines or texts",
+       {{.name = "kind", .choices = {"images", "csv", "json", "texts"}},
+        {"streams", Type::kText, "comma-separated paths; * matches any text, - excludes: red1/*,-*/log"},
+        {"file", Type::kFile, "that does not exist yet; of images a folder"},
+        from,
+        to,
+        {"log", Type::kText, "an open log file; '': the first", std::string()}}},
+  };
+}
+
 Rows playedLogRows() {
   return {
       {"log.play", "Plays the log; at its end, from the start"},
@@ -278,9 +301,9 @@ Rows recordingRows() {
 
 Rows commandCatalog() {
   Rows all;
-  for (Rows& rows :
-       std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(), playedLogRows(),
-                         timelineRows(), recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
+  for (Rows& rows : std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(),
+                                      writtenLogRows(), playedLogRows(), timelineRows(), recordingRows(),
+                                      windowCatalog(), controlCatalog(), colorCatalog()})
     std::ranges::move(rows, std::back_inserter(all));
   return all;
 }

@@ -182,6 +182,47 @@ TEST_F(LogCommandsTest, whatIsRefusedLaterArrivesAsAnError) {
   EXPECT_EQ(errors, "there is no log");
 }
 
+TEST_F(LogCommandsTest, partsOfTheOpenLogsAreCutAndExported) {
+  const auto cut = home / "cut.mcap", texts = home / "texts.txt", table = home / "table.csv";
+  EXPECT_THAT(run("log.cut " + cut.string() + " 0 1"), HasSubstr("no log is open"));
+  const auto log = home / "short.mcap";
+  ASSERT_EQ(app::test::ShortLog::write(log), "");
+  // The log lies 100 s later on the time line than by its own times.
+  auto status = std::make_shared<robotcontrol::ReplayStatus>();
+  status->set_begin(110'000'000'000);
+  status->set_end(115'000'000'000);
+  status->add_logs()->set_path(log.string());
+  status->mutable_logs(0)->set_offset(100'000'000'000);
+  workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(110)), status});
+  workbench.tick();
+  const auto write = [&](const std::string& line) {
+    if (const auto begun = workbench.commands().runLine(line); !begun) return begun.error().id;
+    auto working = workbench.working();
+    while (working && *working) {
+      std::this_thread::yield();
+      working = workbench.working();
+    }
+    return working ? std::string() : working.error().id;
+  };
+  EXPECT_EQ(write("log.export texts '*' " + texts.string() + " --to 1"), "");
+  EXPECT_THAT(robotlink::readFile(texts).value_or(""),
+              testing::AllOf(HasSubstr("frame 10"), testing::Not(HasSubstr("frame 40"))));
+  EXPECT_NE(write("log.export texts '*' " + texts.string()), "") << "the file exists";
+  EXPECT_EQ(write("log.export csv red1/planner/notes " + table.string() + " 1 end --log short.mcap"), "");
+  EXPECT_THAT(robotlink::readFile(table).value_or(""),
+              testing::AllOf(HasSubstr("frame 40"), testing::Not(HasSubstr("frame 10"))));
+  EXPECT_EQ(write("log.cut " + cut.string() + " 0 1 --streams 'red1/*,-*/camera/*'"), "");
+  const auto written = logplayer::LogFile::open(cut, {});
+  ASSERT_TRUE(written);
+  std::vector<std::string> paths;
+  for (const auto& stream : (*written)->streams()) paths.push_back(stream.path);
+  EXPECT_THAT(paths, testing::Contains("red1/planner/notes"));
+  EXPECT_THAT(paths, testing::Not(testing::Contains("red1/camera/image")));
+  EXPECT_EQ(write("log.cut " + (home / "b.mcap").string() + " 0 11"), "log.time");
+  EXPECT_EQ(write("log.cut " + (home / "b.mcap").string() + " soon 1"), "log.time");
+  EXPECT_EQ(write("log.export texts '*' " + (home / "b.txt").string() + " --log b.mcap"), "log.unknown");
+}
+
 TEST_F(LogCommandsTest, theOpenLogsAreSearchedWithoutPlayingThem) {
   const auto table = home / "found.csv";
   EXPECT_EQ(run("log.search 'log.message =~ \"frame\"' " + table.string()),

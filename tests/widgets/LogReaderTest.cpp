@@ -2,11 +2,14 @@
 // Real files, read in threads as views read them, and what the time line does with them: cut, exported,
 // repaired.
 #include <QAction>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <fstream>
@@ -160,6 +163,33 @@ class LogReaderTest : public QObject {
     click(child<QToolButton>(*view, "logJobOpen"));
     QCOMPARE(opened, cut.string());
     QVERIFY(!child<QWidget>(*view, "logJobBar").isVisible());
+  }
+
+  void someStreamsAreWrittenIntoANewLog() {
+    const auto file = writeLog("game.mcap");
+    ReadBench bench;
+    bench.openLog(file.string());
+    auto view = bench.openView<TimeLineView>();
+    bench.waitUntilRead(*view);
+    view->findChild<QAction*>(QStringLiteral("exportStreams"))->trigger();
+    auto& dialog = child<QDialog>(*view, "cutStreamsDialog");
+    auto& patterns = child<QLineEdit>(dialog, "cutPatterns");
+    auto& list = child<QListWidget>(dialog, "cutStreamList");
+    auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    const auto* text = list.findItems(QStringLiteral("nao/log"), Qt::MatchExactly).value(0);
+    QVERIFY(text != nullptr && text->checkState() == Qt::Checked);
+    patterns.setText(QStringLiteral("-*"));
+    QVERIFY2(!ok->isEnabled(), "nothing would be written");
+    patterns.setText(QStringLiteral("*,-*/log"));
+    QCOMPARE(text->checkState(), Qt::Unchecked);
+    list.findItems(QStringLiteral("nao/log"), Qt::MatchExactly).value(0)->setCheckState(Qt::Checked);
+    QCOMPARE(patterns.text(), QString());
+    patterns.setText(QStringLiteral("nao/frames/*"));
+    click(*ok);
+    const auto some = home() / "some.mcap";
+    bench.answer(*view, "cutDialog", some);
+    QCOMPARE(countOf(some, "nao/frames/cognition"), 300U);
+    QCOMPARE(countOf(some, "nao/log"), 0U);
   }
 
   void textsAndTablesAreExported() {

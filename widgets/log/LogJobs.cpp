@@ -66,9 +66,11 @@ Outcome exported(const std::string& path, const Progress& progress, const char* 
 }  // namespace
 
 LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> logs, LogRange range,
-                     std::filesystem::path to) {
-  return [logs = std::move(logs), range, to = std::move(to)](const Progress& progress) -> Outcome {
+                     std::filesystem::path to, logplayer::StreamFilter streams) {
+  return [logs = std::move(logs), range, to = std::move(to),
+          streams = std::move(streams)](const Progress& progress) -> Outcome {
     logplayer::RewriteOptions options;
+    options.streams = streams;
     for (const auto& [file, offset] : logs) options.inputs.push_back({file, offset});
     if (range) {
       options.from = range->first;

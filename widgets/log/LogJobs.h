@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "logplayer/base/StreamFilter.h"
 #include "robotlink/base/Clock.h"
 #include "widgets/log/LogJob.h"
 
@@ -18,9 +19,9 @@ namespace widgets {
 using LogRange = std::optional<std::pair<robotlink::Instant, robotlink::Instant>>;
 
 /// Writes a part of one or several logs (path and offset each) into a new log. `range` is in times of the new
-/// log, that is, with offsets added.
+/// log, that is, with offsets added. Only streams that the filter has, by their paths in the logs.
 LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> logs, LogRange range,
-                     std::filesystem::path to);
+                     std::filesystem::path to, logplayer::StreamFilter streams = {});
 /// Writes the images of a stream as files into a folder. Like the following ones it takes a range in the
 /// log's own times.
 LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range,

@@ -4,9 +4,11 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <set>
 
 #include "widgets/log/LogBars.h"
 #include "widgets/log/LogJobs.h"
+#include "widgets/timeline/CutStreams.h"
 #include "widgets/timeline/TimeLineView.h"
 
 namespace widgets {
@@ -48,12 +50,27 @@ void TimeLineView::loopRange() {
 }
 
 void TimeLineView::cut() {
+  if (const auto range = logs_.replay().range()) writeCut(range, {});
+}
+
+void TimeLineView::cutStreams() {
+  std::set<std::string> paths;
+  for (const auto& open : logs_.logs()) {
+    for (const auto& stream : open->overview->streams) paths.insert(stream.path);
+  }
+  auto* dialog = new CutStreams({paths.begin(), paths.end()}, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog] { writeCut(logs_.replay().range(), dialog->filter()); });
+  dialog->open();
+}
+
+void TimeLineView::writeCut(const LogRange& range, const logplayer::StreamFilter& streams) {
   const auto* log = logs_.current();
-  const auto range = logs_.replay().range();
-  if (log == nullptr || !range) return;
+  if (log == nullptr) return;
   const FileQuestion question{"cutDialog", tr("Cut into a new log"),
                               suggested(*log, QStringLiteral("-cut.mcap")), tr("Logs (*.mcap)")};
-  askForFile(question, [this, range](const QString& file) {
+  askForFile(question, [this, range, streams](const QString& file) {
     std::vector<std::pair<std::string, robotlink::Duration>> inputs;
     for (const auto& open : logs_.logs()) {
       inputs.emplace_back(open->path, open->offset);
@@ -64,7 +81,7 @@ void TimeLineView::cut() {
     }
     logs_.saveBookmarks();  // bookmarks in the range are copied into the new log
     job_->start(tr("Cutting into %1").arg(QFileInfo(file).fileName()),
-                cutLogs(inputs, range, file.toStdString()));
+                cutLogs(inputs, range, file.toStdString(), streams));
   });
 }
 

@@ -81,10 +81,11 @@ void TimeLineView::createActions() {
 void TimeLineView::createRangeActions() {
   loop_ = makeAction(this, "loop", {"rangeLoop", tr("Loop"), tr("Plays the selected range in a loop")});
   cut_ = makeAction(this, "cut", {"rangeCut", tr("Cut…"), tr("Writes the selected range into a new log")});
-  export_ =
-      makeAction(this, "export",
-                 {"rangeExport", tr("Export"),
-                  tr("Writes the selected range, or all, as images, a table, texts, or a video of a view")});
+  export_ = makeAction(
+      this, "export",
+      {"rangeExport", tr("Export"),
+       tr("Writes the selected range, or all, as images, a table, texts, a log of some streams, or a "
+          "video of a view")});
   clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Clears the selection (Esc)")});
   exportMenu_ = new QMenu(this);
   exportMenu_->setObjectName(QStringLiteral("exportMenu"));
@@ -96,6 +97,7 @@ void TimeLineView::createRangeActions() {
   add(tr("Images as &PNG…"), "exportImages", &TimeLineView::exportImages);
   add(tr("The stepped stream as &CSV…"), "exportTable", &TimeLineView::exportTable);
   add(tr("&Texts…"), "exportTexts", &TimeLineView::exportTexts);
+  add(tr("Some &streams as a new log…"), "exportStreams", &TimeLineView::cutStreams);
   QAction* view = exportMenu_->addAction(tr("A &view as video or images…"), this, &View::exportWanted);
   view->setObjectName(QStringLiteral("exportView"));
   view->setToolTip(tr("Writes what an open view shows in the selected range"));

@@ -6,7 +6,7 @@
 
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/View.h"
-#include "widgets/log/LogJob.h"
+#include "widgets/log/LogJobs.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/ReplayKeys.h"
 #include "widgets/timeline/TimeLineTracks.h"
@@ -110,6 +110,10 @@ class TimeLineView final : public View {
   void loopRange();
   /// Asks for files and starts the jobs.
   void cut();
+  /// The same for some streams, which are asked for first; without a range of all of the logs.
+  void cutStreams();
+  /// Asks for the file of a new log, and writes it.
+  void writeCut(const LogRange& range, const logplayer::StreamFilter& streams);
   void exportImages();
   void exportTable();
   void exportTexts();
