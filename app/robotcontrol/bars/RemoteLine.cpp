@@ -3,6 +3,7 @@
 
 #include <QStatusBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/actions/CommandActions.h"
@@ -17,8 +18,11 @@ using widgets::Meaning;
 using Who = widgets::SteeringState::Who;
 using Phase = robotlink::websocket::ConnectionState::Phase;
 
-/// Longer texts are for the tool tip. All connections together have this room.
-constexpr int kCharacters = 56;
+/// Longer texts are for the tool tip. All connections together have at least this room, and more where the
+/// bar has it.
+constexpr int kCharacters = 56, kMaxCharacters = 112;
+/// What a button keeps of its text when the window gets narrower.
+constexpr int kMinCharacters = 6;
 /// More are shown as their number.
 constexpr std::size_t kMaxConnections = 3;
 
@@ -43,8 +47,18 @@ Meaning meaningOf(Phase phase) {
   return Meaning::kMuted;
 }
 
-void show(QToolButton& button, const QString& text, Meaning meaning, int characters) {
-  const int width = button.fontMetrics().averageCharWidth() * characters;
+/// The state of one of several connections; its color says whether it is connected.
+QString shortText(const QString& text) {
+  const QString connected = QStringLiteral("connected, ");
+  return text.startsWith(connected) ? text.mid(connected.size()) : text;
+}
+
+int widthOf(const QWidget& widget, int characters) {
+  return widget.fontMetrics().averageCharWidth() * characters;
+}
+
+/// Elides the text to a width, in pixels.
+void show(QToolButton& button, const QString& text, Meaning meaning, int width) {
   button.setText(button.fontMetrics().elidedText(text, Qt::ElideRight, width));
   QPalette colors = button.parentWidget()->palette();
   colors.setColor(QPalette::ButtonText, widgets::colorOf(meaning, colors));
@@ -71,14 +85,33 @@ QToolButton* RemoteLine::addButton(const QString& name) {
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::TabFocus);
   bar_.insertPermanentWidget(0, button);
+  // A long text does not keep the window wide.
+  button->setMinimumWidth(widthOf(*button, kMinCharacters));
   button->hide();
   return button;
+}
+
+int RemoteLine::room(std::size_t shown) const {
+  // Gaps between widgets, and the frames of these buttons.
+  const int beside = widthOf(bar_, 2);
+  int others = static_cast<int>(shown) * beside;
+  for (const auto* widget : bar_.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    const bool isConnection = std::ranges::find(connections_, widget) != connections_.end();
+    if (isConnection || widget->isHidden()) continue;
+    others += std::max(widget->sizeHint().width(), widget->minimumWidth()) + beside;
+  }
+  return std::clamp(bar_.width() - others, widthOf(bar_, kCharacters), widthOf(bar_, kMaxCharacters));
 }
 
 void RemoteLine::refresh() {
   showConnections();
   showOffer();
   showSteering();
+}
+
+QString RemoteLine::tipOf(const RemoteRobots::Connection& connection) {
+  return tr("%1: %2\nA click shows all connections, and limits what they carry")
+      .arg(QString::fromStdString(connection.url), QString::fromStdString(connection.text));
 }
 
 void RemoteLine::showConnections() {
@@ -90,13 +123,13 @@ void RemoteLine::showConnections() {
   }
   for (std::size_t i = shown; i < connections_.size(); ++i) connections_[i]->hide();
   if (connections.size() > kMaxConnections) return showAll(connections);
+  const int width = shown == 0 ? 0 : room(shown) / static_cast<int>(shown);
   for (std::size_t i = 0; i < shown; ++i) {
     const QString who = whoOf(connections[i]);
     const QString text = QString::fromStdString(connections[i].text);
-    show(*connections_[i], QStringLiteral("%1: %2").arg(who, text), meaningOf(connections[i].state.phase),
-         kCharacters / static_cast<int>(shown));
-    connections_[i]->setToolTip(tr("%1: %2\nA click shows all connections, and limits what they carry")
-                                    .arg(QString::fromStdString(connections[i].url), text));
+    show(*connections_[i], QStringLiteral("%1: %2").arg(who, shown > 1 ? shortText(text) : text),
+         meaningOf(connections[i].state.phase), width);
+    connections_[i]->setToolTip(tipOf(connections[i]));
     connections_[i]->setAccessibleName(tr("Connection to %1").arg(who));
   }
 }
@@ -110,7 +143,7 @@ void RemoteLine::showAll(const std::vector<RemoteRobots::Connection>& connection
   }
   const int all = static_cast<int>(connections.size());
   show(*connections_[0], tr("%1 of %2 connections are up").arg(connected).arg(all),
-       connected == all ? Meaning::kGood : Meaning::kWarning, kCharacters);
+       connected == all ? Meaning::kGood : Meaning::kWarning, room(1));
   connections_[0]->setToolTip(lines.join(QLatin1Char('\n')));
   connections_[0]->setAccessibleName(tr("Connections"));
 }
@@ -122,7 +155,7 @@ void RemoteLine::showOffer() {
   const QString who = offer.clients().empty()
                           ? tr("nobody is connected")
                           : widgets::counted(offer.clients().size(), tr("1 client"), tr("%1 clients"));
-  show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, kCharacters);
+  show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, widthOf(*offer_, kCharacters));
   offer_->setToolTip(tr("This session is offered at %1: %2").arg(url, who));
   offer_->setAccessibleName(tr("Offer of this session"));
 }
@@ -136,7 +169,7 @@ void RemoteLine::showSteering() {
   const QString other = state->name.section(QStringLiteral(" at "), 0, 0);
   show(*steering_,
        isOther ? tr("%1 steers %2. Steer instead").arg(other, QString::fromStdString(robot)) : state->text,
-       isOther ? Meaning::kWarning : Meaning::kGood, kCharacters);
+       isOther ? Meaning::kWarning : Meaning::kGood, widthOf(*steering_, kCharacters));
   steering_->setToolTip(isOther
                             ? tr("%1 A click, and you steer it instead; STOP is anyone's.").arg(state->text)
                             : tr("%1 A click lets others steer it.").arg(state->text));

@@ -32,6 +32,9 @@ class RemoteLine : public QObject {
 
  private:
   QToolButton* addButton(const QString& name);
+  /// How wide the texts of all connections together may be, in pixels: what the others leave of the bar.
+  int room(std::size_t shown) const;
+  static QString tipOf(const RemoteRobots::Connection& connection);
   void showConnections();
   /// Shows how many connections there are.
   void showAll(const std::vector<RemoteRobots::Connection>& connections);

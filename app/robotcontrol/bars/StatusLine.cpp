@@ -98,7 +98,13 @@ void StatusLine::showLog(const robotcontrol::ReplayStatus& status) {
 }
 
 void StatusLine::showNothing() {
-  state_->setText(workbench_.loading() ? tr("loading…") : tr("nothing is open"));
+  const auto& remote = workbench_.session().remoteRobots();
+  const bool isConnected =
+      std::ranges::any_of(remote, [](const auto& one) { return one.second.isConnected; });
+  state_->setText(workbench_.loading()           ? tr("loading…")
+                  : isConnected                  ? tr("connected")
+                  : !workbench_.remote().empty() ? tr("not connected")
+                                                 : tr("nothing is open"));
   for (QLabel* label : {time_, speed_, contacts_}) label->clear();
 }
 

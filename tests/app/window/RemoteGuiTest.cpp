@@ -15,6 +15,7 @@
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Linking.pb.h"
+#include "robotlink/foxglove/server/Listener.h"
 #include "tests/app/served/OfferedHall.h"
 #include "tests/app/window/RemoteDesk.h"
 #include "tests/app/window/WindowTest.h"
@@ -62,6 +63,33 @@ class RemoteGuiTest : public WindowTest {
     QTest::mouseClick(&desk.find<QPushButton>("remoteDisconnect"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 0, kWaitMs);
     QCOMPARE(desk.state(), QString());
+  }
+
+  void twoConnectionsHaveRoomForWhatCounts() {
+    OfferedHall first, second;
+    RemoteDesk desk(home_);
+    desk.run("remote.connect " + first.url() + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.robot(), QStringLiteral("red1"), kWaitMs);
+    desk.run("remote.connect " + second.url() + " ''");
+    const auto hasRate = [&](const char* name) {
+      auto* button = desk.window.findChild<QToolButton*>(QLatin1String(name));
+      return button != nullptr && button->text().contains(QStringLiteral("B/s"));
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(hasRate("statusRemote1") && hasRate("statusRemote2"), kWaitMs);
+    QVERIFY(!desk.find<QToolButton>("statusRemote1").text().contains(QStringLiteral("connected")));
+    QVERIFY(desk.state().contains(QStringLiteral("connected")));
+  }
+
+  void withoutASimulationTheStatusBarKnowsThatSomethingIsConnected() {
+    const auto server = robotlink::websocket::Server::make({.name = "bridge"}, {});
+    robotlink::websocket::Listener::Options listening;
+    listening.address.port = 0;
+    const auto listener = *robotlink::websocket::Listener::open(server, listening);
+    RemoteDesk desk(home_);
+    const auto state = [&] { return desk.find<QLabel>("statusState").text(); };
+    QTRY_COMPARE_WITH_TIMEOUT(state(), QStringLiteral("nothing is open"), kWaitMs);
+    desk.run("remote.connect ws://127.0.0.1:" + std::to_string(listener->address().port) + " ''");
+    QTRY_COMPARE_WITH_TIMEOUT(state(), QStringLiteral("connected"), kWaitMs);
   }
 
   void aSceneThatIsOpenedLaterSharesNoNameWithARobotElsewhere() {
