@@ -110,8 +110,13 @@ void RemoteLine::refresh() {
 }
 
 QString RemoteLine::tipOf(const RemoteRobots::Connection& connection) {
-  return tr("%1: %2\nA click shows all connections, and limits what they carry")
-      .arg(QString::fromStdString(connection.url), QString::fromStdString(connection.text));
+  const QString tip =
+      tr("%1: %2\nA click shows all connections, and limits what they carry")
+          .arg(QString::fromStdString(connection.url), QString::fromStdString(connection.text));
+  if (!connection.state.isConnected() || !connection.state.roundTrip) return tip;
+  return tip + QLatin1Char('\n') +
+         tr("The milliseconds include the wait behind data on its way: on a narrow line most of them are "
+            "that.");
 }
 
 void RemoteLine::showConnections() {
