@@ -139,8 +139,8 @@ class MainWindow : public QMainWindow {
   void createActions();
   /// Toolbar and bars for logs, and their connections (MainWindowLogs.cpp).
   void createLogs();
-  /// Attaches the command "log.bookmark".
-  void addBookmarkCommand();
+  /// Attaches the commands about bookmarks of logs.
+  void addBookmarkCommands();
   /// Commands about the window and its views, and the palette (MainWindowCommands.cpp).
   using WindowCommand =
       std::function<robotlink::Result<void>(MainWindow&, const robotlink::CommandTable::Values&)>;
@@ -157,6 +157,7 @@ class MainWindow : public QMainWindow {
   /// What views show (MainWindowViews.cpp).
   void attachPictureCommands();
   void attachDataCommands();
+  void attachToolCommands();
   /// The view of the name that commands use, opened if need be. Fails if it is not of this class.
   template <typename V>
   robotlink::Result<V*> openAs(const std::string& name);

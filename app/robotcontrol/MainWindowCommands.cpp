@@ -96,6 +96,7 @@ void MainWindow::attachCommands() {
   attachExportCommands();
   attachPictureCommands();
   attachDataCommands();
+  attachToolCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {

@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/Workbench.h"
 #include "app/core/replay/ReplayComputation.h"
@@ -18,9 +19,69 @@
 #include "app/robotcontrol/bars/OpeningBar.h"
 #include "app/robotcontrol/bars/RecordedBar.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
+#include "robotlink/base/Spelling.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace app {
+namespace {
+
+using robotlink::Result;
+using Values = robotlink::CommandTable::Values;
+
+/// A bookmark of one of the open logs.
+struct PlacedBookmark {
+  widgets::OpenLogs::Log* log = nullptr;
+  logplayer::Bookmark bookmark;
+};
+
+std::vector<std::string> bookmarkTexts(const widgets::OpenLogs& logs) {
+  std::vector<std::string> texts;
+  for (const auto& log : logs.logs()) {
+    if (!log->bookmarks) continue;
+    for (const auto& bookmark : log->bookmarks->all()) texts.push_back(bookmark.text);
+  }
+  return texts;
+}
+
+/// The first bookmark with this text. Fails if there is none.
+Result<PlacedBookmark> bookmarkNamed(const widgets::OpenLogs& logs, const std::string& text) {
+  for (const auto& log : logs.logs()) {
+    if (!log->bookmarks) continue;
+    const auto& all = log->bookmarks->all();
+    const auto found = std::ranges::find(all, text, &logplayer::Bookmark::text);
+    if (found != all.end()) return PlacedBookmark{log.get(), *found};
+  }
+  return robotlink::failure(
+      "log.bookmark",
+      "there is no bookmark '" + text + "'" + robotlink::suggestion(text, bookmarkTexts(logs)), {}, {text});
+}
+
+Result<void> addBookmark(widgets::OpenLogs& logs, const Values& values) {
+  const double seconds = std::get<double>(values[0]);
+  const auto& replay = logs.replay();
+  if (!(seconds >= 0 && seconds <= robotlink::seconds(replay.end() - replay.begin())))
+    return robotlink::failure("log.time", "the log is not that long; choose a time within it");
+  logs.addBookmarkAt(replay.begin() + robotlink::fromSeconds(seconds),
+                     QString::fromStdString(std::get<std::string>(values[1])));
+  return {};
+}
+
+Result<void> removeBookmark(widgets::OpenLogs& logs, const Values& values) {
+  const auto found = bookmarkNamed(logs, std::get<std::string>(values[0]));
+  if (!found) return tl::unexpected(found.error());
+  logs.removeBookmark(*found->log, found->bookmark.id);
+  return {};
+}
+
+Result<void> renameBookmark(widgets::OpenLogs& logs, const Values& values) {
+  auto found = bookmarkNamed(logs, std::get<std::string>(values[0]));
+  if (!found) return tl::unexpected(found.error());
+  found->bookmark.text = std::get<std::string>(values[1]);
+  logs.changeBookmark(*found->log, found->bookmark);
+  return {};
+}
+
+}  // namespace
 
 void MainWindow::createLogs() {
   auto& logs = widgets::openLogs(context_);
@@ -43,26 +104,31 @@ void MainWindow::createLogs() {
     opening_->setLogOpen(!logs.logs().empty());
     for (const auto& log : logs.logs()) opening_->remember(QString::fromStdString(log->path));
   });
-  addBookmarkCommand();
+  addBookmarkCommands();
 }
 
-void MainWindow::addBookmarkCommand() {
-  if (workbench_.commands().isAttached("log.bookmark")) return;
-  const auto run = [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
-    const auto open = shared.lock();
-    if (open != nullptr) open->tick();  // processes a log that was opened just now
-    if (open == nullptr || !open->replay().open()) {
-      return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
-    }
-    const double seconds = std::get<double>(values[0]);
-    if (!(seconds >= 0 && seconds <= robotlink::seconds(open->replay().end() - open->replay().begin()))) {
-      return robotlink::failure("log.time", "the log is not that long; choose a time within it");
-    }
-    open->addBookmarkAt(open->replay().begin() + robotlink::fromSeconds(seconds),
-                        QString::fromStdString(std::get<std::string>(values[1])));
-    return {};
+void MainWindow::addBookmarkCommands() {
+  auto& commands = workbench_.commands();
+  if (commands.isAttached("log.bookmark")) return;
+  using Run = Result<void> (*)(widgets::OpenLogs&, const Values&);
+  const auto attachForLogs = [this, &commands](const char* name, Run run,
+                                               robotlink::CommandTable::Offer offer = {}) {
+    const auto act = [run, shared = std::weak_ptr(context_.logs)](const Values& values) -> Result<void> {
+      const auto open = shared.lock();
+      if (open != nullptr) open->tick();  // processes a log that was opened just now
+      if (open == nullptr || !open->replay().open())
+        return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
+      return run(*open, values);
+    };
+    commands.attach(name, act, std::move(offer));
   };
-  workbench_.commands().attach("log.bookmark", run);
+  attachForLogs("log.bookmark", addBookmark);
+  const auto texts = [shared = std::weak_ptr(context_.logs)](const std::vector<std::string>& before) {
+    const auto open = shared.lock();
+    return open != nullptr && before.empty() ? bookmarkTexts(*open) : std::vector<std::string>();
+  };
+  attachForLogs("log.remove-bookmark", removeBookmark, texts);
+  attachForLogs("log.rename-bookmark", renameBookmark, texts);
 }
 
 void MainWindow::createLogMenu() {

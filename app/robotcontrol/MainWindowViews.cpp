@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MainWindow: commands about what views show: images, drawings, data.
+// MainWindow: commands about what views show: images, drawings, data, messages, parameters.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QPointer>
 #include <variant>
@@ -10,7 +10,10 @@
 #include "widgets/data/DataView.h"
 #include "widgets/data/RequestText.h"
 #include "widgets/image/ImageStreamView.h"
+#include "widgets/messages/MessagesView.h"
 #include "widgets/picture/PictureView.h"
+#include "widgets/solutions/ParameterPanel.h"
+#include "widgets/solutions/SolutionsView.h"
 
 namespace app {
 namespace {
@@ -124,6 +127,29 @@ void MainWindow::attachDataCommands() {
         if (before.empty()) return widgets::requestWords();
         return window && before.size() == 2 ? window->context_.session.robots() : Names();
       });
+}
+
+void MainWindow::attachToolCommands() {
+  attach(
+      "messages.filter",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openAs<widgets::MessagesView>(textAt(values, 2));
+        if (!view) return tl::unexpected(view.error());
+        return (*view)->setFilter(textAt(values, 0), std::get<bool>(values[1]));
+      },
+      [window = QPointer(this)](const Names& before) {
+        return window && before.size() == 2 ? openNames<widgets::MessagesView>(*window->docks_) : Names();
+      });
+  const auto attachStep = [this](const char* name, bool (widgets::ParameterPanel::*step)()) {
+    attach(name, [step](MainWindow& window, const Values&) -> Result<void> {
+      const auto view = window.openAs<widgets::SolutionsView>("solutions");
+      if (!view) return tl::unexpected(view.error());
+      if (((*view)->parameters().*step)()) return {};
+      return failure("parameters.undo", "no edit in the view Solutions can be undone or redone");
+    });
+  };
+  attachStep("parameters.undo", &widgets::ParameterPanel::undo);
+  attachStep("parameters.redo", &widgets::ParameterPanel::redo);
 }
 
 }  // namespace app

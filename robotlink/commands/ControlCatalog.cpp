@@ -117,6 +117,8 @@ Rows parameterRows() {
        "comments stay",
        {{"task", Type::kText, "only those of walking or walking/gait; all if it is left out", std::string()},
         {"file", Type::kFile, "another .textproto file, for robots elsewhere", std::string()}}},
+      {"parameters.undo", "Undoes the last edit in the panel of parameters of the view Solutions"},
+      {"parameters.redo", "Redoes what was undone there"},
       {"parameters.sweep",
        "Sets a parameter to one value after the other and measures a figure at each",
        {{"task", Type::kText, "walking, for its active solution, or walking/gait for another one"},

@@ -118,6 +118,11 @@ Rows dataRows() {
        {{"message", Type::kText, "set-goal, place-model, ... as in the list of the view"},
         {"json", Type::kText, "its fields: '{\"cancelled\": true}'; '': as by default", std::string()},
         {"robot", Type::kText, "its name; '': the selected one", std::string()}}},
+      {"messages.filter",
+       "Shows only messages whose text or source contains a text",
+       {{"text", Type::kText, "'': all messages", std::string()},
+        {"regex", Type::kBool, "on: it is a regular expression", false},
+        {"view", Type::kText, "messages; the second one is messages#2", std::string("messages")}}},
   };
 }
 
@@ -137,6 +142,12 @@ Rows windowCatalog() {
       {"log.bookmark",
        "Adds a bookmark to the log",
        {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},
+      {"log.remove-bookmark",
+       "Removes a bookmark of the open logs; of several with this text the first",
+       {{"text", Type::kText, "text of the bookmark"}}},
+      {"log.rename-bookmark",
+       "Changes the text of a bookmark of the open logs; of several with this text the first",
+       {{"text", Type::kText, "text of the bookmark"}, {"new-text", Type::kText, "instead"}}},
   };
   rows.insert(rows.end(), others.begin(), others.end());
   return rows;

@@ -283,6 +283,14 @@ void MessagesView::setPattern() {
   showState();
 }
 
+robotlink::Result<void> MessagesView::setFilter(const std::string& text, bool isRegex) {
+  regex_->setChecked(isRegex);
+  pattern_->setText(QString::fromStdString(text));
+  setPattern();
+  if (problem_->text().isEmpty()) return {};
+  return robotlink::failure("messages.filter", problem_->text().toStdString(), {}, {text});
+}
+
 void MessagesView::find(int step) {
   const QString text = search_->text();
   const int rows = filter_->rowCount();

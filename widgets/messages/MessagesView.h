@@ -34,6 +34,8 @@ class MessagesView final : public View {
   explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
   /// Appends new messages (unless paused) and moves the current row to the shown instant.
   void tick() override;
+  /// Sets the filter, as the user does; empty: none. Fails if it is no regular expression, but is to be one.
+  robotlink::Result<void> setFilter(const std::string& text, bool isRegex);
 
  private:
   /// Actions of the toolbar, among them regular expression, previous and next match, follow, pause.

@@ -222,6 +222,18 @@ void ParameterPanel::tick() {
   }
 }
 
+bool ParameterPanel::undo() {
+  if (!undo_.canUndo()) return false;
+  undo_.undo();
+  return true;
+}
+
+bool ParameterPanel::redo() {
+  if (!undo_.canRedo()) return false;
+  undo_.redo();
+  return true;
+}
+
 void ParameterPanel::apply(const QByteArray& value) {
   const QByteArray before = model_.value();
   model_.setValue(value);

@@ -40,6 +40,9 @@ class ParameterPanel final : public QWidget {
   /// Applies the ParameterValues that the robot published since the last tick. A message of the same type
   /// keeps the tree, the undo stack and an open editor.
   void tick();
+  /// Undoes or redoes an edit of what is shown. False: there is none.
+  bool undo();
+  bool redo();
 
  private:
   void createActions();

@@ -25,6 +25,8 @@ class SolutionsView final : public View {
   explicit SolutionsView(ViewContext& context, QWidget* parent = nullptr);
   /// Updates the tree if the robot or its SolutionTables changed.
   void tick() override;
+  /// The panel of parameters, which is hidden at first.
+  ParameterPanel& parameters() { return *parameters_; }
 
  protected:
   /// Handles Space and Return in the tree.

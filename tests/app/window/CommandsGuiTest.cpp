@@ -188,6 +188,18 @@ class CommandsGuiTest : public WindowTest {
     QCOMPARE(desk.run(QStringLiteral("data.publish nothing")), QStringLiteral("data.message"));
   }
 
+  void messagesAreFilteredAndNothingIsUndoneWhereNothingWasEdited() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("messages.filter ball")), QString());
+    QCOMPARE(desk.find<QLineEdit>("messagesFilter").text(), QStringLiteral("ball"));
+    QCOMPARE(desk.run(QStringLiteral("messages.filter 'ball(' --regex on")),
+             QStringLiteral("messages.filter"));
+    QCOMPARE(desk.run(QStringLiteral("messages.filter")), QString());
+    QCOMPARE(desk.find<QLineEdit>("messagesFilter").text(), QString());
+    QCOMPARE(desk.run(QStringLiteral("parameters.undo")), QStringLiteral("parameters.undo"));
+    QCOMPARE(desk.run(QStringLiteral("log.remove-bookmark goal")), QStringLiteral("log.none"));
+  }
+
   void robotsAndTheBallArePlaced() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);

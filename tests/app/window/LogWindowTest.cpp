@@ -20,9 +20,11 @@
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "colortool/table/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/ShortLog.h"
 #include "tests/app/window/ReplayDesk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "widgets/log/OpenLogs.h"
 
 namespace app::test {
 
@@ -303,6 +305,31 @@ class LogWindowTest : public WindowTest {
          {"image", "time-line", "replay-packages", "log-streams", "bookmarks", "solutions", "messages"}) {
       QVERIFY2(desk.window.docks().docks(QLatin1String(view)).size() == 1, view);
     }
+  }
+
+  void bookmarksAreRenamedAndRemovedByTheirTexts() {
+    LogDesk desk(home_ / "texts");
+    const std::filesystem::path file = home_ / "texts" / "short.mcap";
+    std::filesystem::create_directories(file.parent_path());
+    QCOMPARE(ShortLog::write(file), std::string());
+    desk.status.set_begin(ShortLog::time(0).time_since_epoch().count());
+    desk.status.set_end(ShortLog::time(ShortLog::kFrames - 1).time_since_epoch().count());
+    desk.status.add_logs()->set_path(file.string());
+    desk.publish();
+    const auto& logs = *desk.window.context().logs;
+    QTRY_VERIFY_WITH_TIMEOUT((desk.window.tick(), logs.logs().front()->bookmarks.has_value()), kWaitMs);
+    const auto text = [&logs](std::size_t i) { return logs.logs().front()->bookmarks->all()[i].text; };
+    const auto& commands = desk.workbench.commands();
+    QVERIFY(commands.runLine("log.bookmark 1 goal"));
+    QVERIFY(commands.runLine("log.bookmark 2 corner"));
+    QVERIFY(commands.runLine("log.rename-bookmark goal 'first goal'"));
+    QCOMPARE(text(0), std::string("first goal"));
+    const auto unknown = commands.runLine("log.remove-bookmark korner");
+    QVERIFY(!unknown);
+    QVERIFY(unknown.error().text.find("'corner'") != std::string::npos);
+    QVERIFY(commands.runLine("log.remove-bookmark 'first goal'"));
+    QCOMPARE(logs.logs().front()->bookmarks->all().size(), std::size_t{1});
+    QCOMPARE(text(0), std::string("corner"));
   }
 
   void aBookmarkWithoutItsLogIsRefusedInWords() {

@@ -255,6 +255,22 @@ class MessagesViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 3);
   }
 
+  void theFilterIsSetByCommands() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    someMessages(bench);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "messagesTable");
+    QVERIFY(view->setFilter("^ball|^paw", true));
+    QCOMPARE(table.model()->rowCount(), 2);
+    QVERIFY(!view->setFilter("(", true));
+    QVERIFY(view->setFilter("(", false));
+    QCOMPARE(table.model()->rowCount(), 0);
+    QVERIFY(view->setFilter("", false));
+    QCOMPARE(table.model()->rowCount(), 4);
+    QVERIFY(!child<QToolButton>(*view, "messagesRegex").isChecked());
+  }
+
   void enterSearchesOn() {
     Bench bench;
     auto view = bench.open<widgets::MessagesView>();

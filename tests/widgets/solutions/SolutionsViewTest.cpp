@@ -248,6 +248,11 @@ class SolutionsViewTest : public QObject {
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 2.0);
     click(child<QToolButton>(*view, "parametersRedo"));
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
+    QVERIFY2(!view->parameters().redo(), "there is nothing more");
+    QVERIFY(view->parameters().undo());
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 2.0);
+    QVERIFY(view->parameters().redo());
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
     click(child<QToolButton>(*view, "parametersResetAll"));
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
   }
