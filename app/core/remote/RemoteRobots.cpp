@@ -334,7 +334,7 @@ void RemoteRobots::showRobots() {
     std::vector<robotlink::LineGap> gaps;
     for (const auto& gap : line->client->gaps()) gaps.push_back({gap.from, gap.to, gap.reason});
     for (const std::string& robot : line->client->robots())
-      shown[robot] = {line->url, line->client->state().isConnected(), line->client->stateText(), gaps,
+      shown[robot] = {line->url,     line->client->state().isConnected(), line->client->stateText(), gaps,
                       line->leftOut, !line->client->hasSession()};
   }
   session_.setRemoteRobots(std::move(shown));
