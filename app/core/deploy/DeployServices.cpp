@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/recordings/ServiceArgument.h"
 #include "robotlink/foxglove/protocol/Base64.h"
 #include "robotlink/foxglove/security/Digest.h"
 
@@ -34,9 +35,10 @@ DeployServices::DeployServices(std::shared_ptr<robotlink::websocket::Server> ser
       written_(std::move(written)),
       programs_(std::move(programs)),
       jobs_(std::make_shared<JobQueue>()) {
-  offer("deploy/list", &DeployServices::list, ServiceAccess::kAnybody);
-  offer("deploy/put", &DeployServices::put, ServiceAccess::kControl);
-  if (programs_.restart) offer("deploy/restart", &DeployServices::restart, ServiceAccess::kControl);
+  offer("deploy/list", {}, &DeployServices::list, ServiceAccess::kAnybody);
+  offer("deploy/put", {{"path"}, {"content"}, {"sha256"}}, &DeployServices::put, ServiceAccess::kControl);
+  if (programs_.restart)
+    offer("deploy/restart", {{"robot"}, {"layout"}}, &DeployServices::restart, ServiceAccess::kControl);
 }
 
 DeployServices::~DeployServices() {
@@ -44,18 +46,17 @@ DeployServices::~DeployServices() {
   jobs_->close();
 }
 
-void DeployServices::offer(const std::string& name, Handler handler, ServiceAccess access) {
-  constexpr char kObject[] = R"({"type":"object"})";
-  const robotlink::websocket::ServiceSchema schema{kJsonEncoding, name, "jsonschema", kObject};
+void DeployServices::offer(const std::string& name, const std::vector<ArgumentMember>& members,
+                           Handler handler, ServiceAccess access) {
   services_.push_back(server_->addService(
-      {0, name, name, schema, schema},
-      [this, jobs = jobs_, name, handler](const robotlink::websocket::ClientInfo&,
-                                          const robotlink::websocket::ServiceCallRequest& call, Reply reply) {
-        if (call.encoding != kJsonEncoding) return reply.fail(name + " takes JSON");
-        auto argument = json::parse(call.payload.empty() ? "{}" : call.payload, nullptr, false);
-        if (!argument.is_object()) return reply.fail("the argument of " + name + " is no JSON object");
+      jsonService(name, members),
+      [this, jobs = jobs_, name, members, handler](const robotlink::websocket::ClientInfo&,
+                                                   const robotlink::websocket::ServiceCallRequest& call,
+                                                   Reply reply) {
+        auto argument = argumentOf(name, members, call);
+        if (!argument) return reply.fail(argument.error().text);
         jobs->add(
-            [this, handler, argument = std::move(argument), reply] { (this->*handler)(argument, reply); });
+            [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });
       },
       access));
 }

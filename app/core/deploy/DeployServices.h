@@ -14,8 +14,10 @@
 
 namespace app {
 
+struct ArgumentMember;
+
 /// Lets clients of a server see and replace the files of a robot's resource folder. Arguments and answers are
-/// JSON objects:
+/// JSON objects; a call with another member, or a value of another type, fails:
 ///
 /// - `deploy/list`: {"files": [{"path", "bytes", "sha256"}]}, in the order of their paths, and with programs
 ///   {"robots": [{"robot", "layout", "waiting"}]}: the file of the layout in which the robot's program runs,
@@ -51,7 +53,8 @@ class DeployServices {
   using Reply = robotlink::websocket::Reply;
   using Handler = void (DeployServices::*)(const nlohmann::json& argument, const Reply& reply);
 
-  void offer(const std::string& name, Handler handler, robotlink::websocket::ServiceAccess access);
+  void offer(const std::string& name, const std::vector<ArgumentMember>& members, Handler handler,
+             robotlink::websocket::ServiceAccess access);
   // The handlers run in the queue's thread.
   void list(const nlohmann::json& argument, const Reply& reply);
   void put(const nlohmann::json& argument, const Reply& reply);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/platform/JsonOutput.h"
+#include "app/core/recordings/ServiceArgument.h"
 #include "logplayer/record/Recorder.h"
 
 namespace app {
@@ -16,7 +17,6 @@ using nlohmann::json;
 using robotcontrol::ControlRecording;
 using robotlink::Result;
 using robotlink::websocket::ClientInfo;
-using robotlink::websocket::Service;
 using robotlink::websocket::ServiceAccess;
 using robotlink::websocket::ServiceCallRequest;
 
@@ -34,11 +34,6 @@ std::uint64_t numberIn(const json& argument, const char* member, std::uint64_t o
   return found != argument.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : otherwise;
 }
 
-Service serviceNamed(const std::string& name) {
-  constexpr char kObject[] = R"({"type":"object"})";
-  return {0, name, name, {kJson, name, "jsonschema", kObject}, {kJson, name, "jsonschema", kObject}};
-}
-
 }  // namespace
 
 RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Server> server,
@@ -48,13 +43,14 @@ RecordingServices::RecordingServices(std::shared_ptr<robotlink::websocket::Serve
       recorder_(recorder),
       jobs_(std::make_shared<JobQueue>()) {
   recorder_.setFolder(folder_.path());
-  offer("recordings/list", &RecordingServices::list, ServiceAccess::kAnybody);
-  offer("recordings/read", &RecordingServices::read, ServiceAccess::kAnybody);
-  offer("recordings/check", &RecordingServices::check, ServiceAccess::kAnybody);
-  offer("recordings/delete", &RecordingServices::remove);
-  offer("recordings/start", &RecordingServices::start);
-  offer("recordings/stop", &RecordingServices::stop);
-  offer("recordings/status", &RecordingServices::status, ServiceAccess::kAnybody);
+  const ArgumentMember name{"name"}, offset{"offset", true}, bytes{"bytes", true};
+  offer("recordings/list", {}, &RecordingServices::list, ServiceAccess::kAnybody);
+  offer("recordings/read", {name, offset, bytes}, &RecordingServices::read, ServiceAccess::kAnybody);
+  offer("recordings/check", {name, bytes}, &RecordingServices::check, ServiceAccess::kAnybody);
+  offer("recordings/delete", {name}, &RecordingServices::remove);
+  offer("recordings/start", {}, &RecordingServices::start);
+  offer("recordings/stop", {}, &RecordingServices::stop);
+  offer("recordings/status", {}, &RecordingServices::status, ServiceAccess::kAnybody);
 }
 
 RecordingServices::~RecordingServices() {
@@ -62,15 +58,16 @@ RecordingServices::~RecordingServices() {
   jobs_->close();
 }
 
-void RecordingServices::offer(const std::string& name, Handler handler, ServiceAccess access) {
+void RecordingServices::offer(const std::string& name, const std::vector<ArgumentMember>& members,
+                              Handler handler, ServiceAccess access) {
   services_.push_back(server_->addService(
-      serviceNamed(name),
-      [this, jobs = jobs_, name, handler](const ClientInfo&, const ServiceCallRequest& call, Reply reply) {
-        if (call.encoding != kJson) return reply.fail(name + " takes JSON, not '" + call.encoding + "'");
-        auto argument = json::parse(call.payload.empty() ? "{}" : call.payload, nullptr, false);
-        if (!argument.is_object()) return reply.fail("the argument of " + name + " is no JSON object");
+      jsonService(name, members),
+      [this, jobs = jobs_, name, members, handler](const ClientInfo&, const ServiceCallRequest& call,
+                                                   Reply reply) {
+        auto argument = argumentOf(name, members, call);
+        if (!argument) return reply.fail(argument.error().text);
         jobs->add(
-            [this, handler, argument = std::move(argument), reply] { (this->*handler)(argument, reply); });
+            [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });
       },
       access));
 }

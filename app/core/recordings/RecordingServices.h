@@ -18,8 +18,11 @@ class Recorder;
 
 namespace app {
 
+struct ArgumentMember;
+
 /// Lets clients of a server record into a folder of the robot, and list, read, check and delete what was
-/// recorded there. Arguments are JSON objects, and so are the answers, but for that of `read`:
+/// recorded there. Arguments are JSON objects, and so are the answers, but for that of `read`. A call with
+/// another member, or a value of another type, fails:
 ///
 /// - `recordings/list`: {"recordings": [{"name", "bytes", "modified" (seconds since 1970), "recording",
 ///   "whole"}]}, the newest first; one that is not whole was cut off, as by a crash
@@ -44,7 +47,7 @@ class RecordingServices {
   /// Answers a call; an exception-free object of the caller's argument.
   using Handler = void (RecordingServices::*)(const nlohmann::json& argument, const Reply& reply);
 
-  void offer(const std::string& name, Handler handler,
+  void offer(const std::string& name, const std::vector<ArgumentMember>& members, Handler handler,
              robotlink::websocket::ServiceAccess access = robotlink::websocket::ServiceAccess::kControl);
   // The handlers run in the worker's thread.
   void list(const nlohmann::json& argument, const Reply& reply);

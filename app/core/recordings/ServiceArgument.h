@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/foxglove/protocol/ClientMessages.h"
+#include "robotlink/foxglove/protocol/ServerMessages.h"
+
+namespace app {
+
+// Services whose arguments and answers are JSON objects, without messages of their own. Pure functions.
+
+/// A member that the argument of a service may have.
+struct ArgumentMember {
+  std::string name;
+  /// Whether its value is a whole number that is not negative; else it is a text.
+  bool isNumber = false;
+};
+
+/// The service of a name, "recordings/read", with a schema of its argument, "recordings.ReadRequest".
+robotlink::websocket::Service jsonService(const std::string& name,
+                                          const std::vector<ArgumentMember>& members);
+
+/// The argument of a call of such a service; an empty payload is {}. Fails, with a sentence for the caller,
+/// for what is no JSON object, for a member that is none of these, and for a value of another type.
+robotlink::Result<nlohmann::json> argumentOf(const std::string& name,
+                                             const std::vector<ArgumentMember>& members,
+                                             const robotlink::websocket::ServiceCallRequest& call);
+
+}  // namespace app
