@@ -48,6 +48,24 @@ std::vector<const foxglove::JointStates*> jointHistoryBefore(const StreamStore& 
   return result;
 }
 
+/// What is measured of a joint, and was in the last seconds.
+void measureJoint(JointRow& row, const foxglove::JointStates* states,
+                  const std::vector<const foxglove::JointStates*>& history, std::size_t place) {
+  if (const auto* state = states == nullptr ? nullptr : jointStateOf(*states, row.name, place)) {
+    if (state->has_position()) row.measured = state->position();
+    if (state->has_velocity()) row.speed = state->velocity();
+    if (state->has_effort()) row.load = state->effort();
+  }
+  for (const auto* earlier : history) {
+    const auto* state = jointStateOf(*earlier, row.name, place);
+    if (state != nullptr && std::isfinite(state->position())) row.history.push_back(state->position());
+  }
+}
+
+bool isSameJoint(const JointRow& a, const JointRow& b) {
+  return a.name == b.name && a.hasLimits == b.hasLimits && a.minimum == b.minimum && a.maximum == b.maximum;
+}
+
 QString jointDegreesText(const std::optional<double>& angle) {
   // Adding 0 makes a negative zero positive.
   return angle ? QString::number(std::round(robotlink::degrees(*angle) * 10) / 10 + 0.0, 'f', 1)
@@ -84,23 +102,28 @@ void JointsModel::show(const robotlink::RobotDescription* robot, const std::stri
       row.maximumSpeed = joint.maximumSpeed;
       if (const auto wanted = commanded.find(joint.name); wanted != commanded.end())
         row.commanded = wanted->second;
-      if (const auto* state = states == nullptr ? nullptr : jointStateOf(*states, joint.name, i)) {
-        if (state->has_position()) row.measured = state->position();
-        if (state->has_velocity()) row.speed = state->velocity();
-        if (state->has_effort()) row.load = state->effort();
-      }
+      measureJoint(row, states, history, i);
       const auto index = static_cast<int>(i);
       if (request != nullptr && index < request->positions_size() && std::isfinite(request->positions(index)))
         row.requested = request->positions(index);
-      for (const auto* earlier : history) {
-        const auto* state = jointStateOf(*earlier, joint.name, i);
-        if (state != nullptr && std::isfinite(state->position())) row.history.push_back(state->position());
-      }
     }
   }
-  replaceRows(std::move(rows), [](const JointRow& a, const JointRow& b) {
-    return a.name == b.name && a.minimum == b.minimum && a.maximum == b.maximum;
-  });
+  replaceRows(std::move(rows), isSameJoint);
+}
+
+void JointsModel::showStream(const StreamStore& store, const std::string& path, robotlink::Instant time) {
+  constexpr int kMaxJoints = 1000;
+  std::vector<JointRow> rows;
+  if (const auto* states = store.latestAs<foxglove::JointStates>(path, time)) {
+    const auto history = jointHistoryBefore(store, path, time);
+    for (int i = 0; i < std::min(states->joints_size(), kMaxJoints); ++i) {
+      JointRow& row = rows.emplace_back();
+      row.name = states->joints(i).name();
+      row.hasLimits = false;
+      measureJoint(row, states, history, static_cast<std::size_t>(i));
+    }
+  }
+  replaceRows(std::move(rows), isSameJoint);
 }
 
 void JointsModel::setEditable(bool editable) {
@@ -127,7 +150,9 @@ QString JointsModel::text(const JointRow& row, int column) const {
     case kLoad:
       return row.load ? QString::number(*row.load + 0.0, 'f', 3) : QStringLiteral("–");
     case kLimits:
-      return QStringLiteral("%1 … %2").arg(jointDegreesText(row.minimum), jointDegreesText(row.maximum));
+      return row.hasLimits
+                 ? QStringLiteral("%1 … %2").arg(jointDegreesText(row.minimum), jointDegreesText(row.maximum))
+                 : QStringLiteral("–");
     default:
       return {};
   }
@@ -147,7 +172,7 @@ QVariant JointsModel::data(const QModelIndex& index, int role) const {
         return tr("Turns the joint: a double click, or F2, edits the angle in degrees");
       if (index.column() == kLoad && !row.load)
         return tr("The robot does not measure the torque of its joints");
-      return index.column() == kSpeed
+      return index.column() == kSpeed && row.hasLimits
                  ? QVariant(tr("At most %1°/s").arg(robotlink::degrees(row.maximumSpeed), 0, 'f', 0))
                  : QVariant();
     default:

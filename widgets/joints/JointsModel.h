@@ -19,6 +19,8 @@ namespace widgets {
 /// A joint of a robot: its limits, and what is known of it at an instant. Angles in rad; unset: unknown.
 struct JointRow {
   std::string name;
+  /// Without limits the following are 0.
+  bool hasLimits = true;
   double minimum = 0, maximum = 0;
   double maximumSpeed = 0;  ///< rad/s
   std::optional<double> requested, measured;
@@ -34,8 +36,8 @@ struct JointRow {
 };
 
 /// All joints of a robot, in the order of its description, at the instant of the timeline: what its platform
-/// measures (joints/states) and what its program requests (joints/request). Angles are shown in degrees. GUI
-/// thread.
+/// measures (joints/states) and what its program requests (joints/request). Or those of a stream of another
+/// program, of whose robot nothing else is known. Angles are shown in degrees. GUI thread.
 class JointsModel final : public RowModel<JointRow> {
   Q_OBJECT
  public:
@@ -50,6 +52,9 @@ class JointsModel final : public RowModel<JointRow> {
   void show(const robotlink::RobotDescription* robot, const std::string& name,
             const robotlink::StreamStore& store, robotlink::Instant time,
             const std::map<std::string, double>& commanded);
+  /// Shows the joints of any stream of foxglove.JointStates, in the order of its message at an instant,
+  /// without limits.
+  void showStream(const robotlink::StreamStore& store, const std::string& path, robotlink::Instant time);
   /// Whether requested angles can be edited; edits are emitted as angleWanted().
   void setEditable(bool editable);
   /// The row of a joint; -1: there is none.

@@ -9,6 +9,7 @@
 #include <QSpinBox>
 #include <QTableView>
 #include <QToolButton>
+#include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/FileSuffix.h"
@@ -18,6 +19,7 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/image/StreamSelector.h"
 #include "widgets/joints/JointSlider.h"
 #include "widgets/joints/SparklineDelegate.h"
 #include "widgets/motion/ManualSteering.h"
@@ -33,6 +35,7 @@ const ViewRegistration kJointsViewRegistration{
                        "Shows all joints of a robot, turns single ones, and captures poses for motions."),
      "joints", false, create<JointsView>}};
 
+constexpr char kJointsType[] = "foxglove.JointStates";
 constexpr int kUsualDurationMs = 500, kLongestDurationMs = 60'000;
 
 }  // namespace
@@ -45,6 +48,7 @@ JointsView::JointsView(ViewContext& context, QWidget* parent)
   connectSignals();
   keep("columns", table_->horizontalHeader());
   keep("source", source_);
+  keep("stream", streams_);
   keep(
       "duration", [this] { return QJsonValue(duration_->value()); },
       [this](const QJsonValue& value) { duration_->setValue(value.toInt(kUsualDurationMs)); });
@@ -75,8 +79,12 @@ QWidget* JointsView::createTop() {
   QFont bold = robotName_->font();
   bold.setBold(true);
   robotName_->setFont(bold);
+  streams_ = new StreamSelector(kJointsType, QStringLiteral("*/joints/states"), parent);
+  describe(*streams_, {"jointsStream", tr("Joints"), tr("Which joints of another program are shown")});
+  streams_->hide();
   state_ = makeNote(parent, "jointsState", tr("Who steers"));
   row->addWidget(robotName_);
+  row->addWidget(streams_);
   for (QAction* action : {take_, limp_, stand_}) row->addWidget(makeLabeledButton(parent, action));
   row->addWidget(state_, 1);
   return parent;
@@ -131,6 +139,7 @@ void JointsView::connectSignals() {
   });
   connect(stand_, &QAction::triggered, this, [this] { static_cast<void>(manual_.stand()); });
   connect(capture_, &QAction::triggered, this, &JointsView::capture);
+  connect(streams_, &StreamSelector::choiceChanged, this, &JointsView::tick);
   connect(&model_, &JointsModel::angleWanted, this, &JointsView::turn);
   connect(&model_, &QAbstractItemModel::modelReset, this, &JointsView::createSliders);
 }
@@ -139,6 +148,7 @@ void JointsView::createSliders() {
   sliders_.clear();
   for (int row = 0; row < model_.rowCount(); ++row) {
     const JointRow& joint = model_.row(row);
+    if (!joint.hasLimits) return;  // nothing is turned there
     auto* slider = new JointSlider(joint, table_);
     const QString name = QString::fromStdString(joint.name);
     const QByteArray objectName = "joint-" + name.toLatin1();
@@ -160,7 +170,13 @@ void JointsView::capture() {
   showOutcome(*outcome_, done ? *done : QString::fromStdString(done.error().text), !done);
 }
 
+bool JointsView::isOfRobot() const {
+  const auto& description = manual_.description();
+  return description != nullptr && !description->joints.empty();
+}
+
 QString JointsView::hint() const {
+  if (model_.rowCount() > 0) return {};
   if (manual_.robot().empty())
     return tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.");
   const QString name = QString::fromStdString(manual_.robot());
@@ -169,7 +185,7 @@ QString JointsView::hint() const {
 }
 
 void JointsView::showState() {
-  const bool hasJoints = model_.rowCount() > 0;
+  const bool hasJoints = isOfRobot() && model_.rowCount() > 0;
   const bool isTaken = manual_.isTaken();
   const auto state = manual_.control().state();
   take_->setEnabled(hasJoints && state != ManualControl::State::kUnknown &&
@@ -185,16 +201,30 @@ void JointsView::showState() {
                                                                   : manual_.control().text());
 }
 
+void JointsView::showJoints() {
+  const auto& store = session().store();
+  if (streams_->refresh(session())) {
+    hasStreams_ =
+        std::ranges::any_of(store.streams(), [](const auto* stream) { return stream->type == kJointsType; });
+  }
+  const bool isOfRobot = this->isOfRobot();
+  streams_->setVisible(hasStreams_ && !isOfRobot);
+  model_.setEditable(isOfRobot && manual_.isTaken());
+  if (isOfRobot) {
+    model_.show(manual_.description().get(), manual_.robot(), store, session().timeline().shown(),
+                manual_.commander().joints());
+  } else {
+    model_.showStream(store, streams_->path(session()), session().timeline().shown());
+  }
+}
+
 void JointsView::tick() {
   manual_.follow();
-  const auto& description = manual_.description();
   const std::string& robot = manual_.robot();
   if (!robot.empty())
     subscription_.want(session(), robot, {robotlink::kJointStates.name, robotlink::kJointRequest.name});
   robotName_->setText(QString::fromStdString(robot));
-  model_.setEditable(manual_.isTaken());
-  model_.show(description.get(), robot, session().store(), session().timeline().shown(),
-              manual_.commander().joints());
+  showJoints();
   for (std::size_t i = 0; i < sliders_.size(); ++i) {
     sliders_[i]->setEnabled(manual_.isTaken());
     sliders_[i]->showJoint(model_.row(static_cast<int>(i)));

@@ -19,10 +19,12 @@ class EmptyHint;
 class JointSlider;
 class ManualSteering;
 class SteeringBar;
+class StreamSelector;
 
 /// All joints of the selected robot: what is requested and measured, with limits, as numbers, bars and curves
 /// of the last seconds. With manual control (ManualSteering) single joints are turned, or all are limp; a
-/// pose becomes a key frame of the motion in the editor.
+/// pose becomes a key frame of the motion in the editor. Without a robot that has joints, any stream of
+/// joints is shown, such as those of logs of other programs.
 ///
 /// Registered as "joints". GUI thread.
 class JointsView final : public View {
@@ -43,6 +45,10 @@ class JointsView final : public View {
   void createSliders();
   void turn(const QString& joint, double angle);
   void capture();
+  /// Whether the joints are those of the selected robot's description.
+  bool isOfRobot() const;
+  /// Shows the selected robot's joints, or those of a stream.
+  void showJoints();
   /// Shows why nothing can be steered, or that it can.
   void showState();
   QString hint() const;
@@ -55,6 +61,9 @@ class JointsView final : public View {
   QAction* stand_ = nullptr;
   QAction* capture_ = nullptr;
   QLabel* robotName_ = nullptr;
+  /// The joints of other programs, while there are any and the robot has none.
+  StreamSelector* streams_ = nullptr;
+  bool hasStreams_ = false;
   QLabel* state_ = nullptr;
   SteeringBar* steering_ = nullptr;
   QTableView* table_ = nullptr;

@@ -172,6 +172,38 @@ class JointsViewTest : public QObject {
     QCOMPARE(bench.refusal("joints.set legFL1 0.1"), std::string("robot.not-taken"));
   }
 
+  void jointsOfLogsOfOtherProgramsAreShownWithoutLimits() {
+    JointBench bench;
+    bench.session.setRobots({});
+    foxglove::JointStates states;
+    for (const char* name : {"elbow", "wrist"}) states.add_joints()->set_name(name);
+    states.mutable_joints(0)->set_position(robotlink::radians(90));
+    bench.push("/arm", states, ++bench.time);
+    states.mutable_joints()->RemoveLast();
+    bench.push("/hand", states, ++bench.time);
+    auto view = bench.open<JointsView>({900, 400});
+    auto& table = child<QTableView>(*view, "jointsTable");
+    const QAbstractItemModelTester tester(table.model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(table.model()->rowCount(), 2);
+    QCOMPARE(cellOf(*view, 0, JointsModel::kName), QStringLiteral("elbow"));
+    QCOMPARE(cellOf(*view, 0, JointsModel::kMeasured), QStringLiteral("90.0"));
+    QCOMPARE(cellOf(*view, 0, JointsModel::kLimits), QStringLiteral("–"));
+    QVERIFY(!child<QToolButton>(*view, "jointsTakeOver").isEnabled());
+    QVERIFY(!child<QToolButton>(*view, "jointsCapture").isEnabled());
+    QVERIFY(view->findChildren<JointSlider*>().isEmpty());
+    auto& streams = child<QComboBox>(*view, "jointsStream");
+    QVERIFY(streams.isVisible());
+    streams.setFocus();
+    QTest::keyClick(&streams, Qt::Key_Down);
+    QCOMPARE(streams.currentText(), QStringLiteral("/hand"));
+    QCOMPARE(table.model()->rowCount(), 1);
+    bench.session.setRobots({"red1"});
+    bench.tick(*view);
+    QVERIFY2(!streams.isVisible(), "the robot has joints of its own");
+    QCOMPARE(table.model()->rowCount(), 3);
+  }
+
   void commandsTurnJointsWithinTheirLimits() {
     JointBench bench;
     QCOMPARE(bench.refusal("joints.set legFL1 0.5"), std::string("robot.not-taken"));
