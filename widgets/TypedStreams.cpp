@@ -2,6 +2,10 @@
 #include "widgets/TypedStreams.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "robotlink/debugging/Streams.h"
 
 namespace widgets {
 
@@ -45,6 +49,16 @@ std::string lastPart(const std::string& path) {
 std::string robotPart(const std::string& path) {
   const std::size_t slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+bool hasForeignStreams(const robotlink::StreamStore& store) {
+  namespace streams = robotlink::streams;
+  constexpr std::array<std::string_view, 7> kOfWorld{
+      streams::kScene,  streams::kTransforms, streams::kSimulation, streams::kRecording,
+      streams::kReplay, streams::kMap,        streams::kBookmarks};
+  return std::ranges::any_of(store.streams(), [&](const auto* stream) {
+    return robotPart(stream->path).empty() && std::ranges::find(kOfWorld, stream->path) == kOfWorld.end();
+  });
 }
 
 bool StreamCursor::seen(const robotlink::StreamMessage& message) const {

@@ -36,6 +36,10 @@ std::string lastPart(const std::string& path);
 /// The part before the first '/': the robot of a stream; empty if there is none.
 std::string robotPart(const std::string& path);
 
+/// Whether there are streams of other programs that belong to no robot, as in logs of ROS: all but those of
+/// our own world ("scene", "map").
+bool hasForeignStreams(const robotlink::StreamStore& store);
+
 /// Returns each message of a stream once, including one that arrived late and was inserted among messages
 /// that were returned before. Starts over after a reset of the clock.
 class StreamCursor {

@@ -81,6 +81,14 @@ TEST_F(TypedStreamsTest, pathsHaveARobotAndALastPart) {
   EXPECT_EQ(lastPart("scene"), "scene");
 }
 
+TEST_F(TypedStreamsTest, logsOfOtherProgramsHaveForeignStreams) {
+  say("map", 1s, "of our world");
+  say("red1/log", 1s, "of our robot");
+  EXPECT_FALSE(hasForeignStreams(session_.store()));
+  say("/rosout", 1s, "of ROS");
+  EXPECT_TRUE(hasForeignStreams(session_.store()));
+}
+
 TEST_F(TypedStreamsTest, aCursorReturnsEachMessageOnce) {
   say("red1/log", 10ms, "a");
   say("red1/log", 20ms, "b");

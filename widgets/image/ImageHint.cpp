@@ -39,7 +39,13 @@ std::string platformProblem(robotlink::Session& session, const std::string& robo
 }  // namespace
 
 QString imageHint(robotlink::Session& session, const std::string& path) {
-  if (session.robots().empty())
+  const bool exists = session.store().find(path) != nullptr;
+  if (session.robots().empty() && !exists && hasForeignStreams(session.store()))
+    return sentence(
+        QT_TRANSLATE_NOOP("ImageHint",
+                          "Up to here there are no images in this log. What it has is shown in the "
+                          "views Data, Plots, Field and Scene."));
+  if (session.robots().empty() && !exists)
     return sentence(QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
   const QString none =
       sentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));

@@ -19,6 +19,7 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/joints/JointSlider.h"
 #include "widgets/joints/SparklineDelegate.h"
@@ -177,6 +178,10 @@ bool JointsView::isOfRobot() const {
 
 QString JointsView::hint() const {
   if (model_.rowCount() > 0) return {};
+  if (manual_.robot().empty() && hasForeignStreams(session().store()))
+    return tr(
+        "Up to here there are no joints in this log. What it has is shown in the views Data, Plots, "
+        "Field and Scene.");
   if (manual_.robot().empty())
     return tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.");
   const QString name = QString::fromStdString(manual_.robot());

@@ -10,6 +10,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/overview/RobotCardDelegate.h"
 
 namespace widgets {
@@ -124,8 +125,10 @@ void RobotsView::tick() {
   isFollowing_ = false;
   fit();
   followSelection();
-  hint_->setHint(model_.rowCount() > 0
-                     ? QString()
+  hint_->setHint(model_.rowCount() > 0 ? QString()
+                 : hasForeignStreams(session().store())
+                     ? tr("This log is of no robot of ours. What it has is shown in the views Data, Plots, "
+                          "Field and Scene.")
                      : tr("No robot is here.\nStart a simulation, connect to a robot, or open "
                           "a log with File > Open log…"));
 }

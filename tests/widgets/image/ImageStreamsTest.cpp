@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QTest>
 
+#include "foxglove/Robot.pb.h"
 #include "tests/widgets/FieldBench.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageStreamView.h"
@@ -68,6 +69,17 @@ class ImageStreamsTest : public QObject {
     s.step();
     QVERIFY(s.canvas().picture().pixels.isNull());
     QCOMPARE(s.streams->currentText(), QStringLiteral("red1/images/lines"));
+  }
+
+  void aLogWithoutImagesSaysSo() {
+    ShownStreams s;
+    s.world.session.setRobots({});
+    s.step();
+    QVERIFY2(s.canvas().hint().startsWith(QStringLiteral("No robot.")), qPrintable(s.canvas().hint()));
+    s.world.push("/rosout", foxglove::Log(), 1);
+    s.step();
+    QVERIFY2(s.canvas().hint().contains(QStringLiteral("no images in this log")),
+             qPrintable(s.canvas().hint()));
   }
 
   void imagesOfAnotherRobotAreNotTakenForThoseOfTheSelectedOne() {

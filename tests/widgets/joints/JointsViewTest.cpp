@@ -204,6 +204,15 @@ class JointsViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 3);
   }
 
+  void aLogWithoutJointsSaysSo() {
+    JointBench bench;
+    bench.session.setRobots({});
+    bench.push("/rosout", foxglove::Log(), ++bench.time);
+    auto view = bench.open<JointsView>();
+    const auto& hint = child<QLabel>(child<QTableView>(*view, "jointsTable"), "emptyHint");
+    QVERIFY2(hint.text().contains(QStringLiteral("no joints in this log")), qPrintable(hint.text()));
+  }
+
   void commandsTurnJointsWithinTheirLimits() {
     JointBench bench;
     QCOMPARE(bench.refusal("joints.set legFL1 0.5"), std::string("robot.not-taken"));

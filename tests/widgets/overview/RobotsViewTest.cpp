@@ -6,6 +6,7 @@
 #include <QListView>
 
 #include "foxglove/Image.pb.h"
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -196,6 +197,13 @@ class RobotsViewTest : public QObject {
     QVERIFY(one.width() > 500);
     QVERIFY(four.width() <= 600 && four.height() <= 400);
     QVERIFY(RobotCardDelegate::sizeFor(8, {200, 100}, font).width() > 100);
+  }
+
+  void aLogOfAnotherProgramHasNoRobotOfOurs() {
+    Team team(std::vector<std::string>{});
+    team.push("/rosout", foxglove::Log(), 1);
+    team.tick(*team.view);
+    QVERIFY(child<QLabel>(*team.view, "emptyHint").text().contains(QStringLiteral("no robot of ours")));
   }
 
   void withoutRobotsItSaysWhatToDo() {
