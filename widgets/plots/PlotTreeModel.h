@@ -9,8 +9,9 @@
 namespace widgets {
 
 /// The sources that can be plotted as a tree by the parts of the streams' paths, with the fields as leaves
-/// and their units beside them. Those that are not published now are gray. Leaves can be dragged; the MIME
-/// data are the texts of their sources, one per line. GUI thread.
+/// and their units beside them; the elements of long lists are below one row. Those that are not published
+/// now are gray. Leaves can be dragged; the MIME data are the texts of their sources, one per line. GUI
+/// thread.
 class PlotTreeModel final : public QStandardItemModel {
   Q_OBJECT
  public:
@@ -18,10 +19,13 @@ class PlotTreeModel final : public QStandardItemModel {
   enum Column { kName, kUnit, kColumns };
   /// PlotSource::text(); empty for folders.
   static constexpr int kSourceRole = Qt::UserRole + 1;
-  /// The path of a folder or stream; empty for fields.
+  /// The path of a folder, stream or long list; empty for fields.
   static constexpr int kPathRole = Qt::UserRole + 2;
   /// MIME type of dragged sources; the same data is also plain text.
   static constexpr char kMimeType[] = "application/x-robotcontrol-plot";
+
+  /// Longer lists have a row of their own; so many elements are also listed of a type without a message.
+  static constexpr int kMaxElements = 32;
 
   using QStandardItemModel::QStandardItemModel;
   /// Returns an addition to the name of a field, such as the joint of "positions[3]"; empty: none.

@@ -16,6 +16,7 @@
 #include <QTreeView>
 #include <cmath>
 
+#include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/RobotDescription.h"
@@ -51,6 +52,26 @@ class PlotsViewTest : public QObject {
     click(child<QToolButton>(*view, "plotsAdd"));
     QCOMPARE(legend.model()->rowCount(), 2);
     QCOMPARE(legend.model()->index(1, 2).data().toString(), QStringLiteral("m"));
+  }
+
+  void elementsOfLongListsAreBelowOneRow() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    foxglove::LaserScan scan;
+    for (int i = 0; i < 40; ++i) scan.add_ranges(i);
+    for (int i = 0; i < 32; ++i) scan.add_intensities(i);
+    bench.push("red1/scan", scan, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    const QModelIndex list = find(tree, QStringLiteral("ranges[0 … 39]"));
+    QVERIFY(list.isValid() && !tree.isExpanded(list));
+    QCOMPARE(tree.model()->rowCount(list), 40);
+    QCOMPARE(find(tree, QStringLiteral("ranges[39]")).parent(), list);
+    QCOMPARE(find(tree, QStringLiteral("intensities[31]")).parent(), list.parent());
+    tree.setCurrentIndex(find(tree, QStringLiteral("ranges[7]")));
+    click(child<QToolButton>(*view, "plotsAdd"));
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    QCOMPARE(legend.model()->index(0, 0).data().toString(), QStringLiteral("red1/scan: ranges[7]"));
   }
 
   void valuesAreInTheNaturalOrderWithUnitsAndTheNamesOfJoints() {
