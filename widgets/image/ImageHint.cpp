@@ -13,9 +13,9 @@ namespace widgets {
 namespace {
 
 /// So many texts are looked at, the newest ones, since this is done in each tick.
-constexpr std::ptrdiff_t kMaxTexts = 1000;
+constexpr std::ptrdiff_t kMaxPlatformTexts = 1000;
 
-QString sentence(const char* text) {
+QString imageSentence(const char* text) {
   return QCoreApplication::translate("ImageHint", text);
 }
 
@@ -26,7 +26,7 @@ std::string platformProblem(robotlink::Session& session, const std::string& robo
   const auto& all = stream->messages;
   const auto end =
       std::ranges::upper_bound(all, session.timeline().shown(), {}, &robotlink::StreamMessage::time);
-  const auto begin = end - std::min<std::ptrdiff_t>(end - all.begin(), kMaxTexts);
+  const auto begin = end - std::min<std::ptrdiff_t>(end - all.begin(), kMaxPlatformTexts);
   for (auto at = end; at != begin;) {
     --at;
     const auto* text = dynamic_cast<const foxglove::Log*>(at->value.get());
@@ -41,14 +41,15 @@ std::string platformProblem(robotlink::Session& session, const std::string& robo
 QString imageHint(robotlink::Session& session, const std::string& path) {
   const bool exists = session.store().find(path) != nullptr;
   if (session.robots().empty() && !exists && hasForeignStreams(session.store()))
-    return sentence(
+    return imageSentence(
         QT_TRANSLATE_NOOP("ImageHint",
                           "Up to here there are no images in this log. What it has is shown in the "
                           "views Data, Plots, Field and Scene."));
   if (session.robots().empty() && !exists)
-    return sentence(QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
+    return imageSentence(
+        QT_TRANSLATE_NOOP("ImageHint", "No robot. Start a simulation or connect to a robot."));
   const QString none =
-      sentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));
+      imageSentence(QT_TRANSLATE_NOOP("ImageHint", "No image yet from %1")).arg(QString::fromStdString(path));
   const std::string problem = platformProblem(session, robotPart(path));
   return problem.empty() ? none : none + QStringLiteral(".\n") + QString::fromStdString(problem);
 }

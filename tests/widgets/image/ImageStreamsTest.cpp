@@ -11,7 +11,7 @@
 namespace widgets::test {
 namespace {
 
-constexpr robotlink::YCbCr kDark{60, 128, 128}, kBright{200, 128, 128};
+constexpr robotlink::YCbCr kDarkImage{60, 128, 128}, kBrightImage{200, 128, 128};
 
 struct ShownStreams {
   FieldBench world;
@@ -39,33 +39,33 @@ class ImageStreamsTest : public QObject {
   void imagesOfALogWithoutARobotAreShownAtOnce() {
     ShownStreams s;
     s.world.session.setRobots({});
-    s.push("/cam", kDark);
-    s.push("/depth", kBright);
+    s.push("/cam", kDarkImage);
+    s.push("/depth", kBrightImage);
     s.step();
-    QVERIFY(s.shows(kDark));
+    QVERIFY(s.shows(kDarkImage));
     QCOMPARE(s.streams->count(), 2);
     QCOMPARE(s.streams->currentText(), QStringLiteral("/cam"));
     s.streams->setFocus();
     QTest::keyClick(s.streams, Qt::Key_Down);
     s.step();
-    QVERIFY(s.shows(kBright));
+    QVERIFY(s.shows(kBrightImage));
     QCOMPARE(s.streams->currentText(), QStringLiteral("/depth"));
   }
 
   void theCameraIsShownInsteadOfOtherImagesAsSoonAsItHasAny() {
     ShownStreams s;
-    s.push("red1/front/color", kDark);
+    s.push("red1/front/color", kDarkImage);
     s.step();
-    QVERIFY(s.shows(kDark));
-    s.push("red1/camera/image", kBright);
+    QVERIFY(s.shows(kDarkImage));
+    s.push("red1/camera/image", kBrightImage);
     s.step();
-    QVERIFY(s.shows(kBright));
+    QVERIFY(s.shows(kBrightImage));
   }
 
   void aChosenStreamStaysChosenAlthoughItDoesNotExist() {
     ShownStreams s;
     s.view->restoreState({{QStringLiteral("stream"), QStringLiteral("red1/images/lines")}});
-    s.push("red1/front/color", kDark);
+    s.push("red1/front/color", kDarkImage);
     s.step();
     QVERIFY(s.canvas().picture().pixels.isNull());
     QCOMPARE(s.streams->currentText(), QStringLiteral("red1/images/lines"));
@@ -85,7 +85,7 @@ class ImageStreamsTest : public QObject {
   void imagesOfAnotherRobotAreNotTakenForThoseOfTheSelectedOne() {
     ShownStreams s;
     s.world.session.setRobots({"red1", "blue1"});
-    s.push("blue1/camera/image", kDark);
+    s.push("blue1/camera/image", kDarkImage);
     s.step();
     QVERIFY(s.canvas().picture().pixels.isNull());
   }
