@@ -201,7 +201,7 @@ TEST_F(SimulationTest, aRobotIsPutOnItsSideAndFalls) {
   EXPECT_NEAR(placed.linear()(2, 2), 0, 1e-9) << "its back is to the side";
   EXPECT_NEAR(placed.linear()(2, 1), 1, 1e-9) << "its left side is up";
   EXPECT_NEAR(robotlink::groundPose(placed).heading, 2.0, 1e-9);
-  run(100);
+  run(500);
   EXPECT_LT(position("red1").z(), height + 0.1);
   // Without a posture it is moved as it lies.
   const double tilt = simulation_->modelPose("red1")->linear()(2, 2);

@@ -66,7 +66,8 @@ std::vector<std::string> ImageStreamView::streamChoices() const {
   for (const auto* stream : session().store().streams()) {
     if (stream->type != "foxglove.RawImage") continue;
     choices.push_back(stream->path);
-    if (stream->path.starts_with(folder)) choices.push_back("*/" + stream->path.substr(folder.size()));
+    if (folder.size() > 1 && stream->path.starts_with(folder))
+      choices.push_back("*/" + stream->path.substr(folder.size()));
   }
   return choices;
 }
