@@ -2,6 +2,7 @@
 #include "app/robotcontrol/bars/StallWatch.h"
 
 #include <QAbstractEventDispatcher>
+#include <QCoreApplication>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTimer>
@@ -28,6 +29,9 @@ StallWatch::StallWatch(QObject* parent, QStatusBar* bar) : QObject(parent) {
   auto* dispatcher = QAbstractEventDispatcher::instance();
   connect(dispatcher, &QAbstractEventDispatcher::awake, this, &StallWatch::begin);
   connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, &StallWatch::end);
+  // Dispatchers wait and then deliver events between these two signals, so that only the first event tells
+  // when the wait was over.
+  QCoreApplication::instance()->installEventFilter(this);
   if (bar == nullptr) return;
   label_ = new QLabel;
   label_->setObjectName(QStringLiteral("stalls"));
@@ -59,6 +63,11 @@ StallWatch::Moment StallWatch::now() {
 void StallWatch::reset() {
   stalls_ = {};
   begun_.reset();
+}
+
+bool StallWatch::eventFilter(QObject* watched, QEvent* event) {
+  if (!begun_) begun_ = now();
+  return QObject::eventFilter(watched, event);
 }
 
 void StallWatch::begin() {

@@ -38,6 +38,10 @@ class StallWatch final : public QObject {
   const Stalls& stalls() const { return stalls_; }
   void reset();
 
+ protected:
+  /// Notes the first event after a wait; filters nothing.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Moment {
     std::chrono::steady_clock::time_point wall;
