@@ -63,6 +63,8 @@ class StartedProgram {
   StartedProgram(const StartedProgram&) = delete;
   StartedProgram& operator=(const StartedProgram&) = delete;
 
+  /// 0 after it was waited for.
+  pid_t pid() const { return pid_; }
   void send(int signal) const { ::kill(pid_, signal); }
   /// Reads what it prints to the end, and yields its exit status; -1: a signal has killed it.
   int wait() {
