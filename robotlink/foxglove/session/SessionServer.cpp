@@ -102,7 +102,7 @@ void SessionServer::tick() {
   stillTicks_ = 0;
   const Instant before = std::exchange(newest_, session_.store().newest());
   // Clients that come later get what is latched with a time that is not ahead of the session's.
-  if (newest_ < before && newest_ != Instant()) server_->setBackLatched(newest_);
+  if (newest_ < before && !session_.store().streams().empty()) server_->setBackLatched(newest_);
   server_->publishTime(newest_);
 }
 

@@ -14,15 +14,14 @@
 #include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 
-using namespace app;
-using robotlink::Instant;
-namespace websocket = robotlink::websocket;
-
+namespace app {
 namespace {
 
 using namespace std::chrono_literals;
+using robotlink::Instant;
+namespace websocket = robotlink::websocket;
 
-std::unique_ptr<websocket::Listener> listen(const std::shared_ptr<websocket::Server>& server) {
+std::unique_ptr<websocket::Listener> openPort(const std::shared_ptr<websocket::Server>& server) {
   websocket::Listener::Options options;
   options.address.port = 0;
   options.greetingDelay = robotlink::Duration::zero();
@@ -62,14 +61,13 @@ class RemoteRobotsTest : public testing::Test {
         "jsonschema"}})[0];
   robotlink::Session hall_;
   websocket::SessionServer server_{hall_};
-  std::unique_ptr<websocket::Listener> foreignPort_ = listen(foreign_), hallPort_ = listen(server_.server());
+  std::unique_ptr<websocket::Listener> foreignPort_ = openPort(foreign_),
+                                       hallPort_ = openPort(server_.server());
   robotlink::Session session_;
   logplayer::Recorder recorder_{logplayer::Recorder::Options{}};
   LinkLimitsMemory limits_{folder_.path() / "limits"};
   RemoteRobots robots_{session_, recorder_, limits_};
 };
-
-}  // namespace
 
 TEST_F(RemoteRobotsTest, aSimulationIsShownAlsoIfAForeignServerWasConnectedBefore) {
   hall_.setRobots({"red1"});
@@ -84,3 +82,6 @@ TEST_F(RemoteRobotsTest, aSimulationIsShownAlsoIfAForeignServerWasConnectedBefor
   ASSERT_TRUE(robots_.disconnect(urlOf(*hallPort_)));
   EXPECT_TRUE(soon([&] { return !robots_.take(pause); }));
 }
+
+}  // namespace
+}  // namespace app
