@@ -331,10 +331,6 @@
         <translation>Hält an, was alle Ansichten zeigen, während die Roboter weiterlaufen</translation>
     </message>
     <message>
-        <source>Places a robot or the ball of the simulation</source>
-        <translation>Platziert einen Roboter oder den Ball der Simulation</translation>
-    </message>
-    <message>
         <source>Plays a key-frame motion of the robot that was taken over</source>
         <translation>Spielt eine Keyframe-Bewegung des übernommenen Roboters ab</translation>
     </message>
@@ -503,10 +499,6 @@
         <translation>Sendet die Tabelle an das Programm des gewählten Roboters</translation>
     </message>
     <message>
-        <source>Sets a debug key of the selected robot&apos;s program</source>
-        <translation>Setzt einen Debug-Schlüssel des Programms des gewählten Roboters</translation>
-    </message>
-    <message>
         <source>Sets a parameter of a solution of the selected robot&apos;s program</source>
         <translation>Setzt einen Parameter einer Lösung des Programms des gewählten Roboters</translation>
     </message>
@@ -655,10 +647,6 @@
         <translation>Schaltet das Programm des gewählten Roboters auf seine eingebaute Farbtabelle zurück</translation>
     </message>
     <message>
-        <source>Switches the solution of a task of the selected robot&apos;s program</source>
-        <translation>Schaltet die Lösung einer Aufgabe des Programms des gewählten Roboters um</translation>
-    </message>
-    <message>
         <source>Switches the sonars of the selected robot on wheels</source>
         <translation>Schaltet die Sonare des gewählten Roboters auf Rädern</translation>
     </message>
@@ -721,6 +709,78 @@
     <message>
         <source>Saves what a view shows: its picture, table or text, points of plots, packets</source>
         <translation>Speichert, was eine Ansicht zeigt: Bild, Tabelle oder Text, Punkte von Kurven, Pakete</translation>
+    </message>
+    <message>
+        <source>Changes the text of a bookmark of the open logs; of several with this text the first</source>
+        <translation>Ändert den Text eines Lesezeichens der offenen Logs; von mehreren mit diesem Text das erste</translation>
+    </message>
+    <message>
+        <source>Checks or unchecks a drawing in the list of a view; one that is off at the robot is switched on there</source>
+        <translation>Hakt eine Zeichnung in der Liste einer Ansicht an oder ab; ist sie beim Roboter aus, wird sie dort eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Chooses the images that an Image view shows</source>
+        <translation>Wählt, welche Bilder eine Ansicht Bild zeigt</translation>
+    </message>
+    <message>
+        <source>Chooses where the program of the selected robot, of another one or of all runs, and how the processes of all programs are executed; the programs are started again</source>
+        <translation>Wählt, wo das Programm des gewählten Roboters, eines anderen oder aller läuft und wie die Prozesse aller Programme ausgeführt werden; die Programme werden neu gestartet</translation>
+    </message>
+    <message>
+        <source>Chooses whether sensors, cameras and odometry have errors; the simulation is opened again and begins at its start</source>
+        <translation>Wählt, ob Sensoren, Kameras und Odometrie Fehler haben; die Simulation wird neu geöffnet und beginnt von vorn</translation>
+    </message>
+    <message>
+        <source>Compares the images of an Image view with second ones</source>
+        <translation>Vergleicht die Bilder einer Ansicht Bild mit zweiten</translation>
+    </message>
+    <message>
+        <source>Compares the values in a Data view with others</source>
+        <translation>Vergleicht die Werte in einer Ansicht Daten mit anderen</translation>
+    </message>
+    <message>
+        <source>Places a robot or the ball of the simulation; with a height, roll or pitch also tilted, such as lying</source>
+        <translation>Setzt einen Roboter oder den Ball der Simulation an einen Ort; mit Höhe, Roll- oder Nickwinkel auch gekippt, etwa liegend</translation>
+    </message>
+    <message>
+        <source>Redoes what was undone there</source>
+        <translation>Stellt wieder her, was dort rückgängig gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Removes a bookmark of the open logs; of several with this text the first</source>
+        <translation>Entfernt ein Lesezeichen der offenen Logs; von mehreren mit diesem Text das erste</translation>
+    </message>
+    <message>
+        <source>Sends a message to a robot once, as the view Data does</source>
+        <translation>Sendet einem Roboter einmal eine Nachricht, wie die Ansicht Daten</translation>
+    </message>
+    <message>
+        <source>Sets a debug key of the program of the selected robot, of another one, or of all</source>
+        <translation>Setzt einen Debug-Schlüssel des Programms des gewählten Roboters, eines anderen oder aller</translation>
+    </message>
+    <message>
+        <source>Shows only messages whose text or source contains a text</source>
+        <translation>Zeigt nur Meldungen, deren Text oder Quelle einen Text enthält</translation>
+    </message>
+    <message>
+        <source>Starts the program of the selected robot, of another one or of all again; keys, solutions and parameters stay</source>
+        <translation>Startet das Programm des gewählten Roboters, eines anderen oder aller neu; Schlüssel, Lösungen und Parameter bleiben</translation>
+    </message>
+    <message>
+        <source>Switches the solution of a task of the program of the selected robot, of another one, or of all</source>
+        <translation>Schaltet die Lösung einer Aufgabe im Programm des gewählten Roboters, eines anderen oder aller um</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit in the panel of parameters of the view Solutions</source>
+        <translation>Macht die letzte Änderung bei den Parametern der Ansicht Lösungen rückgängig</translation>
+    </message>
+    <message>
+        <source>Writes a part of an open log as images, a table (CSV), JSON lines or texts</source>
+        <translation>Schreibt einen Teil eines offenen Logs als Bilder, Tabelle (CSV), JSON-Zeilen oder Texte</translation>
+    </message>
+    <message>
+        <source>Writes a part of the open logs into a new log</source>
+        <translation>Schreibt einen Teil der offenen Logs in ein neues Log</translation>
     </message>
 </context>
 <context>
@@ -818,6 +878,21 @@
     <message>
         <source>The frame overruns by %1.</source>
         <translation>Der Frame dauert %1 zu lang.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageHint</name>
+    <message>
+        <source>Up to here there are no images in this log. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <translation>Bis hierher gibt es in diesem Log keine Bilder. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
+    </message>
+    <message>
+        <source>No robot. Start a simulation or connect to a robot.</source>
+        <translation>Kein Roboter. Starten Sie eine Simulation, oder verbinden Sie sich mit einem Roboter.</translation>
+    </message>
+    <message>
+        <source>No image yet from %1</source>
+        <translation>Noch kein Bild von %1</translation>
     </message>
 </context>
 <context>
@@ -1406,6 +1481,14 @@
     <message>
         <source>ws://HOST[:PORT]</source>
         <translation>ws://HOST[:PORT]</translation>
+    </message>
+    <message>
+        <source>Sensors with noise</source>
+        <translation>Sensoren mit Rauschen</translation>
+    </message>
+    <message>
+        <source>Sensors, cameras and odometry have errors, as the scene says; without, they measure what is true</source>
+        <translation>Sensoren, Kameras und Odometrie haben Fehler, wie die Szene sie angibt; ohne messen sie, was wahr ist</translation>
     </message>
 </context>
 <context>
@@ -4224,6 +4307,10 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <source>Who steers</source>
         <translation>Wer steuert</translation>
     </message>
+    <message>
+        <source>The milliseconds include the wait behind data on its way: on a narrow line most of them are that.</source>
+        <translation>In den Millisekunden steckt das Warten hinter Daten, die unterwegs sind: Auf einer schmalen Leitung ist es der größte Teil.</translation>
+    </message>
 </context>
 <context>
     <name>app::RemoteMenus</name>
@@ -5753,10 +5840,6 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
         <translation>Keine Kamera. Eine öffnen mit Roboter &gt; Kamera öffnen…, oder einen Roboter oder ein Log mit Bildern.</translation>
     </message>
     <message>
-        <source>No image yet from %1</source>
-        <translation>Noch kein Bild von %1</translation>
-    </message>
-    <message>
         <source>Select a mark first.</source>
         <translation>Erst eine Marke auswählen.</translation>
     </message>
@@ -6686,10 +6769,6 @@ Sprenkel, mehrdeutige Farben, und was eine andere Farbe umschließt.</translatio
     <message>
         <source>Color image: %1</source>
         <translation>Farbbild: %1</translation>
-    </message>
-    <message>
-        <source>No image yet from %1</source>
-        <translation>Noch kein Bild von %1</translation>
     </message>
     <message>
         <source>Choose a class and paint in the left picture</source>
@@ -7675,6 +7754,41 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::CutStreams</name>
+    <message>
+        <source>Streams of the new log</source>
+        <translation>Datenströme des neuen Logs</translation>
+    </message>
+    <message>
+        <source>Comma-separated stream paths; * matches any text, - excludes. Empty: all streams.</source>
+        <translation>Pfade von Datenströmen, durch Kommas getrennt; * steht für beliebigen Text, - schließt aus. Leer: alle Datenströme.</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>For example red1/*,-*/camera/image</source>
+        <translation>Zum Beispiel red1/*,-*/camera/image</translation>
+    </message>
+    <message>
+        <source>all streams</source>
+        <translation>alle Datenströme</translation>
+    </message>
+    <message>
+        <source>Streams</source>
+        <translation>Datenströme</translation>
+    </message>
+    <message>
+        <source>Checked streams are written into the new log</source>
+        <translation>Angehakte Datenströme werden in das neue Log geschrieben</translation>
+    </message>
+    <message>
+        <source>No stream is left.</source>
+        <translation>Es bleibt kein Datenstrom übrig.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::DataModel</name>
     <message>
         <source>Session</source>
@@ -7981,6 +8095,18 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     <message>
         <source>%1 was refused: %2</source>
         <translation>%1 wurde abgelehnt: %2</translation>
+    </message>
+    <message>
+        <source>In all robots</source>
+        <translation>Bei allen Robotern</translation>
+    </message>
+    <message>
+        <source>Switches this key, or all keys below this row, in the other robots as it is here</source>
+        <translation>Schaltet diesen Schlüssel, oder alle unter dieser Zeile, bei den anderen Robotern wie hier</translation>
+    </message>
+    <message>
+        <source>%1 of %2 was refused: %3</source>
+        <translation>%1 von %2 wurde abgelehnt: %3</translation>
     </message>
 </context>
 <context>
@@ -8803,14 +8929,6 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Bild: %1</translation>
     </message>
     <message>
-        <source>No robot. Start a simulation or connect to a robot.</source>
-        <translation>Kein Roboter. Eine Simulation starten oder mit einem Roboter verbinden.</translation>
-    </message>
-    <message>
-        <source>No image yet from %1</source>
-        <translation>Noch kein Bild von %1</translation>
-    </message>
-    <message>
         <source>no image yet</source>
         <translation>noch kein Bild</translation>
     </message>
@@ -9083,6 +9201,14 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>You steer the robot: drag a slider.</source>
         <translation>Der Roboter wird von hier gesteuert: einen Schieber ziehen.</translation>
+    </message>
+    <message>
+        <source>Which joints of another program are shown</source>
+        <translation>Welche Gelenke eines anderen Programms gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Up to here there are no joints in this log. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <translation>Bis hierher gibt es in diesem Log keine Gelenke. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
     </message>
 </context>
 <context>
@@ -11835,6 +11961,10 @@ Start a simulation, connect to a robot, or open a log with File &gt; Open log…
         <translation>Hier ist kein Roboter.
 Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Datei &gt; Log öffnen…</translation>
     </message>
+    <message>
+        <source>This log is of no robot of ours. What it has is shown in the views Data, Plots, Field and Scene.</source>
+        <translation>Dieses Log ist von keinem unserer Roboter. Was es hat, zeigen die Ansichten Daten, Kurven, Feld und Szene.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SceneCanvas</name>
@@ -12073,6 +12203,14 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
         <source>Type a condition, such as models/ball.position.x &gt; 1, or choose Texts, and press Enter.</source>
         <translation>Eine Bedingung eingeben, etwa models/ball.position.x &gt; 1, oder Texte wählen, und die Eingabetaste drücken.</translation>
     </message>
+    <message>
+        <source>Computing: %1 %, %2</source>
+        <translation>Wird berechnet: %1 %, %2</translation>
+    </message>
+    <message>
+        <source>Computed by the program: %1</source>
+        <translation>Vom Programm berechnet: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SettingsPanel</name>
@@ -12197,6 +12335,18 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     <message>
         <source>%1 was refused: %2</source>
         <translation>%1 wurde abgelehnt: %2</translation>
+    </message>
+    <message>
+        <source>In all robots</source>
+        <translation>Bei allen Robotern</translation>
+    </message>
+    <message>
+        <source>Switches the task to this solution in all robots</source>
+        <translation>Schaltet die Aufgabe bei allen Robotern auf diese Lösung</translation>
+    </message>
+    <message>
+        <source>%1 has no solutions: its server is none of RobotControl.</source>
+        <translation>%1 hat keine Lösungen: Sein Server ist keiner von RobotControl.</translation>
     </message>
 </context>
 <context>
@@ -13114,10 +13264,6 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>%1 ausblenden</translation>
     </message>
     <message>
-        <source>Writes the selected range, or all, as images, a table, texts, or a video of a view</source>
-        <translation>Schreibt den gewählten Bereich, oder alles, als Bilder, Tabelle, Texte, oder als Video einer Ansicht</translation>
-    </message>
-    <message>
         <source>A &amp;view as video or images…</source>
         <translation>&amp;Ansicht als Video oder Bilder…</translation>
     </message>
@@ -13132,6 +13278,14 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>&amp;Remove the curve of %1</source>
         <translation>Die Kurve von %1 &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Writes the selected range, or all, as images, a table, texts, a log of some streams, or a video of a view</source>
+        <translation>Schreibt den gewählten Bereich, oder alles, als Bilder, Tabelle, Texte, als Log mancher Datenströme, oder als Video einer Ansicht</translation>
+    </message>
+    <message>
+        <source>Some &amp;streams as a new log…</source>
+        <translation>Manche &amp;Datenströme als neues Log…</translation>
     </message>
 </context>
 <context>

@@ -144,9 +144,11 @@ void CameraReader::run() {
     const robotlink::Error why = read(**device);
     isOpen_ = false;
     if (quits()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      ++counts_.losses;
+    }
     setProblem(why.text);
-    const std::lock_guard lock(mutex_);
-    ++counts_.losses;
   } while (pause());
 }
 
