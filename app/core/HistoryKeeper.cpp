@@ -63,6 +63,11 @@ std::uint64_t HistoryKeeper::disk() const {
   return bytesOf(std::clamp(settings_.number(kDisk, 4096), 0.0, 1e9));
 }
 
+bool HistoryKeeper::isLosing() const {
+  const auto* archive = session_.history().archive();
+  return archive != nullptr && archive->isLosing();
+}
+
 std::optional<robotlink::Error> HistoryKeeper::takeProblem() {
   if (problem_) return std::exchange(problem_, std::nullopt);
   auto* archive = session_.history().archive();

@@ -28,14 +28,17 @@ class HistoryKeeper {
   /// Whether what is open sends something that nothing else keeps, in contrast to logs.
   void setLive(bool live);
 
-  /// In bytes. Fails if that makes no sense, or if it cannot be remembered.
+  /// In bytes; less takes effect in the following ticks. Fails if that makes no sense, or if it cannot be
+  /// remembered.
   robotlink::Result<void> setMemory(std::uint64_t bytes);
   /// 0: nothing is put on disk.
   robotlink::Result<void> setDisk(std::uint64_t bytes);
   std::uint64_t memory() const;
   std::uint64_t disk() const;
 
-  /// Why nothing more is put on disk, or why the settings could not be read, once.
+  /// Whether what no longer fits into memory is lost now, since too much waits to be written to disk.
+  bool isLosing() const;
+  /// Why nothing more is put on disk, or a part is lost, or why the settings could not be read, once.
   std::optional<robotlink::Error> takeProblem();
 
  private:

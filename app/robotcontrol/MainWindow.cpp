@@ -284,6 +284,7 @@ void MainWindow::forgetErrors(const std::string& id) {
 
 void MainWindow::tick() {
   workbench_.tick();
+  if (!workbench_.history().isLosing()) forgetErrors("history.slow");
   toolBar_->refresh();
   recordingBar_->refresh();
   tickLogs();

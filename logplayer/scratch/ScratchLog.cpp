@@ -21,8 +21,8 @@ constexpr std::size_t kOpenFiles = 8;
 }  // namespace
 
 ScratchLog::ScratchLog(Options options)
-    : options_(options),
-      limit_(options.bytes),
+    : options_(std::move(options)),
+      limit_(options_.bytes),
       worker_([this](std::monostate, const std::stop_token&) { work(); }) {}
 
 ScratchLog::~ScratchLog() {
@@ -31,19 +31,51 @@ ScratchLog::~ScratchLog() {
 
 void ScratchLog::add(std::vector<StreamMessage> messages, Stretch held) {
   if (messages.empty()) return;
-  Entry entry{std::make_shared<ScratchSegment>(std::move(messages)), {}, 0, 0};
-  for (const auto& [stream, bytes] : entry.segment->shares()) entry.waiting += bytes;
+  bool isAfterHole = false;
   {
     const std::lock_guard lock(mutex_);
     if (isStopped_ || limit_ == 0) return;
-    std::uint64_t waiting = 0;
-    for (const Entry& before : entries_) waiting += before.waiting;
-    if (!entries_.empty() && waiting >= options_.waiting)
-      return stop("the disk is too slow for what the robots send");
-    entry.held = {std::max(held.from, entry.segment->stretch().from), held.to};
+    isAfterHole = followQueue(held.from);
+    if (losingFrom_) {
+      // What held at the begin of the hole is needed for the last instants before it.
+      std::erase_if(messages, [&](const StreamMessage& message) { return message.time > *losingFrom_; });
+      held = {*losingFrom_, *losingFrom_};
+    }
+  }
+  if (messages.empty()) return;
+  Entry entry{std::make_shared<ScratchSegment>(std::move(messages)), {}, 0, 0, isAfterHole};
+  for (const auto& [stream, bytes] : entry.segment->shares()) entry.waiting += bytes;
+  entry.held = {std::max(held.from, entry.segment->stretch().from), held.to};
+  {
+    const std::lock_guard lock(mutex_);
+    if (isStopped_) return;
     entries_.push_back(std::move(entry));
   }
   worker_.post({});
+}
+
+std::uint64_t ScratchLog::waiting() const {
+  std::uint64_t sum = 0;
+  for (const Entry& entry : entries_) sum += entry.waiting;
+  return sum;
+}
+
+bool ScratchLog::followQueue(Instant from) {
+  const std::uint64_t waits = waiting();
+  if (losingFrom_) {
+    const bool isOver = waits <= options_.waiting / 2;
+    if (isOver) losingFrom_.reset();
+    return isOver;
+  }
+  if (waits == 0 || waits < options_.waiting) return false;
+  losingFrom_ = from;
+  problem_ = {
+      "history.slow",
+      "The disk is too slow for what the robots send: a part of the history is lost, until what waits "
+      "was written.",
+      {},
+      {}};
+  return false;
 }
 
 void ScratchLog::forgetAfter(Instant time) {
@@ -79,6 +111,7 @@ void ScratchLog::drop() {
     if (entry.written > 0) std::filesystem::remove(entry.segment->file(), ignored);
   }
   entries_.clear();
+  losingFrom_.reset();
 }
 
 void ScratchLog::request(Instant at) {
@@ -93,6 +126,25 @@ std::optional<Stretch> ScratchLog::stretch() const {
   const std::lock_guard lock(mutex_);
   if (entries_.empty()) return std::nullopt;
   return Stretch{entries_.front().held.from, entries_.back().held.to};
+}
+
+std::vector<Stretch> ScratchLog::holes() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Stretch> all;
+  for (std::size_t i = 1; i < entries_.size(); ++i) {
+    if (entries_[i].isAfterHole) all.push_back({entries_[i - 1].held.to, entries_[i].held.from});
+  }
+  return all;
+}
+
+bool ScratchLog::hasRoom() const {
+  const std::lock_guard lock(mutex_);
+  return waiting() <= options_.waiting / 2;
+}
+
+bool ScratchLog::isLosing() const {
+  const std::lock_guard lock(mutex_);
+  return losingFrom_ && waiting() > options_.waiting / 2;
 }
 
 std::uint64_t ScratchLog::bytes() const {
@@ -176,6 +228,7 @@ Result<std::uint64_t> ScratchLog::write(ScratchSegment& segment) {
   if (!error && space.available < options_.reserve) {
     return robotlink::failure("history.full", "the disk is full", {folder_->path().string(), 0, 0});
   }
+  if (options_.beforeWrite) options_.beforeWrite();
   const auto file = folder_->path() / (std::to_string(++files_) + ".mcap");
   if (auto written = segment.write(file); !written) return tl::unexpected(written.error());
   return std::max<std::uint64_t>(1, std::filesystem::file_size(file, error));
@@ -195,6 +248,7 @@ void ScratchLog::trim() {
 void ScratchLog::stop(const std::string& why) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.waiting > 0; });
   isStopped_ = true;
+  losingFrom_.reset();
   problem_ = {
       "history.disk",
       "The history is no longer written to disk: " + why + ". From now on it has only what fits into memory.",
@@ -205,7 +259,16 @@ void ScratchLog::stop(const std::string& why) {
 ScratchLog::Part ScratchLog::read(Instant at, const std::deque<Entry>& entries) const {
   Part part{at, {at, at}, {}};
   if (entries.empty()) return part;
-  const Instant first = entries.front().held.from, last = entries.back().held.to;
+  // Only what is between the holes around it is complete.
+  Instant first = entries.front().held.from, last = entries.back().held.to;
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    if (!entries[i].isAfterHole) continue;
+    if (entries[i].held.from > at) {
+      last = entries[i - 1].held.to;
+      break;
+    }
+    first = entries[i].held.from;
+  }
   part.stretch = {std::clamp(at - robotlink::History::kBefore, first, last),
                   std::clamp(at + robotlink::History::kBehind, first, last)};
   const auto [from, to] = part.stretch;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,8 +17,9 @@ namespace logplayer {
 /// which the oldest are removed. It is written and read in a thread of its own; messages are in memory until
 /// they were written, and are shared.
 ///
-/// If the disk is full, or too slow, that is a problem once, and nothing more is added; what was written can
-/// still be read.
+/// If the disk is full, that is a problem once, and nothing more is added; what was written can still be
+/// read. If it is too slow, what is added is lost until half of what waits was written: that is a problem
+/// once, and a hole. What held at the begin of a hole is not lost.
 class ScratchLog final : public robotlink::HistoryArchive {
  public:
   struct Options {
@@ -27,6 +29,8 @@ class ScratchLog final : public robotlink::HistoryArchive {
     std::uint64_t reserve = std::uint64_t{1} << 30U;
     /// How much may wait in memory until it was written, beside what was added last.
     std::uint64_t waiting = std::uint64_t{256} << 20U;
+    /// Called in the thread before a file is written, so that tests can hold it up.
+    std::function<void()> beforeWrite = {};
   };
 
   /// Nothing is on disk before something was added.
@@ -41,6 +45,9 @@ class ScratchLog final : public robotlink::HistoryArchive {
   void setLimit(std::uint64_t bytes) override;
   std::uint64_t limit() const override;
   std::optional<robotlink::Stretch> stretch() const override;
+  std::vector<robotlink::Stretch> holes() const override;
+  bool hasRoom() const override;
+  bool isLosing() const override;
   std::uint64_t bytes() const override;
   std::map<std::string, std::uint64_t> shares() const override;
   std::optional<robotlink::Error> takeProblem() override;
@@ -58,6 +65,8 @@ class ScratchLog final : public robotlink::HistoryArchive {
     robotlink::Stretch held;
     /// Memory of its messages until they are written, and the size of the file since then.
     std::uint64_t waiting = 0, written = 0;
+    /// Whether a part before it was lost.
+    bool isAfterHole = false;
   };
 
   /// Writes and reads until nothing is left to do; in the thread.
@@ -66,6 +75,11 @@ class ScratchLog final : public robotlink::HistoryArchive {
   bool writeNext();
   robotlink::Result<std::uint64_t> write(ScratchSegment& segment);
   Part read(robotlink::Instant at, const std::deque<Entry>& entries) const;
+  /// The memory of all that was not written yet. Call it with the mutex locked.
+  std::uint64_t waiting() const;
+  /// Begins or ends a hole, whose begin is `from`. Returns whether one has ended. Call it with the mutex
+  /// locked.
+  bool followQueue(robotlink::Instant from);
   /// Removes all. Call it with the mutex locked.
   void drop();
   /// Removes the oldest files beyond the limit. Call it with the mutex locked.
@@ -83,6 +97,8 @@ class ScratchLog final : public robotlink::HistoryArchive {
   std::filesystem::path path_;
   std::deque<Entry> entries_;
   std::optional<robotlink::Instant> requested_;
+  /// The begin of the hole, while what is added is lost.
+  std::optional<robotlink::Instant> losingFrom_;
   std::optional<robotlink::Error> problem_;
   bool isStopped_ = false;
   robotlink::Worker<std::monostate, Part> worker_;

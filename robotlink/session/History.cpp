@@ -16,6 +16,18 @@ constexpr Duration kMargin = std::chrono::seconds(2);
 /// So many messages are looked at in one tick, which takes some milliseconds.
 constexpr int kLookedAtOnce = 2000;
 
+/// What of an archive can be read, in order of time.
+std::vector<Stretch> readable(const HistoryArchive& archive) {
+  const auto all = archive.stretch();
+  if (!all) return {};
+  std::vector<Stretch> parts{*all};
+  for (const Stretch& hole : archive.holes()) {
+    parts.back().to = hole.from;
+    parts.push_back({hole.to, all->to});
+  }
+  return parts;
+}
+
 /// The earliest message in memory; latched ones may be older than anything else.
 Instant oldestIn(const StreamStore& store) {
   Instant oldest = store.newest();
@@ -104,19 +116,24 @@ Result<void> History::stepFrames(const std::string& robot, int count) {
 std::optional<History::Step> History::stepped(const std::string& stream, Instant from, bool forward) const {
   const auto& messages = store_.find(stream)->messages;
   const auto& looked = store_.lookedAt();
+  // The message that held at the end of a hole may be within it, where nothing can be shown.
+  const auto isShowable = [this](Instant time) { return store_.has(time) || lastKept(time) == time; };
   if (!forward) {
     const auto at = std::ranges::lower_bound(messages, from, {}, &StreamMessage::time);
-    if (at != messages.begin()) return Step{std::prev(at)->time};
+    if (at != messages.begin() && isShowable(std::prev(at)->time)) return Step{std::prev(at)->time};
     const Instant begin = looked ? std::min(looked->from, store_.horizon()) : store_.horizon();
     if (begin <= kept().front().from) return std::nullopt;
-    return Step{begin - Duration(1), true};
+    return Step{lastKept(begin - Duration(1)), true};
   }
   const auto at = std::ranges::upper_bound(messages, from, {}, &StreamMessage::time);
   // Between what is looked at and the horizon there may be more.
   const bool isGap = looked && looked->to < store_.horizon() && from < store_.horizon();
   if (isGap && at - messages.begin() >= static_cast<std::ptrdiff_t>(store_.find(stream)->lookedAt))
     return Step{looked->to + Duration(1), true};
-  return at == messages.end() ? std::nullopt : std::optional(Step{at->time});
+  if (at == messages.end()) return std::nullopt;
+  // What held at the end of a hole is shown from there on.
+  const bool isInHole = looked && at->time < looked->from && !isShowable(at->time);
+  return Step{isInHole ? looked->from : at->time};
 }
 
 std::optional<History::Step> History::stepped(const std::vector<std::string>& streams, Instant from,
@@ -133,7 +150,7 @@ std::optional<History::Step> History::stepped(const std::vector<std::string>& st
 void History::doSteps() {
   if (reading_ || steps_.count == 0) return;
   Steps rest = std::exchange(steps_, {});
-  Instant at = rest.from;
+  Instant at = rest.read.value_or(rest.from);
   int looked = 0;
   while (rest.count != 0 && store_.has(at)) {
     const bool forward = rest.count > 0;
@@ -146,6 +163,7 @@ void History::doSteps() {
     at = next->at;
     if (next->isUnknown) break;
     rest.from = at;
+    rest.read.reset();
     const bool counts = !rest.isThere || rest.isThere(at);
     if (counts) rest.count += forward ? -1 : 1;
     if (counts || ++looked < kLookedAtOnce) continue;
@@ -154,7 +172,9 @@ void History::doSteps() {
     return;
   }
   show(at);
-  if (reading_) steps_ = std::move(rest);
+  if (!reading_) return;
+  rest.read = reading_;
+  steps_ = std::move(rest);
 }
 
 Duration History::behind() const {
@@ -164,15 +184,30 @@ Duration History::behind() const {
 std::vector<Stretch> History::kept() const {
   const Instant newest = store_.newest();
   const Instant from = store_.horizon() == Instant::min() ? oldestIn(store_) : store_.horizon();
-  std::vector<Stretch> all{{std::min(from, newest), newest}};
-  const auto archived = archive_ ? archive_->stretch() : std::nullopt;
-  if (!archived) return all;
-  if (archived->to < from) {
-    all.insert(all.begin(), *archived);
+  const Stretch inMemory{std::min(from, newest), newest};
+  std::vector<Stretch> all = archive_ ? readable(*archive_) : std::vector<Stretch>();
+  if (all.empty() || all.back().to < from) {
+    all.push_back(inMemory);
   } else {
-    all.front().from = std::min(from, archived->from);
+    all.back() = {std::min(from, all.back().from), newest};
   }
   return all;
+}
+
+Instant History::lastKept(Instant time) const {
+  Instant last = time;
+  for (const Stretch& stretch : kept()) {
+    if (stretch.from <= time) last = std::min(time, stretch.to);
+  }
+  return last;
+}
+
+std::optional<Stretch> History::archivedAt(Instant time) const {
+  if (!archive_) return std::nullopt;
+  for (const Stretch& part : readable(*archive_)) {
+    if (part.from <= time && time <= part.to) return part;
+  }
+  return std::nullopt;
 }
 
 void History::take() {
@@ -196,14 +231,14 @@ void History::keepAround() {
     store_.lookAt({shown - kBefore, shown + kBehind});
   }
   if (!archive_ || requested_) return;
-  const auto archived = archive_->stretch();
-  if (!archived || looked->from <= archived->from || shown - looked->from >= kMargin || shown > archived->to)
-    return;
+  const auto archived = archivedAt(shown);
+  if (!archived || looked->from <= archived->from || shown - looked->from >= kMargin) return;
   requested_ = shown;
   archive_->request(shown);
 }
 
 void History::tick() {
+  store_.lowerBound();
   // The platform was reset, and what is shown is yet to come.
   const bool wasReset = store_.newest() < std::exchange(newest_, store_.newest());
   if (timeline_.live()) {

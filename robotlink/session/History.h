@@ -77,6 +77,8 @@ class History {
     std::function<bool(Instant)> isThere = {};
     /// What was shown before.
     Instant begin = {};
+    /// The instant that was read for them, which may be far from where they go on.
+    std::optional<Instant> read = {};
   };
   /// Takes what was read.
   void take();
@@ -91,6 +93,10 @@ class History {
   std::optional<Step> stepped(const std::string& stream, Instant from, bool forward) const;
   /// The same by whichever of some streams is next.
   std::optional<Step> stepped(const std::vector<std::string>& streams, Instant from, bool forward) const;
+  /// The latest instant not later than `time` that can be shown; `time` if there is none.
+  Instant lastKept(Instant time) const;
+  /// What of the archive can be read around an instant; unset: nothing.
+  std::optional<Stretch> archivedAt(Instant time) const;
   /// Looks at what is around the shown instant, and requests what is missing there.
   void keepAround();
 

@@ -51,13 +51,19 @@ class HistoryArchive {
   virtual void setLimit(std::uint64_t bytes) = 0;
   virtual std::uint64_t limit() const = 0;
 
-  /// What can be read; unset: nothing.
+  /// What can be read, but for the holes; unset: nothing.
   virtual std::optional<Stretch> stretch() const = 0;
+  /// What was lost within stretch(), in order of time, since too much waited to be put there.
+  virtual std::vector<Stretch> holes() const = 0;
+  /// Whether little waits to be put there, so that more can be added than what robots send.
+  virtual bool hasRoom() const = 0;
+  /// Whether what is added now is lost, since too much waits.
+  virtual bool isLosing() const = 0;
   /// What the messages take where they are, in bytes.
   virtual std::uint64_t bytes() const = 0;
   /// Each stream's share of the messages, in bytes of memory that they took.
   virtual std::map<std::string, std::uint64_t> shares() const = 0;
-  /// Why nothing more is added, once.
+  /// Why nothing more is added, or why a part is lost, once.
   virtual std::optional<Error> takeProblem() = 0;
 };
 

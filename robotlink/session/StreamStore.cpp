@@ -17,6 +17,9 @@ constexpr Duration kRateWindow = std::chrono::seconds(1);
 constexpr Duration kSweepPeriod = std::chrono::milliseconds(100);
 /// Beyond the limit, this share of it is dropped at once.
 constexpr std::size_t kDropShare = 32;
+/// When the limit was lowered, so much is dropped in a tick: little enough for the GUI's thread, and for the
+/// archive to have it written before long.
+constexpr std::size_t kLowerBytes = std::size_t{16} << 20U;
 
 bool earlier(Instant time, const StreamMessage& message) {
   return time < message.time;
@@ -47,7 +50,7 @@ std::size_t sizeOf(const StreamMessage& message) {
   return kOverhead + inMemory + (inMemory > onWire ? (inMemory - onWire) / 3 : 0);
 }
 
-StreamStore::StreamStore(Limits limits) : limits_(limits) {}
+StreamStore::StreamStore(Limits limits) : limits_(limits), bound_(limits.bytes) {}
 
 StreamStore::Stream* StreamStore::streamFor(const StreamMessage& message) {
   auto found = streams_.find(message.path);
@@ -143,7 +146,7 @@ void StreamStore::forgetOld() {
   // Often enough for rates; all streams are checked, even those without new messages.
   if (newest_ - swept_ >= kSweepPeriod || newest_ < swept_) sweep();
   // Not one by one, since all streams have to be looked through, and since the archive gets them together.
-  if (bytes_ - lookedBytes_ > limits_.bytes) drop(Instant::min(), limits_.bytes - limits_.bytes / kDropShare);
+  if (bytes_ - lookedBytes_ > bound_) drop(Instant::min(), bound_ - bound_ / kDropShare);
 }
 
 void StreamStore::drop(Instant until, std::size_t bytes) {
@@ -195,7 +198,17 @@ void StreamStore::sweep() {
 
 void StreamStore::setBytes(std::size_t bytes) {
   limits_.bytes = bytes;
+  bound_ = archive_ ? std::max(bytes, bytes_ - lookedBytes_) : bytes;
   forgetOld();
+}
+
+void StreamStore::lowerBound() {
+  if (bound_ == limits_.bytes || (archive_ && !archive_->hasRoom())) return;
+  const std::size_t kept = bytes_ - lookedBytes_;
+  const std::size_t lower = archive_ && kept > kLowerBytes ? kept - kLowerBytes : 0;
+  bound_ = std::max(limits_.bytes, lower);
+  // Not by forgetOld(), which drops more than what exceeds the bound.
+  drop(Instant::min(), bound_);
 }
 
 bool StreamStore::has(Instant time) const {
@@ -240,6 +253,7 @@ void StreamStore::lookAway() {
 void StreamStore::clear() {
   streams_.clear();
   bytes_ = lookedBytes_ = 0;
+  bound_ = limits_.bytes;
   looked_.reset();
   horizon_ = Instant::min();
   if (archive_) archive_->clear();

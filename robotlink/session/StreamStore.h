@@ -83,8 +83,12 @@ class StreamStore {
   void noteRead(const Stream& stream) const { stream.readers |= reader_; }
   void forgetReaders();
 
-  /// Changes how many bytes are kept; drops what exceeds them.
+  /// Changes how many bytes are kept. Drops what exceeds them, at once if there is no archive, otherwise by
+  /// lowerBound().
   void setBytes(std::size_t bytes);
+  /// Drops a part of what exceeds the limit since it was lowered, if the archive has room for it. Called in
+  /// each tick.
+  void lowerBound();
   const Limits& limits() const { return limits_; }
   /// The instant from which on the history is complete; Instant::min() if nothing was dropped yet.
   Instant horizon() const { return horizon_; }
@@ -139,6 +143,8 @@ class StreamStore {
   void sweep();
 
   Limits limits_;
+  /// How many bytes are kept now: more than the limit for a while after that was lowered.
+  std::size_t bound_;
   std::map<std::string, Stream> streams_;
   HistoryArchive* archive_ = nullptr;
   Instant horizon_ = Instant::min();

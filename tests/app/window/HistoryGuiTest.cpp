@@ -3,12 +3,39 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
+#include <memory>
+#include <utility>
 
 #include "tests/app/ShortLog.h"
 #include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 
 namespace app::test {
+namespace {
+
+/// Has nothing, and says whether it is too slow.
+class SlowArchive final : public robotlink::HistoryArchive {
+ public:
+  void add(std::vector<robotlink::StreamMessage>, robotlink::Stretch) override {}
+  void forgetAfter(robotlink::Instant) override {}
+  void clear() override {}
+  void request(robotlink::Instant) override {}
+  std::optional<Part> take() override { return std::nullopt; }
+  void setLimit(std::uint64_t) override {}
+  std::uint64_t limit() const override { return 0; }
+  std::optional<robotlink::Stretch> stretch() const override { return std::nullopt; }
+  std::vector<robotlink::Stretch> holes() const override { return {}; }
+  bool hasRoom() const override { return !slow; }
+  bool isLosing() const override { return slow; }
+  std::uint64_t bytes() const override { return 0; }
+  std::map<std::string, std::uint64_t> shares() const override { return {}; }
+  std::optional<robotlink::Error> takeProblem() override { return std::exchange(problem, std::nullopt); }
+
+  bool slow = true;
+  std::optional<robotlink::Error> problem = robotlink::Error{"history.slow", "too slow", {}, {}};
+};
+
+}  // namespace
 
 class HistoryGuiTest : public WindowTest {
   Q_OBJECT
@@ -78,6 +105,21 @@ class HistoryGuiTest : public WindowTest {
     QCOMPARE(desk.workbench.history().memory(), std::uint64_t{2048} << 20U);
     QCOMPARE(desk.workbench.history().disk(), std::uint64_t{0});
     QCOMPARE(desk.workbench.session().store().limits().bytes, std::size_t{2048} << 20U);
+  }
+
+  void thatTheDiskIsTooSlowIsShownUntilItIsOver() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto owned = std::make_unique<SlowArchive>();
+    SlowArchive& archive = *owned;
+    desk.workbench.session().history().setArchive(std::move(owned));
+    desk.window.tick();
+    auto& text = desk.find<QLabel>("errorText");
+    QCOMPARE(text.text(), QStringLiteral("too slow"));
+    QVERIFY(text.isVisibleTo(&desk.window));
+    archive.slow = false;
+    desk.window.tick();
+    QVERIFY(!text.isVisibleTo(&desk.window));
   }
 };
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <semaphore>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/Session.h"
@@ -60,8 +61,10 @@ class ScratchLogTest : public testing::Test {
     log_->finish();
     session_.tick();
   }
-  static constexpr ScratchLog::Options kRoomy{.bytes = 100U << 20U, .reserve = 0};
+  static inline const ScratchLog::Options kRoomy{.bytes = 100U << 20U, .reserve = 0};
 
+  /// Lets files be written, in tests of a slow disk.
+  std::counting_semaphore<> written_{0};
   Session session_{StreamStore::Limits{.bytes = 200'000}};
   ScratchLog* log_ = nullptr;
   int count_ = 0;
@@ -128,15 +131,71 @@ TEST_F(ScratchLogTest, aFullDiskIsReportedOnceAndWhatIsThereStaysReadable) {
   EXPECT_EQ(session_.timeline().shown(), session_.store().horizon()) << "memory has what it can hold";
 }
 
-TEST_F(ScratchLogTest, aDiskThatIsTooSlowStopsIt) {
-  archive({.bytes = 100U << 20U, .reserve = 0, .waiting = 0});
-  StreamMessage one = scratched("red1/a", 1), other = scratched("red1/a", 2);
-  one.bytes = other.bytes = 2'000;
-  log_->add({one}, {second(0), second(2)});
-  log_->add({other}, {second(2), second(3)});
+TEST_F(ScratchLogTest, whatADiskIsTooSlowForIsAHole) {
+  archive(
+      {.bytes = 100U << 20U, .reserve = 0, .waiting = 2'000, .beforeWrite = [this] { written_.acquire(); }});
+  const auto sized = [](const std::string& path, double time) {
+    StreamMessage message = scratched(path, time);
+    message.bytes = 2'000;
+    return message;
+  };
+  EXPECT_TRUE(log_->hasRoom());
+  log_->add({sized("red1/a", 1)}, {second(0), second(2)});
+  EXPECT_FALSE(log_->hasRoom());
+  EXPECT_FALSE(log_->isLosing());
+  log_->add({sized("red1/slow", 0.5), sized("red1/a", 2), sized("red1/a", 3)}, {second(2), second(4)});
+  EXPECT_TRUE(log_->isLosing());
   const auto problem = log_->takeProblem();
-  ASSERT_TRUE(problem);
-  EXPECT_NE(problem->text.find("too slow"), std::string::npos);
+  EXPECT_TRUE(problem && problem->text.find("too slow") != std::string::npos);
+  log_->add({sized("red1/a", 4)}, {second(4), second(5)});
+  EXPECT_FALSE(log_->takeProblem()) << "it is reported once";
+  written_.release(100);
+  log_->finish();
+  EXPECT_FALSE(log_->isLosing());
+  log_->add({sized("red1/a", 5)}, {second(5), second(6)});
+  log_->finish();
+  EXPECT_EQ(log_->stretch(), (Stretch{second(1), second(6)}));
+  EXPECT_EQ(log_->holes(), (std::vector<Stretch>{{second(2), second(5)}}));
+  const auto read = [this](double time) {
+    log_->request(second(time));
+    log_->finish();
+    return log_->take().value_or(ScratchLog::Part{});
+  };
+  const auto before = read(1.9), behind = read(5.5);
+  EXPECT_EQ(before.stretch, (Stretch{second(1), second(2)}));
+  ASSERT_EQ(before.messages.size(), 3U) << "what held at the begin of the hole is there";
+  EXPECT_EQ(before.messages[0].path, "red1/slow");
+  EXPECT_EQ(before.messages[2].time, second(2));
+  EXPECT_EQ(behind.stretch, (Stretch{second(5), second(6)}));
+  EXPECT_EQ(behind.messages.back().time, second(5));
+}
+
+TEST_F(ScratchLogTest, allThatMemoryNoLongerHoldsIsOnDiskAfterItWasLowered) {
+  constexpr std::size_t kMib = std::size_t{1} << 20U;
+  archive({.bytes = 100U << 20U, .reserve = 0, .waiting = 20 * kMib, .beforeWrite = [this] {
+             written_.acquire();
+           }});
+  session_.store().setBytes(200 * kMib);
+  for (int i = 0; i < 100; ++i) {
+    StreamMessage message = scratched("red1/a", 0.1 * i);
+    message.bytes = kMib;
+    session_.push(message);
+    session_.tick();
+  }
+  session_.store().setBytes(20 * kMib);
+  for (int i = 0; i < 10; ++i) session_.tick();
+  EXPECT_EQ(session_.store().bytes(), 84 * kMib) << "until the disk has written that";
+  written_.release(100);
+  for (int i = 0; i < 10; ++i) {
+    session_.tick();
+    log_->finish();
+  }
+  EXPECT_EQ(session_.store().bytes(), 20 * kMib);
+  EXPECT_FALSE(log_->takeProblem());
+  EXPECT_TRUE(log_->holes().empty());
+  EXPECT_EQ(session_.history().kept().size(), 1U);
+  show(3.05);
+  EXPECT_NEAR(shown("red1/a"), 3.0, 0.001);
 }
 
 TEST_F(ScratchLogTest, theLimitCanBeChanged) {

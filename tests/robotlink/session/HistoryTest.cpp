@@ -45,6 +45,9 @@ class FakeArchive final : public HistoryArchive {
   }
   void setLimit(std::uint64_t) override {}
   std::uint64_t limit() const override { return 0; }
+  std::vector<Stretch> holes() const override { return holes_; }
+  bool hasRoom() const override { return hasRoom_; }
+  bool isLosing() const override { return false; }
   std::uint64_t bytes() const override { return 0; }
   std::map<std::string, std::uint64_t> shares() const override { return {}; }
   std::optional<Error> takeProblem() override { return std::nullopt; }
@@ -53,6 +56,10 @@ class FakeArchive final : public HistoryArchive {
     if (!requested_) return false;
     const Instant at = *std::exchange(requested_, std::nullopt);
     Part part{at, {std::max(at - 1s, all_.front().time), std::min(at + 1s, until_)}, {}};
+    for (const Stretch& hole : holes_) {
+      if (at >= hole.to) part.stretch.from = std::max(part.stretch.from, hole.to);
+      if (at <= hole.from) part.stretch.to = std::min(part.stretch.to, hole.from);
+    }
     std::map<std::string, StreamMessage> before;
     for (const StreamMessage& message : all_) {
       if (message.time <= part.stretch.from) before[message.path] = message;
@@ -66,9 +73,22 @@ class FakeArchive final : public HistoryArchive {
     served_ = part;
     return true;
   }
+  /// Loses what is between two instants, but for what held at the second one.
+  void lose(Stretch hole) {
+    holes_.push_back(hole);
+    std::map<std::string, Instant> newest;
+    for (const StreamMessage& message : all_) {
+      if (message.time <= hole.to) newest[message.path] = message.time;
+    }
+    std::erase_if(all_, [&](const StreamMessage& message) {
+      return message.time > hole.from && message.time < newest[message.path];
+    });
+  }
   std::vector<StreamMessage> all_;
+  bool hasRoom_ = true;
 
  private:
+  std::vector<Stretch> holes_;
   Instant until_;
   std::optional<Instant> requested_;
   std::optional<Part> served_;
@@ -241,6 +261,71 @@ TEST_F(HistoryTest, withFewerBytesTheOldestGoes) {
   session_.store().setBytes(200'000);
   EXPECT_LE(session_.store().bytes(), 200'000U);
   EXPECT_GT(session_.store().horizon(), moment(6.5));
+}
+
+TEST_F(HistoryTest, withFewerBytesTheOldestGoesToTheArchiveAsFarAsThatHasRoom) {
+  constexpr std::size_t kMib = std::size_t{1} << 20U;
+  archive();
+  session_.store().setBytes(200 * kMib);
+  for (int i = 0; i < 100; ++i) {
+    session_.push(reading("red1/a", 0.1 * i, kMib));
+    session_.tick();
+  }
+  session_.store().setBytes(20 * kMib);
+  archive_->hasRoom_ = false;
+  session_.tick();
+  EXPECT_EQ(session_.store().bytes(), 100 * kMib);
+  archive_->hasRoom_ = true;
+  session_.tick();
+  EXPECT_EQ(session_.store().bytes(), 84 * kMib);
+  EXPECT_EQ(archive_->all_.size(), 16U);
+  for (int i = 0; i < 10; ++i) session_.tick();
+  EXPECT_EQ(session_.store().bytes(), 20 * kMib);
+  EXPECT_EQ(archive_->all_.size(), 80U) << "nothing is lost";
+  EXPECT_EQ(history_.kept(), (std::vector<Stretch>{{moment(0), session_.store().newest()}}));
+}
+
+TEST_F(HistoryTest, fewerBytesTakeEffectAtOnceWhenTheArchiveGoes) {
+  archive();
+  runUntil(9);
+  session_.store().setBytes(200'000);
+  EXPECT_GT(session_.store().bytes(), 800'000U);
+  history_.setArchive(nullptr);
+  session_.tick();
+  EXPECT_LE(session_.store().bytes(), 200'000U);
+}
+
+TEST_F(HistoryTest, stepsGoAcrossAHoleInTheArchive) {
+  archive();
+  runUntil(60);
+  archive_->lose({moment(10.05), moment(20.05)});
+  const std::vector<Stretch> kept{{moment(0), moment(10.05)}, {moment(20.05), session_.store().newest()}};
+  EXPECT_EQ(history_.kept(), kept);
+  const auto read = [this] {
+    for (int tick = 0; tick < 10 && history_.isReading(); ++tick) {
+      archive_->serve();
+      session_.tick();
+    }
+  };
+  history_.show(moment(15));
+  read();
+  EXPECT_EQ(session_.timeline().shown(), moment(20.05)) << "the nearest instant behind the hole";
+  EXPECT_NEAR(shown("red1/a"), 20.0, 0.001);
+  session_.tick();
+  EXPECT_FALSE(archive_->serve()) << "there is nothing more to be read before it";
+  ASSERT_TRUE(history_.step("red1/a", -1));
+  read();
+  EXPECT_NEAR(seconds(session_.timeline().shown().time_since_epoch()), 10.0, 0.001);
+  EXPECT_NEAR(shown("red1/a"), 10.0, 0.001);
+  ASSERT_TRUE(history_.step("red1/a", 1));
+  read();
+  EXPECT_EQ(session_.timeline().shown(), moment(20.05));
+  ASSERT_TRUE(history_.step("red1/a", -3));
+  read();
+  EXPECT_NEAR(shown("red1/a"), 9.8, 0.001);
+  ASSERT_TRUE(history_.step("red1/a", 5));
+  read();
+  EXPECT_NEAR(shown("red1/a"), 20.2, 0.001) << "20.0 is the first one behind the hole";
 }
 
 TEST_F(HistoryTest, oneStepsToTheMessageAtWhichSomethingIsTrue) {
