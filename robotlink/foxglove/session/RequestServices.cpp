@@ -22,7 +22,12 @@ namespace util = google::protobuf::util;
 constexpr char kJson[] = "json", kProtobuf[] = "protobuf";
 
 bool isOfRobot(const RequestKind& kind) {
-  return kind.isOfProgram() || kind.doer == RequestDoer::kPlatform;
+  return kind.isOfProgram() || kind.doer == RequestDoer::kPlatform || kind.what == Request::kHostProgram;
+}
+
+/// Where programs run is chosen for one robot, or for all at once.
+bool isOfWorld(const RequestKind& kind) {
+  return !isOfRobot(kind) || kind.what == Request::kHostProgram;
 }
 
 /// The field of a Request that has the message of a kind.
@@ -91,7 +96,7 @@ Service serviceFor(const std::string& name, const Descriptor& argument) {
 std::vector<Service> servicesOf(bool robots) {
   std::vector<Service> services;
   for (const RequestKind& kind : requestKinds()) {
-    if (isOfRobot(kind) == robots)
+    if (robots ? isOfRobot(kind) : isOfWorld(kind))
       services.push_back(serviceFor(fieldOf(kind).name(), *fieldOf(kind).message_type()));
   }
   return services;

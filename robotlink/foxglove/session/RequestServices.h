@@ -20,7 +20,8 @@ namespace robotlink::websocket {
 
 // Requests (robotlink/packages/robotcontrol/Requests.proto) as services: one for each kind, its argument is
 // the message of that kind, its answer the RequestResult. "red1/set_key" with {"name": "ball-percept/disc",
-// "mode": {"kind": "ALWAYS"}}; "control_simulation" is of no robot. Arguments are JSON, with the names of the
+// "mode": {"kind": "ALWAYS"}}; "control_simulation" is of no robot; "red1/host_program" is of one, and
+// "host_program" of all. Arguments are JSON, with the names of the
 // .proto file, or the serialized message, as the call says; the answer has the same encoding.
 
 /// All kinds of requests to a robot, or with an empty name to the world.

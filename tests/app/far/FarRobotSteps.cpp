@@ -7,6 +7,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/far/FarDesk.h"
 #include "tests/logplayer/RecordedMessages.h"
@@ -192,6 +193,24 @@ void FarRobotSteps::itPlaysWithAColorTableThatIsSentToIt() {
   QTRY_VERIFY_WITH_TIMEOUT(onlyOrange(), kWaitMs);
   desk.run("robot.no-color-table");
   QTRY_VERIFY_WITH_TIMEOUT(colorsOf(desk.newest<RawImage>(kClassImages)) > 1 && !onlyOrange(), kWaitMs);
+}
+
+void FarRobotSteps::itsProgramMovesToAProcessOfItsOwnAndIsStartedAgain() {
+  const auto line = makeLine();
+  if (!line) return;
+  FarHall hall(*line, home_);
+  QCOMPARE(hall.wrong, QString());
+  FarDesk& desk = *hall.desk;
+  const auto hosting = [&] { return desk.newest<robotcontrol::HostingStatus>("red1/hosting"); };
+  desk.show("processes");
+  QTRY_VERIFY_WITH_TIMEOUT(hosting() != nullptr && desk.find<QToolButton>("hostingOwn").isVisible(), kWaitMs);
+  QVERIFY(!hosting()->own_process());
+  QTest::mouseClick(&desk.find<QToolButton>("hostingOwn"), Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(hosting()->own_process() && hosting()->pid() != 0, kWaitMs);
+  const auto before = hosting()->pid();
+  QTest::mouseClick(&desk.find<QToolButton>("hostingStartAgain"), Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(hosting()->pid() != 0 && hosting()->pid() != before, kWaitMs);
+  QCOMPARE(hosting()->state(), robotcontrol::HostingStatus::RUNNING);
 }
 
 void FarRobotSteps::theLineIsLostWhileItIsDrivenAndFoundByItself() {

@@ -21,6 +21,7 @@ class FarRobotSteps : public WindowTest {
   void keysAndSolutionsAreSwitched();
   void itIsDrivenStandsWhenItIsReleasedAndObeysStop();
   void itPlaysWithAColorTableThatIsSentToIt();
+  void itsProgramMovesToAProcessOfItsOwnAndIsStartedAgain();
   void theLineIsLostWhileItIsDrivenAndFoundByItself();
   void whatComesOverTheLineIsRecorded();
   void itsPicturesAreThoseOfAHostedRobot();

@@ -53,6 +53,18 @@ TEST_F(ServedPlatformTest, stopActsAtThePlatform) {
   EXPECT_TRUE(status.running());
 }
 
+TEST_F(ServedPlatformTest, theProgramOfARobotIsStartedAgain) {
+  const auto answerOf = [this](const std::string& service) {
+    client_->send(ServiceCallRequest{services_[service], 7, "json", R"({"start_again": true})"});
+    return nlohmann::json::parse(expect<ServiceCallResponse>().payload);
+  };
+  while (!services_.contains("red1/host_program")) hear();
+  for (const char* service : {"red1/host_program", "host_program"}) {
+    const auto answer = answerOf(service);
+    EXPECT_EQ(answer["accepted"], true) << service << ": " << answer["reason"];
+  }
+}
+
 TEST_F(ServedPlatformTest, whatCannotBeDoneHereIsRefusedWithTheReason) {
   client_->send(ServiceCallRequest{services_["control_recording"], 6, "json", R"({"action": "START"})"});
   const auto answer = nlohmann::json::parse(expect<ServiceCallResponse>().payload);

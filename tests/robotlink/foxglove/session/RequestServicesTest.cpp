@@ -29,11 +29,23 @@ ServiceCallRequest callWith(const std::string& payload, const std::string& encod
 
 TEST(RequestServices, eachKindOfRequestIsAServiceOfARobotOrOfTheWorld) {
   const auto robot = namesOf(requestServices("red1")), world = namesOf(requestServices(""));
-  EXPECT_EQ(robot.size() + world.size(), requestKinds().size());
+  EXPECT_EQ(robot.size() + world.size(), requestKinds().size() + 1);
   EXPECT_THAT(robot, Contains("red1/set_key"));
   EXPECT_THAT(robot, Contains("red1/stop"));
   EXPECT_THAT(world, Contains("control_simulation"));
   EXPECT_THAT(robot, Not(Contains("red1/control_simulation")));
+}
+
+TEST(RequestServices, theProgramOfOneRobotOrThoseOfAllAreStartedAgain) {
+  EXPECT_THAT(namesOf(requestServices("red1")), Contains("red1/host_program"));
+  EXPECT_THAT(namesOf(requestServices("")), Contains("host_program"));
+  const auto one = requestOf("red1", "red1/host_program", callWith(R"({"start_again": true})"));
+  ASSERT_TRUE(one) << one.error().text;
+  EXPECT_EQ(one->robot(), "red1");
+  EXPECT_TRUE(one->host_program().start_again());
+  const auto all = requestOf("", "host_program", callWith(R"({"start_again": true})"));
+  ASSERT_TRUE(all) << all.error().text;
+  EXPECT_EQ(all->robot(), "");
 }
 
 TEST(RequestServices, anArgumentIsJsonOrASerializedMessage) {
