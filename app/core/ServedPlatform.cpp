@@ -103,6 +103,8 @@ class Service {
     session_.setRequestSink([this](const Request& request) { platform_.request(request); });
     session_.setRefusalHandler(
         [this](const auto& what, const auto& reason) { reportOnce(what + ": " + reason); });
+    // Only the workbench records on this request; clients record here with the services recordings/start.
+    server_.withhold("control_recording");
     if (options.bodies) takeCommands(server_, options.bodies);
     if (options.texts)
       session_.addListener({[&out](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});

@@ -59,6 +59,10 @@ class SessionServer {
   /// encoded once for all clients, while somebody subscribes.
   void setImageEncoders(ImageEncoders encoders);
 
+  /// From now on clients are not offered this request to the world ("control_recording"), which nobody
+  /// fulfills here. A service that is called all the same is unknown.
+  void withhold(const std::string& request);
+
   /// What clients may publish for somebody else than the robots' programs.
   struct ClientStream {
     /// "body/commands" for "red1/body/commands".
@@ -204,6 +208,8 @@ class SessionServer {
   NarrowLines narrowLines_;
   Instant lookedAtLines_;
   std::vector<ClientStream> clientStreams_;
+  /// See withhold().
+  std::set<std::string> withheld_;
   std::function<void(const std::string& robot, bool giveUp)> steerElsewhere_;
   std::unordered_map<std::string, ChannelPtr> channels_;
   /// When the channel of a path was replaced last.

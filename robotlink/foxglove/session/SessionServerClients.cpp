@@ -3,6 +3,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -144,10 +145,18 @@ std::uint32_t SessionServer::addService(Service service, const std::string& robo
 
 void SessionServer::offerServices(const std::string& robot, Robot& to) {
   for (Service& service : requestServices(robot)) {
+    if (withheld_.contains(service.name)) continue;
     const std::string kind = splitAtSlash(service.name).second;
     to.services.push_back(
         addService(std::move(service), robot, accessTo(kind), kind == "stop", &SessionServer::call));
   }
+}
+
+void SessionServer::withhold(const std::string& request) {
+  withheld_.insert(request);
+  Robot& world = robots_[""];
+  for (const std::uint32_t service : std::exchange(world.services, {})) server_->removeService(service);
+  offerServices("", world);
 }
 
 void SessionServer::offerSteering(const std::string& robot, Robot& to) {

@@ -66,10 +66,15 @@ TEST_F(ServedPlatformTest, theProgramOfARobotIsStartedAgain) {
 }
 
 TEST_F(ServedPlatformTest, whatCannotBeDoneHereIsRefusedWithTheReason) {
-  client_->send(ServiceCallRequest{services_["control_recording"], 6, "json", R"({"action": "START"})"});
+  client_->send(ServiceCallRequest{services_["control_replay"], 6, "json", R"({"action": "PLAY"})"});
   const auto answer = nlohmann::json::parse(expect<ServiceCallResponse>().payload);
   EXPECT_EQ(answer["accepted"], false);
-  EXPECT_THAT(answer["reason"], HasSubstr("services recordings/start"));
+  EXPECT_THAT(answer["reason"], HasSubstr("no log is open"));
+}
+
+TEST_F(ServedPlatformTest, whatNobodyFulfillsHereIsNotOffered) {
+  EXPECT_TRUE(services_.contains("control_simulation"));
+  EXPECT_FALSE(services_.contains("control_recording"));
 }
 
 TEST(ServedPlatform, whatCannotBeOpenedEndsWithTheReason) {

@@ -50,6 +50,16 @@ TEST_F(SessionServerRequestsTest, aRequestIsAServiceThatAnswersWithItsResult) {
   EXPECT_EQ(requests_.size(), 1U);
 }
 
+TEST_F(SessionServerRequestsTest, whatNobodyFulfillsIsNotOffered) {
+  EXPECT_TRUE(services().contains("control_recording"));
+  server_->withhold("control_recording");
+  client_ = *server_->server()->connect({0, "127.0.0.1:2", "y"}, [] {});
+  const auto ids = services();
+  EXPECT_FALSE(ids.contains("control_recording"));
+  EXPECT_TRUE(ids.contains("control_simulation"));
+  EXPECT_TRUE(ids.contains("red1/stop"));
+}
+
 TEST_F(SessionServerRequestsTest, aClientNamesNoFilesOfThisMachine) {
   auto ids = services();
   for (const char* argument :
