@@ -113,6 +113,11 @@ class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
   void onSecured(error_code error);
   void upgrade();
   void onUpgraded(error_code error);
+  ShownToken shownToken() const {
+    const Connector::Options& options = thread_.options;
+    const bool isShown = !options.token.empty() || options.url.target.find("token=") != std::string::npos;
+    return isShown ? ShownToken::kOne : ShownToken::kNone;
+  }
   void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
   void onRead(error_code error, std::size_t bytes);
   /// Whether the system holds as much as it may that has not been sent. It takes more than
@@ -187,7 +192,7 @@ void ServerConnection::upgrade() {
 void ServerConnection::onUpgraded(error_code error) {
   if (hasEnded_) return;
   if (error == websocket::error::upgrade_declined)
-    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body()),
+    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body(), shownToken()),
                 response_.result() == http::status::unauthorized
                     ? ServerObjection{ServerObjection::Kind::kToken}
                     : ServerObjection());

@@ -50,12 +50,14 @@ std::string whyNoHandshake(const error_code& error) {
   return "what listens there is no WebSocket server; is this the robot's port? (" + error.message() + ")";
 }
 
-std::string whyRefused(unsigned status, const std::string& text) {
+std::string whyRefused(unsigned status, const std::string& text, ShownToken shown) {
   const std::string theirs = shortened(text);
   const std::string http = "HTTP " + std::to_string(status) + (theirs.empty() ? "" : ": " + theirs);
   switch (status) {
     case 401:
-      return "the robot wants another token: give the one that it printed when it was made (" + http + ")";
+      return std::string(shown == ShownToken::kOne ? "the robot wants another token"
+                                                   : "the robot wants a token") +
+             ": give the one that it printed when it was made (" + http + ")";
     case 403:
       return "the robot does not let this program in (" + http + ")";
     case 404:

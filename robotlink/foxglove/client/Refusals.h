@@ -16,8 +16,10 @@ std::string whyNotReached(const boost::system::error_code& error);
 std::string whyNotSecured(const boost::system::error_code& error);
 /// What listens did not answer as a WebSocket server does.
 std::string whyNoHandshake(const boost::system::error_code& error);
+/// Whether a token was shown to it.
+enum class ShownToken : bool { kNone, kOne };
 /// It answered with another HTTP status than 101, and this text.
-std::string whyRefused(unsigned status, const std::string& text);
+std::string whyRefused(unsigned status, const std::string& text, ShownToken shown);
 /// It chose this sub-protocol.
 std::string whyOtherProtocol(const std::string& protocol);
 /// It ended the connection with this reason, which may be empty.

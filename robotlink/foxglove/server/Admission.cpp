@@ -45,6 +45,15 @@ bool lists(std::string_view list, std::string_view word) {
   return false;
 }
 
+/// What is wrong with the token of a request, for its client and for the robot's log.
+std::string sentenceOnToken(const Knock& knock) {
+  const bool isShown = !knock.authorization.empty() || !tokenIn(knock.target).empty();
+  return std::string(isShown ? "The token that was shown is not one of this robot's."
+                             : "No token was shown.") +
+         " This robot wants its token as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' behind the URL; "
+         "it printed the token when it was made, and says at each start which file has it.";
+}
+
 }  // namespace
 
 Instant Admission::decidableAt(const std::string& address) const {
@@ -77,11 +86,7 @@ std::variant<Admitted, Refusal> Admission::decide(const Knock& knock, Instant no
     if (waiting_.size() >= kMaxWaiting)
       waiting_.erase(std::ranges::min_element(waiting_, {}, [](const auto& entry) { return entry.second; }));
     waiting_[knock.address] = now + options_.wrongTokenDelay;
-    return Refusal{
-        401,
-        "This robot wants its token, as 'Authorization: Bearer TOKEN' or as '?token=TOKEN' behind the URL; "
-        "it printed the token when it was made, and says at each start which file has it.",
-        true};
+    return Refusal{401, sentenceOnToken(knock), true};
   }
   for (const char* protocol : {kSdkProtocol, kWebSocketProtocol})
     if (lists(knock.protocols, protocol)) return Admitted{protocol, isWatcher && !isMaster};

@@ -22,7 +22,7 @@ struct Knock {
 struct Refusal {
   unsigned status = 400;
   std::string sentence;
-  /// Whether it was a wrong token.
+  /// Whether a wrong token was shown, or none.
   bool isWrongToken = false;
 };
 

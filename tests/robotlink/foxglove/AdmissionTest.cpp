@@ -56,6 +56,16 @@ TEST(Admission, theTokenIsInTheHeaderOrInTheUrl) {
     EXPECT_EQ(statusOf(admission, knock({}, wrong)), 401U) << wrong;
 }
 
+TEST(Admission, aWrongTokenAndNoneAreToldApart) {
+  Admission admission({"secret", {}});
+  const auto sentence = [&](const Knock& request) {
+    return std::get<Refusal>(admission.decide(request, Instant())).sentence;
+  };
+  EXPECT_THAT(sentence(knock()), HasSubstr("No token was shown"));
+  for (const Knock& wrong : {knock("Bearer wrong"), knock({}, "/?token=wrong")})
+    EXPECT_THAT(sentence(wrong), HasSubstr("The token that was shown is not one of this robot's"));
+}
+
 TEST(Admission, wrongTokensMakeTheirMachineWaitAndNoOther) {
   Admission admission({"secret", {}, milliseconds(1000)});
   const Instant now(milliseconds(5000));

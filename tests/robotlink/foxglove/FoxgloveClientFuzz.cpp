@@ -51,7 +51,8 @@ struct FuzzedClient {
 
 /// What users read of a handshake that failed.
 void checkRefusals(const std::string& text, unsigned status) {
-  for (const std::string& why : {whyRefused(status, text), whyOtherProtocol(text), whyClosed(text)}) {
+  for (const std::string& why :
+       {whyRefused(status, text, ShownToken::kOne), whyOtherProtocol(text), whyClosed(text)}) {
     demand(why == validUtf8(why) && why.size() < 1200, "a refusal can be read");
     demand(why.find_first_of("\r\n\t") == std::string::npos, "a refusal is one line");
   }

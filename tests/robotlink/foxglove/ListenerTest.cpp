@@ -94,7 +94,7 @@ TEST_F(ListenerTest, webPagesAndStrangersAreRefusedAndReported) {
           .status(),
       101U);
   EXPECT_EQ(RawClient(port_, {kSdkProtocol, "/?token=wrong"}).status(), 401U);
-  EXPECT_THAT(reports(), Contains(HasSubstr("wants its token")));
+  EXPECT_THAT(reports(), Contains(HasSubstr("The token that was shown is not one of this robot's")));
   EXPECT_THAT(reports(), Contains(HasSubstr("https://b.org")));
 }
 

@@ -110,8 +110,13 @@ TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
   listen("secret");
   connect();
   EXPECT_TRUE(reaches(Phase::kRefused));
-  EXPECT_THAT(reason(), AllOf(HasSubstr("another token"), HasSubstr("HTTP 401")));
+  EXPECT_THAT(reason(), AllOf(HasSubstr("the robot wants a token"), HasSubstr("HTTP 401")));
   EXPECT_EQ(client_->state().objection.kind, ServerObjection::Kind::kToken);
+  connector_.reset();
+  options_.token = "wrong";
+  connect();
+  EXPECT_TRUE(reaches(Phase::kRefused));
+  EXPECT_THAT(reason(), AllOf(HasSubstr("another token"), HasSubstr("HTTP 401")));
   connector_.reset();
   options_.token = "secret";
   connect();
