@@ -68,7 +68,8 @@ struct OwnProgram::Implementation {
   void runStep();
   /// With threads: takes all that has come.
   void takeNews();
-  /// In lockstep: waits for the answer as long as the patience lasts.
+  /// In lockstep: waits for the answer as long as the patience lasts, which begins when the step is sent. All
+  /// robots' steps are sent at once, so several programs that hang are waited for together.
   ProgramLink::Outcome receiveAnswer();
   void take(const WireAnswer& arrived);
   void apply(const robotcontrol::WireResult& result);
@@ -234,11 +235,11 @@ void OwnProgram::Implementation::runStep() {
 ProgramLink::Outcome OwnProgram::Implementation::receiveAnswer() {
   ProgramLink& link = child->link();
   if (isSilent) return link.receive(answer, std::chrono::milliseconds(0));
-  if (!options.cut) return link.receive(answer, options.patience);
-  const auto begin = std::chrono::steady_clock::now();
   for (;;) {
     const auto outcome = link.receive(answer, kAnswerLook);
-    if (outcome != ProgramLink::Outcome::kTimeout || options.cut->isOver(begin)) return outcome;
+    const bool isOver = options.cut ? options.cut->isOver(sentAt)
+                                    : std::chrono::steady_clock::now() - sentAt >= options.patience;
+    if (outcome != ProgramLink::Outcome::kTimeout || isOver) return outcome;
   }
 }
 

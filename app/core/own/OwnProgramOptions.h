@@ -23,7 +23,8 @@ class SpareChild;
 struct OwnProgramOptions {
   /// What is started; the executable's main() begins with ownProgramMain().
   std::filesystem::path executable = "/proc/self/exe";
-  /// How long a step, or the answer to a question, may take before the program counts as not answering.
+  /// How long a step, or the answer to a question, may take before the program counts as not answering, from
+  /// when it was sent.
   std::chrono::milliseconds patience{2000};
   /// Ends that time early, such as for STOP; null: nothing does.
   std::shared_ptr<const ModulePatience> cut = nullptr;

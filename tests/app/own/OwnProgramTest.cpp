@@ -215,6 +215,19 @@ TEST_F(OwnProgramTest, anEndlessLoopIsNamedAndTheRobotStands) {
   EXPECT_THAT(refused.error().text, HasSubstr("does not answer"));
 }
 
+TEST_F(OwnProgramTest, severalThatHangAreWaitedForTogether) {
+  constexpr double kPatience = 2;
+  play("loop", std::chrono::milliseconds(2000));
+  ASSERT_TRUE(run_);
+  EXPECT_TRUE(goesOnAfter(HostingStatus::NOT_ANSWERING));
+  for (const std::string& robot : run_->robots()) {
+    const std::string text = ears_.hosting[robot].text();
+    const std::string before = "has not answered for ";
+    ASSERT_THAT(text, HasSubstr(before));
+    EXPECT_LT(std::stod(text.substr(text.find(before) + before.size())), 2 * kPatience) << robot;
+  }
+}
+
 TEST_F(OwnProgramTest, aProgramThatAnswersLateGoesOn) {
   play("late", std::chrono::milliseconds(50));
   for (int i = 0; i < 20 && state() == HostingStatus::RUNNING; ++i) run_->step();
