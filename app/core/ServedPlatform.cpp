@@ -12,13 +12,16 @@
 #include "app/core/body/BodyStreams.h"
 #include "app/core/deploy/DeployServices.h"
 #include "app/core/deploy/DeployedTables.h"
+#include "app/core/platform/ProgramTroubles.h"
 #include "app/core/platform/TextMessages.h"
+#include "app/core/program/ProgramExecutor.h"
 #include "app/core/recordings/RecordingServices.h"
 #include "app/core/remote/ImageCodings.h"
 #include "app/core/remote/OfferAddress.h"
 #include "app/core/remote/ProgramNotes.h"
 #include "app/core/remote/RobotAnnouncer.h"
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Hosting.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Printable.h"
@@ -73,6 +76,17 @@ void printLog(std::ostream& out, const robotlink::StreamMessage& message) {
   printText(out, message.time, robot + "/" + text->name(), text->message());
 }
 
+/// Passes on what goes wrong with the program of a robot.
+void noteTrouble(ProgramTroubles& troubles, const robotlink::StreamMessage& message) {
+  const std::string robot = message.path.substr(0, message.path.find('/'));
+  const auto* status = dynamic_cast<const robotcontrol::HostingStatus*>(message.value.get());
+  if (status != nullptr) troubles.note(robot, *status);
+  const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+  const bool isStop = text != nullptr && text->level() == foxglove::Log::ERROR &&
+                      text->message().find(kStoppedText) != std::string::npos;
+  if (isStop) troubles.note(robot, text->message());
+}
+
 /// What clients publish for bodies goes to these.
 void takeCommands(SessionServer& server, const std::shared_ptr<BodyInbox>& bodies) {
   server.takeFromClients(
@@ -108,6 +122,11 @@ class Service {
     if (options.bodies) takeCommands(server_, options.bodies);
     if (options.texts)
       session_.addListener({[&out](const robotlink::StreamMessage& message) { printLog(out, message); }, {}});
+    if (options.troubles)
+      session_.addListener({[troubles = options.troubles](const robotlink::StreamMessage& message) {
+                              noteTrouble(*troubles, message);
+                            },
+                            {}});
     if (!options.recordings.empty())
       recordings_.emplace(server_.server(), RecordingFolder(options.recordings), recorder);
     if (!options.resources.empty()) offerDeploying();

@@ -15,6 +15,7 @@
 namespace app {
 
 class BodyInbox;
+class ProgramTroubles;
 
 /// How a platform is served. A plain value.
 struct ServeOptions {
@@ -33,6 +34,8 @@ struct ServeOptions {
   AccessOptions access = {};
   /// Not null: the robots are only bodies, and programs elsewhere command them by this (REMOTE_BODY.md).
   std::shared_ptr<BodyInbox> bodies = nullptr;
+  /// Gets what goes wrong with the robots' programs, and prints it; null: only clients see it.
+  std::shared_ptr<ProgramTroubles> troubles = nullptr;
   /// When a robot stands because the person who steers it is not heard.
   robotlink::websocket::Steering::Limits steering = {};
 };

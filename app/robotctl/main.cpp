@@ -80,7 +80,9 @@ int finish(int status) {
               << "; what was printed is not complete\n";
     if (status == kDone) status = kFailed;
   }
-  return signal != 0 && signal != SIGPIPE && status != kDone ? Interrupt::exitStatus(signal) : status;
+  // What goes on until a signal comes is done then.
+  const bool isDone = status == kDone || status == kDoneWithLosses;
+  return signal != 0 && signal != SIGPIPE && !isDone ? Interrupt::exitStatus(signal) : status;
 }
 
 }  // namespace

@@ -36,13 +36,12 @@ OwnProgramServer::OwnProgramServer(ProgramLink link, int socket, const robotcont
       socket_(socket),
       clock_(setup.real_time()),
       platform_(setup, clock_),
-      lockstep_({.advance = {},
-                 .onStarved = [this](const auto& process,
-                                     const auto& what) { addTrouble(process, "waits for " + what); },
-                 .onFailed =
-                     [this](const auto& process) {
-                       addTrouble(process, "was stopped because it threw: " + process.failure());
-                     }}) {
+      lockstep_(
+          {.advance = {},
+           .onStarved = [this](const auto& process,
+                               const auto& what) { addTrouble(process, "waits for " + what); },
+           .onFailed =
+               [this](const auto& process) { addTrouble(process, kStoppedText + process.failure()); }}) {
   clock_.set(orderedTime(setup.time()));
   if (!setup.threads()) return;
   news_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);

@@ -50,10 +50,7 @@ ProgramExecutor::ProgramExecutor(Options options)
     if (!muted->load()) report(process, text);
   };
   threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-      .onFailed =
-          [trouble](const Process& process) {
-            trouble(process, "was stopped because it threw: " + process.failure());
-          },
+      .onFailed = [trouble](const Process& process) { trouble(process, kStoppedText + process.failure()); },
       .onPriorityRefused = [trouble](
                                const Process& process,
                                const auto& why) { trouble(process, "runs with normal priority: " + why); },
@@ -69,10 +66,7 @@ robotlink::LockstepExecutor::Options ProgramExecutor::lockstepOptions() const {
           .advance = {},
           .onStarved = [trouble](const auto& process,
                                  const auto& what) { trouble(process, "waits for " + what); },
-          .onFailed =
-              [trouble](const auto& process) {
-                trouble(process, "was stopped because it threw: " + process.failure());
-              }};
+          .onFailed = [trouble](const auto& process) { trouble(process, kStoppedText + process.failure()); }};
 }
 
 ProgramExecutor::~ProgramExecutor() = default;

@@ -24,6 +24,9 @@ const char* nameOf(ExecutorKind kind);
 /// The task that a process executes: "ball-percept (region)"; "its program" if that is not known.
 std::string taskOf(const robotlink::Process& process);
 
+/// What is reported of a process that has thrown, before the reason: "Process cognition was stopped ...".
+inline constexpr char kStoppedText[] = "was stopped because it threw: ";
+
 /// Executes the programs of all robots of one world together with their platforms: either in lockstep, each
 /// process in turn, or each process in a thread of its own, with the platforms stepped by the caller.
 ///

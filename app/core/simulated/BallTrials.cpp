@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/core/simulated/RunEnd.h"
 #include "robotlink/base/Random.h"
 #include "simcore/Scene.h"
 
@@ -67,9 +68,10 @@ tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play
   RunOptions options = run;
   // Each trial starts with a placed ball and ends soon after the first touch.
   options.kickOffs = false;
-  auto made = SimulatedRun::create(std::move(options), {});
+  auto made = SimulatedRun::create(std::move(options), listeners);
   if (!made) return tl::unexpected(made.error());
-  SimulatedRun& simulated = **made;
+  const RunEnd end(std::move(*made));
+  SimulatedRun& simulated = end.run();
   if (simulated.robots().empty()) {
     return tl::unexpected(robotlink::Errors{
         {"trials.no-robot", "there is no robot in this scene to play", {}, {run.scene.string(), 0, 0}}});

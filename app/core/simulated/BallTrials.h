@@ -10,7 +10,8 @@ namespace app {
 
 /// Repeated trials of whether a robot finds the ball: each one resets the simulation with its own seed and
 /// places the ball at random within a radius of the first robot, on the field and clear of the robot. The
-/// result says whether and when the ball was touched. Deterministic for given options.
+/// result says whether and when the ball was touched. Deterministic for given options, unless a module does
+/// not return within the patience of the run: then its robot stands for the rest of that trial.
 struct BallTrials {
   /// One trial and its result.
   struct Trial {
@@ -27,6 +28,8 @@ struct BallTrials {
   };
   /// The simulation. Kick-offs are switched off.
   RunOptions run;
+  /// Called with what happens in the simulation; what they refer to must exist until modules have returned.
+  SimulatedRun::Listeners listeners = {};
   /// The seed of the first trial; each further one has the next number.
   std::uint64_t firstSeed = 1;
   /// How many trials are played.

@@ -6,6 +6,7 @@
 
 #include "app/core/deploy/OwnResources.h"
 #include "app/core/platform/NumberRange.h"
+#include "app/core/platform/ProgramTroubles.h"
 #include "app/core/remote/OfferAddress.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
@@ -97,7 +98,8 @@ int ListenOptions::serve(PlatformOpening opening, ServeOptions options, const Re
   const auto errors =
       app::serve(std::move(opening), options, *recorder ? **recorder : none, &Interrupt::noted, std::cerr);
   const int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
-  return errors.empty() ? status : printErrors(errors);
+  if (!errors.empty()) return printErrors(errors);
+  return status == kDone && options.troubles && options.troubles->any() ? kDoneWithLosses : status;
 }
 
 }  // namespace app

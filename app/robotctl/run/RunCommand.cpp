@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/core/platform/HeadlessRun.h"
+#include "app/core/platform/ProgramTroubles.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/spread/SpreadNetwork.h"
 #include "app/robotctl/Commands.h"
@@ -37,7 +38,9 @@ int serveRun(const HeadlessPlatform& platform, const RunArguments& arguments,
     return usage({"usage", "--listen is not possible with " + std::string(platform.usage), {}, {}});
   auto serving = platform.prepareServing(arguments.choices, console);
   if (!serving) return usage(serving.error());
-  const ServeOptions options{.seconds = serving->seconds, .texts = serving->texts};
+  const ServeOptions options{.seconds = serving->seconds,
+                             .texts = serving->texts,
+                             .troubles = std::make_shared<ProgramTroubles>(std::cerr)};
   return arguments.listen.serve(std::move(serving->opening), options, arguments.choices.record);
 }
 

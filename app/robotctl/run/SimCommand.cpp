@@ -15,11 +15,13 @@
 #include "app/core/platform/JsonOutput.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/Pace.h"
+#include "app/core/platform/ProgramTroubles.h"
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
+#include "app/core/simulated/RunEnd.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
@@ -30,7 +32,6 @@
 #include "app/robotctl/run/ListenOptions.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "robotcontrol/Debugging.pb.h"
-#include "robotlink/base/Printable.h"
 #include "robotlink/base/UnfinishedFile.h"
 
 namespace app {
@@ -50,7 +51,7 @@ struct SimArguments {
   std::vector<std::string> solutions;
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
-  std::uint64_t programMemory = 2048;  ///< MiB
+  std::uint64_t programMemory = 2048;                                        ///< MiB
   double seconds = 10;
   bool noNoise = false;
   bool asJson = false;
@@ -66,15 +67,30 @@ struct SimArguments {
   RecordOptions record;
 };
 
-SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImages* images) {
+/// What a run writes to.
+struct SimOutputs {
+  /// Null: none.
+  std::unique_ptr<LabeledImages> images = nullptr;
+  std::unique_ptr<logplayer::Recorder> recorder = nullptr;
+};
+
+using SharedTroubles = std::shared_ptr<ProgramTroubles>;
+
+/// Listeners that hear only of what goes wrong with programs.
+SimulatedRun::Listeners listenersTo(const SharedTroubles& troubles) {
   SimulatedRun::Listeners listeners;
-  listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
-    std::cerr << robotlink::printable(robot + ": " + text) << "\n";
+  listeners.trouble = [troubles](const std::string& robot, const robotlink::Process&,
+                                 const std::string& text) { troubles->note(robot, text); };
+  listeners.hosting = [troubles](const std::string& robot, robotlink::Instant,
+                                 const robotcontrol::HostingStatus& status) {
+    troubles->note(robot, status);
   };
-  listeners.hosting = [](const std::string& robot, robotlink::Instant,
-                         const robotcontrol::HostingStatus& status) {
-    if (!status.text().empty()) std::cerr << robot << ": " << status.text() << "\n" << status.stack();
-  };
+  return listeners;
+}
+
+SimulatedRun::Listeners listenersFor(const SimArguments& arguments, const SharedTroubles& troubles,
+                                     LabeledImages* images) {
+  SimulatedRun::Listeners listeners = listenersTo(troubles);
   if (arguments.texts) {
     listeners.queue = [](const std::string& robot, const auto& queue) {
       printTexts(std::cerr, robot, *queue);
@@ -129,46 +145,80 @@ int finishImages(const LabeledImages* images, const std::string& folder) {
   return kDone;
 }
 
-int runOnce(const SimArguments& arguments) {
-  const Interrupt interrupt;
-  const auto images = arguments.camera.labeledImages();
-  if (!images) return printErrors({images.error()});
-  const auto recorder = arguments.record.start();
-  if (!recorder) return printErrors({recorder.error()});
-  // Removes the file of the recording if the program ends before anything is recorded.
-  std::optional<robotlink::UnfinishedFile> unfinished;
-  if (*recorder) unfinished.emplace(arguments.record.file);
-  TerminalProgress progress;
-  RunOptions options = arguments.run;
-  options.progress = progress.function();
-  auto run =
-      SimulatedRun::create(std::move(options), listenersFor(arguments, images->get()), recorder->get());
-  progress.erase();
-  if (!run) {
-    std::error_code ignored;
-    if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
-    return printErrors(run.error());
-  }
-  for (const std::string& robot : arguments.ownProcesses) {
-    if (robot == kAllRobots || (*run)->description(robot)) continue;
-    return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
-  }
-  printMapNotes(std::cerr, (*run)->map().get());
-  const auto start = std::chrono::steady_clock::now();
-  unfinished.reset();
-  const bool played = simulate(**run, arguments, recorder->get());
-  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  int status = *recorder ? finishRecording(**recorder, std::cerr) : kDone;
-  if (const int written = finishImages(images->get(), arguments.camera.labeledFolder); written != kDone)
-    status = written;
-  if (!played) status = kFailed;
-  const json figures = figuresOf(**run, real);
+/// Opens what is written. Returns what cannot be.
+robotlink::Result<std::shared_ptr<SimOutputs>> openOutputs(const SimArguments& arguments) {
+  auto images = arguments.camera.labeledImages();
+  if (!images) return tl::unexpected(images.error());
+  auto recorder = arguments.record.start();
+  if (!recorder) return tl::unexpected(recorder.error());
+  return std::make_shared<SimOutputs>(SimOutputs{std::move(*images), std::move(*recorder)});
+}
+
+json troublesJson(const ProgramTroubles& troubles) {
+  json list = json::array();
+  for (const auto& trouble : troubles.all())
+    list.push_back({{"robot", trouble.robot}, {"text", trouble.text}});
+  return list;
+}
+
+/// The exit status of what ended with a status, whose programs may have been in trouble.
+int withTroubles(int status, const ProgramTroubles& troubles) {
+  return status == kDone && troubles.any() ? kDoneWithLosses : status;
+}
+
+void printFigures(const SimArguments& arguments, json figures, const ProgramTroubles& troubles) {
+  figures["troubles"] = troublesJson(troubles);
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";
   } else {
     std::cout << (arguments.asJson ? jsonOutput(figures) : figuresText(figures));
   }
-  return status;
+}
+
+/// Plays a game whose programs are made, and prints what came of it.
+int playGame(SimulatedRun& run, const SimArguments& arguments, const SimOutputs& outputs,
+             const ProgramTroubles& troubles) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool played = simulate(run, arguments, outputs.recorder.get());
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  int status = outputs.recorder ? finishRecording(*outputs.recorder, std::cerr) : kDone;
+  if (const int written = finishImages(outputs.images.get(), arguments.camera.labeledFolder);
+      written != kDone)
+    status = written;
+  if (!played) status = kFailed;
+  printFigures(arguments, figuresOf(run, real), troubles);
+  return withTroubles(status, troubles);
+}
+
+int runOnce(const SimArguments& arguments) {
+  const Interrupt interrupt;
+  const auto opened = openOutputs(arguments);
+  if (!opened) return printErrors({opened.error()});
+  const SimOutputs& outputs = **opened;
+  // Removes the file of the recording if the program ends before anything is recorded.
+  std::optional<robotlink::UnfinishedFile> unfinished;
+  if (outputs.recorder) unfinished.emplace(arguments.record.file);
+  const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
+  TerminalProgress progress;
+  RunOptions options = arguments.run;
+  options.progress = progress.function();
+  auto made = SimulatedRun::create(
+      std::move(options), listenersFor(arguments, troubles, outputs.images.get()), outputs.recorder.get());
+  progress.erase();
+  if (!made) {
+    std::error_code ignored;
+    if (outputs.recorder) std::filesystem::remove(arguments.record.file, ignored);
+    return printErrors(made.error());
+  }
+  const RunEnd end(std::move(*made), *opened);
+  SimulatedRun& run = end.run();
+  for (const std::string& robot : arguments.ownProcesses) {
+    if (robot == kAllRobots || run.description(robot)) continue;
+    return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
+  }
+  printMapNotes(std::cerr, run.map().get());
+  unfinished.reset();
+  return playGame(run, arguments, outputs, *troubles);
 }
 
 json trialJson(const BallTrials::Trial& trial) {
@@ -180,6 +230,8 @@ json trialJson(const BallTrials::Trial& trial) {
 int runTrials(const SimArguments& arguments) {
   BallTrials trials;
   trials.run = arguments.run;
+  const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
+  trials.listeners = listenersTo(troubles);
   trials.firstSeed = arguments.run.world.seed;
   trials.count = arguments.trials;
   trials.radius = arguments.radius;
@@ -200,12 +252,14 @@ int runTrials(const SimArguments& arguments) {
   report["seconds"] = arguments.seconds;
   report["blackout"] = arguments.run.world.blackout;
   for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
+  report["troubles"] = troublesJson(*troubles);
   if (arguments.asJson) {
     std::cout << jsonOutput(report);
   } else {
     std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
   }
-  return results->size() < static_cast<std::size_t>(arguments.trials) ? kFailed : kDone;
+  const bool isWhole = results->size() == static_cast<std::size_t>(arguments.trials);
+  return withTroubles(isWhole ? kDone : kFailed, *troubles);
 }
 
 /// Runs a simulation whose robots are driven by other programs.
@@ -232,6 +286,7 @@ int runListening(const SimArguments& arguments, bool secondsGiven, bool speedGiv
   }
   ServeOptions options{.speed = speedGiven ? arguments.speed : 1, .texts = arguments.texts};
   if (secondsGiven) options.seconds = arguments.seconds;
+  options.troubles = std::make_shared<ProgramTroubles>(std::cerr);
   return arguments.listen.serve(SimulationFeed::opening(arguments.run), options, arguments.record);
 }
 
@@ -245,6 +300,18 @@ robotlink::Result<void> findScene(std::filesystem::path& scene) {
   for (const auto& file : shippedScenes()) shipped += (shipped.empty() ? "" : ", ") + file.stem().string();
   return robotlink::failure(
       "sim.scene", "there is no scene '" + name + "': give a file, or one of " + shipped, {}, {name});
+}
+
+/// Sets where programs run.
+void applyHosting(SimArguments& arguments, bool threads) {
+  RunOptions& run = arguments.run;
+  for (const std::string& robot : arguments.ownProcesses) {
+    if (robot != kAllRobots) run.hosting.choose(robot, true);
+  }
+  if (std::ranges::find(arguments.ownProcesses, kAllRobots) != arguments.ownProcesses.end())
+    run.hosting.choose({}, true);
+  run.hosting.threads = threads;
+  run.own.memoryLimit = arguments.programMemory << 20U;
 }
 
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
@@ -281,18 +348,31 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   arguments.arcos.applyTo(arguments.run);
   if (!arguments.layout.empty()) arguments.run.layout = layoutNamed(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
-  for (const std::string& robot : arguments.ownProcesses) {
-    if (robot != kAllRobots) arguments.run.hosting.choose(robot, true);
-  }
-  if (std::ranges::find(arguments.ownProcesses, kAllRobots) != arguments.ownProcesses.end())
-    arguments.run.hosting.choose({}, true);
-  arguments.run.own.memoryLimit = arguments.programMemory << 20U;
-  arguments.run.hosting.threads = threads;
+  applyHosting(arguments, threads);
   // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
   if (arguments.listen.given()) return runListening(arguments, secondsGiven, speedGiven);
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
+}
+
+/// The options about the processes of programs.
+void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
+  sim.add_option(
+         "--executor", arguments.executor,
+         "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
+      ->check(CLI::IsMember({"lockstep", "threads"}))
+      ->capture_default_str();
+  sim.add_option(
+         "--own-process", arguments.ownProcesses,
+         "ROBOT whose program runs in a process of its own, so that a crash of it harms nothing else; "
+         "'all' for each robot")
+      ->delimiter(',')
+      ->type_name("ROBOT|all");
+  sim.add_option("--program-memory", arguments.programMemory,
+                 "How much memory a program in a process of its own may allocate, MiB; 0: no limit")
+      ->check(numberFrom(0, 1 << 20))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -313,21 +393,7 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--layout", arguments->layout,
                   "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
-  sim->add_option(
-         "--executor", arguments->executor,
-         "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
-      ->check(CLI::IsMember({"lockstep", "threads"}))
-      ->capture_default_str();
-  sim->add_option(
-         "--own-process", arguments->ownProcesses,
-         "ROBOT whose program runs in a process of its own, so that a crash of it harms nothing else; "
-         "'all' for each robot")
-      ->delimiter(',')
-      ->type_name("ROBOT|all");
-  sim->add_option("--program-memory", arguments->programMemory,
-                  "How much memory a program in a process of its own may allocate, MiB; 0: no limit")
-      ->check(numberFrom(0, 1 << 20))
-      ->capture_default_str();
+  addProgramOptions(*sim, *arguments);
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");
   auto* trials =
