@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "app/core/platform/ProgramTroubles.h"
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/platform/TextMessages.h"
+#include "app/core/program/LeftOverPrograms.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
@@ -40,6 +42,7 @@ namespace {
 constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
 /// A slow simulation looks for signals this often while it waits.
 constexpr std::chrono::milliseconds kLookEvery{100};
+constexpr std::chrono::hours kNoEnd{24 * 365};
 /// Stands for the names of all robots.
 constexpr char kAllRobots[] = "all";
 
@@ -52,6 +55,7 @@ struct SimArguments {
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
   std::uint64_t programMemory = 2048;                                        ///< MiB
+  double patience = std::chrono::duration<double>(kModulePatience).count();  ///< s; 0: for ever
   double seconds = 10;
   bool noNoise = false;
   bool asJson = false;
@@ -302,7 +306,7 @@ robotlink::Result<void> findScene(std::filesystem::path& scene) {
       "sim.scene", "there is no scene '" + name + "': give a file, or one of " + shipped, {}, {name});
 }
 
-/// Sets where programs run.
+/// Sets where programs run, and how long their modules may take.
 void applyHosting(SimArguments& arguments, bool threads) {
   RunOptions& run = arguments.run;
   for (const std::string& robot : arguments.ownProcesses) {
@@ -312,6 +316,9 @@ void applyHosting(SimArguments& arguments, bool threads) {
     run.hosting.choose({}, true);
   run.hosting.threads = threads;
   run.own.memoryLimit = arguments.programMemory << 20U;
+  run.patience = std::chrono::milliseconds(std::llround(1000 * arguments.patience));
+  // Somebody may look at a program in a process of its own with a debugger for any time.
+  run.own.patience = run.patience.count() > 0 ? run.patience : kNoEnd;
 }
 
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
@@ -372,6 +379,11 @@ void addProgramOptions(CLI::App& sim, SimArguments& arguments) {
   sim.add_option("--program-memory", arguments.programMemory,
                  "How much memory a program in a process of its own may allocate, MiB; 0: no limit")
       ->check(numberFrom(0, 1 << 20))
+      ->capture_default_str();
+  sim.add_option("--patience", arguments.patience,
+                 "Seconds after which a module that does not return is named, and the game goes on without "
+                 "its robot; 0: never, or with --listen after 2 s")
+      ->check(numberFrom(0, 1e6))
       ->capture_default_str();
 }
 

@@ -48,6 +48,7 @@ TEST(Robotctl, helpIsGivenAndWrongUsageIsTwo) {
   EXPECT_EQ(robotctl("fly").status, 2);
   EXPECT_EQ(robotctl("sim " + kScene + " --seconds minus").status, 2);
   EXPECT_EQ(robotctl("sim " + kScene + " --solution nonsense").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --patience -1").status, 2);
 }
 
 TEST(Robotctl, simTakesTheNameOfAShippedScene) {

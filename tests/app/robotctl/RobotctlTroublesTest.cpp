@@ -41,7 +41,7 @@ class RobotctlTroubles : public testing::Test {
   /// Starts it, sends that process a signal when `begun` was printed, and waits for the end of the
   /// simulation.
   void play(std::vector<std::string> arguments, const std::string& begun, int signal) {
-    arguments.insert(arguments.begin(), {"sim", kScene, "--own-process", "red1"});
+    arguments.insert(arguments.begin(), {"sim", kScene, "--own-process", "red1", "--patience", "0.5"});
     StartedProgram program(ROBOTCTL, folder_ / "here", arguments);
     ASSERT_TRUE(eventually([&] { return program.errors().find(begun) != std::string::npos; }))
         << program.errors();
