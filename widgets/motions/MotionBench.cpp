@@ -67,7 +67,8 @@ void MotionBench::setDocument(std::string text, const std::string& path, bool ch
   document_ = robotlink::MotionDocument(std::move(text), path);
   document_.setJoints(std::move(joints));
   undo_.clear();
-  if (changed) undo_.resetClean();
+  // An empty stack ignores clear(), also that it was marked as changed.
+  changed ? undo_.resetClean() : undo_.setClean();
   line_ = 1;
   takeChange();
   if (!frames_.empty()) setFrame(0);

@@ -313,6 +313,22 @@ class MotionEditorViewTest : public QObject {
     QCOMPARE(bench.bench().motion().name, std::string("k_head"));
   }
 
+  void aDiscardedMotionIsNotChanged() {
+    JointBench bench;
+    const auto mot = bench.folder.write("k_head.mot", robotlink::cmpackBytes(robotlink::cmpackKick()));
+    const auto wave = bench.folder.write("wave.mof", kWave);
+    QCOMPARE(bench.refusal("motion.open " + mot.string()), std::string());
+    QVERIFY(motionFiles(bench.context).changed());
+    QCOMPARE(bench.refusal("motion.discard"), std::string());
+    QVERIFY(!motionFiles(bench.context).changed());
+    for (int i = 0; i < 2; ++i) {
+      QCOMPARE(bench.refusal("motion.open " + wave.string()), std::string());
+      QVERIFY(!motionFiles(bench.context).changed());
+      QCOMPARE(bench.refusal("motion.discard"), std::string());
+      QVERIFY(!motionFiles(bench.context).changed());
+    }
+  }
+
   void aMotionOfTheRobotIsOpened() {
     JointBench bench;
     auto view = bench.open<MotionEditorView>();
