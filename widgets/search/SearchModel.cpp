@@ -26,6 +26,17 @@ void SearchModel::add(const std::vector<SearchRow>& rows) {
   }
 }
 
+void SearchModel::move(std::size_t log, robotlink::Duration by) {
+  beginResetModel();
+  for (SearchRow& row : rows_) {
+    if (row.number != log) continue;
+    row.from += by;
+    if (row.until) *row.until += by;
+  }
+  std::ranges::stable_sort(rows_, {}, &SearchRow::from);
+  endResetModel();
+}
+
 void SearchModel::setOrigin(Instant time) {
   if (origin_ == time) return;
   origin_ = time;

@@ -18,6 +18,8 @@ struct SearchRow {
   QString text;
   /// File name of the log.
   QString log;
+  /// Which of the searched logs it is.
+  std::size_t number = 0;
 };
 
 /// What a search found, as a table, in order of time. GUI thread.
@@ -30,6 +32,8 @@ class SearchModel final : public TitledModel {
   void clear();
   /// Adds rows, each at its place by time.
   void add(const std::vector<SearchRow>& rows);
+  /// Moves what was found in one of the logs, whose offset was changed by this.
+  void move(std::size_t log, robotlink::Duration by);
   const SearchRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
   const std::vector<SearchRow>& rows() const { return rows_; }
   /// The instant shown as 0 s.

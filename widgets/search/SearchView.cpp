@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
+#include <QToolButton>
 #include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
@@ -23,6 +24,8 @@ namespace widgets {
 using robotlink::Result;
 
 namespace {
+
+constexpr int kFollowInterval = 100;  // ms
 
 const ViewRegistration kSearchViewRegistration{
     {"search", QT_TRANSLATE_NOOP("View", "Search"),
@@ -40,6 +43,7 @@ SearchView::SearchView(ViewContext& context, QWidget* parent)
   keep("kind", kind_);  // condition, texts
   keep("wanted", wanted_);
   keep("columns", table_->horizontalHeader());
+  follow_.setInterval(kFollowInterval);
   tick();
 }
 
@@ -94,6 +98,7 @@ void SearchView::connectSignals() {
         showOutcome(*state_, QString::fromStdString(done.error().text), true);
     });
   }
+  connect(&follow_, &QTimer::timeout, this, &SearchView::tick);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { jumpTo(index.row()); });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) { jumpTo(index.row()); });
 }
@@ -110,12 +115,17 @@ Result<void> SearchView::search(const QString& wanted, bool isTexts) {
   wanted_->setText(wanted);
   kind_->setCurrentIndex(isTexts ? 1 : 0);
   plan_ = {{}, wanted.trimmed().toStdString(), isTexts, logs_.computation()};
-  for (const auto& log : logs_.logs()) plan_.logs.push_back({log->path, log->offset, log->robots});
+  offsets_.clear();
+  for (const auto& log : logs_.logs()) {
+    plan_.logs.push_back({log->path, log->offset, log->robots});
+    offsets_.push_back(log->offset);
+  }
   model_.clear();
   showMarks();
   isSearching_ = true;
   cancel_->setEnabled(true);
   searcher_.begin(plan_);
+  follow_.start();
   showOutcome(*state_, tr("Searching…"), false);
   return {};
 }
@@ -133,6 +143,7 @@ void SearchView::jumpTo(int row) {
 }
 
 Result<void> SearchView::go(int direction) {
+  followOffsets();
   const robotlink::Instant shown = logs_.replay().shown();
   const int at = model_.rowAt(shown);
   int row = at + 1;
@@ -152,14 +163,29 @@ void SearchView::takeNews() {
   const LogSearcher::News news = searcher_.take();
   std::vector<SearchRow> rows;
   for (const LogSearcher::Hit& hit : news.hits) {
+    const robotlink::Duration moved = offsets_[hit.log] - plan_.logs[hit.log].offset;
     const QString text = QString::fromStdString(plan_.isTexts || !hit.text.empty() ? hit.text : plan_.wanted);
-    rows.push_back({hit.from, hit.until, QString::fromStdString(hit.robot), text,
-                    QFileInfo(QString::fromStdString(plan_.logs[hit.log].path.string())).fileName()});
+    const auto until = hit.until ? std::optional(*hit.until + moved) : std::nullopt;
+    rows.push_back({hit.from + moved, until, QString::fromStdString(hit.robot), text,
+                    QFileInfo(QString::fromStdString(plan_.logs[hit.log].path.string())).fileName(),
+                    hit.log});
   }
   model_.add(rows);
   if (!rows.empty()) showMarks();
   isSearching_ = !news.isDone;
   showState(news);
+}
+
+void SearchView::followOffsets() {
+  bool isMoved = false;
+  for (std::size_t i = 0; i < plan_.logs.size(); ++i) {
+    const OpenLogs::Log* log = logs_.find(plan_.logs[i].path.string());
+    if (log == nullptr || log->offset == offsets_[i]) continue;
+    model_.move(i, log->offset - offsets_[i]);
+    offsets_[i] = log->offset;
+    isMoved = true;
+  }
+  if (isMoved) showMarks();
 }
 
 void SearchView::showState(const LogSearcher::News& news) {
@@ -201,7 +227,9 @@ void SearchView::tick() {
     showMarks();
     showOutcome(*state_, {}, false);
   }
+  followOffsets();
   if (isSearching_) takeNews();
+  if (!isSearching_ && model_.rowCount() == 0) follow_.stop();
   search_->setEnabled(isOpen);
   cancel_->setEnabled(isSearching_);
   for (QAction* action : {previous_, next_}) action->setEnabled(model_.rowCount() > 0);

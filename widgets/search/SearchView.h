@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTimer>
+#include <vector>
+
 #include "widgets/View.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/search/LogSearcher.h"
@@ -20,7 +23,7 @@ class EmptyHint;
 /// true, or for texts that match a regular expression. What the logs lack is computed as OpenLogs knows how
 /// to. A click on a hit jumps there; hits are marked in the timeline and in plots.
 ///
-/// Registered as "search". GUI thread.
+/// A search goes on and ends while the view is hidden, too. Registered as "search". GUI thread.
 class SearchView final : public View {
   Q_OBJECT
  public:
@@ -45,6 +48,8 @@ class SearchView final : public View {
   void searchTyped();
   void jumpTo(int row);
   void takeNews();
+  /// Moves hits whose logs got other offsets.
+  void followOffsets();
   /// Marks the hits in timeline and plots.
   void showMarks();
   void showState(const LogSearcher::News& news);
@@ -53,6 +58,11 @@ class SearchView final : public View {
   SearchModel model_;
   LogSearcher searcher_;
   LogSearcher::Plan plan_;
+  /// The offsets with which hits of the plan's logs are shown.
+  std::vector<robotlink::Duration> offsets_;
+  /// Runs while the view must follow something: a search, or the offsets of logs with hits. Hidden views have
+  /// no ticks.
+  QTimer follow_;
   bool isSearching_ = false;
   QComboBox* kind_ = nullptr;
   QLineEdit* wanted_ = nullptr;

@@ -114,6 +114,33 @@ class SearchViewTest : public QObject {
     QVERIFY(text && std::count(text->begin(), text->end(), '\n') == 4);
   }
 
+  void hitsMoveWithTheOffsetOfTheirLog() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 0, "models/ball.position_in_robot.x > 2");
+    log.finish(*view);
+    const SearchRow before = view->hits().row(1);
+    const auto moved = robotlink::fromSeconds(5);
+    log.status.mutable_logs(0)->set_offset(moved.count());
+    log.publish();
+    log.showTime(29);
+    QVERIFY(view->go(1));
+    QCOMPARE(log.asked().time(), (before.from + moved).time_since_epoch().count());
+    log.tick(*view);
+    QVERIFY(view->hits().row(1).from == before.from + moved);
+    QVERIFY(view->hits().row(1).until == *before.until + moved);
+    QVERIFY(TimeMarks::of(log.logs()).hits()[1].from == before.from + moved);
+  }
+
+  void aSearchEndsWhileItsViewIsHidden() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    view->hide();
+    QVERIFY(view->search(QStringLiteral("models/ball.position_in_robot.x > 2"), false));
+    QTRY_VERIFY(!view->isSearching());
+    QCOMPARE(view->hits().rowCount(), 3);
+  }
+
   void textsAreFoundByARegularExpression() {
     SearchedLog log;
     auto view = log.openView<SearchView>();
