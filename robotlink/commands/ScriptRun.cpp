@@ -5,10 +5,12 @@
 #include <cstdlib>
 #include <utility>
 
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/TextParts.h"
 #include "robotlink/commands/ScriptCondition.h"
+#include "robotlink/debugging/Streams.h"
 
 namespace robotlink {
 namespace {
@@ -36,6 +38,17 @@ std::string inSeconds(Duration duration) {
 Error inLine(Error error, const ScriptLine& line) {
   if (error.where.column > 0) error.where.column += line.column - 1;
   return error;
+}
+
+/// Why the time stands still and how it goes on, for the end of a sentence; empty if nothing is paused.
+std::string whyPaused(Session& session) {
+  const StreamStore& store = session.store();
+  const auto* replay = store.latestAs<robotcontrol::ReplayStatus>(streams::kReplay, Instant::max());
+  if (replay != nullptr) return replay->playing() ? "" : ": the log is paused; log.play lets it go on";
+  const auto* simulation =
+      store.latestAs<robotcontrol::SimulationStatus>(streams::kSimulation, Instant::max());
+  if (simulation == nullptr || simulation->running()) return "";
+  return ": the simulation is paused; simulation.start lets it go on";
 }
 
 std::string withValues(std::string text, const std::string& values) {
@@ -191,7 +204,8 @@ Result<void> ScriptRun::begin(const std::string& line, Instant now) {
       waits_ = Waits::kCondition;
       break;
     case ScriptLine::Kind::kWait:
-      timeBegan_ = timeSeen_ = workbench_.session.timeline().newest();
+      timePassed_ = Duration(0);
+      timeSeen_ = workbench_.session.timeline().newest();
       waits_ = Waits::kTime;
       break;
     case ScriptLine::Kind::kAssert:
@@ -274,15 +288,17 @@ Result<bool> ScriptRun::isConditionMet(Instant now) {
 
 Result<bool> ScriptRun::hasTimePassed(Instant now) {
   const Instant time = workbench_.session.timeline().newest();
-  if (time < timeSeen_) timeBegan_ = time;  // a reset, or another place of a log
+  // Steps back are a reset, or another place of a log, such as the begin of a loop.
+  if (time > timeSeen_) timePassed_ += time - timeSeen_;
   if (time != timeSeen_) movedAt_ = now;
   timeSeen_ = time;
-  if (seconds(time - timeBegan_) >= line_.seconds) return true;
+  if (seconds(timePassed_) >= line_.seconds) return true;
   if (now - movedAt_ < kPatience) return false;
+  const std::string paused = whyPaused(workbench_.session);
   return failure("script.standstill", "expected " + inSeconds(fromSeconds(line_.seconds)) +
                                           " to pass, but the time has stood still at " +
                                           inSeconds(workbench_.session.timeline().sinceOrigin(time)) +
-                                          " for " + inSeconds(kPatience));
+                                          " for " + inSeconds(kPatience) + paused);
 }
 
 }  // namespace robotlink

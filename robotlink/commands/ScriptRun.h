@@ -116,8 +116,9 @@ class ScriptRun {
   Waits waits_ = Waits::kNothing;
   /// When it began, and until when the session's time was seen to go on.
   Instant began_, movedAt_;
-  /// In the session's time: when kTime began, and the newest that was seen.
-  Instant timeBegan_, timeSeen_;
+  /// In the session's time: what has passed since kTime began, and the newest that was seen.
+  Duration timePassed_{0};
+  Instant timeSeen_;
   std::unique_ptr<ScriptCondition> condition_;
   /// Whether a command runs, or the handler of an answer to it, whose requests are listed.
   bool isListing_ = false;

@@ -273,6 +273,41 @@ TEST_F(ScriptRunTest, aTimeThatStandsStillFailsTheLine) {
   EXPECT_EQ(failure(), "a.script:1: expected 5 s to pass, but the time has stood still at 5 s for 30 s");
 }
 
+TEST_F(ScriptRunTest, whatIsPausedIsSaidWithHowItGoesOn) {
+  auto simulation = std::make_shared<robotcontrol::SimulationStatus>();
+  push("simulation", simulation, 4s);
+  session_.tick();
+  run("wait 5");
+  tick(30s);
+  EXPECT_THAT(failure(), HasSubstr("for 30 s: the simulation is paused; simulation.start lets it go on"));
+  push("replay", std::make_shared<robotcontrol::ReplayStatus>(), 4s);
+  session_.tick();
+  run("wait 5");
+  tick(30s);
+  EXPECT_THAT(failure(), HasSubstr("for 30 s: the log is paused; log.play lets it go on"));
+  auto playing = std::make_shared<robotcontrol::ReplayStatus>();
+  playing->set_playing(true);
+  push("replay", playing, 4s);
+  session_.tick();
+  run("wait 5");
+  tick(30s);
+  EXPECT_THAT(failure(), testing::EndsWith("for 30 s"));
+}
+
+TEST_F(ScriptRunTest, loopsOfALogCountAsTimeThatPasses) {
+  pushBall(1, 4s);
+  session_.tick();
+  run("wait 3\nsay done");
+  for (const Duration time : std::initializer_list<Duration>{6s, 4s, 4500ms}) {
+    pushBall(1, time);
+    tick();
+    EXPECT_THAT(said_, IsEmpty());
+  }
+  pushBall(1, 5s);
+  tick();
+  EXPECT_THAT(said_, ElementsAre("done"));
+}
+
 TEST_F(ScriptRunTest, aFileIsIncludedFromBesideTheOneThatIncludesIt) {
   folder_.write("parts/b.script", "say $x\nset y 2\ninclude c.script\n");
   folder_.write("parts/c.script", "say $folder");
