@@ -46,10 +46,21 @@ QString takeBehind(QString& text, const char* separator) {
   return behind;
 }
 
-/// Whether it is an expression that uses values, rather than the name of a stream.
-bool isExpression(const std::string& text) {
-  const auto parsed = robotlink::Expression::parse(text);
-  return parsed && !parsed->inputs().empty();
+/// Reads what has no sign: an expression that is nothing but one value is that value, whose unit is known;
+/// what uses no value is the name of a stream.
+void readUnmarked(const std::string& text, const std::vector<std::string>& streams, PlotSource& source) {
+  const auto parsed = robotlink::Expression::parse(text, streams);
+  if (!parsed || parsed->inputs().empty()) {
+    source.stream = text;
+    return;
+  }
+  const robotlink::ExpressionInput& first = parsed->inputs().front();
+  if (text == first.stream + '.' + first.path.text()) {
+    source.stream = first.stream;
+    source.field = first.path.text();
+  } else {
+    source.expression = text;
+  }
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -78,16 +89,34 @@ PlotSource PlotSource::fromText(const QString& text) {
   }
   const int colon = rest.indexOf(QLatin1String(kBeforeField));
   const bool hasField = colon >= 0 && !rest.contains(QLatin1Char('?'));
-  if (!hasField && isExpression(rest.toStdString())) {
-    source.expression = rest.toStdString();
-  } else if (hasField) {
+  if (hasField) {
     source.stream = rest.left(colon).toStdString();
     source.field = rest.mid(colon + static_cast<int>(std::strlen(kBeforeField))).toStdString();
   } else {
-    source.stream = rest.toStdString();
+    readUnmarked(rest.trimmed().toStdString(), {}, source);
   }
   return source;
 }
+
+namespace {
+
+/// Names the stream of a value as it is known: as one of `robot`, or with dots in its name.
+void completeStream(PlotSource& source, const std::string& robot, const std::vector<std::string>& streams,
+                    const std::vector<std::string>& known) {
+  if (contains(streams, source.stream)) return;
+  if (!source.field.empty()) {
+    PlotSource again{};
+    readUnmarked(source.stream + '.' + source.field, known, again);
+    if (contains(known, again.stream)) {
+      source.stream = again.stream;
+      source.field = again.field;
+    }
+  }
+  const std::string full = robot + '/' + source.stream;
+  if (!contains(streams, source.stream) && contains(streams, full)) source.stream = full;
+}
+
+}  // namespace
 
 robotlink::Result<PlotSource> completed(PlotSource source, const std::string& robot,
                                         const std::vector<std::string>& streams,
@@ -95,12 +124,14 @@ robotlink::Result<PlotSource> completed(PlotSource source, const std::string& ro
   if (source.isEmpty()) return robotlink::failure("plots.empty", "the text names no value");
   if (const auto filter = robotlink::PointFilter::parse(source.filter); !filter)
     return tl::unexpected(filter.error());
-  if (!source.expression.empty()) {
-    std::vector<std::string> known = streams;
-    for (const std::string& stream : streams) {
-      if (const std::string of = robotPart(stream); contains(robots, of))
-        known.push_back(stream.substr(of.size() + 1));
-    }
+  std::vector<std::string> known = streams;
+  for (const std::string& stream : streams) {
+    if (const std::string of = robotPart(stream); contains(robots, of))
+      known.push_back(stream.substr(of.size() + 1));
+  }
+  if (source.expression.empty()) {
+    completeStream(source, robot, streams, known);
+  } else {
     const auto parsed = robotlink::Expression::parse(source.expression, known);
     if (!parsed) return tl::unexpected(parsed.error());
     if (parsed->inputs().empty())

@@ -42,12 +42,12 @@ struct PlotSource {
   /// " over red1/models/ball: position.x" behind it.
   QString text() const;
   /// The inverse of text(), without the type. A text that is an expression with values is one without the =,
-  /// too.
+  /// too, unless it is nothing but one value: that is a stream and its field.
   static PlotSource fromText(const QString& text);
 };
 
-/// Completes a source that users wrote: streams in its expressions that are named without a robot are those
-/// of `robot`, if it has them. `streams` and `robots` are all that are known. Fails if an expression or a
+/// Completes a source that users wrote: streams that are named without a robot are those of `robot`, if it
+/// has them. `streams` and `robots` are all that are known. Fails if an expression or a
 /// filter is wrong.
 robotlink::Result<PlotSource> completed(PlotSource source, const std::string& robot,
                                         const std::vector<std::string>& streams,

@@ -56,7 +56,7 @@ class PlotsView final : public View {
   /// picture of the plots (.png, .svg).
   robotlink::Result<void> saveTo(const QString& file) override;
   /// removeCurve() and clear() remove one or all curves; removeCurve() returns false if there is none by this
-  /// PlotSource::text().
+  /// text, which is completed as by addCurve().
   bool removeCurve(const QString& source);
   void clear();
   /// Draws a curve as a strip of states, or as a curve. False if there is none by this text.
@@ -89,6 +89,10 @@ class PlotsView final : public View {
   void connectSignals();
   void connectCanvas();
   void connectExports();
+  /// The source that a text of the user means; fails if something is wrong with it.
+  robotlink::Result<PlotSource> sourceOf(const QString& text) const;
+  /// The row of the curve that a text of the user means; -1: there is none.
+  int rowOf(const QString& text) const;
   /// Adds the sources that are selected in the tree.
   void addSelected();
   /// The curves that are selected in the legend.

@@ -47,15 +47,27 @@ void PlotsView::addSelected() {
   }
 }
 
-robotlink::Result<void> PlotsView::addCurve(const QString& text) {
+robotlink::Result<PlotSource> PlotsView::sourceOf(const QString& text) const {
   PlotSource written = PlotSource::fromText(text);
   std::set<std::string> streams;
-  if (!written.expression.empty() || !written.across.empty()) {
+  const bool isKnown = session().store().find(written.stream) != nullptr;
+  if (!isKnown || !written.across.empty()) {
     for (const PlotChoice& choice : choices()) streams.insert(choice.source.stream);
     for (const auto* stream : session().store().streams()) streams.insert(stream->path);
   }
-  const auto source = completed(std::move(written), session().selectedRobot(),
-                                {streams.begin(), streams.end()}, session().robots());
+  return completed(std::move(written), session().selectedRobot(), {streams.begin(), streams.end()},
+                   session().robots());
+}
+
+int PlotsView::rowOf(const QString& text) const {
+  const int row = curves().indexOf(text);
+  if (row >= 0) return row;
+  const auto source = sourceOf(text);
+  return source ? curves().indexOf(source->text()) : -1;
+}
+
+robotlink::Result<void> PlotsView::addCurve(const QString& text) {
+  const auto source = sourceOf(text);
   if (!source) return tl::unexpected(source.error());
   if (!curves_.add(*source)) {
     const std::string name = source->text().toStdString();
@@ -72,7 +84,8 @@ void PlotsView::addExpression() {
   const QString typed = expression_->text().trimmed();
   if (typed.isEmpty()) return;
   const bool isMarked = typed.startsWith(QLatin1Char('='));
-  const auto added = addCurve(isMarked ? typed : QStringLiteral("= ") + typed);
+  const bool isOneValue = !PlotSource::fromText(typed).field.empty();
+  const auto added = addCurve(isMarked || isOneValue ? typed : QStringLiteral("= ") + typed);
   if (added) {
     state_->setText({});
     return expression_->clear();
@@ -84,7 +97,7 @@ void PlotsView::addExpression() {
 }
 
 bool PlotsView::removeCurve(const QString& source) {
-  const auto row = curves().indexOf(source);
+  const int row = rowOf(source);
   if (row < 0) return false;
   curves_.remove(row);
   dirty_ = true;
@@ -162,7 +175,7 @@ void PlotsView::changeAxis() {
 }
 
 bool PlotsView::setStrip(const QString& source, bool on) {
-  const auto row = curves().indexOf(source);
+  const int row = rowOf(source);
   if (row < 0) return false;
   curves_.curves()[static_cast<std::size_t>(row)]->asStrip = on;
   dirty_ = true;

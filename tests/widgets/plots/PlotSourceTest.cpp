@@ -87,6 +87,18 @@ TEST(PlotSource, aTextWithValuesIsAnExpressionAlsoWithoutItsSign) {
   EXPECT_FALSE(read("plots/age").isEmpty());
 }
 
+TEST(PlotSource, aTextThatIsOneValueIsItsStreamAndField) {
+  EXPECT_EQ(read("red1/models/ball.age"), read("red1/models/ball: age"));
+  EXPECT_EQ(read("red1/models/ball.age | derivative"), read("red1/models/ball: age | derivative"));
+  EXPECT_EQ(read("red1/joints/states.joints[headPan].position").field, "joints[headPan].position");
+  EXPECT_EQ(read("= red1/models/ball.age").expression, "red1/models/ball.age") << "as in saved layouts";
+  EXPECT_EQ(complete("models/ball.age")->text(), QStringLiteral("red1/models/ball: age"));
+  EXPECT_EQ(complete("models/ball: age")->text(), QStringLiteral("red1/models/ball: age"));
+  EXPECT_EQ(complete("blue1/models/ball.age")->stream, "blue1/models/ball");
+  const auto dotted = completed(read("red1/my.topic.x"), "red1", {"red1/my.topic"}, {"red1"});
+  EXPECT_EQ(dotted->text(), QStringLiteral("red1/my.topic: x"));
+}
+
 TEST(PlotSource, theTypeIsNotCompared) {
   PlotSource a{"red1/models/ball", "age", "robotcontrol.BallModel"}, b{"red1/models/ball", "age"};
   EXPECT_EQ(a, b);
@@ -196,7 +208,7 @@ TEST(PlotReader, valuesEndWithTheLogThatHadThem) {
 }
 
 TEST(PlotReader, readsStreamsWhoseNamesBeginWithASlash) {
-  EXPECT_EQ(PlotSource::fromText(QStringLiteral("/odom.pose.x")).expression, "/odom.pose.x");
+  EXPECT_EQ(PlotSource::fromText(QStringLiteral("/odom.pose.x")).stream, "/odom");
   EXPECT_EQ(PlotReader(read("/odom.pose.x")).streams(), std::vector<std::string>{"/odom"});
 }
 

@@ -48,6 +48,24 @@ QString textOf(const char* text) {
 class PlotsSourcesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void aCurveIsRemovedByWhatAddedIt() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushBall(bench, 1, 3, 4);
+    bench.tick(*view);
+    for (const char* text : {"models/ball.position_in_robot.x", "red1/models/ball.position_in_robot.x",
+                             "= 2 * models/ball.position_in_robot.x"}) {
+      QVERIFY(view->addCurve(textOf(text)));
+      QVERIFY(view->removeCurve(textOf(text)));
+      QCOMPARE(view->curves(), QStringList());
+    }
+    QVERIFY(view->addCurve(textOf("models/ball.position_in_robot.x")));
+    bench.tick(*view);
+    QCOMPARE(view->curves(), QStringList(textOf("red1/models/ball: position_in_robot.x")));
+    QCOMPARE(legendCell(*view, 0, CurveModel::kUnit), QStringLiteral("m"));
+    QVERIFY(!view->removeCurve(textOf("models/ball.position_in_robot.y")));
+  }
+
   void anExpressionThatIsTypedIsACurve() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
