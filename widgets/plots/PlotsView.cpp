@@ -286,6 +286,15 @@ void PlotsView::draw() {
   isSpectrumOld_ = true;
 }
 
+void PlotsView::followSession(double origin) {
+  const std::pair begin(session().store().generation(), origin);
+  if (sessionBegin_ && *sessionBegin_ != begin) {
+    follow_->setChecked(true);
+    dirty_ = true;
+  }
+  sessionBegin_ = begin;
+}
+
 void PlotsView::tick() {
   listSources();
   requestMissing();
@@ -294,6 +303,7 @@ void PlotsView::tick() {
   const double origin = robotlink::seconds(session().timeline().origin());
   canvas_->setOrigin(origin);
   curves_.setOrigin(origin);
+  followSession(origin);
   const bool empty = curves_.rowCount() == 0;
   hint_->setHint(!empty ? QString()
                  : sources_.rowCount() == 0

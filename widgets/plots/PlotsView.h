@@ -135,6 +135,8 @@ class PlotsView final : public View {
   void unfoldAgain(const QModelIndex& parent, const std::set<QString>& unfolded);
   /// Requests the debug keys of curves whose source is not published, each once.
   void requestMissing();
+  /// Goes back to the session's time when another log or simulation begins: the old times are not in it.
+  void followSession(double origin);
   /// Lets the curves of open logs be read, and says how far that is.
   void followLogs();
   /// Requests the debug key of a stream of a curve, once.
@@ -201,6 +203,8 @@ class PlotsView final : public View {
   /// What decides about what the tree shows: versions of the store's list of streams and of the open logs,
   /// and the tables of debug keys.
   std::tuple<std::uint64_t, std::uint64_t, std::vector<robotlink::PackagePtr>> listed_{};
+  /// Generation of the store and origin in s, in the last tick.
+  std::optional<std::pair<std::uint64_t, double>> sessionBegin_;
   /// The texts and reasons that the tree shows.
   std::vector<std::pair<QString, QString>> shownChoices_;
   /// The folders and streams that the user has unfolded.

@@ -314,6 +314,25 @@ class PlotsViewTest : public QObject {
     QVERIFY(QGuiApplication::clipboard()->image().width() > 100);
   }
 
+  void theTimeAxisFollowsAnotherLog() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    pushPlot(bench, 2, 0.75);
+    view->addCurve(QString::fromLatin1(kPlot));
+    picture(bench, *view);
+    click(child<QToolButton>(*view, "plotsFit"));
+    auto& canvas = *view->findChild<widgets::PlotCanvas*>();
+    picture(bench, *view);
+    QVERIFY(canvas.shownTimes().second < 3);
+    bench.session.restart();
+    bench.session.timeline().setOrigin(robotlink::Instant(std::chrono::seconds(1000)));
+    pushPlot(bench, 1000, 0.5);
+    pushPlot(bench, 1001, 0.75);
+    picture(bench, *view);
+    QCOMPARE(canvas.shownTimes().second, 1001.0);
+  }
+
   void exportedTimesCountFromTheOriginAsThoseOfThePlot() {
     Bench bench;
     const TestFolder folder;
