@@ -22,7 +22,7 @@ using google::protobuf::Message;
 
 constexpr double kSecondsPerNanosecond = 1e-9;
 constexpr char kElementExpected[] =
-    "expected an index or a choice, as in joints[3] or joints[name=\"head.pan\"]";
+    "expected an index or a choice, as in joints[3] or joints[name=\"headPan\"]";
 
 tl::unexpected<Error> wrong(std::string id, std::string text, int column) {
   return failure(std::move(id), std::move(text), {"", 0, column});
@@ -206,6 +206,22 @@ Result<void> FieldPath::fits(const Descriptor& type) const {
 }
 
 std::optional<FieldValue> FieldPath::valueIn(const Message& message) const {
+  const Step* missing = nullptr;
+  return valueIn(message, missing);
+}
+
+std::string FieldPath::missingElement(const Message& message) const {
+  const Step* missing = nullptr;
+  static_cast<void>(valueIn(message, missing));
+  if (missing == nullptr) return {};
+  if (const int* index = std::get_if<int>(&missing->element))
+    return missing->field + " has no element " + std::to_string(*index);
+  const auto& selector = std::get<Selector>(missing->element);
+  if (selector.field == "name") return "no element is named " + selector.value;
+  return "no element has the " + selector.field + ' ' + selector.value;
+}
+
+std::optional<FieldValue> FieldPath::valueIn(const Message& message, const Step*& missing) const {
   const Message* here = &message;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& step = steps_[i];
@@ -225,7 +241,10 @@ std::optional<FieldValue> FieldPath::valueIn(const Message& message) const {
       } else {
         element = elementOf(*here, *field, std::get<Selector>(step.element));
       }
-      if (element < 0 || element >= size) return std::nullopt;
+      if (element < 0 || element >= size) {
+        missing = &step;
+        return std::nullopt;
+      }
     } else if (!std::holds_alternative<std::monostate>(step.element) ||
                (field->has_presence() && !reflection.HasField(*here, field))) {
       return std::nullopt;

@@ -30,8 +30,8 @@ struct FieldValue {
 };
 
 /// The way from a message to one of its values, as people write it: `position.x`, `joints[3].speed`,
-/// `joints[-1].speed` (the last one), `joints[name="head.pan"].position` (the first one with that name; in
-/// short `joints[head.pan].position`). A plain value, which fits any type that has these fields.
+/// `joints[-1].speed` (the last one), `joints[name="headPan"].position` (the first one with that name; in
+/// short `joints[headPan].position`). A plain value, which fits any type that has these fields.
 class FieldPath {
  public:
   /// Parses a path; FilePosition::column of errors counts from 1 in `text`.
@@ -42,6 +42,9 @@ class FieldPath {
   /// The value in a message. Empty if it has no such element, or if a field with presence is not set; also if
   /// the path does not fit the message's type.
   std::optional<FieldValue> valueIn(const google::protobuf::Message& message) const;
+  /// In words, which element of a list a message does not have: "no element is named headPan". Empty: it has
+  /// all on the way.
+  std::string missingElement(const google::protobuf::Message& message) const;
   /// As it was written.
   const std::string& text() const { return text_; }
   bool operator==(const FieldPath& other) const { return text_ == other.text_; }
@@ -59,6 +62,8 @@ class FieldPath {
     int column = 1;
   };
 
+  /// The value; `missing` is set to the step whose element is not there.
+  std::optional<FieldValue> valueIn(const google::protobuf::Message& message, const Step*& missing) const;
   /// The index of the first such element; -1: there is none.
   static int elementOf(const google::protobuf::Message& message,
                        const google::protobuf::FieldDescriptor& list, const Selector& selector);

@@ -13,7 +13,7 @@ class Message;
 namespace robotlink {
 
 // Lists of the numbers in messages of any type, for plots, as paths that FieldPath reads:
-// "position_in_robot.x", "joints[3].position" or, for elements with a name, "joints[head.pan].position". Any
+// "position_in_robot.x", "joints[3].position" or, for elements with a name, "joints[headPan].position". Any
 // thread.
 
 /// What is listed; bools, enumerations and times are numbers.

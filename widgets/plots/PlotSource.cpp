@@ -227,10 +227,30 @@ std::optional<double> PlotReader::valueOf(const robotlink::StreamMessage& messag
 }
 
 QString PlotReader::problem(const robotlink::StreamStore& store) const {
-  if (!source_.expression.empty()) return problem_;
-  if (store.find(source_.stream) != nullptr) return {};
+  if (!source_.expression.empty()) return problem_.isEmpty() && !last_ ? missingValue(store) : problem_;
+  if (store.find(source_.stream) != nullptr) return last_ ? QString() : missingField(store);
   return QCoreApplication::translate("PlotReader", "nothing is published on %1")
       .arg(QString::fromStdString(source_.stream));
+}
+
+QString PlotReader::missingField(const robotlink::StreamStore& store) const {
+  const auto* message = store.latest(source_.stream, robotlink::Instant::max());
+  if (message == nullptr || !path_) return {};
+  if (const auto fits = path_->fits(*message->value->GetDescriptor()); !fits)
+    return QString::fromStdString(fits.error().text);
+  return QString::fromStdString(path_->missingElement(*message->value));
+}
+
+QString PlotReader::missingValue(const robotlink::StreamStore& store) const {
+  const auto parsed = robotlink::Expression::parse(source_.expression, streams_);
+  if (!parsed) return {};
+  for (const auto& input : parsed->inputs()) {
+    const auto* message = store.latest(input.stream, robotlink::Instant::max());
+    if (message == nullptr) continue;
+    if (const std::string missing = input.path.missingElement(*message->value); !missing.empty())
+      return QString::fromStdString(missing);
+  }
+  return {};
 }
 
 PlotReader::News PlotReader::take(const robotlink::StreamStore& store) {

@@ -111,6 +111,9 @@ class PlotReader {
   QString unit() const { return unit_; }
 
  private:
+  /// Why the messages that are there have no value: of a field, of an expression. Empty: they have.
+  QString missingField(const robotlink::StreamStore& store) const;
+  QString missingValue(const robotlink::StreamStore& store) const;
   std::optional<double> valueOf(const robotlink::StreamMessage& message);
   /// The number of a value, whose name is remembered.
   std::optional<double> numberOf(const std::optional<robotlink::FieldValue>& value);

@@ -58,6 +58,15 @@ TEST(FieldPath, leadsToNumbersInMessagesAndLists) {
   EXPECT_EQ(number("data", image), 5);
 }
 
+TEST(FieldPath, anElementThatIsNotThereIsNamed) {
+  const auto missing = [](const char* path) { return FieldPath::parse(path)->missingElement(jointStates()); };
+  EXPECT_EQ(missing("joints[headPan].position"), "no element is named headPan");
+  EXPECT_EQ(missing("joints[position=\"7\"].position"), "no element has the position 7");
+  EXPECT_EQ(missing("joints[3].position"), "joints has no element 3");
+  EXPECT_EQ(missing("joints[head.pan].position"), "");
+  EXPECT_EQ(missing("timestamp"), "");
+}
+
 TEST(FieldPath, bracketsInAQuotedTextBelongToIt) {
   EXPECT_EQ(number("joints[name=\"head]\"\"].position", jointStates()), 3);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/session/Session.h"
@@ -174,6 +175,24 @@ TEST(PlotReader, skipsMessagesWithoutTheField) {
   published.pushBall(1, 0.5);
   EXPECT_TRUE(reader.take(published.session.store()).points.empty());
   EXPECT_FALSE(reader.last().has_value());
+}
+
+TEST(PlotReader, saysWhichElementIsNotThere) {
+  foxglove::JointStates states;
+  states.add_joints()->set_name("headPan");
+  for (const char* source : {"red1/joints/states: joints[head.pan].position",
+                             "= 2 * red1/joints/states.joints[head.pan].position"}) {
+    Published published;
+    PlotReader reader(read(source));
+    published.push("red1/joints/states", 1, states);
+    EXPECT_TRUE(reader.take(published.session.store()).points.empty());
+    EXPECT_EQ(reader.problem(published.session.store()), QStringLiteral("no element is named head.pan"));
+  }
+  Published published;
+  PlotReader reader(read("red1/joints/states: joints[headPan].angle"));
+  published.push("red1/joints/states", 1, states);
+  EXPECT_TRUE(reader.take(published.session.store()).points.empty());
+  EXPECT_TRUE(reader.problem(published.session.store()).contains(QStringLiteral("no field angle")));
 }
 
 TEST(PlotReader, computesExpressionsOfTheNewestValues) {
