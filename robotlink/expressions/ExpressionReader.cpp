@@ -79,6 +79,13 @@ class Reader {
     return {};
   }
 
+  /// Whether a comparison of equality stands before this place.
+  bool isCompared() const {
+    std::string_view before = text_.substr(0, at_);
+    while (before.ends_with(' ')) before.remove_suffix(1);
+    return before.ends_with("==") || before.ends_with("!=");
+  }
+
   Result<void> word() {
     std::size_t end = at_ + (at(at_) == '/' ? 1 : 0);
     while (isNameCharacter(at(end)) || ((at(end) == '/' || at(end) == '-') && isNameCharacter(at(end + 1))))
@@ -91,6 +98,11 @@ class Reader {
     const bool isConstant =
         std::find(std::begin(kConstants), std::end(kConstants), name) != std::end(kConstants);
     if (at(after) != '(' && !isConstant) {
+      if (isCompared()) {
+        return wrong("'" + std::string(name) + "' is no value; a text stands in quotation marks: \"" +
+                         std::string(name) + '"',
+                     at_);
+      }
       return wrong("'" + std::string(name) +
                        "' is neither a function nor a value: values are written STREAM.FIELD, as in "
                        "models/ball.position.x; spaces stand around / and - between values",

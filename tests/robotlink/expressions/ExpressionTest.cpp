@@ -103,7 +103,8 @@ TEST(Expression, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(refusal("a.x = 1").where.column, 5);
   EXPECT_THAT(refusal("ball > 1").text, HasSubstr("STREAM.FIELD"));
   EXPECT_THAT(refusal("1, 2").text, HasSubstr("commas"));
-  EXPECT_THAT(refusal("a.state == RUNNING").text, HasSubstr("'RUNNING'"));
+  EXPECT_THAT(refusal("a.state == RUNNING").text, HasSubstr("in quotation marks: \"RUNNING\""));
+  EXPECT_EQ(refusal("a.state == RUNNING").where.column, 12);
   EXPECT_EQ(refusal("\"a\" == b.x").where.column, 1);
   EXPECT_EQ(refusal("b.x == \"a").where.column, 8);
   EXPECT_THAT(refusal("b.x =~ \"(\"").text, HasSubstr("no regular expression"));
