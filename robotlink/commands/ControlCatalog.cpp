@@ -39,7 +39,8 @@ Rows jointRows() {
        "Turns a joint of the robot that was taken over; it holds the others where they are until it walks, "
        "plays "
        "or stands",
-       {{"joint", Type::kText, "its name, as in the view Joints: legFL1"}, {"angle", Type::kNumber, "rad"}}},
+       {{"joint", Type::kText, "its name, as in the view Joints: legFL1"},
+        {"angle", Type::kNumber, "rad, while the view shows degrees"}}},
       {"joints.limp",
        "Releases all joints of the robot that was taken over, so that it is posed by hand, or lets them hold",
        {{"on", Type::kBool, "off: they hold where they are", true}}},

@@ -79,8 +79,8 @@ std::optional<double> JointRow::error() const {
 }
 
 JointsModel::JointsModel(QObject* parent)
-    : RowModel({tr("Joint"), tr("Requested"), tr("Measured"), tr("Error"), tr("Speed"), tr("Load"),
-                tr("Limits"), tr("Position"), tr("Last 5 s")},
+    : RowModel({tr("Joint"), tr("Requested, °"), tr("Measured, °"), tr("Error, °"), tr("Speed, °/s"),
+                tr("Load, N m"), tr("Limits, °"), tr("Position"), tr("Last 5 s")},
                parent) {}
 
 void JointsModel::show(const robotlink::RobotDescription* robot, const std::string& name,

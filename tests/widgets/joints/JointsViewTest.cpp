@@ -38,6 +38,8 @@ class JointsViewTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 3);
     QCOMPARE(cellOf(*view, 1, JointsModel::kName), QStringLiteral("legFL1"));
     QCOMPARE(cellOf(*view, 1, JointsModel::kRequested), QStringLiteral("32.0"));
+    QCOMPARE(table.model()->headerData(JointsModel::kSpeed, Qt::Horizontal).toString(),
+             QStringLiteral("Speed, °/s"));
     QCOMPARE(cellOf(*view, 1, JointsModel::kMeasured), QStringLiteral("30.0"));
     QCOMPARE(cellOf(*view, 1, JointsModel::kError), QStringLiteral("2.0"));
     QCOMPARE(cellOf(*view, 1, JointsModel::kSpeed), QStringLiteral("28.6"));
