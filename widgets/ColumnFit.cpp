@@ -34,6 +34,7 @@ int comfortableWidth(const ColumnNeed& column, int room) {
 int leastWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
   if (column.kind == ColumnKind::kText) return kMinTextWidth;
+  if (column.kind == ColumnKind::kTitledNumber) return comfortableWidth(column, room);
   const int title = column.kind == ColumnKind::kName ? kMinNameTitle : kMinTitle;
   return std::min(std::max(column.contents, std::min(column.title, title)), comfortableWidth(column, room));
 }

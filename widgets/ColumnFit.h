@@ -21,6 +21,8 @@ enum class ColumnKind : std::uint8_t {
   kName,
   /// Short: the contents are shown whole; the title is cut first.
   kNumber,
+  /// The same, but told apart by its title, such as that of a joint: both are shown whole.
+  kTitledNumber,
   /// A text of any length: gets the room that the others leave, and is cut.
   kText,
 };
@@ -37,8 +39,9 @@ struct ColumnNeed {
 };
 
 /// Returns the widths of columns that share `room` pixels. Together they fill it. They exceed it, so that the
-/// table must be scrolled, only if names and the contents of numbers need more. A single name gets at most
-/// three quarters of the room. Numbers alone do not fill it: they are as wide as they need. A pure function.
+/// table must be scrolled, only if names, titled numbers and the contents of numbers need more. A single name
+/// gets at most three quarters of the room. Numbers alone do not fill it: they are as wide as they need. A
+/// pure function.
 std::vector<int> fittedWidths(const std::vector<ColumnNeed>& columns, int room);
 
 /// Keeps the columns of a table or tree fitted while its size and contents change. Columns that the user has

@@ -85,6 +85,13 @@ class ColumnFitTest : public QObject {
     QCOMPARE(fittedWidths({{kName, 60, 120}, {kNumber, 90, 0}}, 160)[1], 40);
   }
 
+  void titledNumbersKeepTheirTitlesAtAnyWidth() {
+    const ColumnNeed joint{kTitledNumber, 60, 30};
+    QCOMPARE(fittedWidths({joint, joint, joint}, 90), (std::vector<int>{60, 60, 60}));
+    QCOMPARE(fittedWidths({joint, {kNumber, 60, 30}}, 100), (std::vector<int>{60, 40}));
+    QCOMPARE(fittedWidths({joint, joint}, 400), (std::vector<int>{60, 60}));
+  }
+
   void aVeryLongNameLeavesAQuarterToTheOthers() {
     const ColumnNeed number{kNumber, 50, 40}, name{kName, 60, 2000};
     QCOMPARE(fittedWidths({name, number, number, number}, 400)[0], 300);

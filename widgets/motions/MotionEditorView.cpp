@@ -156,7 +156,7 @@ QWidget* MotionEditorView::createTable() {
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
                           QAbstractItemView::AnyKeyPressed);
   table_->verticalHeader()->show();
-  new ColumnFit(*table_, ColumnKind::kNumber);
+  new ColumnFit(*table_, ColumnKind::kTitledNumber);
   return table_;
 }
 
