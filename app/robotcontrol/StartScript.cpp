@@ -2,6 +2,7 @@
 #include "app/robotcontrol/StartScript.h"
 
 #include <QTimerEvent>
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -22,6 +23,9 @@ constexpr int kScriptTickMs = 20;
 /// So long a program may take to report its tasks after it was opened, also on a busy machine; those of logs
 /// that are only watched never do.
 constexpr std::chrono::seconds kTablesLimit(10), kTablesLimitOfLogs(1);
+
+/// So long the robots at the addresses of the command line may take to be connected.
+constexpr std::chrono::seconds kRobotsLimit(10);
 
 /// Whether something opens, or the selected robot's program has not reported all of its tasks yet: until then
 /// commands about these would be refused.
@@ -61,7 +65,7 @@ StartScript::StartScript(Workbench& workbench, Options options, QObject* parent)
 }
 
 void StartScript::timerEvent(QTimerEvent* event) {
-  if (workbench_.loading() && !hasStarted_) return;
+  if (!hasStarted_ && (workbench_.loading() || awaitsRobots())) return;
   if (!std::exchange(hasStarted_, true)) unopened_ = workbench_.takeOpeningErrors();
   run_.tick(clock_.now());
   while (run_.isIdle()) {
@@ -73,6 +77,15 @@ void StartScript::timerEvent(QTimerEvent* event) {
     }
     run_.tick(clock_.now());
   }
+}
+
+bool StartScript::awaitsRobots() const {
+  if (clock_.now() - begun_ > kRobotsLimit) return false;
+  // One that refuses waits for a person, not for time to pass.
+  using Phase = robotlink::websocket::ConnectionState::Phase;
+  return std::ranges::any_of(workbench_.remote().connections(), [](const auto& connection) {
+    return connection.robots.empty() && connection.state.phase != Phase::kRefused;
+  });
 }
 
 bool StartScript::beginNext() {

@@ -16,7 +16,8 @@ class Workbench;
 /// What scripts act on in a workbench, which must outlive them.
 robotlink::ScriptRun::Workbench scriptsOf(Workbench& workbench);
 
-/// What the program does by itself at its start: it starts the simulation when that is loaded, runs the
+/// What the program does by itself at its start, once the robots elsewhere that the command line names are
+/// connected, or have had some seconds for it: it starts the simulation when that is loaded, runs the
 /// commands of the command line one after the other, and then a script. GUI thread.
 class StartScript : public QObject {
   Q_OBJECT
@@ -42,6 +43,9 @@ class StartScript : public QObject {
   void timerEvent(QTimerEvent* event) override;
 
  private:
+  /// Whether robots at the addresses of the command line are still to come, which commands may name. They are
+  /// waited for only for a while.
+  bool awaitsRobots() const;
   /// Begins what comes next, once the line before is done. Returns false if there is nothing more.
   bool beginNext();
   /// Prints why the line or script that ran last failed.
@@ -52,6 +56,7 @@ class StartScript : public QObject {
   Workbench& workbench_;
   const Options options_;
   const robotlink::SteadyClock clock_;
+  const robotlink::Instant begun_ = clock_.now();
   robotlink::ScriptRun run_;
   /// The line that runs now, for messages.
   std::string line_;

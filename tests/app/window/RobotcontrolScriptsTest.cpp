@@ -2,7 +2,10 @@
 // The real workbench runs scripts: those that are shipped, and lines that robotctl sends.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "robotlink/base/AtomicFile.h"
+#include "tests/Eventually.h"
 #include "tests/TestFolder.h"
 #include "tests/app/StartedProgram.h"
 #include "tests/app/Watch.h"
@@ -107,6 +110,24 @@ TEST_F(RobotcontrolScripts, whatCannotBeOpenedOrIsRefusedFails) {
   StartedProgram refused = started("b.script");
   EXPECT_EQ(refused.wait(), 1);
   EXPECT_THAT(refused.errors(), HasSubstr("b.script:1:1: refused: "));
+}
+
+TEST_F(RobotcontrolScripts, robotsOfTheCommandLineAreWaitedFor) {
+  std::filesystem::create_directories(folder_ / "robot/work");
+  StartedProgram robot(ROBOTCTL, folder_ / "robot/work", {"sim", "field2002", "--listen", "127.0.0.1:0"});
+  const auto url = [&] {
+    const std::string said = robot.errors();
+    const std::size_t at = said.find("ws://"), end = said.find_first_of(",\n", std::min(at, said.size()));
+    return end == std::string::npos ? std::string() : said.substr(at, end - at);
+  };
+  ASSERT_TRUE(eventually([&] { return !url().empty(); })) << robot.errors();
+  folder_.write("here/a.script", "robot.select red1\n");
+  StartedProgram workbench = started("a.script", {url()});
+  EXPECT_EQ(workbench.wait(), 0) << workbench.errors();
+  folder_.write("here/b.script", "print 1\n");
+  StartedProgram command = started("b.script", {url(), "--command", "robot.select red1"});
+  EXPECT_EQ(command.wait(), 0);
+  EXPECT_THAT(command.errors(), testing::Not(HasSubstr("there is no robot")));
 }
 
 TEST_F(RobotcontrolScripts, robotctlRunsLinesInTheRunningWorkbench) {
