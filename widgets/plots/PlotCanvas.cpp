@@ -369,6 +369,32 @@ void PlotCanvas::showGaps() {
   }
 }
 
+void PlotCanvas::setOnDisk(const std::optional<std::pair<double, double>>& times) {
+  onDisk_ = times;
+  if (hatch_ == nullptr && !times) return;
+  if (hatch_ == nullptr) {
+    hatch_ = new QCPItemRect(plot_);
+    hatch_->setLayer(QStringLiteral("background"));
+    hatch_->setPen(Qt::NoPen);
+    hatchText_ = new QCPItemText(plot_);
+    hatchText_->setText(tr("on disk; look there with the timeline"));
+    hatchText_->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+    for (QCPItemPosition* corner : {hatch_->topLeft, hatch_->bottomRight, hatchText_->position})
+      corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  }
+  hatch_->setVisible(times.has_value());
+  hatchText_->setVisible(times.has_value());
+  if (!times) return;
+  const QPalette colors = palette();
+  hatch_->setBrush(
+      QBrush(mixed(colors.color(QPalette::Base), colors.color(QPalette::Text), 0.25), Qt::BDiagPattern));
+  hatchText_->setColor(colors.color(QPalette::Text));
+  hatchText_->setFont(plot_->font());
+  hatch_->topLeft->setCoords(times->first, 0);
+  hatch_->bottomRight->setCoords(times->second, 1);
+  hatchText_->position->setCoords((times->first + times->second) / 2, 1);
+}
+
 void PlotCanvas::fitValues() {
   fitValues(*plot_->yAxis);
   fitValues(*plot_->yAxis2);
@@ -396,6 +422,7 @@ void PlotCanvas::fitTimes() {
     const QCPRange here(times->first, times->second);
     all = all ? all->expanded(here) : here;
   }
+  if (all && onDisk_) all = all->expanded(QCPRange(onDisk_->first, onDisk_->second));
   if (all && all->size() > 0) plot_->xAxis->setRange(*all);
 }
 

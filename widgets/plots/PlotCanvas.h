@@ -68,6 +68,8 @@ class PlotCanvas final : public QWidget {
   void setCursorLine(std::optional<double> time);
   /// Draws the two cursors at these times; empty: none.
   void setCursors(const std::optional<std::pair<double, double>>& times);
+  /// Hatches from when to when values are only on disk, in s; unset: nowhere. Drawn by the next refresh().
+  void setOnDisk(const std::optional<std::pair<double, double>>& times);
   /// Marks what happened when.
   void setMarkers(std::vector<PlotMarker> markers);
   /// Marks where texts are, which tool tips say, in order of time.
@@ -138,6 +140,10 @@ class PlotCanvas final : public QWidget {
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;
+  std::optional<std::pair<double, double>> onDisk_;
+  /// The plot owns them; null before something was on disk.
+  QCPItemRect* hatch_ = nullptr;
+  QCPItemText* hatchText_ = nullptr;
   std::optional<PlotLine> mark_, cursor_;
   /// The two cursors, and their names.
   std::vector<PlotLine> lines_;

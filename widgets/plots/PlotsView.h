@@ -126,6 +126,8 @@ class PlotsView final : public View {
   /// Draws paths and spectra, if there are some to be shown.
   void showPaths(double shown);
   void showSpectrum();
+  /// From when to when values of the curves are only on disk, in s; unset: nowhere.
+  std::optional<std::pair<double, double>> onDisk();
   /// Draws what is new.
   void draw();
   /// Everything that could be a curve.

@@ -30,6 +30,8 @@ struct TimeLineTrack {
   std::shared_ptr<const robotlink::Series> series = {};
   /// Why there are no values.
   QString problem = {};
+  /// From when to when there are values on disk that the series lacks, in s; unset: there are none.
+  std::optional<std::pair<double, double>> onDisk = {};
   /// How many points there are, and the time of the last one: a series changes while it is shown.
   std::size_t points = 0;
   double newest = 0;

@@ -289,6 +289,24 @@ const TimeLineTrack* trackOf(const TimeLineBand& band, const Lane& lane) {
   return found == band.tracks.end() ? nullptr : &*found;
 }
 
+/// Hatches where values are on disk that the track lacks.
+void paintOnDisk(const Canvas& canvas, const TimeLineTrack& track, const QRectF& plot) {
+  if (!track.onDisk) return;
+  const auto x = [&](double seconds) {
+    const double at = canvas.look.scale.x(Instant(robotlink::fromSeconds(seconds)));
+    return std::clamp(at, plot.left(), plot.right());
+  };
+  const QRectF part(QPointF(x(track.onDisk->first), plot.top()),
+                    QPointF(x(track.onDisk->second), plot.bottom()));
+  if (part.width() < 1) return;
+  QPainter& painter = canvas.painter;
+  painter.fillRect(part, QBrush(mixed(canvas.base(), canvas.text(), 0.25), Qt::BDiagPattern));
+  painter.setPen(canvas.text());
+  const QString text = QCoreApplication::translate("TimeLine", "on disk; look there with the timeline");
+  const QRectF inner = part.adjusted(kLaneMargin, 0, -kLaneMargin, 0);
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, canvas.elided(text, inner.width()));
+}
+
 /// A curve of the extent of the values in each column of pixels, over the whole height for what is visible.
 void paintTrack(const Canvas& canvas, const TimeLineBand& band, const Lane& lane) {
   QPainter& painter = canvas.painter;
@@ -305,6 +323,7 @@ void paintTrack(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
     return painter.drawText(plot.adjusted(kLaneMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                             canvas.elided(text, plot.width()));
   }
+  paintOnDisk(canvas, *track, plot);
   const auto seconds = [&](double x) {
     return robotlink::seconds(canvas.look.scale.time(x).time_since_epoch());
   };

@@ -9,6 +9,7 @@
 #include "widgets/Requests.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/log/ValuesOnDisk.h"
 #include "widgets/plots/LoggedCurves.h"
 
 namespace widgets {
@@ -111,6 +112,8 @@ std::vector<TimeLineTrack> TimeLineTracks::shown() const {
     } else {
       shown.series = track->live;
       shown.problem = track->reader.problem(session_.store());
+      if (!track->live->empty())
+        shown.onDisk = valuesOnDisk(session_, track->reader.streams(), track->live->front().time);
     }
     shown.points = shown.series ? shown.series->size() : 0;
     if (shown.series && !shown.series->empty()) shown.newest = shown.series->back().time;

@@ -7,12 +7,14 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QToolTip>
+#include <memory>
 
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
+#include "tests/widgets/timeline/MadeUpArchive.h"
 #include "widgets/plots/PlotTreeModel.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLineView.h"
@@ -82,6 +84,23 @@ class TimeLineTracksTest : public QObject {
     bench.tick(*view);
     QCOMPARE(values(*view)->tracks.front().points, std::size_t{101});
     QCOMPARE(values(*view)->tracks.front().series->back().value, 500.0);
+  }
+
+  void whatOfAValueIsOnlyOnDiskIsHatched() {
+    Bench bench;
+    bench.session.history().setArchive(std::make_unique<MadeUpArchive>());
+    bench.session.store().setBytes(10'000);
+    run(bench, 100);
+    auto view = bench.open<TimeLineView>();
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
+    bench.tick(*view);
+    QVERIFY(values(*view) != nullptr);
+    const TimeLineTrack& track = values(*view)->tracks.front();
+    QVERIFY(track.points < 100);
+    QVERIFY(track.onDisk.has_value());
+    QCOMPARE(track.onDisk->first, 0.1);
+    QCOMPARE(track.onDisk->second, track.series->front().time);
+    QVERIFY(!view->grab().isNull());
   }
 
   void theKeyOfWhatNobodyPublishesIsSwitchedOnOnce() {
