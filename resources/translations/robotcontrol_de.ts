@@ -1813,6 +1813,10 @@
         <source>no values here</source>
         <translation>hier keine Werte</translation>
     </message>
+    <message>
+        <source>on disk; look there with the timeline</source>
+        <translation>auf der Platte; dort mit der Zeitleiste ansehen</translation>
+    </message>
 </context>
 <context>
     <name>TrainingPanel</name>
@@ -9016,30 +9020,6 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
         <translation>Gelenk</translation>
     </message>
     <message>
-        <source>Requested</source>
-        <translation>Angefordert</translation>
-    </message>
-    <message>
-        <source>Measured</source>
-        <translation>Gemessen</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Last</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Grenzen</translation>
-    </message>
-    <message>
         <source>Position</source>
         <translation>Position</translation>
     </message>
@@ -9086,6 +9066,30 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Measured as a bar, requested as a mark, between the limits; drag it while you steer</source>
         <translation>Gemessen als Balken, angefordert als Marke, zwischen den Grenzen; bei manueller Steuerung ziehen</translation>
+    </message>
+    <message>
+        <source>Requested, °</source>
+        <translation>Angefordert, °</translation>
+    </message>
+    <message>
+        <source>Measured, °</source>
+        <translation>Gemessen, °</translation>
+    </message>
+    <message>
+        <source>Error, °</source>
+        <translation>Abweichung, °</translation>
+    </message>
+    <message>
+        <source>Speed, °/s</source>
+        <translation>Geschwindigkeit, °/s</translation>
+    </message>
+    <message>
+        <source>Load, N m</source>
+        <translation>Last, N m</translation>
+    </message>
+    <message>
+        <source>Limits, °</source>
+        <translation>Grenzen, °</translation>
     </message>
 </context>
 <context>
@@ -11082,6 +11086,10 @@ Verzeichnung %8</translation>
     <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>on disk; look there with the timeline</source>
+        <translation>auf der Platte; dort mit der Zeitleiste ansehen</translation>
     </message>
 </context>
 <context>
