@@ -17,11 +17,22 @@ namespace {
 
 using test::StuckSolution;
 
-TEST(StuckTrials, goOnWithoutTheRobotAndEndWhileItsModuleHangs) {
-  StuckSolution::prepare(true);
+/// Its module returns at the end, whatever the test has found.
+class StuckTrials : public testing::Test {
+ protected:
+  StuckTrials() { StuckSolution::prepare(true); }
+  ~StuckTrials() override {
+    StuckSolution::release();
+    EXPECT_TRUE(eventually([] { return abandonedCount() == 0; }));
+  }
+
+  /// Exists until what was abandoned is gone.
+  std::ostringstream out_;
+};
+
+TEST_F(StuckTrials, goOnWithoutTheRobotAndEndWhileItsModuleHangs) {
   const TestFolder folder;
-  std::ostringstream out;
-  const auto troubles = std::make_shared<ProgramTroubles>(out);
+  const auto troubles = std::make_shared<ProgramTroubles>(out_);
   BallTrials trials;
   trials.run = defaultSimulation();
   trials.run.layout = StuckSolution::writeLayout(folder.path());
@@ -40,8 +51,6 @@ TEST(StuckTrials, goOnWithoutTheRobotAndEndWhileItsModuleHangs) {
   EXPECT_THAT(troubles->all().front().text, testing::HasSubstr("stuck-test (hang) of process stuck"));
   EXPECT_EQ(StuckSolution::hanging, 1);
   EXPECT_EQ(abandonedCount(), 1);
-  StuckSolution::release();
-  EXPECT_TRUE(eventually([] { return abandonedCount() == 0; }));
 }
 
 }  // namespace
