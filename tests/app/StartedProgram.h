@@ -79,8 +79,6 @@ class StartedProgram {
     ::waitpid(std::exchange(pid_, 0), &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  /// Its number; 0: it has ended.
-  pid_t pid() const { return pid_; }
   const std::string& text() const { return text_; }
   std::string errors() const {
     std::ifstream file(errorsFile());
