@@ -255,7 +255,7 @@ Result<std::optional<robotlink::Instant>> endOfRange(const ReplayStatus& status,
   return robotlink::Instant(robotlink::Duration(*time));
 }
 
-Result<TimeRange> rangeOf(const ReplayStatus& status, const std::string& from, const std::string& to) {
+Result<TimeRange> timesOfPart(const ReplayStatus& status, const std::string& from, const std::string& to) {
   if (from == "end" || to == "start")
     return failure("log.time", "the range must not begin at the end or end at the start");
   const auto first = endOfRange(status, from);
@@ -268,7 +268,7 @@ Result<TimeRange> rangeOf(const ReplayStatus& status, const std::string& from, c
 Result<void> cut(const Logs& logs, LogWriteJob& job, const Values& values) {
   const auto status = logs.status();
   if (!status) return tl::unexpected(status.error());
-  const auto range = rangeOf(**status, text(values, 1), text(values, 2));
+  const auto range = timesOfPart(**status, text(values, 1), text(values, 2));
   if (!range) return tl::unexpected(range.error());
   const auto selection = logplayer::readSelection(text(values, 3));
   if (!selection) return tl::unexpected(selection.error());
@@ -290,7 +290,7 @@ LogWriteJob::Export::Kind exportKind(const std::string& name) {
 Result<void> exportLog(const Logs& logs, LogWriteJob& job, const Values& values) {
   const auto status = logs.status();
   if (!status) return tl::unexpected(status.error());
-  const auto range = rangeOf(**status, text(values, 3), text(values, 4));
+  const auto range = timesOfPart(**status, text(values, 3), text(values, 4));
   if (!range) return tl::unexpected(range.error());
   const std::string wanted = logNamed(text(values, 5), **status);
   const auto& open = (*status)->logs();

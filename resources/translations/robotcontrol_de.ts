@@ -10926,6 +10926,10 @@ Verzeichnung %8</translation>
         <source>there is no picture yet</source>
         <translation>es gibt noch kein Bild</translation>
     </message>
+    <message>
+        <source>Replace %1?</source>
+        <translation>%1 ersetzen?</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PictureView</name>

@@ -4,7 +4,9 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
 #include <QPainter>
@@ -39,9 +41,18 @@ bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
 }
 
 void savePictureAs(QWidget* view, const QImage& picture, const QString& proposal) {
-  const QString file = QFileDialog::getSaveFileName(view, PictureText::tr("Save picture"), proposal,
-                                                    PictureText::tr("Pictures (*.png)"));
-  if (!file.isEmpty()) savePicture(view, picture, file);
+  QString file = QFileDialog::getSaveFileName(view, PictureText::tr("Save picture"), proposal,
+                                              PictureText::tr("Pictures (*.png)"));
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) {
+    file += QStringLiteral(".png");
+    // The dialog has asked about the name without a suffix only.
+    const bool mayWrite = !QFile::exists(file) ||
+                          QMessageBox::question(view, PictureText::tr("Save picture"),
+                                                PictureText::tr("Replace %1?").arg(file)) == QMessageBox::Yes;
+    if (!mayWrite) return;
+  }
+  savePicture(view, picture, file);
 }
 
 void copyPicture(const QImage& picture) {

@@ -53,7 +53,7 @@ void DeployServices::offer(const std::string& name, const std::vector<ArgumentMe
       [this, jobs = jobs_, name, members, handler](const robotlink::websocket::ClientInfo&,
                                                    const robotlink::websocket::ServiceCallRequest& call,
                                                    Reply reply) {
-        auto argument = argumentOf(name, members, call);
+        auto argument = argumentOfCall(name, members, call);
         if (!argument) return reply.fail(argument.error().text);
         jobs->add(
             [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });

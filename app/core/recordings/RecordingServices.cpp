@@ -64,7 +64,7 @@ void RecordingServices::offer(const std::string& name, const std::vector<Argumen
       jsonService(name, members),
       [this, jobs = jobs_, name, members, handler](const ClientInfo&, const ServiceCallRequest& call,
                                                    Reply reply) {
-        auto argument = argumentOf(name, members, call);
+        auto argument = argumentOfCall(name, members, call);
         if (!argument) return reply.fail(argument.error().text);
         jobs->add(
             [this, handler, argument = *std::move(argument), reply] { (this->*handler)(argument, reply); });

@@ -49,8 +49,8 @@ Service jsonService(const std::string& name, const std::vector<ArgumentMember>& 
           {kJsonCoding, response, "jsonschema", answer.dump()}};
 }
 
-robotlink::Result<json> argumentOf(const std::string& name, const std::vector<ArgumentMember>& members,
-                                   const robotlink::websocket::ServiceCallRequest& call) {
+robotlink::Result<json> argumentOfCall(const std::string& name, const std::vector<ArgumentMember>& members,
+                                       const robotlink::websocket::ServiceCallRequest& call) {
   const auto wrong = [](std::string text) { return failure("service.argument", std::move(text)); };
   if (call.encoding != kJsonCoding)
     return wrong(name + " takes JSON, not '" + std::string(call.encoding) + "'");

@@ -26,8 +26,8 @@ robotlink::websocket::Service jsonService(const std::string& name,
 
 /// The argument of a call of such a service; an empty payload is {}. Fails, with a sentence for the caller,
 /// for what is no JSON object, for a member that is none of these, and for a value of another type.
-robotlink::Result<nlohmann::json> argumentOf(const std::string& name,
-                                             const std::vector<ArgumentMember>& members,
-                                             const robotlink::websocket::ServiceCallRequest& call);
+robotlink::Result<nlohmann::json> argumentOfCall(const std::string& name,
+                                                 const std::vector<ArgumentMember>& members,
+                                                 const robotlink::websocket::ServiceCallRequest& call);
 
 }  // namespace app

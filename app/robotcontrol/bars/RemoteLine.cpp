@@ -20,7 +20,7 @@ using Phase = robotlink::websocket::ConnectionState::Phase;
 
 /// Longer texts are for the tool tip. All connections together have at least this room, and more where the
 /// bar has it.
-constexpr int kCharacters = 56, kMaxCharacters = 112;
+constexpr int kStateCharacters = 56, kMaxStateCharacters = 112;
 /// What a button keeps of its text when the window gets narrower.
 constexpr int kMinCharacters = 6;
 /// More are shown as their number.
@@ -100,7 +100,8 @@ int RemoteLine::room(std::size_t shown) const {
     if (isConnection || widget->isHidden()) continue;
     others += std::max(widget->sizeHint().width(), widget->minimumWidth()) + beside;
   }
-  return std::clamp(bar_.width() - others, widthOf(bar_, kCharacters), widthOf(bar_, kMaxCharacters));
+  return std::clamp(bar_.width() - others, widthOf(bar_, kStateCharacters),
+                    widthOf(bar_, kMaxStateCharacters));
 }
 
 void RemoteLine::refresh() {
@@ -160,7 +161,7 @@ void RemoteLine::showOffer() {
   const QString who = offer.clients().empty()
                           ? tr("nobody is connected")
                           : widgets::counted(offer.clients().size(), tr("1 client"), tr("%1 clients"));
-  show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, widthOf(*offer_, kCharacters));
+  show(*offer_, tr("Offered: %1").arg(who), Meaning::kNote, widthOf(*offer_, kStateCharacters));
   offer_->setToolTip(tr("This session is offered at %1: %2").arg(url, who));
   offer_->setAccessibleName(tr("Offer of this session"));
 }
@@ -174,7 +175,7 @@ void RemoteLine::showSteering() {
   const QString other = state->name.section(QStringLiteral(" at "), 0, 0);
   show(*steering_,
        isOther ? tr("%1 steers %2. Steer instead").arg(other, QString::fromStdString(robot)) : state->text,
-       isOther ? Meaning::kWarning : Meaning::kGood, widthOf(*steering_, kCharacters));
+       isOther ? Meaning::kWarning : Meaning::kGood, widthOf(*steering_, kStateCharacters));
   steering_->setToolTip(isOther
                             ? tr("%1 A click, and you steer it instead; STOP is anyone's.").arg(state->text)
                             : tr("%1 A click lets others steer it.").arg(state->text));

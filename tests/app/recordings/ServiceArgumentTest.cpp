@@ -15,7 +15,7 @@ const std::vector<ArgumentMember> kMembers{{"name"}, {"bytes", true}};
 
 /// What is wrong with an argument; empty: nothing.
 std::string wrongWith(const std::string& payload, const std::vector<ArgumentMember>& members = kMembers) {
-  const auto argument = argumentOf("recordings/read", members, ServiceCallRequest{1, 1, "json", payload});
+  const auto argument = argumentOfCall("recordings/read", members, ServiceCallRequest{1, 1, "json", payload});
   return argument ? std::string() : argument.error().text;
 }
 

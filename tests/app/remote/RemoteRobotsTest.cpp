@@ -28,7 +28,7 @@ std::unique_ptr<websocket::Listener> openPort(const std::shared_ptr<websocket::S
   return *websocket::Listener::open(server, options);
 }
 
-std::string urlOf(const websocket::Listener& listener) {
+std::string addressOf(const websocket::Listener& listener) {
   return "ws://127.0.0.1:" + std::to_string(listener.address().port);
 }
 
@@ -71,15 +71,15 @@ class RemoteRobotsTest : public testing::Test {
 
 TEST_F(RemoteRobotsTest, aSimulationIsShownAlsoIfAForeignServerWasConnectedBefore) {
   hall_.setRobots({"red1"});
-  ASSERT_TRUE(robots_.connect(urlOf(*foreignPort_)));
+  ASSERT_TRUE(robots_.connect(addressOf(*foreignPort_)));
   ASSERT_TRUE(soon([&] { return has("bridge/battery"); }));
-  ASSERT_TRUE(robots_.connect(urlOf(*hallPort_)));
+  ASSERT_TRUE(robots_.connect(addressOf(*hallPort_)));
   EXPECT_TRUE(soon([&] { return has("scene") && has("simulation"); }));
   robotcontrol::Request pause;
   pause.mutable_control_simulation()->set_action(robotcontrol::ControlSimulation::PAUSE);
   EXPECT_TRUE(robots_.take(pause));
   EXPECT_GE(session_.store().newest(), Instant(1000s)) << "the session's time goes on";
-  ASSERT_TRUE(robots_.disconnect(urlOf(*hallPort_)));
+  ASSERT_TRUE(robots_.disconnect(addressOf(*hallPort_)));
   EXPECT_TRUE(soon([&] { return !robots_.take(pause); }));
 }
 

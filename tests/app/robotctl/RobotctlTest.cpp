@@ -312,7 +312,8 @@ TEST(Robotctl, commandsPrintsAllOfTheWorkbenchOneALine) {
   EXPECT_THAT(outcome.text,
               testing::HasSubstr("\nsimulation.light <brightness: number> [warmth: number = 0]  "));
   EXPECT_THAT(outcome.text, testing::HasSubstr("\nview.show <view: text>  "));
-  EXPECT_THAT(outcome.text, testing::HasSubstr("\nlog.open <source: file>  ")) << "of a kind of platform";
+  EXPECT_THAT(outcome.text, testing::HasSubstr("\nlog.open <source: file or name>  "))
+      << "of a kind of platform";
 }
 
 TEST(Robotctl, commandsPrintsJsonForPrograms) {

@@ -399,7 +399,8 @@ class MenusGuiTest : public WindowTest {
     robots.setFocus();
     QTest::keyClick(&robots, Qt::Key_End);
     QVERIFY(desk.find<QLabel>("errorText").isVisible());
-    QCOMPARE(desk.find<QLabel>("errorText").text(), QStringLiteral("there is no robot nobody"));
+    QCOMPARE(desk.find<QLabel>("errorText").text(),
+             QStringLiteral("there is no robot nobody; there is red1"));
   }
 
   void aRequestThatIsRefusedIsReportedInTheStatusLineIfNobodyElseDoes() {

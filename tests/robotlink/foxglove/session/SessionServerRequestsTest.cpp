@@ -146,7 +146,7 @@ TEST_F(SessionServerRequestsTest, oneSteersAndTheOtherTakesOverButStopIsEverybod
   const char* const kWalk = R"({"motion": {"kind": "WALK"}})";
   EXPECT_EQ(call(client_, ids["red1/motion"], kWalk), "");
   EXPECT_THAT(call(other, ids["red1/motion"], kWalk), HasSubstr("steered by x at 127.0.0.1:1"));
-  EXPECT_THAT(call(other, ids["red1/set_goal"], "{}"), HasSubstr("steered by"));
+  EXPECT_THAT(call(other, ids["red1/set_goal"], R"({"pose_in_field": {}})"), HasSubstr("steered by"));
   EXPECT_EQ(call(other, ids["red1/stop"], R"({"engaged": true})"), "");
   EXPECT_EQ(call(other, ids["red1/steer"], "{}"), "");
   EXPECT_THAT(asked(), ElementsAre("motion 1", "stop", "motion 0"));
@@ -204,6 +204,7 @@ TEST_F(SessionServerRequestsTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand)
 
 TEST_F(SessionServerRequestsTest, theModeThatAClientSetsEndsWithIt) {
   publishTables();
+  tick();
   auto ids = services();
   EXPECT_EQ(call(client_, ids["red1/set_key"],
                  R"({"name": "ball-percept/disc", "mode": {"kind": "EVERY_N", "n": 3}})"),

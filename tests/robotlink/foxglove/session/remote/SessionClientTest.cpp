@@ -8,6 +8,7 @@
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Linking.pb.h"
+#include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/foxglove/server/Listener.h"
 #include "robotlink/foxglove/session/SessionServer.h"
@@ -347,7 +348,7 @@ TEST_F(SessionClientTest, aRequestDuringACutIsRefusedWithASentence) {
 TEST_F(SessionClientTest, afterACutTheHistoryIsThereAndTheGapIsKnown) {
   connect();
   ASSERT_TRUE(hasRobot() && hasKeys());
-  far_.publish("red1/models/ball", Instant(1s), text("ball"));
+  far_.publish("red1/models/ball", Instant(1s), robotcontrol::BallModel());
   ask(keyRequest("package/models/ball", KeyMode::ALWAYS));
   EXPECT_TRUE(arrives("red1/log", Instant(2s), text("before")));
   const std::uint16_t port = far_.port();
@@ -362,7 +363,7 @@ TEST_F(SessionClientTest, afterACutTheHistoryIsThereAndTheGapIsKnown) {
   far_.keys.mutable_keys(1)->clear_mode();
   far_.start(port);
   far_.publishKeys(Instant(0s));
-  far_.publish("red1/models/ball", Instant(0s), text("ball"));
+  far_.publish("red1/models/ball", Instant(0s), robotcontrol::BallModel());
   EXPECT_TRUE(soon([&] { return far_.mode(1).kind() == KeyMode::ALWAYS; }));
   EXPECT_TRUE(arrives("red1/log", Instant(1s), text("after")));
   EXPECT_EQ(dynamic_cast<const foxglove::Log&>(*session_.store().find("red1/log")->messages.front().value)
