@@ -204,10 +204,9 @@ TEST_F(SessionServerRequestsTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand)
 
 TEST_F(SessionServerRequestsTest, theModeThatAClientSetsEndsWithIt) {
   publishTables();
-  tick();
   auto ids = services();
   EXPECT_EQ(call(client_, ids["red1/set_key"],
-                 R"({"name": "ball-percept/disc", "mode": {"kind": "EVERY_N", "n": 3}})"),
+                 R"({"name": "package/camera/image", "mode": {"kind": "EVERY_N", "n": 3}})"),
             "");
   ASSERT_EQ(requests_.size(), 1U);
   EXPECT_EQ(requests_[0].set_key().mode().kind(), robotcontrol::KeyMode::EVERY_N);
