@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -29,12 +30,12 @@ std::vector<std::string> names(const std::vector<std::string>& streams,
   return {all.begin(), all.end()};
 }
 
-std::string inWords(const std::optional<FieldValue>& value) {
+std::string inWords(const std::optional<FieldValue>& value, int digits = 6) {
   if (!value) return "not there";
   if (value->text) return *value->text;
   if (!value->number) return "not a number";
   std::ostringstream number;
-  number << std::setprecision(6) << *value->number;
+  number << std::setprecision(digits) << *value->number;
   return number.str();
 }
 
@@ -123,7 +124,7 @@ std::string BoundExpression::valuesInWords() const {
 }
 
 std::string BoundExpression::resultInWords() {
-  return inWords(valueOrText());
+  return inWords(valueOrText(), std::numeric_limits<double>::digits10);
 }
 
 std::optional<FieldValue> BoundExpression::state(std::optional<double> limit) {

@@ -227,9 +227,9 @@ TEST_F(ScriptRunTest, valuesArePrinted) {
   pushBall(1.25, 1s);
   session_.tick();
   run("print models/ball.position_in_robot.x\nprint 2 * models/ball.position_in_robot.x\nprint 1 + 1\n"
-      "print models/goal.x");
-  EXPECT_THAT(printed, ElementsAre("1.25", "2.5", "2"));
-  EXPECT_THAT(failure(), StartsWith("a.script:4:7: "));
+      "print 487049000000 + 0.5\nprint models/goal.x");
+  EXPECT_THAT(printed, ElementsAre("1.25", "2.5", "2", "487049000000.5"));
+  EXPECT_THAT(failure(), StartsWith("a.script:5:7: "));
   run("print");
   EXPECT_THAT(failure(), HasSubstr("print needs an expression"));
 }
