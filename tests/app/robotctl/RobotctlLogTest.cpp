@@ -48,7 +48,26 @@ class RobotctlLog : public testing::Test {
 };
 
 /// The parameter is the source of a whole log of 2009.
-class RobotctlWholeLog : public RobotctlLog, public testing::WithParamInterface<std::string> {};
+class RobotctlWholeLog : public RobotctlLog, public testing::WithParamInterface<std::string> {
+ protected:
+  /// The robot's program computes what the log lacks.
+  void expectComputedHits(const std::string& file) {
+    const Outcome outcome = log("search " + file + " 'models/ball.known >= 0' --json");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("the robot's program computes it: nao/models/ball"));
+    const json found = json::parse(outcome.out, nullptr, false);
+    EXPECT_EQ(found.at("computed"), json::array({"nao/models/ball"}));
+    ASSERT_EQ(found.at("hits").size(), 1U) << found;
+    const double image =
+        GetParam() == "real" ? 486.749 : robotlink::seconds(game::Log::imageTime(0) - robotlink::Instant());
+    EXPECT_NEAR(found.at("hits")[0].at("time").get<double>(), image, 1e-6);
+    const Outcome text =
+        log("search " + file + " 'models/ball.known >= 0' --solution ball-model=last-percept");
+    EXPECT_EQ(text.status, 0) << text.errors;
+    EXPECT_THAT(text.out, HasSubstr("1 hit, computed by the program: nao/models/ball"));
+    EXPECT_EQ(log("search " + file + " 'models/ball.known' --solution nonsense").status, 2);
+  }
+};
 
 }  // namespace
 
@@ -357,25 +376,6 @@ TEST_F(RobotctlLog, theExampleInPythonPlotsValues) {
   EXPECT_THAT(plot("'red1/models/ball.x[y'").errors, HasSubstr("cannot be read from \"[y\" on"));
 }
 
-TEST_P(RobotctlWholeLog, searchHasTheProgramComputeWhatTheLogLacks) {
-  const auto data = game::dataOf(GetParam());
-  if (!std::filesystem::exists(data)) GTEST_SKIP() << "the real log is not in " << data;
-  const std::string file = "'" + (data / "logs/bhuman2009.log").string() + "'";
-  const Outcome outcome = log("search " + file + " 'models/ball.known >= 0' --json");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.errors, HasSubstr("the robot's program computes it: nao/models/ball"));
-  const json found = json::parse(outcome.out, nullptr, false);
-  EXPECT_EQ(found.at("computed"), json::array({"nao/models/ball"}));
-  ASSERT_EQ(found.at("hits").size(), 1U) << found;
-  const double image =
-      GetParam() == "real" ? 486.749 : robotlink::seconds(game::Log::imageTime(0) - robotlink::Instant());
-  EXPECT_NEAR(found.at("hits")[0].at("time").get<double>(), image, 1e-6);
-  const Outcome text = log("search " + file + " 'models/ball.known >= 0' --solution ball-model=last-percept");
-  EXPECT_EQ(text.status, 0) << text.errors;
-  EXPECT_THAT(text.out, HasSubstr("1 hit, computed by the program: nao/models/ball"));
-  EXPECT_EQ(log("search " + file + " 'models/ball.known' --solution nonsense").status, 2);
-}
-
 TEST_P(RobotctlWholeLog, aLogOf2009IsDescribedImportedCutAndExported) {
   const bool real = GetParam() == "real";
   const auto data = game::dataOf(GetParam());
@@ -405,6 +405,7 @@ TEST_P(RobotctlWholeLog, aLogOf2009IsDescribedImportedCutAndExported) {
   const Outcome exported = log("export " + file + " --images pictures");
   ASSERT_EQ(exported.status, 0) << exported.errors;
   EXPECT_THAT(exported.out, HasSubstr(std::to_string(images) + " images"));
+  expectComputedHits(file);
 }
 
 INSTANTIATE_TEST_SUITE_P(Logs, RobotctlWholeLog, testing::ValuesIn(game::kSources),
