@@ -275,25 +275,6 @@ class ImageStreamViewTest : public QObject {
     QVERIFY(wrong.error().text.find("'lines'") != std::string::npos);
   }
 
-  void theStreamAndTheSecondImageAreChosenByTheirPaths() {
-    ShownImage s;
-    s.world.pushImage("red1/camera/image", kImage, kGrass);
-    s.world.pushImage("red1/logged/camera/image", kImage, kOrange);
-    s.step();
-    QVERIFY(s.view.showStream("red1/logged/camera/image"));
-    QVERIFY(isNear(s.colorAt(40, 40), qColor(kOrange), 2));
-    QVERIFY(s.view.showStream("*/camera/image"));
-    QVERIFY(isNear(s.colorAt(40, 40), qColor(kGrass), 2));
-    const auto wrong = s.view.showStream("red1/camera/imago");
-    QVERIFY(!wrong);
-    QVERIFY(wrong.error().text.find("'red1/camera/image'") != std::string::npos);
-    QVERIFY(s.view.compareWith("*/camera/image", "difference"));
-    QVERIFY(isNear(s.colorAt(40, 40), Qt::black, 2));
-    QVERIFY(!s.view.compareWith("red9/camera/image", "blend"));
-    s.view.endComparison();
-    QVERIFY(isNear(s.colorAt(40, 40), qColor(kGrass), 2));
-  }
-
   void aDrawingIsSwitchedOnWhereItIsMissed() {
     ShownImage s;
     const auto publish = [&s](robotcontrol::KeyMode::Kind kind) {

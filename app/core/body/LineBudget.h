@@ -22,7 +22,7 @@ class LineBudget {
   static constexpr double kLeast = 20'000;
 
  private:
-  /// Of this line.
+  /// The shortest round trip of this line.
   robotlink::Duration shortest_ = robotlink::Duration::max();
   /// Whether the last one was.
   bool isLong_ = false;

@@ -8,6 +8,7 @@
 #include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/NumberRange.h"
 #include "app/core/platform/RobotName.h"
+#include "app/core/program/ShippedFiles.h"
 #include "app/core/real/RealFeed.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "app/robotctl/Commands.h"
@@ -38,10 +39,12 @@ int refusePlatform(const std::string& why) {
 
 robotlink::Result<PlatformOpening> bodiesOf(const PlatformArguments& arguments,
                                             BodyProgram::Options options) {
-  const PlatformAdapter* adapter = adapterFor(arguments.platform);
+  // The name of a shipped scene, too; addresses stay as they are.
+  const std::string source = sceneNamed(arguments.platform).string();
+  const PlatformAdapter* adapter = adapterFor(source);
   if (adapter != nullptr && adapter->time == TimeKind::kSimulated) {
     RunOptions run = defaultSimulation();
-    run.scene = arguments.platform;
+    run.scene = source;
     run.world.seed = arguments.seed;
     run.world.noise = !arguments.noNoise;
     run.instead = BodyProgram::maker(std::move(options));

@@ -55,7 +55,7 @@ std::string Steering::admit(const ClientInfo& client, const Request& request, In
   if (!isFree(robot, client, now))
     return request.robot() + " is steered by " + robot.who + ": take over first (service " + request.robot() +
            "/steer)";
-  // Who only lets it stand does not keep others from steering.
+  // A client that only lets it stand does not keep others from steering.
   const bool isStand = request.has_motion() && request.motion().motion().kind() == MotionRequest::STAND;
   if (robot.client != client.id && isStand) return {};
   if (robot.client != client.id) {

@@ -153,7 +153,7 @@ TEST_F(RobotctlLaunchTest, theProgramsEndWithTheirLauncher) {
 
 /// A robot with a camera, of which only the body is in the scene.
 TEST(RobotctlLaunchCameraTest, theBodyOfACameraRobotIsDrivenByTwoProgramsAndStandsWhileOneIsMissing) {
-  Launched body({"platform", ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf", "--listen", "0"});
+  Launched body({"platform", "field2002", "--listen", "0"});
   const std::string line = body.lineWith(" at ws://");
   ASSERT_FALSE(line.empty()) << body.all();
   const std::string url = line.substr(line.find("ws://"));

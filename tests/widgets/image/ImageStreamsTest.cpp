@@ -52,6 +52,26 @@ class ImageStreamsTest : public QObject {
     QCOMPARE(s.streams->currentText(), QStringLiteral("/depth"));
   }
 
+  void theStreamAndTheSecondImageAreChosenByTheirPaths() {
+    constexpr robotlink::YCbCr kBlack{0, 128, 128};
+    ShownStreams s;
+    s.push("red1/camera/image", kDarkImage);
+    s.push("red1/logged/camera/image", kBrightImage);
+    s.step();
+    QVERIFY(s.view->showStream("red1/logged/camera/image"));
+    QVERIFY(s.shows(kBrightImage));
+    QVERIFY(s.view->showStream("*/camera/image"));
+    QVERIFY(s.shows(kDarkImage));
+    const auto wrong = s.view->showStream("red1/camera/imago");
+    QVERIFY(!wrong);
+    QVERIFY(wrong.error().text.find("'red1/camera/image'") != std::string::npos);
+    QVERIFY(s.view->compareWith("*/camera/image", "difference"));
+    QVERIFY(s.shows(kBlack));
+    QVERIFY(!s.view->compareWith("red9/camera/image", "blend"));
+    s.view->endComparison();
+    QVERIFY(s.shows(kDarkImage));
+  }
+
   void theCameraIsShownInsteadOfOtherImagesAsSoonAsItHasAny() {
     ShownStreams s;
     s.push("red1/front/color", kDarkImage);

@@ -136,7 +136,7 @@ TEST_F(KeyRequestsTest, aModeThatAClientChoosesLeavesOthersWhatTheyWant) {
   requests_.setSubscribers("red1", kDisc, {"a", "b"});
   EXPECT_THAT(takeSet(), ElementsAre("red1 ball-percept/disc always"));
   for (const char* mode : {"every 50", "3 times", "every 200 ms", "off"}) EXPECT_EQ(choose("a", mode), "");
-  // Of those who have chosen one, all get at least that.
+  // Each client that has chosen a mode gets at least that.
   EXPECT_EQ(choose("b", "every 50"), "every 50");
   EXPECT_EQ(choose("a", "every 20"), "every 20");
   EXPECT_EQ(choose("a", "every 70"), "every 50");

@@ -172,7 +172,7 @@ TEST_F(SteeringTest, whoOnlyLetsTheRobotStandDoesNotSteer) {
   EXPECT_EQ(status_.who, "");
   EXPECT_EQ(steering_.admit(ben_, walk(), now_), "");
   EXPECT_THAT(steering_.admit(anna_, stand, now_), HasSubstr("steered by Ben"));
-  // Who steers, goes on with it.
+  // The client that steers goes on with it.
   pass(8s, {&anna_, &ben_});
   EXPECT_EQ(steering_.admit(ben_, stand, now_), "");
   pass(8s, {&anna_, &ben_});
