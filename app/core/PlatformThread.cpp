@@ -6,6 +6,7 @@
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/session/Session.h"
 
 namespace app {
@@ -159,7 +160,7 @@ void PlatformThread::stop(const robotcontrol::Request& request) {
     stopSwitch = stopSwitch_;
   }
   // It is not only enqueued: the platform's thread may be blocked by a program that hangs.
-  if (stopSwitch) stopSwitch->engage(request.robot(), request.stop().engaged());
+  if (stopSwitch) stopSwitch->engage(request.robot(), robotlink::engagesStop(request));
   thread_.postUrgent([this, request] {
     // A scene with this robot may be about to be opened.
     if (feed_ && feed_->describe().robots.contains(request.robot())) return fulfil(request, {request.id()});

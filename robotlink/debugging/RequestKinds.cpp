@@ -335,6 +335,10 @@ std::string wrongFromElsewhere(const Request& request) {
          "', then the folder that was chosen there is used";
 }
 
+bool engagesStop(const Request& request) {
+  return request.has_stop() && (!request.stop().has_engaged() || request.stop().engaged());
+}
+
 std::string wrongWith(const robotcontrol::ColorTable& table) {
   constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
   if (table.cells().empty()) return "";

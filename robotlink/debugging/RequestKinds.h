@@ -76,6 +76,8 @@ std::string wrongWith(const robotcontrol::Request& request);
 /// Why somebody elsewhere may not make the request, who must not reach files of this machine that nobody here
 /// has chosen; empty: it may be made from anywhere.
 std::string wrongFromElsewhere(const robotcontrol::Request& request);
+/// Whether a request for STOP engages it; only one that says false releases it.
+bool engagesStop(const robotcontrol::Request& request);
 /// Whether a color table can be used; one without cells can. Empty: it can.
 std::string wrongWith(const robotcontrol::ColorTable& table);
 /// Whether both set the same thing, so that the later one takes the place of the one before.

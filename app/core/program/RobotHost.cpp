@@ -209,7 +209,7 @@ robotlink::Result<void> RobotHost::whetherMoved() const {
 
 robotlink::Result<void> RobotHost::engageStop(const robotcontrol::Request& request) {
   if (auto moved = whetherMoved(); !moved) return moved;
-  platform_->engageStop(request.stop().engaged());
+  platform_->engageStop(robotlink::engagesStop(request));
   return {};
 }
 

@@ -64,7 +64,7 @@ Result<void> ReplayFeed::stop(const robotcontrol::Request& request) {
   if (!run_->description(request.robot()))
     return failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
                    {request.robot()});
-  if (!request.stop().engaged()) return {};
+  if (!robotlink::engagesStop(request)) return {};
   playback_.pause();
   publishStatus();
   return {};

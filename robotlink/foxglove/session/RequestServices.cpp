@@ -111,6 +111,11 @@ void addOldSpeed(Request& request) {
     control.set_speed(0);
 }
 
+/// Servers of older versions, to which a session passes it on, take an empty one for a release.
+void nameStop(Request& request) {
+  if (request.has_stop()) request.mutable_stop()->set_engaged(engagesStop(request));
+}
+
 }  // namespace
 
 std::string jsonSchemaOf(const Descriptor& type) {
@@ -159,6 +164,7 @@ Result<Request> requestOf(const std::string& robot, const std::string& service,
     return failure("foxglove.service",
                    "arguments are 'json' or 'protobuf', not '" + std::string(call.encoding) + "'");
   }
+  nameStop(request);
   if (const std::string wrong = wrongWith(request); !wrong.empty()) return failure("foxglove.service", wrong);
   return request;
 }

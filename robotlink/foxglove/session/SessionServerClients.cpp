@@ -168,7 +168,7 @@ void SessionServer::call(const std::string& robot, const std::string& service, c
                          const ServiceCallRequest& call, const Reply& reply) {
   Result<Request> wanted = requestOf(robot, service, call);
   if (!wanted) return reply.fail(wanted.error().text);
-  if (client.isReadOnly && wanted->has_stop() && !wanted->stop().engaged())
+  if (client.isReadOnly && wanted->has_stop() && !engagesStop(*wanted))
     return answer(reply, call.encoding,
                   "you may only watch: everybody may engage STOP, but only those who control release it");
   if (Steering::isSteering(*wanted)) {

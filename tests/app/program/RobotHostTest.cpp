@@ -160,6 +160,10 @@ TEST_F(RobotHostTest, whatConcernsTheBodyGoesToThePlatform) {
   EXPECT_FALSE(RobotHost::fulfills(key("drawings")));
   EXPECT_TRUE(host_->request(stop(true)));
   EXPECT_TRUE(platform_->stopped);
+  Request empty;
+  empty.mutable_stop();
+  EXPECT_TRUE(host_->request(empty));
+  EXPECT_TRUE(platform_->stopped);
   EXPECT_TRUE(host_->request(stop(false)));
   EXPECT_FALSE(platform_->stopped);
   Request drive;

@@ -137,6 +137,20 @@ TEST(RequestKinds, whatAPersonChoseIsKeptForLaterProgramsAndCanBeNamed) {
   EXPECT_EQ(kindOf(stop).doer, RequestDoer::kPlatform);
 }
 
+TEST(RequestKinds, onlyARequestThatSaysSoReleasesStop) {
+  Request stop;
+  EXPECT_FALSE(engagesStop(stop)) << "it is about something else";
+  stop.mutable_stop();
+  EXPECT_TRUE(engagesStop(stop));
+  stop.mutable_stop()->set_engaged(true);
+  EXPECT_TRUE(engagesStop(stop));
+  stop.mutable_stop()->set_engaged(false);
+  EXPECT_FALSE(engagesStop(stop));
+  Request copy;
+  ASSERT_TRUE(copy.ParseFromString(stop.SerializeAsString()));
+  EXPECT_FALSE(engagesStop(copy)) << "false is sent, too";
+}
+
 TEST(RequestKinds, anOverrideCanBeRemoved) {
   const auto removes = [](const Request& request) { return kindOf(request).removes(request); };
   EXPECT_FALSE(removes(keyRequest("a")));

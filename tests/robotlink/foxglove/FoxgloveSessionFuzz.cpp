@@ -2,6 +2,7 @@
 // Conversations of two clients, one of which may only watch, with a server of a session: each message has a
 // byte for client and kind, and two for its length.
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/foxglove/server/ServedClient.h"
 #include "robotlink/foxglove/session/SessionServer.h"
 #include "tests/fuzz/FuzzTarget.h"
@@ -47,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   bool isWatcherAlone = false;
   session.setRequestSink([&](const Request& request) {
     const bool isHarmless = request.has_get_parameters() || request.has_send_tables() ||
-                            request.has_set_key() || (request.has_stop() && request.stop().engaged());
+                            request.has_set_key() || engagesStop(request);
     demand(isHarmless || !isWatcherAlone, "who only watches changes nothing");
     robotcontrol::RequestResult result;
     result.set_id(request.id());

@@ -66,6 +66,22 @@ TEST(RequestServices, aRequestWithoutAnArgumentNeedsNone) {
   EXPECT_TRUE(request->has_send_tables());
 }
 
+TEST(RequestServices, anEmptyStopStopsAndOnlyAnExplicitOneReleases) {
+  const auto isEngaged = [](const std::string& payload, const std::string& encoding) {
+    const auto request = requestOf("red1", "red1/stop", callWith(payload, encoding));
+    EXPECT_TRUE(request && request->stop().has_engaged());
+    return request && request->stop().engaged();
+  };
+  EXPECT_TRUE(isEngaged("{}", "json"));
+  EXPECT_TRUE(isEngaged("", "json"));
+  EXPECT_TRUE(isEngaged("", "protobuf"));
+  EXPECT_TRUE(isEngaged(R"({"engaged": true})", "json"));
+  EXPECT_FALSE(isEngaged(R"({"engaged": false})", "json"));
+  robotcontrol::Stop release;
+  release.set_engaged(false);
+  EXPECT_FALSE(isEngaged(release.SerializeAsString(), "protobuf"));
+}
+
 TEST(RequestServices, aSpeedThatIsLeftOutStaysUnlessAnOlderClientMeansZero) {
   const auto control = [](const std::string& payload, const std::string& encoding) {
     const auto request = requestOf("", "control_simulation", callWith(payload, encoding));

@@ -181,12 +181,13 @@ TEST_F(SessionServerRequestsTest, whoOnlyWatchesMayEngageStopButNotReleaseIt) {
   auto ids = services();
   const ClientPtr watcher = *server_->server()->connect({0, "127.0.0.1:2", "y", true}, [] {});
   EXPECT_EQ(call(watcher, ids["red1/stop"], R"({"engaged": true})"), "");
+  EXPECT_EQ(call(watcher, ids["red1/stop"], "{}"), "") << "this stops, too";
   EXPECT_THAT(call(watcher, ids["red1/stop"], R"({"engaged": false})"), HasSubstr("only watch"));
   EXPECT_EQ(call(watcher, ids["red1/get_parameters"], "{}"), "");
   for (const char* service :
        {"red1/motion", "red1/set_key", "red1/steer", "red1/set_color_table", "control_simulation"})
     EXPECT_THAT(call(watcher, ids[service], "{}"), HasSubstr("only watch")) << service;
-  EXPECT_THAT(asked(), ElementsAre("stop", "get_parameters"));
+  EXPECT_THAT(asked(), ElementsAre("stop", "stop", "get_parameters"));
 }
 
 TEST_F(SessionServerRequestsTest, whenTheOfferEndsKeysAreAsBeforeAndRobotsStand) {
