@@ -113,8 +113,21 @@ Result<void> ManualSteering::takeOver(bool take) {
           context_.session.reportRefusal("manual control of " + robot, reason.toStdString());
         });
   }
-  if (take) requestStatus();
+  if (take) {
+    claim();
+    requestStatus();
+  }
   return {};
+}
+
+/// Whom a robot elsewhere obeys is known to everybody at once, not only after the first motion. Whoever
+/// steers it already is left alone.
+void ManualSteering::claim() {
+  if (!context_.session.remoteRobots().contains(robot_) || isLost(context_.session, robot_)) return;
+  const auto steering = steeringState(context_.session, robot_);
+  const bool isFree = !steering || steering->who == SteeringState::Who::kNobody || steering->isSilent;
+  // What the robot objects to comes as an error of the window.
+  if (isFree) static_cast<void>(context_.commands.run("robot.steer", {robot_, true}));
 }
 
 void ManualSteering::requestStatus() {

@@ -36,7 +36,8 @@ class ManualSteering final : public QObject {
   /// The same, then sends a motion request if one is due. Called 30 times a second, after the views.
   void tick();
 
-  /// Requests manual control, or returns it to the solution that ran before. Fails if that is impossible now;
+  /// Requests manual control, or returns it to the solution that ran before. A robot elsewhere that nobody
+  /// steers then says at once that this window steers it. Fails if that is impossible now;
   /// a refusal of the robot comes later, see Session::setRefusalHandler().
   robotlink::Result<void> takeOver(bool take);
   /// What pad, keys and gamepad say now. A deflection replaces a velocity that was commanded by walk(), and
@@ -91,6 +92,8 @@ class ManualSteering final : public QObject {
   /// the user.
   robotlink::Result<void> requireJoint(const char* id, const std::string& joint, const std::string& shown,
                                        double angle) const;
+  /// Lets a robot elsewhere that nobody steers say that this window does.
+  void claim();
   /// Requests that the robot's program publishes what it executes.
   void requestStatus();
   /// Whether commands of this window are sent: to robots elsewhere, not before there was one.

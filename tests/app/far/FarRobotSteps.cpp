@@ -153,9 +153,11 @@ void FarRobotSteps::itIsDrivenStandsWhenItIsReleasedAndObeysStop() {
   FarDesk& desk = *hall.desk;
   QVERIFY(desk.takeOver());
   QTRY_VERIFY_WITH_TIMEOUT(desk.stands(), kWaitMs);
+  auto& steering = desk.find<QToolButton>("statusSteering");
+  QTRY_VERIFY_WITH_TIMEOUT(steering.text().startsWith(QStringLiteral("You steer red1")), kWaitMs);
   desk.hold(Qt::Key_W);
   QTRY_VERIFY_WITH_TIMEOUT(desk.walks(), kWaitMs);
-  QVERIFY(desk.find<QToolButton>("statusSteering").text().startsWith(QStringLiteral("You steer red1")));
+  QVERIFY(steering.text().startsWith(QStringLiteral("You steer red1")));
   widgets::test::keepPicture(desk.window, "far-robot-driven");
   desk.release(Qt::Key_W);
   QTRY_VERIFY_WITH_TIMEOUT(desk.stands(), kWaitMs);

@@ -203,6 +203,33 @@ class MotionCommandsTest : public QObject {
     QVERIFY(!bench.sends());
   }
 
+  void takingOverARobotElsewhereIsSaidBeforeTheFirstMotion() {
+    CommandedRobot bench;
+    std::vector<std::string> steered;
+    bench.commands.attach("robot.steer", [&](const auto& values) -> robotlink::Result<void> {
+      steered.push_back(std::get<std::string>(values[0]) + (std::get<bool>(values[1]) ? " on" : " off"));
+      return {};
+    });
+    bench.takeOver();
+    QVERIFY(steered.empty());  // it is here
+    bench.session.setRemoteRobots({{"red1", {"ws://10.0.0.1:8765", true}}});
+    bench.takeOver();
+    QCOMPARE(steered, std::vector<std::string>{"red1 on"});
+    bench.showSteering("RobotControl", true);
+    bench.step();
+    bench.takeOver();
+    QCOMPARE(steered.size(), std::size_t{1});  // it is said already
+    // Somebody else is not displaced by that.
+    bench.showSteering("Anna", false);
+    bench.step();
+    bench.takeOver();
+    QCOMPARE(steered.size(), std::size_t{1});
+    bench.showSteering("", false);
+    bench.step();
+    bench.takeOver();
+    QCOMPARE(steered.size(), std::size_t{2});
+  }
+
   void viewAndCommandsSteerTogether() {
     CommandedRobot bench;
     auto view = bench.open<MotionView>({760, 560});
