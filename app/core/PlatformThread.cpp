@@ -31,6 +31,19 @@ PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder&
       thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); },
                [this] { endFeed(); }}) {}
 
+PlatformThread::~PlatformThread() {
+  endWaits();
+}
+
+void PlatformThread::endWaits() {
+  std::shared_ptr<StopSwitch> stopSwitch;
+  {
+    const std::lock_guard lock(mutex_);
+    stopSwitch = stopSwitch_;
+  }
+  if (stopSwitch) stopSwitch->endWaits();
+}
+
 void PlatformThread::endFeed() {
   reportedAtEnd_.clear();
   if (!feed_) return;
@@ -147,6 +160,7 @@ void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) 
 }
 
 void PlatformThread::close(LoadHandler handler) {
+  endWaits();
   postOther([this, handler = std::move(handler)] {
     start(nullptr);
     handler(describe());

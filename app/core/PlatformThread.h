@@ -39,6 +39,8 @@ class PlatformThread {
   /// `hosting` and `limits` may be null, see PlatformContext; otherwise they must outlive this object.
   PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder, HostingMemory* hosting = nullptr,
                  const LinkLimitsMemory* limits = nullptr);
+  /// Ends the platform; its programs that hang are waited for only a moment, all together.
+  ~PlatformThread();
 
   /// Opens a platform. It gets the overrides of the last one that had any, if that had the same adapter and
   /// sources.
@@ -51,7 +53,7 @@ class PlatformThread {
               LoadHandler handler);
   /// Restarts the programs of the platform in another layout.
   void setLayout(std::filesystem::path file, LoadHandler handler);
-  /// Ends the platform; none runs then.
+  /// Ends the platform, as the destructor does; none runs then.
   void close(LoadHandler handler);
   /// Fulfills a request to a robot or to the platform; the session gets one result for each. Moves in a log
   /// that are requested faster than they can be made are joined: the newest of several jumps counts, and
@@ -62,6 +64,8 @@ class PlatformThread {
   void setDemand(const PlatformFeed::Demand& demand);
 
  private:
+  /// Called before the platform is closed, without waiting for its thread.
+  void endWaits();
   /// A request in the queue, with the ids of those that were joined with it.
   struct Asked;
   /// The last platform with overrides, in case it is opened again.

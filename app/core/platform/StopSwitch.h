@@ -10,31 +10,40 @@ namespace app {
 
 /// Engages STOP on robots without waiting for the thread that steps their platforms, which may be blocked by
 /// a program that hangs: on a real robot at once; on a simulated one by ending the wait. Any thread; engage()
-/// waits for nothing but another call. May outlive the robots, whose owner calls forget().
+/// waits for nothing but another call. Also ends waits for programs that hang, when the platform is closed.
+/// May outlive the robots, whose owner calls forget().
 class StopSwitch {
  public:
-  /// `act` may be called in any thread and must not block.
+  /// `act` and `endWaits` may be called in any thread and must not block; `endWaits` may be empty.
   StopSwitch(std::string robot, std::function<void(bool engaged)> act)
       : StopSwitch(std::set<std::string>{std::move(robot)}, std::move(act)) {}
-  StopSwitch(std::set<std::string> robots, std::function<void(bool engaged)> act)
-      : robots_(std::move(robots)), act_(std::move(act)) {}
+  StopSwitch(std::set<std::string> robots, std::function<void(bool engaged)> act,
+             std::function<void()> endWaits = {})
+      : robots_(std::move(robots)), act_(std::move(act)), endWaits_(std::move(endWaits)) {}
 
   /// Has no effect for other robots than those of the constructor.
   void engage(const std::string& robot, bool engaged) {
     const std::lock_guard lock(mutex_);
     if (act_ && robots_.contains(robot)) act_(engaged);
   }
-  /// The robots are gone; later calls of engage() have no effect.
+  /// The platform is about to be closed: programs that hang are not waited for any longer.
+  void endWaits() {
+    const std::lock_guard lock(mutex_);
+    if (endWaits_) endWaits_();
+  }
+  /// The robots are gone; later calls of the other functions have no effect.
   void forget() {
     const std::lock_guard lock(mutex_);
     act_ = {};
+    endWaits_ = {};
   }
 
  private:
   const std::set<std::string> robots_;
-  /// Protects act_.
+  /// Protects act_ and endWaits_.
   std::mutex mutex_;
   std::function<void(bool)> act_;
+  std::function<void()> endWaits_;
 };
 
 }  // namespace app

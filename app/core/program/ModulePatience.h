@@ -8,7 +8,8 @@
 namespace app {
 
 /// How long modules are waited for, in real time. While somebody has asked for a STOP that cannot be
-/// fulfilled before the wait is over, that is only a moment. Any thread.
+/// fulfilled before the wait is over, that is only a moment, and when all ends, only a moment for all
+/// together. Any thread.
 class ModulePatience {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,18 +23,24 @@ class ModulePatience {
   void cut() { cutAt_.store(Clock::now().time_since_epoch().count()); }
   /// It was fulfilled.
   void restore() { cutAt_.store(0); }
+  /// Everything that waits is about to end: all waits, also those that begin later, are over in a moment.
+  void end() {
+    Clock::rep none = 0;
+    endedAt_.compare_exchange_strong(none, Clock::now().time_since_epoch().count());
+  }
   /// Whether a wait that began then is over.
   bool isOver(Clock::time_point begin) const {
     const auto now = Clock::now();
     if (now - begin >= usual_) return true;
-    const auto cutAt = cutAt_.load();
+    const auto endedAt = endedAt_.load(), cutAt = cutAt_.load();
+    if (endedAt != 0 && now - Clock::time_point(Clock::duration(endedAt)) >= kMoment) return true;
     return cutAt != 0 && now - std::max(begin, Clock::time_point(Clock::duration(cutAt))) >= kMoment;
   }
 
  private:
   const std::chrono::milliseconds usual_;
-  /// Ticks of the clock; 0: none waits.
-  std::atomic<Clock::rep> cutAt_{0};
+  /// Ticks of the clock; 0: none waits, and nothing ends.
+  std::atomic<Clock::rep> cutAt_{0}, endedAt_{0};
 };
 
 }  // namespace app

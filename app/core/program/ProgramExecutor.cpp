@@ -153,11 +153,17 @@ void ProgramExecutor::stepPlatforms() {
 bool ProgramExecutor::stop() {
   isMuted_->store(true);
   if (threads_) return threads_->stopWithin(kEndPatience);
+  const auto isBusy = [](const auto& team) { return team->turns && team->turns->isBusy(); };
   for (const auto& team : teams_) {
-    if (!team->turns) continue;
-    if (!team->turns->isBusy()) continue;
+    if (!isBusy(team)) continue;
     for (Process* process : team->processes) process->stop();
-    team->turns->waitFor(kEndPatience);
+  }
+  // All have the same time, however many do not return.
+  const auto end = std::chrono::steady_clock::now() + kEndPatience;
+  for (const auto& team : teams_) {
+    if (!isBusy(team)) continue;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    team->turns->waitFor(std::max(left, std::chrono::milliseconds(0)));
   }
   return hasEnded();
 }

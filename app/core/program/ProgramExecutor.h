@@ -76,9 +76,9 @@ class ProgramExecutor {
   /// Whether the program of a platform has a frame that does not return.
   bool isStuck(const robotlink::Platform& platform) const;
 
-  /// Stops all processes, and waits for their frames for a moment. Returns false if some have not returned:
-  /// this object, their programs and platforms, and the world must exist until hasEnded(). Nothing is called
-  /// any more.
+  /// Stops all processes, and waits for their frames for a moment, for all together. Returns false if some
+  /// have not returned: this object, their programs and platforms, and the world must exist until hasEnded().
+  /// Nothing is called any more.
   bool stop();
   bool hasEnded() const;
   /// Whether the frames of the processes of one platform have returned.

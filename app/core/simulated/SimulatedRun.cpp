@@ -74,12 +74,17 @@ Errors SimulatedRun::load() {
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
   const std::vector<std::string> names = robots();
-  stopSwitch_ = std::make_shared<StopSwitch>(std::set<std::string>(names.begin(), names.end()),
-                                             [inside = patience_, own = ownPatience_](bool engaged) {
-                                               if (!engaged) return;
-                                               inside->cut();
-                                               own->cut();
-                                             });
+  stopSwitch_ = std::make_shared<StopSwitch>(
+      std::set<std::string>(names.begin(), names.end()),
+      [inside = patience_, own = ownPatience_](bool engaged) {
+        if (!engaged) return;
+        inside->cut();
+        own->cut();
+      },
+      [inside = patience_, own = ownPatience_] {
+        inside->end();
+        own->end();
+      });
   // They may have been chosen in another scene.
   std::erase_if(options_.hosting.otherwise,
                 [this](const std::string& name) { return find(name) == nullptr; });

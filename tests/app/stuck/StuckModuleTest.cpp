@@ -152,6 +152,26 @@ TEST_P(StopWhileItHangsTest, stopIsNotKeptWaiting) {
   EXPECT_TRUE(timeGoesOn());
 }
 
+TEST_P(StopWhileItHangsTest, closingIsNotKeptWaitingHoweverManyHang) {
+  EXPECT_TRUE(soon([&] { return time() > 0.1; }));
+  StuckSolution::shallHang = true;
+  EXPECT_TRUE(eventually([] { return StuckSolution::hanging == 1; }));
+  // The next one may get its turn before the simulation ends.
+  StuckSolution::shallHang = true;
+  std::atomic<bool> isClosed{false};
+  thread_->close([&](const auto&) { isClosed = true; });
+  EXPECT_TRUE(eventually([&] { return isClosed.load(); }));
+  EXPECT_EQ(abandonedCount(), 1);
+}
+
+TEST_P(StopWhileItHangsTest, theEndOfTheWindowIsNotKeptWaiting) {
+  EXPECT_TRUE(soon([&] { return time() > 0.1; }));
+  StuckSolution::shallHang = true;
+  EXPECT_TRUE(eventually([] { return StuckSolution::hanging == 1; }));
+  thread_.reset();
+  EXPECT_EQ(abandonedCount(), 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Executors, StopWhileItHangsTest, testing::Values(ExecutorKind::kLockstep),
                          [](const auto& tested) { return nameOf(tested.param); });
 

@@ -82,5 +82,17 @@ TEST(TurnThread, aStopCutsTheWaitShort) {
   EXPECT_FALSE(patience.isOver(ModulePatience::Clock::now()));
 }
 
+TEST(TurnThread, atTheEndAllThatHangAreWaitedForTogether) {
+  ModulePatience patience(10min);
+  // A wait that begins much later: it would be over long after that.
+  const auto later = ModulePatience::Clock::now() + 1h;
+  EXPECT_FALSE(patience.isOver(later));
+  patience.cut();
+  patience.end();
+  EXPECT_TRUE(eventually([&] { return patience.isOver(later); }));
+  patience.restore();
+  EXPECT_TRUE(patience.isOver(later)) << "the end is final";
+}
+
 }  // namespace
 }  // namespace app
