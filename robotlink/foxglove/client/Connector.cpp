@@ -13,7 +13,6 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/field.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <boost/beast/websocket/stream.hpp>
 #include <thread>
@@ -23,6 +22,7 @@
 #include "robotlink/foxglove/client/Distrust.h"
 #include "robotlink/foxglove/client/HostLookup.h"
 #include "robotlink/foxglove/client/Refusals.h"
+#include "robotlink/foxglove/client/Upgrade.h"
 #include "robotlink/foxglove/security/Tls.h"
 #include "robotlink/foxglove/transport/TransportStream.h"
 
@@ -30,7 +30,6 @@ namespace robotlink::websocket {
 namespace {
 
 namespace beast = boost::beast;
-namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
 using Failure = LinkWatch::Failure;
@@ -92,7 +91,9 @@ class ConnectorThread {
 class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
  public:
   ServerConnection(ConnectorThread& thread, asio::ssl::context* tls)
-      : thread_(thread), socket_(TransportSocket(thread.context), tls) {}
+      : thread_(thread),
+        request_{thread.options.url, thread.options.token, thread.options.name, thread.options.messageBytes},
+        socket_(TransportSocket(thread.context), tls) {}
 
   void start(const tcp::endpoint& to);
   void send();
@@ -113,11 +114,6 @@ class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
   void onSecured(error_code error);
   void upgrade();
   void onUpgraded(error_code error);
-  ShownToken shownToken() const {
-    const Connector::Options& options = thread_.options;
-    const bool isShown = !options.token.empty() || options.url.target.find("token=") != std::string::npos;
-    return isShown ? ShownToken::kOne : ShownToken::kNone;
-  }
   void read() { socket_.async_read_some(buffer_, kClientReadBytes, handler(&ServerConnection::onRead)); }
   void onRead(error_code error, std::size_t bytes);
   /// Whether the system holds as much as it may that has not been sent. It takes more than
@@ -132,7 +128,8 @@ class ServerConnection : public std::enable_shared_from_this<ServerConnection> {
   }
 
   ConnectorThread& thread_;
-  websocket::stream<TransportStream> socket_;
+  const UpgradeRequest request_;
+  ClientSocket socket_;
   websocket::response_type response_;
   beast::flat_buffer buffer_;
   std::optional<Frame> sending_;
@@ -169,37 +166,18 @@ void ServerConnection::onSecured(error_code error) {
 }
 
 void ServerConnection::upgrade() {
-  const Connector::Options& options = thread_.options;
-  socket_.auto_fragment(false);
-  socket_.read_message_max(options.messageBytes);
-  // The server decides whether what it sends is compressed; what is sent to it is short.
-  websocket::permessage_deflate compression;
-  compression.client_enable = true;
-  socket_.set_option(compression);
-  socket_.compress(false);
-  socket_.set_option(websocket::stream_base::decorator([&options](websocket::request_type& request) {
-    request.set(http::field::sec_websocket_protocol, std::string(kSdkProtocol) + ", " + kWebSocketProtocol);
-    request.set(http::field::user_agent, options.name);
-    if (!options.token.empty()) request.set(http::field::authorization, "Bearer " + options.token);
-  }));
+  prepareUpgrade(socket_, request_);
   // Valid as long as the socket, which is this object's.
   socket_.control_callback(
       [this](websocket::frame_type kind, beast::string_view payload) { onControl(kind, payload); });
-  socket_.async_handshake(response_, hostOf(options.url), options.url.target,
+  socket_.async_handshake(response_, hostOf(request_.url), request_.url.target,
                           handler(&ServerConnection::onUpgraded));
 }
 
 void ServerConnection::onUpgraded(error_code error) {
   if (hasEnded_) return;
-  if (error == websocket::error::upgrade_declined)
-    return fail(Failure::kRefused, whyRefused(response_.result_int(), response_.body(), shownToken()),
-                response_.result() == http::status::unauthorized
-                    ? ServerObjection{ServerObjection::Kind::kToken}
-                    : ServerObjection());
-  if (error) return fail(Failure::kEnded, whyNoHandshake(error));
-  const std::string protocol(response_[http::field::sec_websocket_protocol]);
-  if (protocol != kSdkProtocol && protocol != kWebSocketProtocol)
-    return fail(Failure::kRefused, whyOtherProtocol(protocol));
+  if (const auto problem = problemWith(response_, error, request_))
+    return fail(problem->failure, problem->reason, problem->objection);
   thread_.watch.stepDone(thread_.now());
   isOpen_ = true;
   thread_.client->opened();

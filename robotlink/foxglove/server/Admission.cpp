@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "robotlink/base/Printable.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 
 namespace robotlink::websocket {
@@ -11,6 +12,8 @@ namespace {
 
 /// Bounds what is remembered of machines; each is forgotten when its time is over.
 constexpr std::size_t kMaxWaiting = 1024;
+/// What is shown of a page's origin, which may be anything.
+constexpr std::size_t kMaxOrigin = 200;
 
 /// Takes the same time wherever the texts differ.
 bool isSame(std::string_view a, std::string_view b) {
@@ -76,7 +79,7 @@ std::variant<Admitted, Refusal> Admission::decide(const Knock& knock, Instant no
                    "Foxglove WebSocket protocol."};
   const auto allowed = [&](const std::string& origin) { return origin == "*" || origin == knock.origin; };
   if (!knock.origin.empty() && std::ranges::none_of(options_.origins, allowed))
-    return Refusal{403, "Web pages of " + knock.origin +
+    return Refusal{403, "Web pages of " + printable(knock.origin.substr(0, kMaxOrigin)) +
                             " may not connect to this robot, unless it is told to allow them."};
   std::erase_if(waiting_, [&](const auto& entry) { return entry.second <= now; });
   // Both are compared always, which takes the same time whatever is shown.

@@ -25,6 +25,14 @@ namespace {
 namespace beast = boost::beast;
 namespace http = beast::http;
 
+/// A list, which may be spread over several fields of its name (RFC 6455, 11.3.4).
+std::string listIn(const http::fields& fields, http::field name) {
+  std::string all;
+  const auto [begin, end] = fields.equal_range(name);
+  for (auto at = begin; at != end; ++at) all += (all.empty() ? "" : ", ") + std::string(at->value());
+  return all;
+}
+
 /// One client's connection. With TLS its handshake comes first.
 class StreamConnection final : public Connection, public std::enable_shared_from_this<StreamConnection> {
  public:
@@ -134,7 +142,7 @@ void StreamConnection::onRequest(error_code error, std::size_t) {
   const auto& request = parser_.get();
   const auto field = [&](http::field name) { return std::string(request[name]); };
   knock_.isWebSocket = beast::websocket::is_upgrade(request);
-  knock_.protocols = field(http::field::sec_websocket_protocol);
+  knock_.protocols = listIn(request, http::field::sec_websocket_protocol);
   knock_.origin = field(http::field::origin);
   knock_.authorization = field(http::field::authorization);
   knock_.target = std::string(request.target());

@@ -44,6 +44,12 @@ TEST(Admission, webPagesMayNotConnectUnlessTheirOriginIsAllowed) {
   request.origin = "https://a.org.evil.com";
   EXPECT_EQ(statusOf(open, request), 403U);
   EXPECT_EQ(statusOf(all, request), 101U);
+  // What is shown of it can be shown.
+  request.origin = "https://\xff\t.org" + std::string(5000, 'x');
+  const auto refusal = open.decide(request, Instant());
+  const std::string sentence = std::get<Refusal>(refusal).sentence;
+  EXPECT_LT(sentence.size(), 400U);
+  EXPECT_EQ(sentence.find_first_of("\xff\t"), std::string::npos);
 }
 
 TEST(Admission, theTokenIsInTheHeaderOrInTheUrl) {

@@ -79,6 +79,8 @@ TEST_F(ListenerTest, aSubProtocolIsNegotiated) {
   start();
   EXPECT_EQ(wantedProtocols("foxglove.websocket.v1", port_), "foxglove.websocket.v1");
   EXPECT_EQ(wantedProtocols("x, foxglove.websocket.v1, foxglove.sdk.v1", port_), "foxglove.sdk.v1");
+  const RawClient listed(port_, {"x", "/", {{"Sec-WebSocket-Protocol", "foxglove.sdk.v1"}}});
+  EXPECT_EQ(listed.protocol(), "foxglove.sdk.v1") << "a list may be spread over several fields";
   EXPECT_THAT(wantedProtocols("", port_), HasSubstr("400 This robot speaks the sub-protocols"));
   RawClient browser(port_, {"", "/", {}, 0, false});
   EXPECT_EQ(browser.status(), 426U);

@@ -47,7 +47,7 @@ struct RawClient::Implementation {
   void upgrade(const Options& options) {
     socket.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
       if (!options.protocols.empty()) request.set(http::field::sec_websocket_protocol, options.protocols);
-      for (const auto& [name, value] : options.fields) request.set(name, value);
+      for (const auto& [name, value] : options.fields) request.insert(name, value);
     }));
     socket.read_message_max(64U << 20U);
     socket.auto_fragment(false);

@@ -13,7 +13,7 @@ class RawClient {
   struct Options {
     std::string protocols = kSdkProtocol;
     std::string target = "/";
-    /// Fields of the HTTP request.
+    /// Further fields of the HTTP request, also of names that it has already.
     std::vector<std::pair<std::string, std::string>> fields = {};
     /// The system's buffer in bytes; 0: the system's choice.
     int receiveBuffer = 0;
