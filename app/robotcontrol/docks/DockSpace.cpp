@@ -78,7 +78,8 @@ int roomForTabs(const ads::CDockAreaTitleBar& bar) {
   for (const auto* button : bar.findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) {
     if (!button->isHidden()) room -= button->sizeHint().width();
   }
-  return room;
+  // An area that is narrower than its buttons, as before the window has its size, has none.
+  return std::max(0, room);
 }
 
 /// The width at which the longest of these titles have to be cut so that all fit the room.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Docks that are closed, floated, put back, and what becomes of them when perspectives change and the window
 // closes.
+#include <qtadvanceddocking/DockAreaTitleBar.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/DockWidgetTab.h>
@@ -210,6 +211,17 @@ class DocksGuiTest : public WindowTest {
     QCoreApplication::processEvents();
     space(desk).fitTabs();
     QCOMPARE(icons(), 1);
+  }
+
+  void anAreaThatIsNarrowerThanItsButtonsHasRoomForNoTitle() {
+    Desk desk(home_);
+    settle(desk);
+    auto& messages = dock(desk, "messages");
+    ads::CDockAreaTitleBar* bar = messages.dockAreaWidget()->titleBar();
+    bar->resize(1, bar->height());
+    space(desk).fitTabs();  // a warning of Qt fails the test
+    QCOMPARE(messages.tabWidget()->findChild<QLabel*>(QStringLiteral("dockWidgetTabLabel"))->minimumWidth(),
+             0);
   }
 
   void theViewThatWasClickedIsMaximizedThoughItTakesNoFocus() {
