@@ -182,9 +182,17 @@ class LogReaderTest : public QObject {
     QVERIFY2(!ok->isEnabled(), "nothing would be written");
     patterns.setText(QStringLiteral("*,-*/log"));
     QCOMPARE(text->checkState(), Qt::Unchecked);
-    list.findItems(QStringLiteral("nao/log"), Qt::MatchExactly).value(0)->setCheckState(Qt::Checked);
+    const auto tick = [&list](Qt::CheckState state) {
+      list.findItems(QStringLiteral("nao/log"), Qt::MatchExactly).value(0)->setCheckState(state);
+    };
+    tick(Qt::Checked);
     QCOMPARE(patterns.text(), QString());
+    // What was typed stays, as where the streams of recordings are chosen.
     patterns.setText(QStringLiteral("nao/frames/*"));
+    tick(Qt::Checked);
+    QCOMPARE(patterns.text(), QStringLiteral("nao/frames/*,nao/log"));
+    tick(Qt::Unchecked);
+    QCOMPARE(patterns.text(), QStringLiteral("nao/frames/*"));
     click(*ok);
     const auto some = home() / "some.mcap";
     bench.answer(*view, "cutDialog", some);
