@@ -138,7 +138,7 @@ class Client {
     bool isGreeted = false;
     ServerInfo server;
     std::map<std::uint64_t, OfferedChannel> channels;
-    std::size_t schemaBytes = 0;
+    std::size_t schemaBytes = 0, serviceSchemaBytes = 0;
     std::map<std::uint64_t, std::uint32_t> subscriptionOf;
     std::unordered_map<std::uint32_t, OfferedChannel> subscriptions;
     std::uint32_t nextSubscription = 1;

@@ -12,7 +12,7 @@ namespace robotlink::websocket {
 /// Bounds of what a server can cost. Over one of them its connection ends, with a reason.
 struct ClientLimits {
   std::size_t channels = 10'000, services = 10'000;
-  /// The limit of all schemas together that it advertises.
+  /// The limit of all schemas together that it advertises, of its channels and again of its services.
   std::size_t schemaBytes = 64U << 20U;
   /// Calls of this client that are not answered yet, and bytes that wait to be sent.
   std::size_t calls = 1000, waitingBytes = 32U << 20U;

@@ -10,6 +10,11 @@ namespace {
 /// Ids of requests, so that answers are known; others' updates have none.
 constexpr char kCountersId[] = "counters";
 
+/// Of the argument and the answer.
+std::size_t schemaBytesOf(const Service& service) {
+  return service.request.schema.size() + service.response.schema.size();
+}
+
 tl::unexpected<Error> tooMuch(const std::string& what) {
   return failure("foxglove.limit", "the robot offers too much: " + what);
 }
@@ -191,8 +196,14 @@ Result<void> Client::handle(const PlaybackState&, Calls&) {
 
 Result<void> Client::handle(const AdvertiseServices& message, Calls& calls) {
   for (const Service& service : message.services) {
-    if (conversation_.services.size() >= limits_.services)
-      return tooMuch("more than " + std::to_string(limits_.services) + " services");
+    const auto known = conversation_.services.find(service.name);
+    if (known != conversation_.services.end())
+      conversation_.serviceSchemaBytes -= schemaBytesOf(known->second);
+    conversation_.serviceSchemaBytes += schemaBytesOf(service);
+    if (conversation_.services.size() >= limits_.services ||
+        conversation_.serviceSchemaBytes > limits_.schemaBytes)
+      return tooMuch("more than " + std::to_string(limits_.services) + " services, or schemas of more than " +
+                     std::to_string(limits_.schemaBytes >> 20U) + " MiB");
     conversation_.services.insert_or_assign(service.name, service);
   }
   if (handlers_.servicesAdded)
@@ -205,6 +216,7 @@ Result<void> Client::handle(const UnadvertiseServices& message, Calls& calls) {
   std::vector<std::string> names;
   std::erase_if(conversation_.services, [&](const auto& service) {
     if (std::ranges::find(message.serviceIds, service.second.id) == message.serviceIds.end()) return false;
+    conversation_.serviceSchemaBytes -= schemaBytesOf(service.second);
     names.push_back(service.first);
     return true;
   });

@@ -17,6 +17,7 @@ constexpr std::size_t kArrivalBytes = 256;
 
 /// The name of the stream is not known here; tables are latched by their type.
 bool isKept(const RemoteInbox::Arrival& arrival) {
+  if (arrival.isSparable) return false;
   return !arrival.value || isLatched(arrival.channel->topic, arrival.value->GetDescriptor()->full_name());
 }
 
@@ -97,15 +98,19 @@ void RemoteInbox::push(std::function<void()> work) {
   push(Arrival{nullptr, {}, nullptr, 0, std::move(work)});
 }
 
+void RemoteInbox::pushSparable(std::function<void()> work, std::size_t bytes) {
+  push(Arrival{nullptr, {}, nullptr, bytes + kArrivalBytes, std::move(work), true});
+}
+
 void RemoteInbox::push(Arrival arrival) {
   const std::lock_guard lock(mutex_);
-  messages_ += arrival.value ? 1 : 0;
+  messages_ += arrival.isCounted() ? 1 : 0;
   bytes_ += arrival.bytes;
   arrivals_.push_back(std::move(arrival));
   while (messages_ > limits_.messages || bytes_ > limits_.bytes) {
     auto oldest = std::ranges::find_if(arrivals_, [](const Arrival& one) { return !isKept(one); });
     if (oldest == arrivals_.end())
-      oldest = std::ranges::find_if(arrivals_, [](const Arrival& one) { return one.value != nullptr; });
+      oldest = std::ranges::find_if(arrivals_, [](const Arrival& one) { return one.isCounted(); });
     --messages_;
     bytes_ -= oldest->bytes;
     ++dropped_;

@@ -33,7 +33,8 @@ struct RemoteChannel {
 using RemoteChannelPtr = std::shared_ptr<RemoteChannel>;
 
 /// What a server's messages are turned into, on the way from the link's thread to that of a session: packages
-/// of their types. Bounded; over it the oldest go and are counted, but not those that are latched.
+/// of their types. Bounded; over it the oldest, also of the server's texts, go and are counted, but not those
+/// that are latched.
 class RemoteInbox {
  public:
   struct Arrival {
@@ -41,8 +42,12 @@ class RemoteInbox {
     Instant time;
     PackagePtr value;
     std::size_t bytes = 0;
-    /// If it is not a message: what is to be done.
+    /// If it is not a message: what is to be done, and whether it may be left out.
     std::function<void()> work;
+    bool isSparable = false;
+
+    /// Whether the limits are for it.
+    bool isCounted() const { return value != nullptr || isSparable; }
   };
   struct Limits {
     std::size_t messages = 50'000, bytes = 64U << 20U;
@@ -57,7 +62,10 @@ class RemoteInbox {
   void remove(const std::vector<Channel>& channels);
   void removeAll() { types_.clear(); }
   void push(const Channel& channel, Instant time, std::string_view payload);
+  /// Something to be done, which is never left out.
   void push(std::function<void()> work);
+  /// Something to be done with a text of so many bytes, which is left out as messages are.
+  void pushSparable(std::function<void()> work, std::size_t bytes);
 
   // The session's thread.
   std::deque<Arrival> take();

@@ -118,10 +118,15 @@ ClientHandlers RemoteSession::handlers() {
     inbox.push(channel, time, payload);
   };
   h.parameters = [this](const std::vector<Parameter>& parameters) {
-    inbox.push([this, parameters] { onParameters(parameters); });
+    // No other is looked at.
+    const std::string wanted = kClientParameter;
+    const auto number = std::ranges::find(parameters, wanted, &Parameter::name);
+    if (number != parameters.end()) inbox.push([this, number = *number] { onParameters({number}); });
   };
   h.graph = [this](const ConnectionGraphUpdate& update) { inbox.push([this, update] { onGraph(update); }); };
-  h.status = [this](const Status& status) { inbox.push([this, status] { onStatus(status); }); };
+  h.status = [this](const Status& status) {
+    inbox.pushSparable([this, status] { onStatus(status); }, status.message.size() + status.id.size());
+  };
   return h;
 }
 

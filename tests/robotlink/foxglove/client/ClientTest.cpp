@@ -269,6 +269,25 @@ TEST_F(ClientTest, aServerThatOffersTooMuchLosesOnlyItsConnection) {
   EXPECT_THAT(result.error().text, HasSubstr("more than 3 channels"));
 }
 
+TEST_F(ClientTest, schemasOfServicesAreBounded) {
+  client_ = std::make_unique<Client>(handlers_, ClientLimits{.schemaBytes = 100}, clock_);
+  connect();
+  const auto offer = [this](const std::string& name, std::size_t bytes) {
+    const ServiceSchema schema{"json", "A", "jsonschema", std::string(bytes / 2, 'x')};
+    const Service service{40, name, "S", schema, schema};
+    const Frame frame = encode(AdvertiseServices{{service}});
+    return client_->received(frame.kind, frame.bytes);
+  };
+  EXPECT_TRUE(offer("a", 80));
+  EXPECT_TRUE(offer("a", 90)) << "it takes the place of the one before";
+  const Frame gone = encode(UnadvertiseServices{{40}});
+  EXPECT_TRUE(client_->received(gone.kind, gone.bytes));
+  EXPECT_TRUE(offer("b", 80));
+  const auto refused = offer("c", 40);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text, HasSubstr("schemas"));
+}
+
 TEST_F(ClientTest, whatIsNotUnderstoodIsSaidAndSkipped) {
   connect();
   EXPECT_TRUE(client_->received(FrameKind::kText, R"({"op":"dance"})"));
