@@ -113,9 +113,17 @@ void RobotSearch::run() {
     }
     const Open open = open_;
     lock.unlock();
-    if (!source) source = open();
-    auto robots = source->robots();
-    std::string problem = source->problem();
+    std::vector<AnnouncedRobots> robots;
+    std::string problem;
+    try {
+      if (!source) source = open();
+      robots = source->robots();
+      problem = source->problem();
+    } catch (const std::exception& error) {
+      // Tried again, in case that the network comes back.
+      source.reset();
+      problem = std::string("Robots cannot be searched for (") + error.what() + "). Enter the URL instead.";
+    }
     lock.lock();
     note(std::move(robots), std::move(problem));
     changed_.wait_for(lock, kSearchLook, [this] { return !isWanted_ || isOver_; });

@@ -71,6 +71,7 @@ class ConnectorThread {
     if (!url.isEncrypted) return nullptr;
     return makeClientTls();
   }
+  void run();
   void tickLater();
   void tick();
   void connect();
@@ -293,7 +294,20 @@ ConnectorThread::ConnectorThread(std::shared_ptr<Client> connectedClient, Connec
     });
   });
   asio::post(context, [this] { tick(); });
-  thread_ = std::thread([this] { context.run(); });
+  thread_ = std::thread([this] { run(); });
+}
+
+void ConnectorThread::run() {
+  while (!context.stopped()) {
+    try {
+      context.run();
+    } catch (const std::exception& problem) {
+      // Memory ran out, say. What the connection was doing is not continued, so it is made anew.
+      asio::post(context, [this, what = std::string(problem.what())] {
+        failed(Failure::kEnded, "a message of the robot could not be handled: " + what);
+      });
+    }
+  }
 }
 
 ConnectorThread::~ConnectorThread() {
@@ -310,6 +324,7 @@ void ConnectorThread::tickLater() {
 }
 
 void ConnectorThread::tick() {
+  tickLater();  // first: it goes on, whatever throws
   if (lookup_) {
     if (const auto outcome = lookup_->outcome()) connectTo(*outcome);
   }
@@ -332,7 +347,6 @@ void ConnectorThread::tick() {
   report();
   client->tick();
   if (connection_) connection_->send();
-  tickLater();
 }
 
 void ConnectorThread::report() {

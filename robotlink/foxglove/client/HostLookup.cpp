@@ -37,6 +37,16 @@ HostLookup::Outcome addressesOf(const std::string& host) {
                  {}, {host});
 }
 
+/// The same in a thread that nothing may leave by an exception.
+HostLookup::Outcome triedAddressesOf(const std::string& host) {
+  try {
+    return addressesOf(host);
+  } catch (const std::exception& error) {
+    return failure("foxglove.host", "the address of '" + host + "' cannot be looked up: " + error.what(), {},
+                   {host});
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<HostLookup> HostLookup::start(const std::string& host) {
@@ -46,7 +56,7 @@ std::shared_ptr<HostLookup> HostLookup::start(const std::string& host) {
     return lookup;
   }
   try {
-    std::thread([lookup, host] { lookup->finish(addressesOf(host)); }).detach();
+    std::thread([lookup, host] { lookup->finish(triedAddressesOf(host)); }).detach();
   } catch (const std::system_error& error) {
     lookup->finish(failure("foxglove.host", std::string("the system starts no thread: ") + error.what()));
   }

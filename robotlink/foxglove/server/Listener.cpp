@@ -77,8 +77,18 @@ void ListenerPort::run() {
       context.run();
     } catch (const std::exception& problem) {
       // Memory ran out, say. Other clients go on.
-      report(std::string("A message of a client could not be handled: ") + problem.what());
+      tryReport(std::string("A message of a client could not be handled: ") + problem.what());
+      tickLater();
     }
+  }
+}
+
+/// Nothing may leave the thread by an exception.
+void ListenerPort::tryReport(const std::string& sentence) {
+  try {
+    report(sentence);
+  } catch (const std::exception&) {
+    // There is nobody whom this could be said to.
   }
 }
 
@@ -97,8 +107,8 @@ void ListenerPort::accept() {
   acceptor_.async_accept([this](error_code error, TransportSocket socket) {
     isAccepting_ = false;
     if (!error) {
+      accept();  // first: others come in, whatever throws
       welcome(std::move(socket));
-      accept();
     }
     tickLater();  // which tries again: the program may have too many files open
   });
@@ -142,10 +152,10 @@ void ListenerPort::tickLater() {
   timer_.expires_after(kTick);
   timer_.async_wait([this](error_code) {
     isTicking_ = false;
+    if (!isAccepting_) accept();
+    tickLater();                            // before the connections: it goes on, whatever one of them throws
     const auto connections = connections_;  // some end meanwhile
     for (const auto& connection : connections) connection->tick(now());
-    if (!isAccepting_) accept();
-    tickLater();
   });
 }
 

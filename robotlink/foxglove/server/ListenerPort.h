@@ -88,6 +88,7 @@ class ListenerPort {
     return options;
   }
   void run();
+  void tryReport(const std::string& sentence);
   void accept();
   void welcome(TransportSocket socket);
   bool makeRoomFor(const std::string& machine);

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
+#include <atomic>
+#include <stdexcept>
+
 #include "app/core/remote/RobotAnnouncer.h"
 #include "app/core/remote/SessionOffer.h"
 #include "robotcontrol/Logging.pb.h"
@@ -65,6 +68,20 @@ TEST(RobotSearch, whyNothingCanBeHeardIsSaid) {
   alone.setWanted(true);
   EXPECT_TRUE(eventually([&] { return !alone.state().problem.empty(); }));
   EXPECT_THAT(alone.state().problem, HasSubstr("Enter the URL"));
+}
+
+TEST(RobotSearch, aSourceThatThrowsIsSaidAndTriedAgain) {
+  test::MadeUpRobots made;
+  made.set({hall("red1")});
+  std::atomic<int> tries{0};
+  RobotSearch search([&tries, open = made.source()]() -> std::unique_ptr<RobotSearch::Source> {
+    if (++tries < 3) throw std::runtime_error("no sockets are left");
+    return open();
+  });
+  search.setWanted(true);
+  EXPECT_TRUE(eventually([&] { return search.state().problem.find("no sockets") != std::string::npos; }));
+  EXPECT_TRUE(eventually([&] { return namesIn(search.state()) == "red1;"; }));
+  EXPECT_EQ(search.state().problem, "");
 }
 
 /// Nodes of a domain of this test's own, on the loopback interface, for any network.

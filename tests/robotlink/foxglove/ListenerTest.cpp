@@ -317,6 +317,27 @@ TEST_F(ListenerTest, whoNeverFinishesTheHandshakeIsClosed) {
       << "headers are bounded";
 }
 
+TEST_F(ListenerTest, whatThrowsInItsThreadKeepsNothingElseFromHappening) {
+  std::atomic<int> thrown{0};
+  handlers_.report = [&](const std::string& sentence) {
+    if (sentence.find("took too long") != std::string::npos && ++thrown < 3)
+      throw std::runtime_error("no memory");
+  };
+  start();
+  std::atomic<bool> isClosed{false};
+  std::thread slow([&] {
+    EXPECT_THAT(talkTcp(port_, "GET / HTTP/1.1\r\nX: "), IsEmpty());
+    isClosed = true;
+  });
+  EXPECT_TRUE(eventually([&] {
+    clock_->advance(seconds(1));
+    return isClosed.load();
+  }));
+  slow.join();
+  EXPECT_GE(thrown, 3);
+  EXPECT_EQ(RawClient(port_).status(), 101U);
+}
+
 TEST_F(ListenerTest, silentClientsAreAskedForASignOfLifeAndThenGivenUp) {
   start();
   const auto answering = join();

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <stdexcept>
+
 #include "robotlink/foxglove/server/Listener.h"
 #include "tests/Eventually.h"
 #include "tests/robotlink/foxglove/PlainServer.h"
@@ -104,6 +106,24 @@ TEST_F(ConnectorTest, aServerThatComesBackIsFoundWithEverythingAskedForBefore) {
   listen("", port);
   EXPECT_TRUE(receives("2"));
   EXPECT_EQ(client_->state().connections, 2U);
+}
+
+TEST_F(ConnectorTest, aHandlerThatThrowsCostsOnlyTheConnection) {
+  listen();
+  options_.times.retryTime = 10ms;
+  ClientHandlers handlers;
+  handlers.message = [this](const Channel&, Instant, std::string_view payload) {
+    if (payload == "bad") throw std::runtime_error("no memory");
+    const std::lock_guard lock(mutex_);
+    newest_ = payload;
+  };
+  client_ = std::make_shared<Client>(std::move(handlers));
+  client_->subscribe({"a"});
+  connector_ = std::make_unique<Connector>(client_, options_);
+  ASSERT_TRUE(receives("1"));
+  channel_->publish(Instant(1s), "bad");
+  EXPECT_TRUE(eventually([&] { return client_->state().connections == 2; }));
+  EXPECT_TRUE(receives("2"));
 }
 
 TEST_F(ConnectorTest, aWrongTokenIsSaidAndARightOneIsShown) {
