@@ -20,7 +20,7 @@ class BinaryWriter {
   void number(Number value) {
     writer_.put(value);
   }
-  void time(Instant value) { number(static_cast<std::uint64_t>(value.time_since_epoch().count())); }
+  void time(Instant value) { number(wireTime(value)); }
   void speed(float value) { number(value); }
   void flag(const char*, bool value) { number(static_cast<std::uint8_t>(value)); }
   template <typename Choice>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
+#include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/foxglove/protocol/ClientMessages.h"
 #include "robotlink/foxglove/protocol/ServerMessages.h"
@@ -29,6 +33,11 @@ inline constexpr std::size_t kMessageHeadSize = 1 + 4 + 8;
 /// The deepest nesting of JSON, and the longest name (of a topic, a parameter, an asset...) that is read.
 inline constexpr int kMaxJsonDepth = 32;
 inline constexpr std::size_t kMaxName = 4096;
+
+/// A time as the protocol has it, ns since 1970; there is none before that.
+inline std::uint64_t wireTime(Instant time) {
+  return static_cast<std::uint64_t>(std::max(time.time_since_epoch(), Duration::zero()).count());
+}
 
 Frame encode(const ServerMessage& message);
 Frame encode(const ClientMessage& message);

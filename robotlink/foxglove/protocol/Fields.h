@@ -22,8 +22,8 @@ concept IsBinary = requires {
   Message::kOpcode;
 };
 
-// JSON: field() must be there; part() may be missing; option() is left out if it is empty; schema() is base64
-// if its encoding is binary.
+// JSON: field() must be there; part() may be missing; option() is left out if it is empty; sentence() is
+// cut if it is too long; schema() is base64 if its encoding is binary.
 void fields(auto& io, Is<ServerInfo> auto& m) {
   io.field("name", m.name);
   io.field("capabilities", m.capabilities);
@@ -35,7 +35,7 @@ void fields(auto& io, Is<ServerInfo> auto& m) {
 }
 void fields(auto& io, Is<Status> auto& m) {
   io.choice("level", m.level, StatusLevel::kError);
-  io.field("message", m.message);
+  io.sentence("message", m.message);
   io.option("id", m.id);
 }
 void fields(auto& io, Is<RemoveStatus> auto& m) {
@@ -81,7 +81,7 @@ void fields(auto& io, Is<UnadvertiseServices> auto& m) {
 void fields(auto& io, Is<ServiceCallFailure> auto& m) {
   io.field("serviceId", m.serviceId);
   io.field("callId", m.callId);
-  io.field("message", m.message);
+  io.sentence("message", m.message);
 }
 void fields(auto& io, Is<ConnectionGraphUpdate> auto& m) {
   io.ids("publishedTopics", "publisherIds", m.publishedTopics);

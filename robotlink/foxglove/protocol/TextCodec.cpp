@@ -3,6 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "robotlink/base/Utf8.h"
 #include "robotlink/foxglove/protocol/Base64.h"
 #include "robotlink/foxglove/protocol/Codec.h"
 #include "robotlink/foxglove/protocol/Fields.h"
@@ -13,7 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::int64_t kNanoseconds = 1'000'000'000;
+constexpr std::uint32_t kNanoseconds = 1'000'000'000;
+
+/// A sentence that is longer than what is read is cut, rather than lost with its message.
+std::string shortSentence(const std::string& text) {
+  return text.size() <= kMaxName ? text : validUtf8(text.substr(0, kMaxName));  // it may end amid a character
+}
 
 bool isBinarySchema(std::string_view encoding) {
   return encoding == "protobuf" || encoding == "flatbuffer";
@@ -96,6 +102,7 @@ class JsonWriter {
   void part(const char* key, const T& value) {
     field(key, value);
   }
+  void sentence(const char* key, const std::string& text) { field(key, shortSentence(text)); }
   void schema(const std::string& encoding, const std::string& schema) {
     field("schema", isBinarySchema(encoding) ? toBase64(schema) : schema);
   }
@@ -105,7 +112,7 @@ class JsonWriter {
   }
   void time(const char* key, const std::optional<Instant>& time) {
     if (!time) return;
-    const auto count = time->time_since_epoch().count();
+    const std::uint64_t count = wireTime(*time);
     object_[key] = {{"sec", count / kNanoseconds}, {"nsec", count % kNanoseconds}};
   }
   void ids(const char* key, const char* idsKey, const ConnectionGraphUpdate::Ids& names) {
@@ -213,6 +220,12 @@ class JsonReader {
   void part(const char* key, T& value) {
     option(key, value);
   }
+  void sentence(const char* key, std::string& text) {
+    if (!problem_.empty()) return;
+    const auto found = object_.is_object() ? object_.find(key) : object_.end();
+    if (found == object_.end() || !found->is_string()) return field(key, text);  // which says what is wrong
+    text = shortSentence(found->get_ref<const std::string&>());
+  }
   void schema(const std::string& encoding, std::string& schema) {
     if (!problem_.empty() || !object_.contains("schema")) return;
     const Json& json = object_["schema"];
@@ -239,7 +252,7 @@ class JsonReader {
     reader.field("nsec", nsec);
     if (!reader.problem().empty()) return blame(key, reader.problem());
     if (nsec >= kNanoseconds) return blame(key, ".nsec must be below 1000000000");
-    time = Instant(Duration(sec * kNanoseconds + nsec));
+    time = Instant(Duration(std::int64_t{sec} * kNanoseconds + nsec));
   }
   void ids(const char* key, const char* idsKey, ConnectionGraphUpdate::Ids& names) {
     std::vector<Json> items;

@@ -106,7 +106,7 @@ void Server::push(const ServerChannel& channel, const ServerChannel::Subscriber&
   Outgoing message{FrameKind::kBinary, {}, kMessageHeadSize, payload, channel.setup().isCompressible};
   message.head[0] = 1;  // the opcode of MessageData
   storeNumber(message.head.data() + 1, to.subscription);
-  storeNumber(message.head.data() + 5, static_cast<std::uint64_t>(time.time_since_epoch().count()));
+  storeNumber(message.head.data() + 5, wireTime(time));
   to.client->outbox.push(channel.id(), std::move(message), channel.setup().delivery,
                          channel.setup().maxWaiting);
   wakeForStream(*to.client);

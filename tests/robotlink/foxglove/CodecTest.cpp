@@ -110,6 +110,36 @@ TEST(FoxgloveCodec, textThatIsNoUtf8IsReplacedRatherThanRefused) {
             "{\"level\":0,\"message\":\"a\xef\xbf\xbd\",\"op\":\"status\"}");
 }
 
+TEST(FoxgloveCodec, aSentenceThatIsTooLongIsCutRatherThanLost) {
+  std::string text = "a";
+  for (int i = 0; i < 5000; ++i) text += "\xc3\xbc";
+  for (const ServerMessage& message : {ServerMessage(Status{StatusLevel::kError, text, ""}),
+                                       ServerMessage(ServiceCallFailure{1, 2, text})}) {
+    const Frame frame = encode(message);
+    const auto read = decodeServerMessage(frame.kind, frame.bytes);
+    ASSERT_TRUE(read) << read.error().text;
+    const auto* status = std::get_if<Status>(&*read);
+    const std::string& sentence =
+        status != nullptr ? status->message : std::get<ServiceCallFailure>(*read).message;
+    EXPECT_EQ(sentence, text.substr(0, kMaxName - 1) + "?");
+  }
+  // Those of others, too.
+  const auto foreign =
+      decodeServerMessage(FrameKind::kText, R"({"op":"status","level":1,"message":")" + text + "\"}");
+  ASSERT_TRUE(foreign) << foreign.error().text;
+  EXPECT_EQ(std::get<Status>(*foreign).message.size(), kMaxName);
+}
+
+TEST(FoxgloveCodec, noTimeIsBeforeTheFirst) {
+  const Instant before(Duration(-5));
+  const Frame time = encode(ServerMessage(Time{before}));
+  EXPECT_EQ(decodeServerMessage(time.kind, time.bytes).value(), ServerMessage(Time{Instant()}));
+  ServerInfo info{"s", {}, {}, {}, "1", before, Instant(Duration(7))};
+  const Frame frame = encode(ServerMessage(info));
+  info.dataStart = Instant();
+  EXPECT_EQ(decodeServerMessage(frame.kind, frame.bytes).value(), ServerMessage(info));
+}
+
 TEST(Base64, isThatOfTheStandard) {
   const std::vector<std::pair<std::string, std::string>> vectors{
       {"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}};

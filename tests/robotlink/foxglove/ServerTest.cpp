@@ -456,6 +456,18 @@ TEST_F(ServerTest, timeIsLatestOnly) {
   EXPECT_THAT(heard(x), ElementsAre(ServerMessage(Time{Instant(Duration(99))})));
 }
 
+TEST_F(ServerTest, aMessageFromBeforeTheFirstTimeCanBeRead) {
+  start();
+  const auto channel = server_->addChannels({setup("a")})[0];
+  const auto x = join("x");
+  say(x, Subscribe{{{1, channel->id()}}});
+  heard(x);
+  channel->publish(Instant(Duration(-5)), "early");
+  const auto messages = heardOf<MessageData>(x);
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0].time, Instant());
+}
+
 TEST_F(ServerTest, whatRobotsCannotDoIsSaid) {
   start();
   const auto x = join("x");
