@@ -266,14 +266,18 @@ void SessionServer::noticeTable(const std::string& robot, const std::string& str
 
 void SessionServer::noticeProcesses(const std::string& robot, const ProcessTable& table, Robot& to) {
   to.graph = graphOf(robot, table);
-  ConnectionGraph all;
-  for (const auto& [name, other] : robots_) {
-    all.publishedTopics.insert(other.graph.publishedTopics.begin(), other.graph.publishedTopics.end());
-    all.subscribedTopics.insert(other.graph.subscribedTopics.begin(), other.graph.subscribedTopics.end());
-  }
-  server_->setConnectionGraph(std::move(all));
+  offerGraph();
   to.processes = table;
   offerKeyChannels(robot, to);
+}
+
+void SessionServer::offerGraph() {
+  ConnectionGraph all;
+  for (const auto& [name, robot] : robots_) {
+    all.publishedTopics.insert(robot.graph.publishedTopics.begin(), robot.graph.publishedTopics.end());
+    all.subscribedTopics.insert(robot.graph.subscribedTopics.begin(), robot.graph.subscribedTopics.end());
+  }
+  server_->setConnectionGraph(std::move(all));
 }
 
 void SessionServer::offerKeyChannels(const std::string& robot, const Robot& from) {
@@ -331,6 +335,7 @@ void SessionServer::updateRobots() {
     if (!channels_.contains(steering))
       addChannels({setupOf(steering, *robotcontrol::SteeringStatus::descriptor())});
   }
+  const std::size_t before = robots_.size();
   for (auto robot = robots_.begin(); robot != robots_.end();) {
     const auto& [name, known] = *robot;
     const bool isGone = !name.empty() && !known.services.empty() &&
@@ -338,6 +343,7 @@ void SessionServer::updateRobots() {
     if (isGone) removeRobot(name, robot->second);
     robot = isGone ? robots_.erase(robot) : std::next(robot);
   }
+  if (robots_.size() < before) offerGraph();
 }
 
 /// With all that clients know of it.

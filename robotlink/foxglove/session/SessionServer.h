@@ -145,6 +145,8 @@ class SessionServer {
   /// Says which keys are on only for subscribers; tables of keys show these as off.
   void offerOnDemand(const std::string& robot);
   void noticeProcesses(const std::string& robot, const robotcontrol::ProcessTable& table, Robot& to);
+  /// The connection graph is that of all robots.
+  void offerGraph();
   // What follows from what clients do.
   void getParameters();
   /// Offers JPEG to clients whose lines do not carry raw images.

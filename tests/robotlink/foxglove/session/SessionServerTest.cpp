@@ -285,6 +285,11 @@ TEST_F(SessionServerTest, processesAndPackagesAreTheConnectionGraph) {
   const auto updates = heard<ConnectionGraphUpdate>();
   ASSERT_EQ(updates.size(), 1U);
   EXPECT_THAT(updates[0].subscribedTopics.at("red1/camera/image"), ElementsAre("red1/cognition"));
+  session_.setRobots({});
+  tick();
+  const auto gone = heard<ConnectionGraphUpdate>();
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_THAT(gone[0].removedTopics, testing::Contains("red1/camera/image"));
 }
 
 TEST_F(SessionServerTest, whatIsNoTableOnThePathOfATableChangesNothing) {
