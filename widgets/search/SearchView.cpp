@@ -151,6 +151,8 @@ Result<void> SearchView::go(int direction) {
     row = at;
     while (row >= 0 && model_.row(row).from >= shown) --row;
   }
+  // The only hit is the next and the previous one, wherever one is.
+  if (model_.rowCount() == 1) row = 0;
   if (row < 0 || row >= model_.rowCount())
     return robotlink::failure("search.end",
                               direction > 0 ? "there is no hit later" : "there is no hit before");

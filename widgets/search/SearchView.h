@@ -35,7 +35,8 @@ class SearchView final : public View {
   /// Starts a search. Fails if no log is open, or nothing is wanted.
   robotlink::Result<void> search(const QString& wanted, bool isTexts);
   void cancel();
-  /// Jumps to the next (1) or previous (-1) hit from the shown instant. Fails if there is none.
+  /// Jumps to the next (1) or previous (-1) hit from the shown instant; to the only one in any case. Fails
+  /// if there is none.
   robotlink::Result<void> go(int direction);
   bool isSearching() const { return isSearching_; }
   const SearchModel& hits() const { return model_; }

@@ -114,6 +114,29 @@ class SearchViewTest : public QObject {
     QVERIFY(text && std::count(text->begin(), text->end(), '\n') == 4);
   }
 
+  void theOnlyHitIsTheNextAndThePreviousOneFromEverywhere() {
+    SearchedLog log;
+    auto view = log.openView<SearchView>();
+    log.type(*view, 1, "frame 100$");
+    log.finish(*view);
+    QCOMPARE(view->hits().rowCount(), 1);
+    for (const double shown : {15.0, 20.0, 25.0}) {
+      for (const int direction : {1, -1}) {
+        log.showTime(shown);
+        log.tick(*view);
+        QVERIFY(view->go(direction));
+        QCOMPARE(log.asked().time(), at(20).time_since_epoch().count());
+        log.answer(true);
+        log.tick(*view);
+      }
+    }
+    log.type(*view, 1, "frame 10[01]$");
+    log.finish(*view);
+    log.showTime(25);
+    log.tick(*view);
+    QVERIFY(!view->go(1));
+  }
+
   void hitsMoveWithTheOffsetOfTheirLog() {
     SearchedLog log;
     auto view = log.openView<SearchView>();
