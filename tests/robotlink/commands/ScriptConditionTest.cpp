@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/session/Session.h"
 
@@ -121,6 +122,15 @@ TEST_F(ScriptConditionTest, theTimeIsThatOfTheSession) {
   ball(0, 3000ms);
   session_.tick();
   EXPECT_TRUE(isTrue(condition.look()));
+}
+
+TEST_F(ScriptConditionTest, theTimeOfAReplayIsInNanoseconds) {
+  auto status = std::make_shared<robotcontrol::ReplayStatus>();
+  status->set_time(1'500'000'000);
+  session_.push({"replay", Instant(1500ms), status});
+  session_.tick();
+  ScriptCondition condition(session_, "replay.time / 1e9 == 1.5");
+  EXPECT_TRUE(isTrue(condition.now()));
 }
 
 TEST_F(ScriptConditionTest, anObserverGetsEachValue) {
