@@ -34,8 +34,8 @@ const ViewRegistration kPlotsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
      create<PlotsView>}};
 
-constexpr int kTicks = 6;  // of this many ticks (at 30 Hz)...
-constexpr int kDrawn = 5;  // ...at most this many draw: 25 Hz
+/// Spectra are drawn once in so many ticks, five times a second.
+constexpr int kTicksPerSpectrum = 6;
 
 }  // namespace
 
@@ -324,13 +324,13 @@ void PlotsView::tick() {
                      : tr("Choose values on the left: double click, Enter or drag them here."));
   undo_->setEnabled(canvas_->history().canUndo());
   redo_->setEnabled(canvas_->history().canRedo());
-  ticks_ = (ticks_ + 1) % kTicks;
+  ticks_ = (ticks_ + 1) % kTicksPerSpectrum;
   if (pause_->isChecked()) return;
   dirty_ = curves_.update(session().store()) || dirty_;
-  // A transform of many points takes a while: five times a second are enough.
+  // A transform of many points takes a while.
   if (ticks_ == 0 && std::exchange(isSpectrumOld_, false)) showSpectrum();
   dirty_ = dirty_ || (!session().timeline().live() && shownTime() != drawnTime_);
-  if (!dirty_ || ticks_ >= kDrawn) return;
+  if (!dirty_) return;
   dirty_ = false;
   draw();
 }

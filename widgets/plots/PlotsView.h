@@ -35,7 +35,8 @@ class SpectrumCanvas;
 /// below the curves; curves over other ones are drawn beside them, and spectra below.
 ///
 /// PlotsViewTools.cpp has its controls, PlotsViewCurves.cpp what is done with curves, PlotsViewState.cpp
-/// files and what it keeps of itself. Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
+/// files and what it keeps of itself. It draws in each tick in which something is new. Registered as "plots".
+/// GUI thread.
 class PlotsView final : public View {
   Q_OBJECT
  public:
@@ -217,7 +218,7 @@ class PlotsView final : public View {
   std::uint64_t logsVersion_ = 0;
   /// What was said last of the reading of logs.
   QString readingText_;
-  /// Counts ticks modulo 6, of which 5 may draw.
+  /// Counts ticks from one spectrum to the next.
   int ticks_ = 0;
   /// Whether something changed since the last drawing.
   bool dirty_ = true;

@@ -80,11 +80,11 @@ void ourCanvas(benchmark::State& state) {
 }
 BENCHMARK(ourCanvas)->Arg(1000)->Arg(10)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// Twenty curves at 1 kHz, of which 20 s are seen, drawn at 25 Hz: "core" is the share of a processor.
+/// Twenty curves at 1 kHz, of which 20 s are seen, drawn at 30 Hz: "core" is the share of a processor.
 void live(benchmark::State& state) {
   constexpr std::size_t kLive = 20;
-  constexpr std::size_t kNew = 40;
-  constexpr double kSeen = 20, kPeriod = 0.04;  // s
+  constexpr std::size_t kNew = 33;
+  constexpr double kSeen = 20, kPeriod = 0.033;  // s
   plots();
   widgets::CurveModel curves;
   for (std::size_t c = 0; c < kLive; ++c) curves.add({"red1/plots/" + std::to_string(c), {}, {}});

@@ -27,6 +27,22 @@
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
+namespace {
+
+/// Counts how often a widget is painted.
+class PlotPaints final : public QObject {
+ public:
+  explicit PlotPaints(QWidget& watched) { watched.installEventFilter(this); }
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count;
+    return false;
+  }
+};
+
+}  // namespace
 
 class PlotsViewTest : public QObject {
   Q_OBJECT
@@ -52,6 +68,24 @@ class PlotsViewTest : public QObject {
     click(child<QToolButton>(*view, "plotsAdd"));
     QCOMPARE(legend.model()->rowCount(), 2);
     QCOMPARE(legend.model()->index(1, 2).data().toString(), QStringLiteral("m"));
+  }
+
+  void whatIsNewIsDrawnInEachTick() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    QVERIFY(view->addCurve(QLatin1String(kPlot)));
+    picture(bench, *view);
+    PlotPaints paints(child<QWidget>(*view, "plotCanvas"));
+    for (int tick = 1; tick <= 12; ++tick) {
+      paints.count = 0;
+      pushPlot(bench, 1 + 0.033 * tick, tick);
+      bench.tick(*view);
+      // The first call draws what is queued, the second one paints it.
+      QCoreApplication::processEvents();
+      QCoreApplication::processEvents();
+      QVERIFY2(paints.count > 0, qPrintable(QString::number(tick)));
+    }
   }
 
   void elementsOfLongListsAreBelowOneRow() {
