@@ -43,7 +43,9 @@ void ScratchLog::add(std::vector<StreamMessage> messages, Stretch held) {
     }
   }
   if (messages.empty()) return;
-  Entry entry{std::make_shared<ScratchSegment>(std::move(messages)), {}, 0, 0, isAfterHole};
+  Entry entry{std::make_shared<ScratchSegment>(std::move(messages)), nullptr};
+  entry.messages = entry.segment->messages();
+  entry.isAfterHole = isAfterHole;
   for (const auto& [stream, bytes] : entry.segment->shares()) entry.waiting += bytes;
   entry.held = {std::max(held.from, entry.segment->stretch().from), held.to};
   {
@@ -137,6 +139,14 @@ std::vector<Stretch> ScratchLog::holes() const {
   return all;
 }
 
+std::vector<ScratchLog::Piece> ScratchLog::pieces() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Piece> all;
+  for (const Entry& entry : entries_)
+    all.push_back({entry.held, {entry.segment, &entry.segment->times()}, entry.file, entry.messages});
+  return all;
+}
+
 bool ScratchLog::hasRoom() const {
   const std::lock_guard lock(mutex_);
   return waiting() <= options_.waiting / 2;
@@ -211,6 +221,8 @@ bool ScratchLog::writeNext() {
   }
   entry->waiting = 0;
   entry->written = *written;
+  entry->file = segment->file();
+  entry->messages.reset();
   trim();
   return true;
 }

@@ -42,6 +42,7 @@ class ScratchLog final : public robotlink::HistoryArchive {
   void clear() override;
   void request(robotlink::Instant at) override;
   std::optional<Part> take() override { return worker_.take(); }
+  std::vector<Piece> pieces() const override;
   void setLimit(std::uint64_t bytes) override;
   std::uint64_t limit() const override;
   std::optional<robotlink::Stretch> stretch() const override;
@@ -61,8 +62,11 @@ class ScratchLog final : public robotlink::HistoryArchive {
   struct Entry {
     /// Used by the thread only, but for what never changes.
     std::shared_ptr<ScratchSegment> segment;
+    /// Its messages until they are written, and the file since then.
+    std::shared_ptr<const std::vector<robotlink::StreamMessage>> messages;
+    std::filesystem::path file = {};
     /// What is complete with it.
-    robotlink::Stretch held;
+    robotlink::Stretch held = {};
     /// Memory of its messages until they are written, and the size of the file since then.
     std::uint64_t waiting = 0, written = 0;
     /// Whether a part before it was lost.

@@ -2,6 +2,7 @@
 #include "logplayer/scratch/ScratchSegment.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "logplayer/base/LogWriter.h"
 
@@ -22,8 +23,9 @@ constexpr std::size_t kScratchCacheBytes = 16U << 20U;
 }  // namespace
 
 ScratchSegment::ScratchSegment(std::vector<StreamMessage> messages)
-    : messages_(std::move(messages)), stretch_{Instant::max(), Instant::min()} {
-  for (const StreamMessage& message : messages_) {
+    : messages_(std::make_shared<const std::vector<StreamMessage>>(std::move(messages))),
+      stretch_{Instant::max(), Instant::min()} {
+  for (const StreamMessage& message : *messages_) {
     auto& times = times_.try_emplace(message.path, Times{message.time, message.time}).first->second;
     times = {std::min(times.from, message.time), std::max(times.to, message.time)};
     stretch_ = {std::min(stretch_.from, message.time), std::max(stretch_.to, message.time)};
@@ -32,9 +34,12 @@ ScratchSegment::ScratchSegment(std::vector<StreamMessage> messages)
 }
 
 Result<void> ScratchSegment::write(const std::filesystem::path& file) {
-  std::vector<StreamMessage> messages = std::move(messages_);
-  messages_.clear();
-  std::ranges::stable_sort(messages, {}, &StreamMessage::time);
+  const auto all = std::exchange(messages_, nullptr);
+  // Others may be reading them.
+  std::vector<const StreamMessage*> messages;
+  messages.reserve(all->size());
+  for (const StreamMessage& message : *all) messages.push_back(&message);
+  std::ranges::stable_sort(messages, {}, [](const StreamMessage* message) { return message->time; });
   mcap::Writer::Options options;
   options.compression = mcap::Compression::kLz4;
   options.crc = false;
@@ -44,9 +49,10 @@ Result<void> ScratchSegment::write(const std::filesystem::path& file) {
   if (!writer) return tl::unexpected(writer.error());
   file_ = file;
   for (std::size_t at = 0; at < messages.size(); at += kMessagesAtOnce) {
-    const auto begin = messages.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kMessagesAtOnce, messages.size() - at));
-    if (auto written = (*writer)->write({begin, end}); !written) return written;
+    std::vector<StreamMessage> some;
+    for (std::size_t i = at; i < std::min(at + kMessagesAtOnce, messages.size()); ++i)
+      some.push_back(*messages[i]);
+    if (auto written = (*writer)->write(some); !written) return written;
   }
   return (*writer)->container().close();
 }
@@ -62,7 +68,8 @@ Result<void> ScratchSegment::open() {
 std::optional<StreamMessage> ScratchSegment::latest(const std::string& stream, Instant time) {
   if (!file_.empty()) return open() ? log_->latest(stream, time) : std::nullopt;
   const StreamMessage* newest = nullptr;
-  for (const StreamMessage& message : messages_) {
+  if (messages_ == nullptr) return std::nullopt;
+  for (const StreamMessage& message : *messages_) {
     if (message.path == stream && message.time <= time && (newest == nullptr || newest->time <= message.time))
       newest = &message;
   }
@@ -74,7 +81,8 @@ Result<void> ScratchSegment::read(Instant from, Instant to, std::vector<StreamMe
     return message.time > from && message.time <= to;
   };
   if (file_.empty()) {
-    std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(out), isMeant);
+    if (messages_ != nullptr)
+      std::copy_if(messages_->begin(), messages_->end(), std::back_inserter(out), isMeant);
     return {};
   }
   if (auto opened = open(); !opened) return opened;

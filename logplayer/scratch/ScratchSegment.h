@@ -21,6 +21,8 @@ class ScratchSegment {
 
   explicit ScratchSegment(std::vector<robotlink::StreamMessage> messages);
 
+  /// Those that it was made of; null after they were written.
+  const std::shared_ptr<const std::vector<robotlink::StreamMessage>>& messages() const { return messages_; }
   /// Keyed by the paths of the streams.
   const std::map<std::string, Times>& times() const { return times_; }
   /// The memory that each stream's messages took.
@@ -44,7 +46,7 @@ class ScratchSegment {
  private:
   robotlink::Result<void> open();
 
-  std::vector<robotlink::StreamMessage> messages_;
+  std::shared_ptr<const std::vector<robotlink::StreamMessage>> messages_;
   std::map<std::string, Times> times_;
   std::map<std::string, std::uint64_t> shares_;
   robotlink::Stretch stretch_;

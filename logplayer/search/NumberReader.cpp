@@ -4,17 +4,13 @@
 #include <algorithm>
 
 namespace logplayer {
-namespace {
-
 using robotlink::Instant;
 
-/// What is read here is read once.
-constexpr std::size_t kNumberCacheBytes = 16U << 20U;
-
-}  // namespace
-
 NumberReader::NumberReader(std::filesystem::path file, std::size_t maxWaiting)
-    : file_(std::move(file)),
+    : NumberReader(logSource(std::move(file)), maxWaiting) {}
+
+NumberReader::NumberReader(std::unique_ptr<MessageSource> source, std::size_t maxWaiting)
+    : source_(std::move(source)),
       maxWaiting_(maxWaiting),
       worker_([this](std::monostate, const std::stop_token& stop) { work(stop); }) {}
 
@@ -74,20 +70,17 @@ void NumberReader::work(const std::stop_token& stop) {
 }
 
 bool NumberReader::open(const std::stop_token& stop) {
-  if (log_) return true;
-  LogFile::Options options;
-  options.cacheBytes = kNumberCacheBytes;
-  options.progress = [&stop](double) { return !stop.stop_requested(); };
-  auto opened = LogFile::open(file_, options);
+  if (isOpen_) return true;
+  const auto opened = source_->open([&stop](double) { return !stop.stop_requested(); });
   if (!opened && stop.stop_requested()) return false;
   const std::lock_guard lock(mutex_);
   if (!opened) {
     failure_ = opened.error();
     return false;
   }
-  log_ = std::move(*opened);
-  begin_ = log_->begin();
-  end_ = log_->end();
+  isOpen_ = true;
+  begin_ = source_->stretch().from;
+  end_ = source_->stretch().to;
   return true;
 }
 
@@ -116,9 +109,7 @@ NumberReader::Pass NumberReader::nextPass() {
 NumberReader::Memory& NumberReader::memoryOf(const LogNumber& number, Reading& reading) {
   const auto [memory, isNew] = memories_.try_emplace(reading.id);
   if (!isNew || !number.stream.empty()) return memory->second;
-  std::vector<std::string> streams;
-  for (const LogFile::Stream& stream : log_->streams()) streams.push_back(stream.path);
-  auto bound = robotlink::BoundExpression::bind(number.field, streams, {});
+  auto bound = robotlink::BoundExpression::bind(number.field, source_->streams(), {});
   if (bound) {
     memory->second.expression = std::make_unique<robotlink::BoundExpression>(std::move(bound->front()));
   } else {
@@ -192,11 +183,10 @@ void NumberReader::run(Pass& pass, const std::stop_token& stop) {
     publish(pass, pass.until, stop);
     return;
   }
-  LogFile::Cursor cursor(log_, streams);
-  if (pass.from > Instant::min()) cursor.seek(pass.from);
+  const auto cursor = source_->read(streams, pass.from);
   Instant reached = pass.from;
   std::size_t count = 0;
-  while (const auto next = cursor.nextTime()) {
+  while (const auto next = cursor->nextTime()) {
     if (*next >= pass.until) break;
     // Messages of one time are read together, so that it is known what was read.
     if (*next > reached) {
@@ -205,7 +195,7 @@ void NumberReader::run(Pass& pass, const std::stop_token& stop) {
       const bool isDue = ++count % kInstants == 0 || stop.stop_requested();
       if (isDue && !publish(pass, reached, stop)) return;
     }
-    const auto message = cursor.next();
+    const auto message = cursor->next();
     if (!message || message->time >= pass.until) break;
     run.take(*message);
   }

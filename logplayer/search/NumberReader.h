@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/file/LogFile.h"
+#include "logplayer/search/MessageSource.h"
 #include "robotlink/base/Worker.h"
 #include "robotlink/expressions/BoundExpression.h"
 #include "robotlink/expressions/FieldPath.h"
@@ -29,7 +29,8 @@ struct LogNumber {
   auto operator<=>(const LogNumber&) const = default;
 };
 
-/// Reads numbers of a whole log in a thread, without playing it. All of them share one pass over the file;
+/// Reads numbers of a whole log in a thread, without playing it, or of what the history of live robots has on
+/// disk. All of them share one pass over it;
 /// one that is wanted later is read up to where the pass is, and with the others from there. An expression
 /// has a point at each instant at which one of its streams has a message; of the others their last values
 /// before count. Texts become numbers, see robotlink::FieldValue::asNumber(). Points wait until they are
@@ -61,6 +62,7 @@ class NumberReader {
 
   /// The thread reads on as long as not more than `maxWaiting` points wait.
   explicit NumberReader(std::filesystem::path file, std::size_t maxWaiting = kMaxWaiting);
+  explicit NumberReader(std::unique_ptr<MessageSource> source, std::size_t maxWaiting = kMaxWaiting);
   ~NumberReader();
   NumberReader(const NumberReader&) = delete;
   NumberReader& operator=(const NumberReader&) = delete;
@@ -107,10 +109,11 @@ class NumberReader {
   /// be ended.
   bool publish(Pass& pass, robotlink::Instant reached, const std::stop_token& stop);
 
-  const std::filesystem::path file_;
+  /// Only the thread uses it.
+  const std::unique_ptr<MessageSource> source_;
   const std::size_t maxWaiting_;
-  /// Opened by the thread.
-  std::shared_ptr<LogFile> log_;
+  /// Only the thread uses it.
+  bool isOpen_ = false;
   /// Only the thread uses it. The keys are the ids of the readings.
   std::map<std::uint64_t, Memory> memories_;
   /// Protects all following members but the worker.

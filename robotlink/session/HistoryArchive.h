@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +34,19 @@ class HistoryArchive {
     std::vector<StreamMessage> messages;
   };
 
+  /// Messages that were added together, for threads that read values over time. It is a value; its file may
+  /// be removed meanwhile.
+  struct Piece {
+    /// What is complete with it.
+    Stretch held;
+    /// The times of the first and the last message of each stream, by path; never null.
+    std::shared_ptr<const std::map<std::string, Stretch>> times;
+    /// The log file that has the messages; empty: it was not written yet, and `messages` has them.
+    std::filesystem::path file = {};
+    /// Those of one stream are in order of time; null if there is a file.
+    std::shared_ptr<const std::vector<StreamMessage>> messages = {};
+  };
+
   virtual ~HistoryArchive() = default;
 
   /// Adds messages in any order; those of one stream are in order of time and follow the ones that were
@@ -45,6 +60,9 @@ class HistoryArchive {
   virtual void request(Instant at) = 0;
   /// The last part that was read since the last call.
   virtual std::optional<Part> take() = 0;
+
+  /// All that can be read now, in the order in which it was added; that of each stream is in order of time.
+  virtual std::vector<Piece> pieces() const { return {}; }
 
   /// Changes how many bytes may be taken where the messages are; the oldest go beyond it. With 0 nothing is
   /// added any more. After a problem, adding begins again.

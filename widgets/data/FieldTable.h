@@ -50,6 +50,8 @@ struct FieldTableSource {
   std::vector<FieldColumn> columns = {};
   /// For each column the messages of its stream; not used for a log.
   std::vector<std::vector<Message>> messages = {};
+  /// What the history has on disk, before these messages; not used for a log.
+  std::vector<robotlink::HistoryArchive::Piece> pieces = {};
   /// A log that is read instead; empty: none. The streams of the columns in it, and what is added to its
   /// times.
   std::filesystem::path log = {};
@@ -57,8 +59,10 @@ struct FieldTableSource {
   robotlink::Duration offset{0};
 };
 
-/// Takes the messages that a session holds; it shares them, which is quick.
-FieldTableSource historyOf(const robotlink::StreamStore& store, std::vector<FieldColumn> columns);
+/// Takes the messages that a session holds, in memory and in its archive, which may be null; it shares them,
+/// which is quick.
+FieldTableSource historyOf(const robotlink::StreamStore& store, const robotlink::HistoryArchive* archive,
+                           std::vector<FieldColumn> columns);
 
 /// Makes the table. `goesOn` is called now and then with the progress, 0 to 1; if it returns false, making
 /// fails with "log.given-up". Any thread.

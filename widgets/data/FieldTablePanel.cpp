@@ -113,7 +113,7 @@ bool FieldTablePanel::readsLog(FieldTableSource& source) {
 void FieldTablePanel::refresh() {
   FieldTableSource source;
   if (source_->currentIndex() != kLogEntry) {
-    source = historyOf(context_.session.store(), columns_);
+    source = historyOf(context_.session.store(), context_.session.history().archive(), columns_);
   } else if (!readsLog(source)) {
     state_->setText(tr("No open log has these streams."));
     return;

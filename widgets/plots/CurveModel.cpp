@@ -93,11 +93,16 @@ bool CurveModel::Curve::takeLive(const robotlink::StreamStore& store) {
   if (news.restarted) {
     live.clear();
     liveFilter.restart();
+    past.restart();
   }
   for (const auto& point : news.points) {
+    past.note(point, !liveFilter.isEmpty());
     if (const auto result = liveFilter.next(point)) live.append(*result);
   }
-  return news.restarted || !news.points.empty();
+  const auto& read = past.values();
+  if (read && names.size() < read->names.size()) names.merge(read->names);
+  const bool isMerged = past.mergeInto(live, liveFilter);
+  return isMerged || news.restarted || !news.points.empty();
 }
 
 bool CurveModel::Curve::takeLogged(std::size_t bytes) {

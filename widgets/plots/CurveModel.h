@@ -10,7 +10,9 @@
 
 #include "robotlink/series/PointFilter.h"
 #include "robotlink/series/Series.h"
+#include "widgets/log/MissingValues.h"
 #include "widgets/plots/LoggedCurve.h"
+#include "widgets/plots/PastValues.h"
 #include "widgets/plots/PlotSource.h"
 
 namespace widgets {
@@ -63,8 +65,11 @@ class CurveModel final : public QAbstractTableModel {
     PlotReader reader;
     /// Index for curveColor(); the lowest that was free.
     int color = 0;
-    /// What the session published.
+    /// What the session published, behind what was read of its history.
     robotlink::Series live;
+    PastValues past;
+    /// What of the history `live` lacks, as when it was drawn last.
+    std::vector<MissingValues> missing = {};
     /// The same of the whole log, before the filter; null if it is not read.
     std::shared_ptr<const LoggedCurve> logged;
     /// What the filter makes of `logged`; unused without a filter.

@@ -33,6 +33,16 @@ constexpr double kMaxForStrips = 0.6;
 /// The width of the names beside strips, in pixels.
 constexpr int kStripNameWidth = 120;
 
+/// Where no line is drawn: nothing was heard of the robot (null: it is here), or values are missing.
+std::vector<robotlink::LineGap> gapsIn(const CurveModel::Curve& curve, const robotlink::RemoteRobot* robot) {
+  std::vector<robotlink::LineGap> gaps;
+  if (robot != nullptr) gaps = robot->gaps;
+  for (const MissingValues& missing : curve.missing)
+    gaps.push_back({robotlink::Instant(robotlink::fromSeconds(missing.from)),
+                    robotlink::Instant(robotlink::fromSeconds(missing.to))});
+  return gaps;
+}
+
 }  // namespace
 
 PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
@@ -62,6 +72,7 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
 
 void PlotCanvas::createItems() {
   markers_.emplace(*plot_);
+  hatches_.emplace(*plot_);
   QCPAxisRect& area = *plot_->axisRect();
   mark_.emplace(area, *strips_);
   cursor_.emplace(area, *strips_);
@@ -205,7 +216,7 @@ void PlotCanvas::matchGraphs() {
     logged.setSeries(isHere ? curve->ofLog() : nullptr);
     live.setPen(QPen(color, 1));
     live.setSeries(isHere ? std::shared_ptr<const robotlink::Series>(curve, &curve->live) : nullptr);
-    live.setGaps(robot == robots_.end() ? std::vector<robotlink::LineGap>() : robot->second.gaps);
+    live.setGaps(gapsIn(*curve, robot == robots_.end() ? nullptr : &robot->second));
   }
 }
 
@@ -286,7 +297,9 @@ void PlotCanvas::matchStrips() {
     strip.setParts(std::move(parts));
     strip.setNames(std::shared_ptr<const StateNames>(curve, &curve->names));
     strip.setEnd(end);
-    strip.setGaps(gapsOf(curve->reader.streams()));
+    auto gaps = gapsOf(curve->reader.streams());
+    for (const MissingValues& missing : curve->missing) gaps.emplace_back(missing.from, missing.to);
+    strip.setGaps(std::move(gaps));
     strip.setColors(palette(), font());
   }
   layOutStrips(names);
@@ -369,30 +382,8 @@ void PlotCanvas::showGaps() {
   }
 }
 
-void PlotCanvas::setOnDisk(const std::optional<std::pair<double, double>>& times) {
-  onDisk_ = times;
-  if (hatch_ == nullptr && !times) return;
-  if (hatch_ == nullptr) {
-    hatch_ = new QCPItemRect(plot_);
-    hatch_->setLayer(QStringLiteral("background"));
-    hatch_->setPen(Qt::NoPen);
-    hatchText_ = new QCPItemText(plot_);
-    hatchText_->setText(tr("on disk; look there with the timeline"));
-    hatchText_->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-    for (QCPItemPosition* corner : {hatch_->topLeft, hatch_->bottomRight, hatchText_->position})
-      corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
-  }
-  hatch_->setVisible(times.has_value());
-  hatchText_->setVisible(times.has_value());
-  if (!times) return;
-  const QPalette colors = palette();
-  hatch_->setBrush(
-      QBrush(mixed(colors.color(QPalette::Base), colors.color(QPalette::Text), 0.25), Qt::BDiagPattern));
-  hatchText_->setColor(colors.color(QPalette::Text));
-  hatchText_->setFont(plot_->font());
-  hatch_->topLeft->setCoords(times->first, 0);
-  hatch_->bottomRight->setCoords(times->second, 1);
-  hatchText_->position->setCoords((times->first + times->second) / 2, 1);
+void PlotCanvas::setMissing(std::vector<MissingValues> missing) {
+  hatches_->set(std::move(missing));
 }
 
 void PlotCanvas::fitValues() {
@@ -422,7 +413,9 @@ void PlotCanvas::fitTimes() {
     const QCPRange here(times->first, times->second);
     all = all ? all->expanded(here) : here;
   }
-  if (all && onDisk_) all = all->expanded(QCPRange(onDisk_->first, onDisk_->second));
+  for (const MissingValues& missing : hatches_->missing()) {
+    if (all) all = all->expanded(QCPRange(missing.from, missing.to));
+  }
   if (all && all->size() > 0) plot_->xAxis->setRange(*all);
 }
 

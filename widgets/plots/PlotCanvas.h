@@ -12,8 +12,9 @@
 
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/plots/PlotHistory.h"
-#include "widgets/plots/PlotLine.h"
-#include "widgets/plots/PlotMarkers.h"
+#include "widgets/plots/items/PlotHatches.h"
+#include "widgets/plots/items/PlotLine.h"
+#include "widgets/plots/items/PlotMarkers.h"
 
 class QCPAxis;
 class QCPAxisRect;
@@ -68,8 +69,8 @@ class PlotCanvas final : public QWidget {
   void setCursorLine(std::optional<double> time);
   /// Draws the two cursors at these times; empty: none.
   void setCursors(const std::optional<std::pair<double, double>>& times);
-  /// Hatches from when to when values are only on disk, in s; unset: nowhere. Drawn by the next refresh().
-  void setOnDisk(const std::optional<std::pair<double, double>>& times);
+  /// Hatches where values are missing. Drawn by the next refresh().
+  void setMissing(std::vector<MissingValues> missing);
   /// Marks what happened when.
   void setMarkers(std::vector<PlotMarker> markers);
   /// Marks where texts are, which tool tips say, in order of time.
@@ -140,10 +141,7 @@ class PlotCanvas final : public QWidget {
   /// The times in which nothing was heard, from and to, and the items that shade them.
   std::vector<std::pair<double, double>> gaps_;
   std::vector<QCPItemRect*> shades_;
-  std::optional<std::pair<double, double>> onDisk_;
-  /// The plot owns them; null before something was on disk.
-  QCPItemRect* hatch_ = nullptr;
-  QCPItemText* hatchText_ = nullptr;
+  std::optional<PlotHatches> hatches_;
   std::optional<PlotLine> mark_, cursor_;
   /// The two cursors, and their names.
   std::vector<PlotLine> lines_;

@@ -17,9 +17,9 @@
 
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/log/MissingValues.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/TimeMarks.h"
-#include "widgets/log/ValuesOnDisk.h"
 #include "widgets/plots/PathCanvas.h"
 #include "widgets/plots/PlotCanvas.h"
 #include "widgets/plots/PlotPicture.h"
@@ -273,15 +273,15 @@ void PlotsView::showSpectrum() {
   spectrum_->showSpectra(std::move(curves), from, to);
 }
 
-std::optional<std::pair<double, double>> PlotsView::onDisk() {
-  std::optional<std::pair<double, double>> all;
+void PlotsView::showMissing() {
+  std::vector<MissingValues> all;
   for (const auto& curve : curves_.curves()) {
     const auto times = curve->isLogged() || curve->across ? std::nullopt : curve->times();
-    const auto part = times ? valuesOnDisk(session(), curve->reader.streams(), times->first) : std::nullopt;
-    if (!part) continue;
-    all = all ? std::pair(std::min(all->first, part->first), std::max(all->second, part->second)) : *part;
+    curve->missing = times ? missingValues(session(), curve->reader.streams(), *times, curve->past.unread())
+                           : std::vector<MissingValues>();
+    all.insert(all.end(), curve->missing.begin(), curve->missing.end());
   }
-  return all;
+  canvas_->setMissing(joined(std::move(all)));
 }
 
 void PlotsView::draw() {
@@ -293,7 +293,7 @@ void PlotsView::draw() {
   });
   canvas_->setMark(live && !hasFuture ? std::optional<double>() : time);
   const double length = window_->currentData().toInt();
-  canvas_->setOnDisk(onDisk());
+  showMissing();
   canvas_->refresh(follow_->isChecked(), followedEnd(time, length), length, session().remoteRobots());
   showPaths(time);
   isSpectrumOld_ = true;

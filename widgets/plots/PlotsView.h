@@ -127,8 +127,8 @@ class PlotsView final : public View {
   /// Draws paths and spectra, if there are some to be shown.
   void showPaths(double shown);
   void showSpectrum();
-  /// From when to when values of the curves are only on disk, in s; unset: nowhere.
-  std::optional<std::pair<double, double>> onDisk();
+  /// Finds out what of the history the curves lack, and has it hatched.
+  void showMissing();
   /// Draws what is new.
   void draw();
   /// Everything that could be a curve.
@@ -140,8 +140,9 @@ class PlotsView final : public View {
   void requestMissing();
   /// Goes back to the session's time when another log or simulation begins: the old times are not in it.
   void followSession(double origin);
-  /// Lets the curves of open logs be read, and says how far that is.
+  /// Lets the curves of open logs be read, and what of live robots is on disk, and says how far that is.
   void followLogs();
+  void followHistory();
   /// Requests the debug key of a stream of a curve, once.
   void requestStream(CurveModel::Curve& curve, const std::string& stream);
   void showWholeLogButton(bool on);

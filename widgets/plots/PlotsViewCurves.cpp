@@ -11,8 +11,10 @@
 
 #include "robotlink/commands/CommandTable.h"
 #include "widgets/Requests.h"
+#include "widgets/log/MissingValues.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/TimeMarks.h"
+#include "widgets/plots/HistoryCurves.h"
 #include "widgets/plots/LoggedCurves.h"
 #include "widgets/plots/PlotCanvas.h"
 #include "widgets/plots/PlotsView.h"
@@ -280,10 +282,26 @@ void PlotsView::followLogs() {
   }
   if (isOther) showBookmarks(logs);
   logsVersion_ = logs.version();
-  const QString text = logged.stateText();
+  followHistory();
+  const QString ofLogs = logged.stateText();
+  const QString text = ofLogs.isEmpty() ? HistoryCurves::of(logs).stateText() : ofLogs;
   if (text == readingText_) return;
   readingText_ = text;
   state_->setText(text);
+}
+
+void PlotsView::followHistory() {
+  HistoryCurves& history = HistoryCurves::of(openLogs(context()));
+  history.tick(session());
+  for (const auto& curve : curves_.curves()) {
+    for (CurveModel::Curve* part : curve->parts()) {
+      PastValues& past = part->past;
+      if (!past.isWanted()) continue;
+      const std::pair begin(*past.begin(), *past.begin());
+      const bool isOnDisk = !missingValues(session(), part->reader.streams(), begin, past.unread()).empty();
+      isOnDisk ? past.read(history.curve(part->source())) : past.skip();
+    }
+  }
 }
 
 void PlotsView::showBookmarks(const OpenLogs& logs) {

@@ -15,6 +15,7 @@
 #include "robotlink/session/HistoryArchive.h"
 #include "robotlink/session/RemoteRobot.h"
 #include "widgets/log/LogOverview.h"
+#include "widgets/log/MissingValues.h"
 #include "widgets/log/TimeMark.h"
 #include "widgets/log/TimeScale.h"
 
@@ -30,8 +31,8 @@ struct TimeLineTrack {
   std::shared_ptr<const robotlink::Series> series = {};
   /// Why there are no values.
   QString problem = {};
-  /// From when to when there are values on disk that the series lacks, in s; unset: there are none.
-  std::optional<std::pair<double, double>> onDisk = {};
+  /// What of the history the series lacks.
+  std::vector<MissingValues> missing = {};
   /// How many points there are, and the time of the last one: a series changes while it is shown.
   std::size_t points = 0;
   double newest = 0;

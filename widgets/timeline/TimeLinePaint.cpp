@@ -289,22 +289,34 @@ const TimeLineTrack* trackOf(const TimeLineBand& band, const Lane& lane) {
   return found == band.tracks.end() ? nullptr : &*found;
 }
 
-/// Hatches where values are on disk that the track lacks.
-void paintOnDisk(const Canvas& canvas, const TimeLineTrack& track, const QRectF& plot) {
-  if (!track.onDisk) return;
+QString missingText(MissingValues::Why why) {
+  switch (why) {
+    case MissingValues::Why::kUnread:
+      return QCoreApplication::translate("TimeLine", "being read from disk");
+    case MissingValues::Why::kTooMany:
+      return QCoreApplication::translate("TimeLine", "on disk; look there with the timeline");
+    case MissingValues::Why::kLost:
+      break;
+  }
+  return QCoreApplication::translate("TimeLine", "lost, since the disk was too slow");
+}
+
+/// Hatches where the track lacks values of the history.
+void paintMissing(const Canvas& canvas, const TimeLineTrack& track, const QRectF& plot) {
   const auto x = [&](double seconds) {
     const double at = canvas.look.scale.x(Instant(robotlink::fromSeconds(seconds)));
     return std::clamp(at, plot.left(), plot.right());
   };
-  const QRectF part(QPointF(x(track.onDisk->first), plot.top()),
-                    QPointF(x(track.onDisk->second), plot.bottom()));
-  if (part.width() < 1) return;
   QPainter& painter = canvas.painter;
-  painter.fillRect(part, QBrush(mixed(canvas.base(), canvas.text(), 0.25), Qt::BDiagPattern));
-  painter.setPen(canvas.text());
-  const QString text = QCoreApplication::translate("TimeLine", "on disk; look there with the timeline");
-  const QRectF inner = part.adjusted(kLaneMargin, 0, -kLaneMargin, 0);
-  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, canvas.elided(text, inner.width()));
+  for (const MissingValues& missing : track.missing) {
+    const QRectF part(QPointF(x(missing.from), plot.top()), QPointF(x(missing.to), plot.bottom()));
+    if (part.width() < 1) continue;
+    painter.fillRect(part, QBrush(mixed(canvas.base(), canvas.text(), 0.25), Qt::BDiagPattern));
+    painter.setPen(canvas.text());
+    const QRectF inner = part.adjusted(kLaneMargin, 0, -kLaneMargin, 0);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter,
+                     canvas.elided(missingText(missing.why), inner.width()));
+  }
 }
 
 /// A curve of the extent of the values in each column of pixels, over the whole height for what is visible.
@@ -323,7 +335,7 @@ void paintTrack(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
     return painter.drawText(plot.adjusted(kLaneMargin, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                             canvas.elided(text, plot.width()));
   }
-  paintOnDisk(canvas, *track, plot);
+  paintMissing(canvas, *track, plot);
   const auto seconds = [&](double x) {
     return robotlink::seconds(canvas.look.scale.time(x).time_since_epoch());
   };

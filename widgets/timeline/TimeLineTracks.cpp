@@ -9,8 +9,9 @@
 #include "widgets/Requests.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/log/ValuesOnDisk.h"
+#include "widgets/plots/HistoryCurves.h"
 #include "widgets/plots/LoggedCurves.h"
+#include "widgets/plots/PastValues.h"
 
 namespace widgets {
 
@@ -19,8 +20,9 @@ struct TimeLineTracks::Track {
 
   PlotSource source;
   PlotReader reader;
-  /// What has arrived.
+  /// What has arrived, behind what was read of the history.
   std::shared_ptr<robotlink::Series> live = std::make_shared<robotlink::Series>();
+  PastValues past = {};
   /// Null: no open log has it.
   std::shared_ptr<const LoggedCurve> logged = {};
   /// Streams whose debug keys were requested; what a user switches off afterwards stays off.
@@ -93,10 +95,28 @@ void TimeLineTracks::tick() {
     track->logged.reset();
     requestMissing(*track);
     auto news = track->reader.take(session_.store());
-    if (news.restarted) track->live->clear();
-    for (const robotlink::Series::Point& point : news.points) track->live->append(point);
+    if (news.restarted) {
+      track->live->clear();
+      track->past.restart();
+    }
+    for (const robotlink::Series::Point& point : news.points) {
+      track->past.note(point, false);
+      track->live->append(point);
+    }
+    readHistory(*track);
     track->live->limit(kMaxBytes);
   }
+}
+
+void TimeLineTracks::readHistory(Track& track) {
+  HistoryCurves& history = HistoryCurves::of(logs_);
+  history.tick(session_);
+  robotlink::PointFilter none;
+  track.past.mergeInto(*track.live, none);
+  if (!track.past.isWanted()) return;
+  const std::pair begin(*track.past.begin(), *track.past.begin());
+  const auto missing = missingValues(session_, track.reader.streams(), begin, track.past.unread());
+  missing.empty() ? track.past.skip() : track.past.read(history.curve(track.source));
 }
 
 std::vector<TimeLineTrack> TimeLineTracks::shown() const {
@@ -113,7 +133,9 @@ std::vector<TimeLineTrack> TimeLineTracks::shown() const {
       shown.series = track->live;
       shown.problem = track->reader.problem(session_.store());
       if (!track->live->empty())
-        shown.onDisk = valuesOnDisk(session_, track->reader.streams(), track->live->front().time);
+        shown.missing =
+            missingValues(session_, track->reader.streams(),
+                          {track->live->front().time, track->live->back().time}, track->past.unread());
     }
     shown.points = shown.series ? shown.series->size() : 0;
     if (shown.series && !shown.series->empty()) shown.newest = shown.series->back().time;

@@ -17,7 +17,8 @@ namespace widgets {
 class OpenLogs;
 
 /// The values that a timeline shows as curves below its streams: of whole logs, which are read in the
-/// background, or of live robots, since the track was added. GUI thread; session and logs must outlive it.
+/// background, or of live robots, with what of their history is on disk, which is read likewise. GUI thread;
+/// session and logs must outlive it.
 class TimeLineTracks {
  public:
   static constexpr int kMax = 12;
@@ -42,6 +43,8 @@ class TimeLineTracks {
 
  private:
   struct Track;
+  /// Reads what of a track is on disk, and puts it before what has arrived.
+  void readHistory(Track& track);
   /// Switches on the debug keys of streams that nobody publishes, each once.
   void requestMissing(Track& track);
 

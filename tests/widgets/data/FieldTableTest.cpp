@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/widgets/data/DataFixture.h"
+#include "tests/widgets/timeline/MadeUpArchive.h"
 #include "widgets/data/FieldTableModel.h"
 
 namespace widgets::test {
@@ -34,7 +35,7 @@ TEST(FieldTableTest, valuesOfSeveralStreamsAreInTheOrderOfTime) {
   store.add(
       {"red1/motion/status", tableTime(1.25), std::make_shared<const robotcontrol::MotionStatus>(status)});
   store.add({"red1/motion/status", tableTime(1.5), std::make_shared<const robotcontrol::MotionStatus>()});
-  const auto table = makeTable(historyOf(store, kPanAndKind), [](double) { return true; });
+  const auto table = makeTable(historyOf(store, nullptr, kPanAndKind), [](double) { return true; });
   ASSERT_TRUE(table);
   EXPECT_EQ(table->csv(tableTime(1)),
             "time_s,red1/joints/states.joints[head.pan].position,red1/motion/status.executed.kind\r\n"
@@ -43,9 +44,27 @@ TEST(FieldTableTest, valuesOfSeveralStreamsAreInTheOrderOfTime) {
             "0.500000000,0.25,\r\n");
 }
 
+TEST(FieldTableTest, whatIsOnDiskComesBeforeWhatIsInMemory) {
+  MadeUpArchive archive(true);
+  robotlink::StreamStore store{{.bytes = 100'000}};
+  store.setArchive(&archive);
+  for (int i = 0; i < 1000; ++i) {
+    store.add({"red1/joints/states", tableTime(1 + 0.5 * i),
+               std::make_shared<const foxglove::JointStates>(joints(0.25 * i))});
+  }
+  ASSERT_LT(store.find("red1/joints/states")->messages.size(), 1000U);
+  const auto table = makeTable(historyOf(store, &archive, kPanAndKind), [](double) { return true; });
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 1000U);
+  for (std::size_t i = 0; i < table->rows.size(); ++i)
+    ASSERT_EQ(table->rows[i].time, tableTime(1 + 0.5 * static_cast<double>(i)));
+  EXPECT_EQ(table->rows[4].cells.front(), "1");
+  store.setArchive(nullptr);
+}
+
 TEST(FieldTableTest, makingItCanBeCanceled) {
   const robotlink::StreamStore store = storeOfJoints(100);
-  FieldTableSource source = historyOf(store, kPanAndKind);
+  FieldTableSource source = historyOf(store, nullptr, kPanAndKind);
   source.messages[0].resize(5000, source.messages[0].front());
   double last = 0;
   const auto table = makeTable(source, [&last](double share) {
@@ -68,7 +87,8 @@ TEST(FieldTableTest, aLogThatIsNotThereIsAnError) {
 TEST(FieldTableTest, theModelFindsTheRowOfAnInstant) {
   const robotlink::StreamStore store = storeOfJoints(3);
   FieldTableModel model;
-  model.setTable(*makeTable(historyOf(store, kPanAndKind), [](double) { return true; }), tableTime(1));
+  model.setTable(*makeTable(historyOf(store, nullptr, kPanAndKind), [](double) { return true; }),
+                 tableTime(1));
   EXPECT_EQ(model.rowAt(tableTime(0.9)), -1);
   EXPECT_EQ(model.rowAt(tableTime(1)), 0);
   EXPECT_EQ(model.rowAt(tableTime(1.7)), 1);

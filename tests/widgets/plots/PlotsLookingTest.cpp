@@ -7,9 +7,13 @@
 #include <QDoubleSpinBox>
 #include <QToolButton>
 #include <QTreeView>
+#include <algorithm>
 #include <cmath>
 
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "tests/widgets/timeline/MadeUpArchive.h"
 #include "widgets/plots/PlotCanvas.h"
 
 namespace widgets::test {
@@ -42,6 +46,30 @@ class PlotsLookingTest : public QObject {
     picture(bench, *view);
     QCOMPARE(plots.shownTimes().first, 7.9);
     QCOMPARE(plots.shownTimes().second, 9.9);
+  }
+
+  void whatIsOnDiskIsReadAndStandsBeforeTheRest() {
+    const TestFolder folder;
+    Bench bench;
+    bench.session.history().setArchive(std::make_unique<MadeUpArchive>(true));
+    bench.session.store().setBytes(20'000);
+    for (int i = 0; i < 300; ++i) {
+      pushPlot(bench, 1 + i * 0.1, i % 7);
+      if (i % 10 == 0) bench.session.tick();
+    }
+    auto view = bench.open<widgets::PlotsView>();
+    QVERIFY(bench.session.store().find(kPlot)->messages.size() < 300);
+    for (const char* filter : {"", " | integral"})
+      QVERIFY(view->addCurve(QString::fromLatin1(kPlot) + QLatin1String(filter)));
+    const auto file = folder / "plot.csv";
+    const bool isRead = QTest::qWaitFor([&] {
+      bench.tick(*view);
+      if (!view->saveTo(QString::fromStdString(file.string()))) return false;
+      const auto text = robotlink::readFile(file);
+      return text && std::count(text->begin(), text->end(), '\n') == 301;
+    });
+    QVERIFY(isRead);
+    keepPicture(picture(bench, *view), "plots-from-disk");
   }
 
   void draggingThePlotEndsFollowing() {

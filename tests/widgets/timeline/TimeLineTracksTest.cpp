@@ -15,6 +15,7 @@
 #include "tests/widgets/FieldBench.h"
 #include "tests/widgets/LogBench.h"
 #include "tests/widgets/timeline/MadeUpArchive.h"
+#include "widgets/Theme.h"
 #include "widgets/plots/PlotTreeModel.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLineView.h"
@@ -86,7 +87,30 @@ class TimeLineTracksTest : public QObject {
     QCOMPARE(values(*view)->tracks.front().series->back().value, 500.0);
   }
 
-  void whatOfAValueIsOnlyOnDiskIsHatched() {
+  void whatOfAValueIsOnDiskIsReadAndWhatIsLostIsHatched() {
+    Bench bench;
+    auto archive = std::make_unique<MadeUpArchive>(true);
+    archive->lost = {{at(2), at(3)}};
+    bench.session.history().setArchive(std::move(archive));
+    bench.session.store().setBytes(10'000);
+    run(bench, 100);
+    QVERIFY(bench.session.store().find("red1/frames/cognition")->messages.size() < 100);
+    auto view = bench.open<TimeLineView>();
+    QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
+    const bool isRead = QTest::qWaitFor([&] {
+      bench.tick(*view);
+      return values(*view) != nullptr && values(*view)->tracks.front().points == 100;
+    });
+    QVERIFY(isRead);
+    const TimeLineTrack& track = values(*view)->tracks.front();
+    for (std::size_t i = 0; i < track.points; ++i)
+      QCOMPARE((*track.series)[i].value, static_cast<double>(i + 1));
+    QCOMPARE(track.missing.size(), std::size_t{1});
+    QVERIFY((track.missing.front() == MissingValues{2, 3, MissingValues::Why::kLost}));
+    QVERIFY(!view->grab().isNull());
+  }
+
+  void whatCannotBeReadFromDiskIsHatched() {
     Bench bench;
     bench.session.history().setArchive(std::make_unique<MadeUpArchive>());
     bench.session.store().setBytes(10'000);
@@ -95,11 +119,18 @@ class TimeLineTracksTest : public QObject {
     QVERIFY(view->addTrack(QLatin1String(kFrameNumber)));
     bench.tick(*view);
     QVERIFY(values(*view) != nullptr);
+    QVERIFY(values(*view)->tracks.front().missing.front().why == MissingValues::Why::kUnread);
+    const bool isRead = QTest::qWaitFor([&] {
+      bench.tick(*view);
+      return values(*view)->tracks.front().missing.front().why != MissingValues::Why::kUnread;
+    });
+    QVERIFY(isRead);
     const TimeLineTrack& track = values(*view)->tracks.front();
     QVERIFY(track.points < 100);
-    QVERIFY(track.onDisk.has_value());
-    QCOMPARE(track.onDisk->first, 0.1);
-    QCOMPARE(track.onDisk->second, track.series->front().time);
+    QCOMPARE(track.missing.size(), std::size_t{1});
+    QVERIFY(track.missing.front().why == MissingValues::Why::kTooMany);
+    QCOMPARE(track.missing.front().from, 0.1);
+    QCOMPARE(track.missing.front().to, track.series->front().time);
     QVERIFY(!view->grab().isNull());
   }
 

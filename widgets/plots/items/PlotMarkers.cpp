@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/PlotMarkers.h"
+#include "widgets/plots/items/PlotMarkers.h"
 
 #include <qcustomplot.h>
 

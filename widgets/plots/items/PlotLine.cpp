@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/PlotLine.h"
+#include "widgets/plots/items/PlotLine.h"
 
 #include <qcustomplot.h>
 
