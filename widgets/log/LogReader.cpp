@@ -21,6 +21,8 @@ constexpr std::size_t kMaxSaid = 5000, kMaxTexts = 50'000;
 /// What is read here is read once, but for thumbnails, which jump about.
 constexpr std::size_t kLogCacheBytes = 16U << 20U;
 
+}  // namespace
+
 LogEntry loggedEntry(const robotlink::StreamMessage& message, const foxglove::Log& log) {
   LogEntry entry;
   entry.time = message.time;
@@ -31,7 +33,17 @@ LogEntry loggedEntry(const robotlink::StreamMessage& message, const foxglove::Lo
   return entry;
 }
 
-}  // namespace
+QImage thumbnailOf(const robotlink::PackagePtr& value, int height) {
+  std::shared_ptr<const foxglove::RawImage> raw;
+  if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(value)) {
+    if (auto decoded = logplayer::rawImage(*compressed)) raw = std::move(*decoded);
+  } else {
+    raw = std::dynamic_pointer_cast<const foxglove::RawImage>(value);
+  }
+  if (raw == nullptr) return {};
+  const QImage image = rawPicture(*raw);
+  return image.isNull() ? image : image.scaledToHeight(height, Qt::SmoothTransformation);
+}
 
 std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file) {
   return std::make_unique<LogReader>(file);
@@ -210,16 +222,7 @@ void LogReader::readThumbnails(const Wanted& wanted, const std::stop_token& stop
 
 QImage LogReader::thumbnail(const std::string& stream, Instant time, int height) {
   const auto message = log_->latest(stream, time);
-  if (!message) return {};
-  std::shared_ptr<const foxglove::RawImage> raw;
-  if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(message->value)) {
-    if (auto decoded = logplayer::rawImage(*compressed)) raw = std::move(*decoded);
-  } else {
-    raw = std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
-  }
-  if (raw == nullptr) return {};
-  const QImage image = rawPicture(*raw);
-  return image.isNull() ? image : image.scaledToHeight(height, Qt::SmoothTransformation);
+  return message ? thumbnailOf(message->value, height) : QImage();
 }
 
 }  // namespace widgets

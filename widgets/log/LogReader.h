@@ -4,8 +4,12 @@
 #include <mutex>
 
 #include "robotlink/base/Worker.h"
+#include "robotlink/session/StreamMessage.h"
 #include "widgets/log/LogOverview.h"
 
+namespace foxglove {
+class Log;
+}
 namespace logplayer {
 class LogFile;
 }
@@ -77,6 +81,12 @@ class LogReader final : public LogReading {
   /// Has one job. Last, since it uses all others.
   robotlink::Worker<std::monostate> overviewWorker_;
 };
+
+/// A text message of a robot.
+LogEntry loggedEntry(const robotlink::StreamMessage& message, const foxglove::Log& log);
+/// A small picture of an image, compressed or not; null: it is none, or cannot be decoded. `height` in
+/// pixels. Any thread.
+QImage thumbnailOf(const robotlink::PackagePtr& value, int height);
 
 /// The ReadLog that is used outside of tests.
 std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file);

@@ -26,7 +26,7 @@ bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLine
       return p.first == q.first && p.second.cacheKey() == q.second.cacheKey();
     };
     return x.title == y.title && x.offset == y.offset && x.showsOffset == y.showsOffset &&
-           x.collapsed == y.collapsed && x.log == y.log && x.streams == y.streams &&
+           x.collapsed == y.collapsed && x.log == y.log && x.streams == y.streams && x.said == y.said &&
            x.bookmarks == y.bookmarks && x.gaps == y.gaps && x.tracks == y.tracks && x.kept == y.kept &&
            x.inMemory == y.inMemory && x.hasImages == y.hasImages && x.imageAspect == y.imageAspect &&
            x.thumbnails.size() == y.thumbnails.size() &&

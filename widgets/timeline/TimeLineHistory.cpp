@@ -54,7 +54,7 @@ void TimeLineView::createHistoryActions() {
           [this](bool on) { run(on ? "timeline.pause" : "timeline.live"); });
 }
 
-std::vector<TimeLineBand> TimeLineView::historyBands() const {
+std::vector<TimeLineBand> TimeLineView::historyBands() {
   std::vector<TimeLineBand> bands;
   const auto& remote = session().remoteRobots();
   std::vector<robotlink::Stretch> kept = session().history().kept();
@@ -66,6 +66,11 @@ std::vector<TimeLineBand> TimeLineView::historyBands() const {
     band.kept = kept;
     // The horizon is the beginning of time until something was dropped.
     band.inMemory = std::max(session().store().horizon(), kept.front().from);
+    const HistoryStrips::Strip& strip = strips_.of(robot);
+    band.hasImages = !strip.imageStream.empty();
+    band.thumbnails = strip.thumbnails;
+    band.said = strip.said;
+    setImageAspect(band);
     if (const auto found = remote.find(robot); found != remote.end()) band.gaps = found->second.gaps;
   }
   return bands;
@@ -73,6 +78,7 @@ std::vector<TimeLineBand> TimeLineView::historyBands() const {
 
 void TimeLineView::showHistory() {
   if (!hasHistory()) return canvas_->setExtent({}, {});
+  strips_.tick();
   const auto& history = session().history();
   const std::uint64_t generation = session().store().generation();
   const Instant newest = session().timeline().newest(), oldest = history.kept().front().from;

@@ -39,7 +39,7 @@ TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook
     const TimeLineBand& band = bands[static_cast<std::size_t>(i)];
     add(TimeLineLayout::Kind::kHeader, i, header);
     if (band.hasImages) add(TimeLineLayout::Kind::kImages, i, kImages);
-    if (band.log != nullptr) add(TimeLineLayout::Kind::kTexts, i, look.row);
+    if (saidOf(band) != nullptr) add(TimeLineLayout::Kind::kTexts, i, look.row);
     if (!band.collapsed) {
       for (const std::string& stream : band.streams) add(TimeLineLayout::Kind::kStream, i, look.row, stream);
     }
@@ -55,10 +55,35 @@ int thumbnailHeight() {
   return static_cast<int>(kImages - 2 * kImageMargin);
 }
 
+const std::vector<LogEntry>* saidOf(const TimeLineBand& band) {
+  if (band.said != nullptr) return band.said.get();
+  return band.log != nullptr ? &band.log->said : nullptr;
+}
+
+namespace {
+
+/// The slots of a live robot, from the begin of all that is shown.
+std::vector<ThumbnailSlot> historySlots(const TimeLineBand& band, const TimeLineLook& look, double width) {
+  std::vector<ThumbnailSlot> slots;
+  if (band.kept.empty()) return slots;
+  Duration step = std::chrono::milliseconds(100);
+  while (static_cast<double>(step.count()) < width * look.scale.nsPerPixel) step *= 2;
+  const Instant from = std::max({look.begin, band.kept.front().from, look.scale.time(look.gutter) - step});
+  const Instant to = std::min(band.kept.back().to, look.scale.time(look.size.width()));
+  for (Instant time = look.begin + (from - look.begin) / step * step; time <= to; time += step) {
+    const double left = look.scale.x(time);
+    slots.push_back({left, left + width - kImageMargin, time});
+  }
+  return slots;
+}
+
+}  // namespace
+
 std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLineLook& look) {
   std::vector<ThumbnailSlot> slots;
-  if (band.log == nullptr || !band.hasImages) return slots;
+  if (!band.hasImages) return slots;
   const double width = std::max(16.0, thumbnailHeight() * band.imageAspect + kImageMargin);
+  if (band.log == nullptr) return historySlots(band, look, width);
   const double begin = look.scale.x(band.log->begin + band.offset),
                end = look.scale.x(band.log->end + band.offset);
   // Slots count from the log's beginning, so that the same images are shown while panning.

@@ -54,6 +54,8 @@ struct TimeLineBand {
   /// Paths of the streams that have a row, in this order.
   std::vector<std::string> streams;
   std::vector<logplayer::Bookmark> bookmarks;
+  /// Warnings and errors of a live robot, sorted by time; null: there is no lane for them, or a log has them.
+  std::shared_ptr<const std::vector<LogEntry>> said = {};
   /// Whether there is a lane with thumbnails.
   bool hasImages = false;
   /// What is kept of a live robot's messages, in order of time, of which what is before `inMemory` is on
@@ -130,13 +132,17 @@ struct TimeLineLayout {
 /// Computes the layout of all lanes, visible or not.
 TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook& look);
 
+/// The warnings and errors of a log or a robot; null: there is no lane for them.
+const std::vector<LogEntry>* saidOf(const TimeLineBand& band);
+
 /// A place for a thumbnail: from x to x, and the time whose image it shows.
 struct ThumbnailSlot {
   double left, right;
   /// In the log's own times.
   robotlink::Instant time;
 };
-/// The visible slots of a band; they keep their times while the timeline is panned.
+/// The visible slots of a band; they keep their times while the timeline is panned. Those of a live robot
+/// keep them also while its history grows: they are a whole power of two of 0.1 s apart.
 std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLineLook& look);
 /// Height of thumbnails in pixels.
 int thumbnailHeight();

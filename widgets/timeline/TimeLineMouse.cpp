@@ -412,7 +412,7 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
   constexpr int kMax = 8;
   const auto reach = Duration(std::llround(kGrip * look_.scale.nsPerPixel));
   QStringList lines;
-  for (const LogEntry& entry : of.log->said) {
+  for (const LogEntry& entry : *saidOf(of)) {
     if (entry.time < time - reach || entry.time > time + reach) continue;
     if (lines.size() == kMax) {
       lines << tr("…");
@@ -422,8 +422,7 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
                  .arg(timeText(entry.time + of.offset - look_.origin), LogModel::levelName(entry.level),
                       entry.source.toHtmlEscaped(), entry.text.toHtmlEscaped());
   }
-  return lines.isEmpty() ? tr("Warnings and errors in the log's messages")
-                         : lines.join(QStringLiteral("<br>"));
+  return lines.isEmpty() ? tr("Warnings and errors in the messages") : lines.join(QStringLiteral("<br>"));
 }
 
 bool TimeLineCanvas::viewportEvent(QEvent* event) {

@@ -236,7 +236,7 @@ void paintTexts(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
   // Errors are painted last, so that warnings do not cover them.
   for (const bool errors : {false, true}) {
     const QColor color = colorOf(errors ? Meaning::kBad : Meaning::kWarning, canvas.palette);
-    for (const LogEntry& entry : band.log->said) {
+    for (const LogEntry& entry : *saidOf(band)) {
       if ((entry.level >= LogEntry::Level::kError) != errors) continue;
       const double x = std::round(canvas.look.scale.x(entry.time + band.offset));
       if (x < plot.left() - 1 || x > plot.right()) continue;
@@ -375,10 +375,10 @@ QString laneName(const TimeLineBand& band, const Lane& lane) {
     case TimeLineLayout::Kind::kImages:
       return QCoreApplication::translate("TimeLine", "images");
     case TimeLineLayout::Kind::kTexts: {
-      const auto errors =
-          std::count_if(band.log->said.begin(), band.log->said.end(),
-                        [](const LogEntry& entry) { return entry.level >= LogEntry::Level::kError; });
-      const auto warnings = static_cast<std::ptrdiff_t>(band.log->said.size()) - errors;
+      const auto& said = *saidOf(band);
+      const auto errors = std::ranges::count_if(
+          said, [](const LogEntry& entry) { return entry.level >= LogEntry::Level::kError; });
+      const auto warnings = std::ssize(said) - errors;
       return QCoreApplication::translate("TimeLine", "warnings: %1, errors: %2").arg(warnings).arg(errors);
     }
     case TimeLineLayout::Kind::kStream:

@@ -40,8 +40,19 @@ QString withKey(const QString& text, ReplayKey key) {
 
 }  // namespace
 
+void TimeLineView::setImageAspect(TimeLineBand& band) {
+  for (const auto& [time, image] : band.thumbnails) {
+    if (image.isNull()) continue;
+    band.imageAspect = static_cast<double>(image.width()) / image.height();
+    return;
+  }
+}
+
 TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
-    : View(context, parent), logs_(openLogs(context)), tracks_(context.session, logs_) {
+    : View(context, parent),
+      logs_(openLogs(context)),
+      tracks_(context.session, logs_),
+      strips_(context.session) {
   setObjectName(QStringLiteral("timeLineView"));
   createActions();
   createHistoryActions();
@@ -293,11 +304,7 @@ void TimeLineView::showBands() {
     if (log->bookmarks) band.bookmarks = log->bookmarks->all();
     band.hasImages = !log->imageStream.empty();
     band.thumbnails = log->thumbnails;
-    for (const auto& [time, image] : log->thumbnails) {
-      if (image.isNull()) continue;
-      band.imageAspect = static_cast<double>(image.width()) / image.height();
-      break;
-    }
+    setImageAspect(band);
     for (const auto& stream : log->overview->streams) {
       if (!log->hidden.contains(stream.path)) band.streams.push_back(stream.path);
     }
@@ -366,6 +373,12 @@ void TimeLineView::wantThumbnails() {
     auto* log = logAt(band);
     if (log != nullptr && !log->imageStream.empty())
       logs_.wantThumbnails(*log, canvas_->missingThumbnails(band), height);
+  }
+  if (!logs_.logs().empty() || !hasHistory()) return;
+  int band = 0;
+  for (const std::string& robot : session().robots()) {
+    if (band < static_cast<int>(canvas_->bands().size()))
+      strips_.want(robot, canvas_->missingThumbnails(band++), height);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/log/LogJobs.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/log/ReplayKeys.h"
+#include "widgets/timeline/HistoryStrips.h"
 #include "widgets/timeline/TimeLineTracks.h"
 
 class QAction;
@@ -62,6 +63,8 @@ class TimeLineView final : public View {
   void connectBookmarks();
   /// The log of a band; null: there is none.
   OpenLogs::Log* logAt(int band);
+  /// Sets the shape of a band's images to that of its thumbnails.
+  static void setImageAspect(TimeLineBand& band);
   /// Passes the logs to the canvas.
   void showBands();
 
@@ -70,7 +73,7 @@ class TimeLineView final : public View {
   bool hasHistory() const;
   void createHistoryActions();
   /// A band for each robot, with what is kept of its messages.
-  std::vector<TimeLineBand> historyBands() const;
+  std::vector<TimeLineBand> historyBands();
   /// Passes the extent of the history to the canvas.
   void showHistory();
   void showHistoryActions();
@@ -137,6 +140,7 @@ class TimeLineView final : public View {
 
   OpenLogs& logs_;
   TimeLineTracks tracks_;
+  HistoryStrips strips_;
   TimeLineCanvas* canvas_ = nullptr;
   EmptyHint* hint_ = nullptr;
   LogJobBar* job_ = nullptr;
