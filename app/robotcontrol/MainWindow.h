@@ -156,6 +156,7 @@ class MainWindow : public QMainWindow {
   void attachExportCommands();
   /// What views show (MainWindowViews.cpp).
   void attachPictureCommands();
+  void attachPoseCommand();
   void attachDataCommands();
   void attachToolCommands();
   /// The view of the name that commands use, opened if need be. Fails if it is not of this class.

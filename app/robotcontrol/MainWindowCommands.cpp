@@ -95,6 +95,7 @@ void MainWindow::attachCommands() {
   attachSearchCommands();
   attachExportCommands();
   attachPictureCommands();
+  attachPoseCommand();
   attachDataCommands();
   attachToolCommands();
 }

@@ -104,6 +104,26 @@ void MainWindow::attachPictureCommands() {
       });
 }
 
+void MainWindow::attachPoseCommand() {
+  attach(
+      "view.pose",
+      [](MainWindow& window, const Values& values) -> Result<void> {
+        const auto view = window.openAs<widgets::PictureView>(textAt(values, 0));
+        if (!view) return tl::unexpected(view.error());
+        return (*view)->choosePose(textAt(values, 1));
+      },
+      [window = QPointer(this)](const Names& before) {
+        Names names;
+        if (!window || before.size() > 1) return names;
+        if (before.empty()) return openNames<widgets::PictureView>(*window->docks_);
+        const auto* view = namedView<widgets::PictureView>(*window->docks_, before.front());
+        if (view == nullptr || view->poseNames().empty()) return names;
+        names.emplace_back("default");
+        for (const QString& name : view->poseNames()) names.push_back(name.toStdString());
+        return names;
+      });
+}
+
 void MainWindow::attachDataCommands() {
   attach(
       "data.compare",

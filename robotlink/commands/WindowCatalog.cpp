@@ -104,6 +104,10 @@ Rows pictureRows() {
        {{"view", Type::kText, "image, field, scene or radar; the second one is image#2"},
         {"drawing", Type::kText, "its name, as in the list"},
         {"on", Type::kBool, "off hides it; the robot goes on drawing it", true}}},
+      {"view.pose",
+       "Chooses at which pose of a robot a view places its drawings",
+       {{"view", Type::kText, "field or scene; the second one is field#2"},
+        {"pose", Type::kText, "default (the true one if known), true, or an estimate: models/pose"}}},
   };
 }
 

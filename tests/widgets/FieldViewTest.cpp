@@ -215,6 +215,50 @@ class FieldViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(0.5, 0.8), QColor(250, 90, 170)));
   }
 
+  void theUserChoosesAtWhichPoseRobotsDrawingsLie() {
+    ShownField s;
+    const QColor pink(250, 90, 170);
+    const auto publish = [&] {
+      s.world.pushScene();
+      s.world.pushPoses({0.5, 0, robotlink::kPi / 2}, {1, 1});
+      s.world.pushEstimates({-1, -0.5, 0}, {0.3, 0});
+      auto other = std::make_shared<robotcontrol::RobotPose>();
+      other->mutable_robot_in_field()->set_x(-0.5);
+      s.world.push("red1/other/pose", other);
+      s.world.pushFrame({worldDrawing("robot", "percept", "red1", [](SceneDrawing& d) {
+        d.circle({0.8, 0}, 0.1, colors::kPink, 1, colors::kPink);
+      })});
+      s.step();
+    };
+    publish();
+    QVERIFY(s.view.choosePose("models/pose"));
+    QVERIFY(isNear(s.colorAt(-0.2, -0.5), pink));
+    QVERIFY(!isNear(s.colorAt(0.5, 0.8), pink));
+    QVERIFY(s.view.choosePose("other/pose"));
+    QVERIFY(isNear(s.colorAt(0.3, 0), pink));
+    FieldView copy(s.world.context);
+    copy.restoreState(s.view.saveState());
+    QCOMPARE(copy.saveState()[QStringLiteral("pose")].toString(), QStringLiteral("other/pose"));
+    QVERIFY(s.view.choosePose("true"));
+    QVERIFY(isNear(s.colorAt(0.5, 0.8), pink));
+    QVERIFY(s.view.choosePose("default"));
+    QVERIFY(isNear(s.colorAt(0.5, 0.8), pink));
+    const auto wrong = s.view.choosePose("other/poses");
+    QVERIFY(!wrong && wrong.error().text.find("other/pose") != std::string::npos);
+  }
+
+  void withoutATruePoseNothingIsDrawnAtIt() {
+    ShownField s;
+    s.world.pushEstimates({-1, -0.5, 0}, {0.3, 0});
+    s.world.pushFrame({worldDrawing("robot", "percept", "red1", [](SceneDrawing& d) {
+      d.circle({0.8, 0}, 0.1, colors::kPink, 1, colors::kPink);
+    })});
+    s.step();
+    QVERIFY(isNear(s.colorAt(-0.2, -0.5), QColor(250, 90, 170)));
+    QVERIFY(s.view.choosePose("true"));
+    QVERIFY(!isNear(s.colorAt(-0.2, -0.5), QColor(250, 90, 170)));
+  }
+
   void aDamagedDrawingHarmsNothing() {
     ShownField s;
     s.placeThings();

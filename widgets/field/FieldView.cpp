@@ -23,6 +23,7 @@
 #include "widgets/field/PlaceNotice.h"
 #include "widgets/field/TrailMenu.h"
 #include "widgets/picture/MeasureTool.h"
+#include "widgets/picture/PoseMenu.h"
 #include "widgets/world/DriveAims.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
@@ -124,6 +125,7 @@ QWidget* FieldView::createToolRow(QAction* showDrawings) {
   robots_->setToolTip(tr("Whose drawings and estimated poses are shown"));
   row->addWidget(robots_);
   row->addStretch(1);
+  addPoses(row);
   addButtons(row, {goals_->send(), goals_->cancel(), move_});
   QToolButton* trails = makeButton(row->parentWidget(), showTrails_);
   trails->setMenu(trailMenu_);
@@ -190,6 +192,7 @@ void FieldView::tick() {
   scene_.update(session().store(), shown);
   robots_->refresh(session());
   drawings()->refresh(session(), robots_->robot(session()));
+  poses()->refresh(session());
   updateGround();
   const std::vector<RobotBelief> shownRobots = beliefs();
   updateTrails();
@@ -227,12 +230,14 @@ bool FieldView::drives(const std::string& robot) const {
 }
 
 std::vector<RobotBelief> FieldView::beliefs() const {
-  auto beliefs = robotBeliefs(session(), scene_, context().field.get(), session().timeline().shown());
+  const auto shown = session().timeline().shown();
+  auto beliefs = robotBeliefs(session(), scene_, context().field.get(), shown);
+  placeDrawings(beliefs, session().store(), poses()->choice().toStdString(), shown);
   for (RobotBelief& belief : beliefs) {
     if (!drives(belief.robot)) continue;
     const auto& drive = *context().robots.at(belief.robot)->drive;
     belief.body = {drive.length, drive.width};
-    belief.silent = baseSilence(session().store(), belief.robot, session().timeline().shown()).has_value();
+    belief.silent = baseSilence(session().store(), belief.robot, shown).has_value();
   }
   return beliefs;
 }

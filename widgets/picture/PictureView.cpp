@@ -6,7 +6,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "robotlink/base/Spelling.h"
@@ -14,8 +16,10 @@
 #include "widgets/Controls.h"
 #include "widgets/SplitterState.h"
 #include "widgets/WrittenPicture.h"
+#include "widgets/drawings/DrawingPose.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/drawings/DrawingsPanel.h"
+#include "widgets/picture/PoseMenu.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -85,6 +89,39 @@ robotlink::Result<void> PictureView::showDrawing(const std::string& name, bool s
 
 QStringList PictureView::drawingNames() const {
   return drawings_ == nullptr ? QStringList() : drawings_->names();
+}
+
+void PictureView::addPoses(QHBoxLayout* row) {
+  QAction* open =
+      makeAction(this, "point",
+                 {named("Pose").constData(), tr("Pose of drawings"),
+                  tr("Chooses at which pose of the robot its drawings are placed: the true one or "
+                     "an estimate")});
+  QToolButton* button = makeButton(row->parentWidget(), open);
+  poses_ = new PoseMenu(QString::fromLatin1(named("PoseMenu")), this);
+  button->setMenu(poses_);
+  button->setPopupMode(QToolButton::InstantPopup);
+  connect(open, &QAction::triggered, button, &QToolButton::showMenu);
+  connect(poses_, &PoseMenu::choiceChanged, this, &PictureView::tick);
+  row->addWidget(button);
+  keep("pose", poses_);
+}
+
+robotlink::Result<void> PictureView::choosePose(const std::string& pose) {
+  if (poses_ == nullptr)
+    return robotlink::failure("view.poses", "this view places no drawings at robots", {}, {pose});
+  tick();  // lists what there is now
+  std::vector<std::string> known{"default"};
+  for (const QString& each : poseNames()) known.push_back(each.toStdString());
+  if (std::ranges::find(known, pose) == known.end())
+    return robotlink::failure("view.pose", "there is no pose " + pose + robotlink::suggestion(pose, known),
+                              {}, {pose});
+  poses_->setChoice(pose == "default" ? QString::fromLatin1(kUsualPose) : QString::fromStdString(pose));
+  return {};
+}
+
+QStringList PictureView::poseNames() const {
+  return poses_ == nullptr ? QStringList() : poses_->choices();
 }
 
 void PictureView::place(std::initializer_list<QWidget*> above, QWidget* canvas, const Side& side,

@@ -18,6 +18,7 @@ class QSplitter;
 namespace widgets {
 
 class DrawingsModel;
+class PoseMenu;
 
 /// The shell of all views that show a picture: copying and saving it, zooming, the list of drawings or
 /// another panel beside it, the splitter between both, and the part of the saved state that these need. A
@@ -25,8 +26,8 @@ class DrawingsModel;
 /// these.
 ///
 /// Object names begin with the view's name: "field" gives fieldView, fieldSplitter, and the actions
-/// fieldCopy, fieldSave, fieldExport, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldFit, fieldFreeze. GUI
-/// thread.
+/// fieldCopy, fieldSave, fieldExport, fieldZoomIn, fieldZoomOut, fieldDrawings, fieldPose (its menu is
+/// fieldPoseMenu), fieldFit, fieldFreeze. GUI thread.
 class PictureView : public View {
   Q_OBJECT
  public:
@@ -42,6 +43,11 @@ class PictureView : public View {
   robotlink::Result<void> showDrawing(const std::string& name, bool shown);
   /// The names of the drawings in the list, without their kinds; empty without a list.
   QStringList drawingNames() const;
+  /// Chooses at which pose the drawings relative to robots are placed: "default", or one of poseNames().
+  /// Fails if the view has no such choice, or if no robot publishes such a pose estimate.
+  robotlink::Result<void> choosePose(const std::string& pose);
+  /// The true pose and the pose estimates that can be chosen; empty if the view has no such choice.
+  QStringList poseNames() const;
 
  protected:
   /// What is beside the picture.
@@ -64,6 +70,11 @@ class PictureView : public View {
   Side makeDrawings(const QStringList& kinds);
   /// The model of that list; null without one.
   DrawingsModel* drawings() const { return drawings_; }
+  /// Adds a button to a row that opens the menu of poses at which the drawings relative to robots are placed;
+  /// the state keeps "pose". To be called at most once.
+  void addPoses(QHBoxLayout* row);
+  /// That menu; null without one.
+  PoseMenu* poses() const { return poses_; }
 
   /// Puts the rows, the canvas with what is beside it, and the rows below together. To be called once. The
   /// state keeps "splitter" and, if there is a panel that can be hidden, "panel" and "drawings". The canvas
@@ -104,6 +115,7 @@ class PictureView : public View {
   QAction* export_ = nullptr;
   QWidget* canvas_ = nullptr;
   DrawingsModel* drawings_ = nullptr;
+  PoseMenu* poses_ = nullptr;
 };
 
 }  // namespace widgets

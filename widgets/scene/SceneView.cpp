@@ -20,6 +20,7 @@
 #include "widgets/RobotChoice.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/field/FieldPainter.h"
+#include "widgets/picture/PoseMenu.h"
 #include "widgets/scene/SceneCanvas.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
@@ -100,6 +101,7 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   row->addSpacing(6);
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
+  addPoses(row);
   addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
@@ -166,7 +168,9 @@ void SceneView::tick() {
   followMap();
   drawings()->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
+  poses()->refresh(session());
   beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
+  placeDrawings(beliefs_, session().store(), poses()->choice().toStdString(), shown);
   drag_.tick(session());
   const QString refusal = drag_.refusal();
   canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));

@@ -8,6 +8,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
+#include "widgets/drawings/DrawingPose.h"
 #include "widgets/world/SceneState.h"
 
 namespace widgets {
@@ -67,6 +68,20 @@ std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneSt
     beliefs.push_back(std::move(belief));
   }
   return beliefs;
+}
+
+void placeDrawings(std::vector<RobotBelief>& beliefs, const robotlink::StreamStore& store,
+                   const std::string& choice, robotlink::Instant shown) {
+  if (choice == kUsualPose) return;
+  for (RobotBelief& belief : beliefs) {
+    belief.isPlaced = true;
+    if (choice == kTruePose) {
+      belief.place = belief.truth;
+      continue;
+    }
+    const auto* pose = store.latestAs<robotcontrol::RobotPose>(belief.robot + '/' + choice, shown);
+    if (pose != nullptr) belief.place = robotlink::pose2(pose->robot_in_field());
+  }
 }
 
 }  // namespace widgets

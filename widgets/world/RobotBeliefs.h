@@ -11,6 +11,7 @@
 
 namespace robotlink {
 class Session;
+class StreamStore;
 struct FieldDescription;
 }  // namespace robotlink
 
@@ -42,15 +43,24 @@ struct RobotBelief {
   /// Standard deviation of the ball's position, m.
   double ballDeviation = 0;
 
+  /// Whether the user chose the pose at which its drawings are placed, and that pose; unset: unknown. See
+  /// placeDrawings().
+  bool isPlaced = false;
+  std::optional<robotlink::Pose2> place;
+
   bool operator==(const RobotBelief&) const = default;
-  /// The pose relative to which the robot's own drawings are placed: the true one if known, else the
-  /// estimate.
+  /// Where the robot is: the true pose if known, else the estimate.
   std::optional<robotlink::Pose2> pose() const { return truth ? truth : estimate; }
+  /// Where its own drawings are placed; unset: nowhere.
+  std::optional<robotlink::Pose2> drawingPose() const { return isPlaced ? place : pose(); }
 };
 
 /// All robots of the session at an instant. `field` may be null.
 std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneState& scene,
                                       const robotlink::FieldDescription* field, robotlink::Instant shown);
+/// Sets where the robots' own drawings are placed, by one of the choices in DrawingPose.h.
+void placeDrawings(std::vector<RobotBelief>& beliefs, const robotlink::StreamStore& store,
+                   const std::string& choice, robotlink::Instant shown);
 /// The color of a robot's team, whose name begins the robot's ("red1"), from the field's palette. Robots
 /// without a team ("p3at2") have colors by their number, or gray without one. `field` may be null.
 QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field);

@@ -19,10 +19,16 @@ using robotlink::Pose3;
 /// `robot` is the one whose frame it is, empty if it is named by a stream without a robot.
 std::optional<Pose3> poseOfFrame(const std::string& robot, const std::string& frame, const SceneState& scene,
                                  const std::vector<RobotBelief>& beliefs) {
-  if (auto pose = scene.framePose(frame, robot)) return pose;
-  const auto belief = std::ranges::find(beliefs, frame, &RobotBelief::robot);
-  if (belief == beliefs.end() || !belief->pose()) return std::nullopt;
-  return poseOnGround(*belief->pose());
+  const auto belief = std::ranges::find(beliefs, frame.substr(0, frame.find('/')), &RobotBelief::robot);
+  const auto pose = scene.framePose(frame, robot);
+  const bool isPlaced = belief != beliefs.end() && belief->isPlaced;
+  if (pose && !isPlaced) return pose;
+  if (belief == beliefs.end() || !belief->drawingPose()) return std::nullopt;
+  const Pose3 place = poseOnGround(*belief->drawingPose());
+  // Height, tilt and the places of parts stay as they are at the true pose.
+  const auto truth = scene.framePose(belief->robot);
+  if (pose && truth) return Pose3(place * poseOnGround(robotlink::groundPose(*truth)).inverse() * *pose);
+  return belief->robot == frame ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace

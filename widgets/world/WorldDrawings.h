@@ -38,8 +38,7 @@ robotlink::Pose3 poseOnGround(const robotlink::Pose2& pose);
 
 /// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first; then the figures of
 /// the streams among `ids` ("stream/PATH"). Drawings relative
-/// to a robot are placed at its true pose or, if that is unknown, at its pose estimate; without either they
-/// are left out.
+/// to a robot are placed at RobotBelief::drawingPose(); without one they are left out.
 std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
                                         StreamFigures& figures, const std::vector<RobotBelief>& beliefs,
                                         const std::vector<std::string>& robots, const QStringList& ids,

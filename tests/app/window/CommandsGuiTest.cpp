@@ -175,6 +175,9 @@ class CommandsGuiTest : public WindowTest {
     QVERIFY(!state(1)[QStringLiteral("compare")].toBool());
     QCOMPARE(desk.run(QStringLiteral("image.stream field ") + path), QStringLiteral("view.kind"));
     QCOMPARE(desk.run(QStringLiteral("view.drawing field nothing off")), QStringLiteral("view.drawing"));
+    QCOMPARE(desk.run(QStringLiteral("view.pose field models/pose")), QString());
+    QCOMPARE(desk.run(QStringLiteral("view.pose field nowhere")), QStringLiteral("view.pose"));
+    QCOMPARE(desk.run(QStringLiteral("view.pose image true")), QStringLiteral("view.poses"));
   }
 
   void theDataViewIsComparedAndMessagesArePublished() {
