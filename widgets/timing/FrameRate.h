@@ -20,6 +20,8 @@ class FrameRate {
   /// The time within which a frame has to be done: the period of a process that has one, else the mean time
   /// from one frame to the next. s; 0 if it is not known yet.
   double period(double ofProcess) const;
+  /// The number of the newest frame; 0: there is none.
+  std::uint64_t newest() const { return recent_.empty() ? 0 : recent_.back().number; }
   /// Whether the newest frame was at this time.
   bool isNewest(robotlink::Instant time) const { return !recent_.empty() && recent_.back().time == time; }
 

@@ -24,8 +24,8 @@ bool has(const robotcontrol::ProcessTable& program, const std::string& process, 
 
 TimingModel::TimingModel(QObject* parent)
     : TitledModel({tr("Process"), tr("Task"), tr("Solution"), tr("Last ms"), tr("Mean ms"), tr("Min ms"),
-                   tr("Median ms"), tr("95 % ms"), tr("99 % ms"), tr("Max ms"), tr("Hz"), tr("Overruns"),
-                   tr("Share of period")},
+                   tr("Median ms"), tr("95 % ms"), tr("99 % ms"), tr("Max ms"), tr("Hz"), tr("Min period ms"),
+                   tr("Max period ms"), tr("Jitter ms"), tr("Overruns"), tr("Share of period")},
                   parent) {}
 
 TimingModel::Row& TimingModel::rowFor(const std::string& process, const std::string& task,
@@ -46,9 +46,17 @@ void TimingModel::add(const std::string& process, std::uint64_t frame, robotlink
   for (const auto& entry : times.entries()) {
     Row& row = rowFor(process, entry.task(), entry.solution());
     row.times.add(entry.seconds());
-    row.latest = time;
+    addRun(row, time);
   }
   countOverrun(process, times);
+}
+
+void TimingModel::addRun(Row& row, robotlink::Instant time) {
+  const std::uint64_t frame = frames_[row.process].newest();
+  if (row.latestFrame > 0 && frame == row.latestFrame + 1 && time >= row.latest)
+    row.periods.add(robotlink::seconds(time - row.latest));
+  row.latest = time;
+  row.latestFrame = frame;
 }
 
 void TimingModel::countOverrun(const std::string& process, const robotcontrol::StopwatchTimes& times) {
@@ -124,6 +132,12 @@ double TimingModel::number(const Row& row, int column) const {
       return row.times.maximum() * 1000;
     case kRate:
       return rateOf(row);
+    case kPeriodMinimum:
+      return row.periods.minimum() * 1000;
+    case kPeriodMax:
+      return row.periods.maximum() * 1000;
+    case kJitter:
+      return row.periods.deviation() * 1000;
     case kOverruns:
       return static_cast<double>(row.overruns);
     case kShare:
@@ -145,6 +159,10 @@ QString TimingModel::shownText(const Row& row, int column) const {
       return rateOf(row) > 0 ? tr("%1 %").arg(number(row, kShare) * 100, 0, 'f', 2) : QString();
     case kRate:
       return rateOf(row) > 0 ? QString::number(rateOf(row), 'f', 1) : QString();
+    case kPeriodMinimum:
+    case kPeriodMax:
+    case kJitter:
+      return row.periods.count() > 0 ? QString::number(number(row, column), 'f', 3) : QString();
     case kOverruns:
       return QString::number(row.overruns);
     default:
@@ -189,6 +207,12 @@ QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int r
       return tr("95 % of all frames took no longer");
     case kNinetyNine:
       return tr("99 % of all frames took no longer");
+    case kPeriodMinimum:
+      return tr("Shortest time from one frame to the next, on the robot's clock");
+    case kPeriodMax:
+      return tr("Longest time from one frame to the next, on the robot's clock");
+    case kJitter:
+      return tr("Standard deviation of the time from one frame to the next, on the robot's clock");
     case kOverruns:
       return tr(
           "Frames that took longer than the period of their process, or than the time from one frame "
@@ -202,7 +226,9 @@ QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int r
 
 QString TimingModel::csv() const {
   QString text = QStringLiteral(
-      "process,task,solution,last_ms,mean_ms,min_ms,median_ms,p95_ms,p99_ms,max_ms,hz,overruns,share\n");
+      "process,task,solution,last_ms,mean_ms,min_ms,median_ms,p95_ms,p99_ms,max_ms,hz,period_min_ms,period_"
+      "max_ms,"
+      "period_deviation_ms,overruns,share\n");
   for (const Row& row : rows_) {
     QStringList cells{QString::fromStdString(row.process),
                       row.task.empty() ? QStringLiteral("frame") : QString::fromStdString(row.task),

@@ -8,6 +8,7 @@
 #include "robotlink/base/Clock.h"
 #include "widgets/TitledModel.h"
 #include "widgets/timing/FrameRate.h"
+#include "widgets/timing/PeriodStatistics.h"
 #include "widgets/timing/TimeStatistics.h"
 
 namespace robotcontrol {
@@ -21,7 +22,8 @@ namespace widgets {
 /// are real time in milliseconds. Rates are frames per second on the platform's clock over the last two
 /// seconds. The share is that of a task's mean time in its process's period; the row "frame" stands for whole
 /// frames, and at 100 % the process cannot keep its rate in real time. A solution that no longer runs has
-/// neither rate nor share.
+/// neither rate nor share. Its jitter is how much the periods differ: the times on the platform's clock from
+/// one frame in which it ran to the next. Where frames between them were not published there is no period.
 ///
 /// An overrun is a frame that took longer than its period (FrameRate::period()). It counts for the row
 /// "frame" of its process, and for the solution that took longest in it, which is where to look first.
@@ -29,8 +31,8 @@ namespace widgets {
 class TimingModel final : public TitledModel {
   Q_OBJECT
  public:
-  /// Times in ms, kRate in Hz, kShare as a share of 1; kMedian, kNinetyFive and kNinetyNine: the time that
-  /// 50, 95 and 99 % of all do not exceed.
+  /// Times and periods in ms, kRate in Hz, kShare as a share of 1; kMedian, kNinetyFive and kNinetyNine: the
+  /// time that 50, 95 and 99 % of all do not exceed.
   enum Column {
     kProcess,
     kTask,
@@ -43,6 +45,9 @@ class TimingModel final : public TitledModel {
     kNinetyNine,
     kMax,
     kRate,
+    kPeriodMinimum,
+    kPeriodMax,
+    kJitter,
     kOverruns,
     kShare,
     kColumns
@@ -73,10 +78,15 @@ class TimingModel final : public TitledModel {
     std::string process, task, solution;
     TimeStatistics times;
     std::uint64_t overruns = 0;
-    /// Time of the last frame in which it ran.
+    /// From one frame to the next.
+    PeriodStatistics periods;
+    /// Time and number of the last frame in which it ran.
     robotlink::Instant latest;
+    std::uint64_t latestFrame = 0;
   };
   Row& rowFor(const std::string& process, const std::string& task, const std::string& solution);
+  /// Notes that a solution ran in the newest frame of its process, at this time.
+  void addRun(Row& row, robotlink::Instant time);
   /// Counts an overrun if the frame was one.
   void countOverrun(const std::string& process, const robotcontrol::StopwatchTimes& times);
   /// The number of a cell, in the column's unit.

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "widgets/timing/PeriodStatistics.h"
+
 namespace widgets {
 namespace {
 
@@ -19,6 +21,23 @@ TEST(TimeStatisticsTest, percentilesAreThoseOfAllTimes) {
   EXPECT_NEAR(times.percentile(0.95), 9.5e-3, 1e-4);
   EXPECT_NEAR(times.percentile(0.99), 9.9e-3, 1e-4);
   EXPECT_DOUBLE_EQ(times.percentile(1), 1e-2) << "no percentile is above the maximum";
+}
+
+TEST(PeriodStatisticsTest, theDeviationOfLongRunsKeepsItsDigits) {
+  PeriodStatistics periods;
+  for (int i = 0; i < 100000; ++i) periods.add(1000 + (i % 2 == 0 ? 1e-5 : -1e-5));
+  EXPECT_NEAR(periods.deviation(), 1e-5, 1e-8);
+  EXPECT_NEAR(periods.mean(), 1000, 1e-9);
+}
+
+TEST(PeriodStatisticsTest, withoutPeriodsAllIsZeroAndImpossibleOnesDoNoHarm) {
+  PeriodStatistics periods;
+  periods.add(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(periods.count(), 0U);
+  EXPECT_EQ(periods.deviation(), 0);
+  periods.add(0.04);
+  EXPECT_EQ(periods.deviation(), 0);
+  EXPECT_EQ(periods.minimum(), 0.04);
 }
 
 TEST(TimeStatisticsTest, withoutTimesAllIsZero) {

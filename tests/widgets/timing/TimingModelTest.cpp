@@ -110,13 +110,39 @@ TEST_F(TimingModelTest, framesThatTakeLongerThanTheyMayAreOverruns) {
   EXPECT_EQ(text(0, TimingModel::kOverruns), "0");
 }
 
+TEST_F(TimingModelTest, jitterIsHowMuchThePeriodsDiffer) {
+  frame(1, 0.000, 0.001);
+  EXPECT_EQ(text(0, TimingModel::kJitter), "") << "one frame has no period";
+  frame(2, 0.030, 0.001);
+  frame(3, 0.080, 0.001);
+  for (const int row : {0, 1}) {
+    EXPECT_NEAR(number(row, TimingModel::kPeriodMinimum), 30, 1e-9);
+    EXPECT_NEAR(number(row, TimingModel::kPeriodMax), 50, 1e-9);
+    EXPECT_NEAR(number(row, TimingModel::kJitter), 10, 1e-9);
+  }
+  EXPECT_EQ(text(1, TimingModel::kJitter), "10.000");
+}
+
+TEST_F(TimingModelTest, whatWasNotPublishedOrRunIsNoPeriod) {
+  frame(1, 0.00, 0.001, "lines");
+  frame(2, 0.04, 0.001, "regions");
+  frame(3, 0.08, 0.001, "lines");
+  frame(9, 0.32, 0.001, "lines");  // frames 4 to 8 were not published
+  frame(1, 0.10, 0.001, "lines");  // a reset
+  frame(2, 0.14, 0.001, "lines");
+  EXPECT_NEAR(number(0, TimingModel::kPeriodMax), 40, 1e-9);
+  EXPECT_NEAR(number(1, TimingModel::kPeriodMax), 40, 1e-9);
+  EXPECT_EQ(text(2, TimingModel::kPeriodMax), "") << "regions ran in one frame only";
+}
+
 TEST_F(TimingModelTest, theTableIsWrittenWithItsUnits) {
   frame(1, 0.00, 0.001);
   frame(2, 0.04, 0.001);
   EXPECT_EQ(model.csv().toStdString(),
-            "process,task,solution,last_ms,mean_ms,min_ms,median_ms,p95_ms,p99_ms,max_ms,hz,overruns,share\n"
-            "cognition,frame,,4,4,4,4,4,4,4,25,0,0.1\n"
-            "cognition,ball,lines,1,1,1,1,1,1,1,25,0,0.025\n");
+            "process,task,solution,last_ms,mean_ms,min_ms,median_ms,p95_ms,p99_ms,max_ms,hz,period_min_ms,"
+            "period_max_ms,period_deviation_ms,overruns,share\n"
+            "cognition,frame,,4,4,4,4,4,4,4,25,40,40,0,0,0.1\n"
+            "cognition,ball,lines,1,1,1,1,1,1,1,25,40,40,0,0,0.025\n");
   model.reset();
   EXPECT_EQ(model.rowCount(), 0);
 }
