@@ -57,6 +57,15 @@ std::string defaultSolution(const Layout& layout, const std::string& process, co
   return {};
 }
 
+void fillSolution(const SolutionDescription& solution, robotcontrol::SolutionTable::Solution& to) {
+  to.set_name(solution.name);
+  to.set_help(solution.help);
+  to.set_has_parameters(solution.parameters != nullptr);
+  for (const std::string& package : solution.required) to.add_required_inputs(package);
+  for (const std::string& package : solution.optional) to.add_optional_inputs(package);
+  for (const std::string& package : solution.outputs) to.add_outputs(package);
+}
+
 }  // namespace
 
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
@@ -71,10 +80,8 @@ void fillSolutionTable(const std::string& process, const TaskRunners& tasks, con
     if (const TaskCatalog::Task* known = catalog.find(task->task())) row.set_help(known->help);
     for (const SolutionDescription* solution : task->solutions()) {
       auto& cell = *row.add_solutions();
-      cell.set_name(solution->name);
-      cell.set_help(solution->help);
+      fillSolution(*solution, cell);
       cell.set_unavailable(unavailability(layout, catalog, platform, task->task(), solution->name));
-      cell.set_has_parameters(solution->parameters != nullptr);
     }
   }
 }
@@ -90,10 +97,8 @@ void addAbsentTasks(const std::vector<Layout::Absence>& absent, robotcontrol::So
     for (const SolutionDescription& solution : SolutionRegistry::all()) {
       if (solution.task != absence.task) continue;
       auto& cell = *row.add_solutions();
-      cell.set_name(solution.name);
-      cell.set_help(solution.help);
+      fillSolution(solution, cell);
       cell.set_unavailable("unavailable because " + absence.reason);
-      cell.set_has_parameters(solution.parameters != nullptr);
     }
   }
 }

@@ -12,6 +12,12 @@
 namespace widgets {
 namespace {
 
+QStringList namesOf(const google::protobuf::RepeatedPtrField<std::string>& packages) {
+  QStringList names;
+  for (const std::string& package : packages) names << QString::fromStdString(package);
+  return names;
+}
+
 TaskEntry taskEntry(const robotcontrol::SolutionTable::Task& from) {
   TaskEntry task;
   task.name = from.name();
@@ -21,7 +27,9 @@ TaskEntry taskEntry(const robotcontrol::SolutionTable::Task& from) {
   task.help = QString::fromStdString(from.help());
   for (const auto& solution : from.solutions()) {
     task.solutions.push_back({solution.name(), QString::fromStdString(solution.help()),
-                              QString::fromStdString(solution.unavailable()), solution.has_parameters()});
+                              QString::fromStdString(solution.unavailable()), solution.has_parameters(),
+                              namesOf(solution.required_inputs()), namesOf(solution.optional_inputs()),
+                              namesOf(solution.outputs())});
   }
   return task;
 }
@@ -137,9 +145,24 @@ QString SolutionModel::stateOf(const TaskEntry& task, const TaskEntry::Solution&
   return solution.unavailable.isEmpty() ? solution.help : solution.unavailable;
 }
 
+QString SolutionModel::packagesOf(const TaskEntry::Solution& solution) {
+  QStringList lines;
+  const auto add = [&](const QString& line, const QStringList& packages) {
+    if (!packages.isEmpty()) lines << line.arg(packages.join(QStringLiteral(", ")));
+  };
+  add(tr("reads %1"), solution.required);
+  add(tr("reads if offered %1"), solution.optional);
+  add(tr("publishes %1"), solution.outputs);
+  return lines.join(QLatin1Char('\n'));
+}
+
 QVariant SolutionModel::taskData(const TaskEntry& task, int column, int role) const {
   if (role == kTaskRole) return QString::fromStdString(task.name);
-  if (role == Qt::ToolTipRole) return task.help;
+  if (role == Qt::ToolTipRole) {
+    const auto active = std::ranges::find(task.solutions, task.active, &TaskEntry::Solution::name);
+    const QString packages = active == task.solutions.end() ? QString() : packagesOf(*active);
+    return packages.isEmpty() ? task.help : QStringLiteral("%1\n\n%2").arg(task.help, packages);
+  }
   if (role == Qt::FontRole) {
     QFont font;
     font.setBold(column == kName);
@@ -171,8 +194,11 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
       if (column == kName) return QString::fromStdString(solution.name);
       return column == kState ? stateOf(task, solution) : QString();
     case Qt::ToolTipRole: {
-      const QString extra = refused ? stateOf(task, solution) : solution.unavailable;
-      return extra.isEmpty() ? solution.help : QStringLiteral("%1\n%2").arg(solution.help, extra);
+      QStringList lines{solution.help, refused ? stateOf(task, solution) : solution.unavailable};
+      const QString packages = packagesOf(solution);
+      lines.removeAll(QString());
+      if (!packages.isEmpty()) lines << QString() << packages;
+      return lines.join(QLatin1Char('\n'));
     }
     case Qt::ForegroundRole:
       if (refused) return colorOf(Meaning::kBad, QGuiApplication::palette());

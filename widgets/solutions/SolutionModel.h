@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QStringList>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct TaskEntry {
     /// Why it cannot be chosen; empty: it can.
     QString unavailable;
     bool hasParameters = false;
+    /// The packages that it reads: those without which it cannot run, and those that it uses if they are
+    /// offered; and those that it publishes. All are empty if the robot does not say.
+    QStringList required = {}, optional = {}, outputs = {};
     bool operator==(const Solution&) const = default;
   };
   std::string name;
@@ -86,6 +90,8 @@ class SolutionModel final : public QAbstractItemModel {
   QVariant taskData(const TaskEntry& task, int column, int role) const;
   QVariant solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,
                         int role) const;
+  /// What a solution reads and publishes, a line each; empty if the robot does not say.
+  static QString packagesOf(const TaskEntry::Solution& solution);
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   /// Text of the column kState.
   QString stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;

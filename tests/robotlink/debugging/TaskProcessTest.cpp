@@ -75,6 +75,11 @@ TEST(TaskProcessTest, theTableShowsWhatIsActiveAndWhatIsUnavailable) {
       "(oracle/world)",
       table.tasks(1).solutions(1).unavailable());
   EXPECT_EQ("", table.tasks(1).solutions(0).unavailable());
+  ASSERT_EQ(1, table.tasks(1).solutions(1).required_inputs_size());
+  EXPECT_EQ("oracle/world", table.tasks(1).solutions(1).required_inputs(0));
+  EXPECT_EQ(0, table.tasks(1).solutions(1).optional_inputs_size());
+  ASSERT_EQ(1, table.tasks(1).solutions(1).outputs_size());
+  EXPECT_EQ("models/ball", table.tasks(1).solutions(1).outputs(0));
   EXPECT_TRUE(table.tasks(0).solutions(1).has_parameters());
   for (const auto& task : table.tasks()) {
     if (task.name() == "behavior") {

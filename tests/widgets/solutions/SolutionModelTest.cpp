@@ -55,6 +55,26 @@ TEST_F(SolutionModelTest, solutionsAreBelowTheirTask) {
   EXPECT_EQ(state(solution(2)), "no ground truth");
 }
 
+TEST_F(SolutionModelTest, theTipSaysWhatASolutionReadsAndPublishes) {
+  const auto tip = [this](const QModelIndex& index) {
+    return model.data(index, Qt::ToolTipRole).toString().toStdString();
+  };
+  EXPECT_EQ(tip(solution(0)), "Fits a circle") << "the robot does not say";
+  auto tasks = tasksWith("lines");
+  tasks[0].help = QStringLiteral("Finds the ball");
+  auto& lines = tasks[0].solutions[0];
+  lines.required << QStringLiteral("camera/image") << QStringLiteral("camera/pose");
+  lines.optional << QStringLiteral("colors/table");
+  lines.outputs << QStringLiteral("percepts/ball");
+  tasks[0].solutions[2].outputs = lines.outputs;
+  model.setTasks(tasks);
+  const std::string packages =
+      "reads camera/image, camera/pose\nreads if offered colors/table\npublishes percepts/ball";
+  EXPECT_EQ(tip(solution(0)), "Fits a circle\n\n" + packages);
+  EXPECT_EQ(tip(model.index(0, 0)), "Finds the ball\n\n" + packages) << "those of the one that runs";
+  EXPECT_EQ(tip(solution(2)), "Looks it up\nno ground truth\n\npublishes percepts/ball");
+}
+
 TEST_F(SolutionModelTest, aRequestIsPendingUntilATableConfirmsIt) {
   model.setPending("ball-percept", "regions");
   EXPECT_EQ(choice(1), Choice::kPending);
