@@ -3,7 +3,9 @@
 
 #include <QAbstractButton>
 #include <QDir>
+#include <QHelpEvent>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <cstdio>
 #include <cstdlib>
@@ -100,6 +102,14 @@ void click(QWidget& widget) {
 void click(const QWidget& parent, const char* button) {
   QApplication::processEvents();
   click(child<QAbstractButton>(parent, button));
+}
+
+QString shownTip(QWidget& widget, const QPoint& at) {
+  QHelpEvent help(QEvent::ToolTip, at, widget.mapToGlobal(at));
+  QApplication::sendEvent(&widget, &help);
+  const QString text = QToolTip::text();
+  QToolTip::hideText();
+  return text;
 }
 
 QModelIndex find(const QTreeView& tree, const QString& text, int column) {

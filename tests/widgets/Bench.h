@@ -116,6 +116,9 @@ void turnWheel(QWidget& widget, const QPoint& at, int notches);
 void click(QWidget& widget);
 void click(const QWidget& parent, const char* button);
 
+/// The text of the tool tip at a place of a widget.
+QString shownTip(QWidget& widget, const QPoint& at);
+
 /// The index that shows `text` in a column, anywhere in the tree; invalid if there is none.
 QModelIndex find(const QTreeView& tree, const QString& text, int column = 0);
 void clickCell(QTreeView& tree, const QModelIndex& index);

@@ -259,12 +259,36 @@ class FieldViewTest : public QObject {
     QVERIFY(!isNear(s.colorAt(-0.2, -0.5), QColor(250, 90, 170)));
   }
 
+  void aTipNamesTheDrawingsUnderTheCursor() {
+    ShownField s;
+    s.world.pushScene();
+    s.world.pushFrame({worldDrawing("field", "ball-model/area", "field",
+                                    [](SceneDrawing& d) {
+                                      d.circle({1, 0.5}, 0.2, colors::kPink, 1, colors::kPink);
+                                      d.text({-1, 0.5}, "MMM<b>M", colors::kWhite, 20);
+                                    }),
+                       worldDrawing("field", "ball-model/dots", "field", [](SceneDrawing& d) {
+                         d.dot({1, 0.5}, colors::kBlue);
+                       })});
+    s.step();
+    const QString both = shownTip(*s.canvas, s.at(1, 0.5));
+    QVERIFY2(both.contains(QStringLiteral("robot red1, debug key ball-model/area")), qPrintable(both));
+    QVERIFY2(both.indexOf(QStringLiteral("<b>dots</b>")) < both.indexOf(QStringLiteral("<b>area</b>")),
+             "the upper one is first");
+    QVERIFY2(both.contains(QStringLiteral("(1.000, 0.500, ")), qPrintable(both));
+    const QString text = shownTip(*s.canvas, s.at(-1, 0.5) + QPoint(8, -7));
+    QVERIFY2(text.contains(QStringLiteral("MMM&lt;b&gt;M")), qPrintable(text));
+    QVERIFY2(!shownTip(*s.canvas, s.at(0.2, -0.8)).contains(QStringLiteral("ball-model")),
+             "nothing is there");
+  }
+
   void aDamagedDrawingHarmsNothing() {
     ShownField s;
     s.placeThings();
     s.world.pushFrame({damagedDrawing("damaged", "field"), damagedDrawing("lost", "nowhere")});
     s.step();
     QVERIFY(isNear(s.colorAt(0.5, -0.4), s.named("orange"), 2));
+    shownTip(*s.canvas, s.at(0.5, 0));
   }
 
   void zoomPanTurnAndFit() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/drive/RadarCanvas.h"
 
+#include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "widgets/Sentence.h"
 #include "widgets/field/GroundDrawing.h"
+#include "widgets/field/GroundProbe.h"
 #include "widgets/picture/ViewPicture.h"
 
 namespace widgets {
@@ -61,6 +63,13 @@ void RadarCanvas::paintContents(QPainter& painter) const {
 
 QImage RadarCanvas::rendered() const {
   return paintedPicture(*this, [this](QPainter& painter) { paintContents(painter); });
+}
+
+bool RadarCanvas::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  const auto hits = drawingsAt(drawings_, robotToWidget(look(), readings_.heading), QPointF(help.pos()));
+  return showDrawingTip(*this, help, hits) || QWidget::event(event);
 }
 
 void RadarCanvas::paintEvent(QPaintEvent*) {

@@ -38,6 +38,8 @@ class RadarCanvas final : public QWidget {
   void cursorMoved(double distance, double angle, bool inside);
 
  protected:
+  /// Shows what is drawn under the cursor as a tool tip.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;

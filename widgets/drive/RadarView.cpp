@@ -113,7 +113,8 @@ std::vector<WorldDrawing> RadarView::drawingsOf(const std::string& robot) const 
     if (update == nullptr) continue;
     for (const auto& entity : update->entities()) {
       if (entity.frame_id() == robot)
-        drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message, current.old});
+        drawings.push_back(
+            {&entity, robotlink::Pose3::Identity(), current.message, current.old, current.id, current.robot});
     }
   }
   return drawings;

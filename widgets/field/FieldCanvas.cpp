@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/field/FieldCanvas.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -14,6 +15,7 @@
 #include "widgets/Theme.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
+#include "widgets/field/GroundProbe.h"
 #include "widgets/field/MapPainter.h"
 #include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/PanKeys.h"
@@ -157,6 +159,13 @@ void FieldCanvas::paintContents(QPainter& painter, double ratio) const {
 
 bool FieldCanvas::measures() const {
   return measure_ != nullptr && measure_->isOn();
+}
+
+bool FieldCanvas::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  const auto hits = drawingsAt(drawings_, transform(), QPointF(help.pos()));
+  return showDrawingTip(*this, help, hits) || QWidget::event(event);
 }
 
 void FieldCanvas::paintEvent(QPaintEvent*) {

@@ -91,6 +91,8 @@ class FieldCanvas final : public QWidget {
   void aimEnded();
 
  protected:
+  /// Shows what is drawn under the cursor as a tool tip.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

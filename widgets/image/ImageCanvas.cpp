@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/image/ImageCanvas.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -8,6 +9,7 @@
 #include <cmath>
 
 #include "widgets/Theme.h"
+#include "widgets/image/ImageProbe.h"
 #include "widgets/picture/MeasureTool.h"
 #include "widgets/picture/PanKeys.h"
 #include "widgets/picture/ViewPicture.h"
@@ -142,6 +144,15 @@ void ImageCanvas::paintCaption(QPainter& painter, const QRectF& pane, const QStr
 void ImageCanvas::paintBackground(QPainter& painter) const {
   const QColor base = palette().color(QPalette::Window);
   painter.fillRect(rect(), isDark(palette()) ? base.darker(135) : base.darker(112));
+}
+
+bool ImageCanvas::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  const bool isSecond = second_ && pane(1).contains(help.pos());
+  const auto hits =
+      drawingsAt(isSecond ? *second_ : picture_, viewport_, paneSize(), inPane(QPointF(help.pos())));
+  return showDrawingTip(*this, help, hits) || QWidget::event(event);
 }
 
 void ImageCanvas::paintEvent(QPaintEvent*) {

@@ -66,6 +66,8 @@ class ImageCanvas final : public QWidget {
   void pixelChanged();
 
  protected:
+  /// Shows what is drawn under the cursor as a tool tip.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

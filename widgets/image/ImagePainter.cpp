@@ -127,6 +127,15 @@ void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawi
   painter.restore();
 }
 
+QTransform drawingsToWidget(const ImagePicture& picture, const ImageViewport& viewport,
+                            const QSizeF& widget) {
+  QTransform toPixels;
+  if (!picture.drawnOn.isEmpty())
+    toPixels.scale(static_cast<double>(picture.pixels.width()) / picture.drawnOn.width(),
+                   static_cast<double>(picture.pixels.height()) / picture.drawnOn.height());
+  return toPixels * imageToWidget(viewport, picture.pixels.size(), widget);
+}
+
 void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& picture,
                   const ImageViewport& viewport) {
   if (picture.pixels.isNull()) return;
@@ -134,13 +143,10 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   painter.save();
   painter.setClipRect(QRectF(QPointF(), widget), Qt::IntersectClip);
   paintPixels(painter, picture.pixels, QRectF(QPointF(), widget), toWidget);
-  QTransform toPixels;
-  if (!picture.drawnOn.isEmpty())
-    toPixels.scale(static_cast<double>(picture.pixels.width()) / picture.drawnOn.width(),
-                   static_cast<double>(picture.pixels.height()) / picture.drawnOn.height());
+  const QTransform drawingsIn = drawingsToWidget(picture, viewport, widget);
   for (const ImagePicture::Drawing& drawing : picture.drawings) {
     painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
-    paintAnnotations(painter, *drawing.annotations, toPixels * toWidget);
+    paintAnnotations(painter, *drawing.annotations, drawingsIn);
   }
   painter.restore();
 }

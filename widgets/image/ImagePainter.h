@@ -3,6 +3,8 @@
 
 #include <QImage>
 #include <QRectF>
+#include <QString>
+#include <string>
 #include <vector>
 
 #include "widgets/image/ImageViewport.h"
@@ -23,6 +25,9 @@ struct ImagePicture {
     const foxglove::ImageAnnotations* annotations = nullptr;
     /// Whether it belongs to an earlier image; painted faded.
     bool old = false;
+    /// Its name and whose it is, as CurrentDrawing has them; empty: it is no drawing of a robot.
+    QString id = {};
+    std::string robot = {};
   };
   std::vector<Drawing> drawings;
   /// The size of the image to which the drawings' coordinates belong, if `pixels` is a scaled one; empty: the
@@ -35,6 +40,8 @@ struct ImagePicture {
 /// on a QImage.
 void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& picture,
                   const ImageViewport& viewport);
+/// From the coordinates of the picture's drawings to a widget of this size. The picture has pixels.
+QTransform drawingsToWidget(const ImagePicture& picture, const ImageViewport& viewport, const QSizeF& widget);
 /// Paints one drawing. Positions are image coordinates; line widths, point sizes and font sizes are screen
 /// pixels at every zoom.
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,

@@ -54,7 +54,7 @@ ImagePicture ImageStreamView::pictureOf(const foxglove::RawImage* image, const s
   for (const CurrentDrawing& drawing : drawings) {
     const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
     if (annotations == nullptr) continue;
-    picture.drawings.push_back({annotations, drawing.old});
+    picture.drawings.push_back({annotations, drawing.old, drawing.id, drawing.robot});
     keep.push_back(drawing.message);
   }
   return picture;

@@ -3,6 +3,7 @@
 
 #include "foxglove/Scene.pb.h"
 #include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/field/GroundProbe.h"
 #include "widgets/scene/SceneShapes.h"
 
 namespace widgets {
@@ -22,8 +23,11 @@ std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& 
   bodies.reserve(drawings.size());
   for (const WorldDrawing& drawing : drawings) {
     const auto opacity = static_cast<float>(drawing.old ? kOldDrawingOpacity : 1);
-    bodies.push_back(
-        {shape(drawingShapes_, drawing.entity, drawing.keep), drawing.frameInField, {}, opacity});
+    bodies.push_back({shape(drawingShapes_, drawing.entity, drawing.keep),
+                      drawing.frameInField,
+                      {},
+                      opacity,
+                      {drawing.id, drawing.robot, entityValues(*drawing.entity, drawing.id)}});
   }
   forgetUnused(drawingShapes_);
   return bodies;

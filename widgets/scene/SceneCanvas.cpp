@@ -2,6 +2,7 @@
 #include "widgets/scene/SceneCanvas.h"
 
 #include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -12,6 +13,7 @@
 #include "widgets/Theme.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneOverlay.h"
+#include "widgets/scene/SceneProbe.h"
 
 namespace widgets {
 namespace {
@@ -144,6 +146,13 @@ QImage SceneCanvas::rendered() const {
   QPainter painter(&picture);
   if (labels_) paintLabels(painter, size(), shown_.frame->camera, shown_.frame->contents.labels);
   return picture;
+}
+
+bool SceneCanvas::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto& help = static_cast<const QHelpEvent&>(*event);
+  const auto hits = drawingsAt(contents_.drawings, camera_, size(), QPointF(help.pos()));
+  return showDrawingTip(*this, help, hits) || QWidget::event(event);
 }
 
 void SceneCanvas::paintEvent(QPaintEvent*) {

@@ -72,6 +72,8 @@ class SceneCanvas final : public QWidget {
   void modelClicked(const QString& model);
 
  protected:
+  /// Shows what is drawn under the cursor as a tool tip.
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;

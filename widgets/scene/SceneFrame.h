@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "widgets/drawings/DrawingTip.h"
 #include "widgets/scene/SceneCamera.h"
 #include "widgets/scene/SceneLight.h"
 #include "widgets/scene/SceneMesh.h"
@@ -23,7 +24,10 @@ struct SceneBody {
   std::string model;
   /// Below 1 for drawings of earlier frames.
   float opacity = 1;
+  /// What a tip says of a drawing, besides what is under the cursor.
+  DrawingHit drawing = {};
 
+  /// Whether both look alike.
   bool operator==(const SceneBody& other) const {
     return shape == other.shape && model == other.model && opacity == other.opacity &&
            inField.matrix() == other.inField.matrix();

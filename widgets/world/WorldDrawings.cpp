@@ -51,7 +51,7 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
       if (update == nullptr) continue;
       for (const auto& entity : update->entities()) {
         const auto pose = poseOfFrame(robot.substr(0, robot.find('/')), entity.frame_id(), scene, beliefs);
-        if (pose) drawings.push_back({&entity, *pose, current.message, current.old});
+        if (pose) drawings.push_back({&entity, *pose, current.message, current.old, current.id, robot});
       }
     }
   }
@@ -61,7 +61,7 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
     const std::string path = id.mid(folder.size()).toStdString();
     for (const auto& figure : figures.of(session.store(), path, shown)) {
       if (const auto pose = poseOfFrame(robotPart(path), figure.entity->frame_id(), scene, beliefs))
-        drawings.push_back({figure.entity, *pose, figure.keep, false});
+        drawings.push_back({figure.entity, *pose, figure.keep, false, id, {}});
     }
   }
   return drawings;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
 #include <QStringList>
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct WorldDrawing {
   robotlink::PackagePtr keep;
   /// See CurrentDrawing::old.
   bool old = false;
+  /// Its name and whose it is, as CurrentDrawing has them; figures of streams have no robot.
+  QString id = {};
+  std::string robot = {};
 };
 
 /// The inverse of robotlink::groundPose() for poses that are upright on the ground.

@@ -272,6 +272,22 @@ class ImageToolsTest : public QObject {
     QCOMPARE(directionDeg({0, 0}, {0, 1}, true), -90.0);
     QCOMPARE(directionDeg({0, 0}, {-1, 0}, false), 180.0);
   }
+
+  void aTipNamesTheDrawingsUnderTheCursor() {
+    TwoImages s;
+    s.world.pushFrame({imageDrawing("ball-percept/circle", [](robotlink::ImageDrawing& d) {
+      d.circle({20, 30}, 5, robotlink::colors::kPink, 1, robotlink::colors::kPink);
+      d.dot({60.5, 10.5}, robotlink::colors::kBlue, 6);
+    })});
+    s.step();
+    const QString circle = shownTip(*s.canvas, s.at(20, 30));
+    QVERIFY2(circle.contains(QStringLiteral("<b>circle</b>")) &&
+                 circle.contains(QStringLiteral("robot red1, debug key ball-percept/circle")) &&
+                 circle.contains(QStringLiteral("circle at (20.0, 30.0), diameter 10.0")),
+             qPrintable(circle));
+    QVERIFY(shownTip(*s.canvas, s.at(60.5, 10.5)).contains(QStringLiteral("point (60.5, 10.5)")));
+    QVERIFY(!shownTip(*s.canvas, s.at(70, 50)).contains(QStringLiteral("ball-percept")));
+  }
 };
 
 const GuiTest<ImageToolsTest> kImageToolsTest;
