@@ -14,6 +14,7 @@
 #include "robotlink/base/Error.h"
 
 class QAction;
+class QColor;
 class QComboBox;
 class QHeaderView;
 class QLineEdit;
@@ -34,6 +35,7 @@ class CommandLog;
 class ManualSteering;
 class MotionBench;
 class OpenLogs;
+struct RobotBody;
 
 /// What a view may use. All of it outlives the view.
 struct ViewContext {
@@ -53,6 +55,9 @@ struct ViewContext {
   std::shared_ptr<MotionBench> motions = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
+  /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
+  /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
+  std::function<std::shared_ptr<const RobotBody>(const std::string& kind, const QColor& team)> bodyOf = {};
 };
 
 /// A dockable view of a session. Everything it shows comes from the session's streams, everything it does is

@@ -82,6 +82,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
     : workbench_(workbench),
       context_{workbench.session(), workbench.commands(), nullptr, {}},
       perspectives_(userFolder / "window.json") {
+  context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));
   setWindowIcon(widgets::icon("app"));

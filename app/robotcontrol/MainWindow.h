@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/robotcontrol/RobotBodies.h"
 #include "app/robotcontrol/docks/Perspectives.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
@@ -261,6 +262,8 @@ class MainWindow : public QMainWindow {
   Workbench& workbench_;
   /// Refers to the session; destroyed before the widgets that are children of the window, see the destructor.
   widgets::ViewContext context_;
+  /// Used by the context.
+  RobotBodies bodies_;
   Perspectives perspectives_;
   /// The default perspective for what was loaded last; empty: nothing was loaded.
   QString beginning_;

@@ -6,6 +6,7 @@
 
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
+#include "simcore/ModelParts.h"
 #include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 #include "tests/simcore/SceneFixture.h"
@@ -48,6 +49,29 @@ TEST(RobotModel, servosAreTheDescribedJointsInTheirOrder) {
     EXPECT_NEAR(servo.maximumSpeed, joint.maximumSpeed, 1e-6) << joint.name;
     EXPECT_NEAR(simulated->sensors()[i].values[0], joint.stance, 1e-4) << joint.name;
   }
+}
+
+TEST(RobotModel, partsAndJointsAreKnownWithoutASimulation) {
+  const Rgb team{1, 2, 3};
+  const auto parts = ModelParts::load("ers210", team);
+  ASSERT_TRUE(parts);
+  ASSERT_EQ(parts->shapes->bodies.size(), parts->links.size() + 1);
+  for (const auto& joint : description().joints) {
+    const auto found = std::ranges::find(parts->joints, joint.name, &ModelParts::Joint::name);
+    ASSERT_NE(found, parts->joints.end()) << joint.name;
+    EXPECT_NEAR(found->usual, joint.stance, 1e-4) << joint.name;
+  }
+  EXPECT_TRUE(std::ranges::any_of(parts->shapes->instances,
+                                  [&](const RenderInstance& instance) { return instance.color == team; }));
+}
+
+TEST(RobotModel, whatIsNoRobotHasNoParts) {
+  const auto unknown = ModelParts::load("nobody", std::nullopt);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().front().id, "scene.unknown-model");
+  const auto ball = ModelParts::load("ball", std::nullopt);
+  ASSERT_FALSE(ball);
+  EXPECT_EQ(ball.error().front().id, "scene.no-robot");
 }
 
 TEST(RobotModel, massesSumUpToThatOfTheRobot) {

@@ -6,16 +6,22 @@
 #include <QListView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <set>
 
+#include "foxglove/Scene.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/packages/Conversions.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/ShownScene.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/scene/EdgeSmoothing.h"
+#include "widgets/world/RobotBody.h"
 
 namespace widgets::test {
 namespace {
@@ -33,6 +39,27 @@ FieldBench::FramePart post() {
     d.circle({0, 0.9}, 0.3, colors::kPink, 6);
     d.text({0.2, -1}, "MMMM", colors::kWhite, 20);
   });
+}
+
+/// One entity: a blue roof of 0.4 x 0.4 m, 0.2 m above a point on the ground.
+std::shared_ptr<const foxglove::SceneUpdate> boxShapes() {
+  auto shapes = std::make_shared<foxglove::SceneUpdate>();
+  auto& triangles = *shapes->add_entities()->add_triangles();
+  robotlink::assign(*triangles.mutable_color(), robotlink::Rgb{20, 40, 230});
+  const auto add = [&](double x, double y, double z) {
+    auto& point = *triangles.add_points();
+    point.set_x(x);
+    point.set_y(y);
+    point.set_z(z);
+  };
+  const std::array<std::array<double, 2>, 6> roof{
+      {{-0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}}};
+  for (const auto& [x, y] : roof) add(x, y, 0.2);
+  // What touches the ground.
+  add(0, 0, 0);
+  add(0.01, 0, 0);
+  add(0, 0.01, 0);
+  return shapes;
 }
 
 std::shared_ptr<robotcontrol::KeyTable> drawnEveryTenth(const std::string& key) {
@@ -62,6 +89,38 @@ class SceneViewTest : public QObject {
     QVERIFY(s.canvas->hint().contains(QStringLiteral("log holds no scene")));
   }
 
+  void aRobotWithoutASceneStandsOnAPlainFloorByItsOwnModel() {
+    ShownScene s;
+    auto body = std::make_shared<RobotBody>();
+    body->parts.assign(1, robotlink::Pose3::Identity());
+    body->shapes = boxShapes();
+    auto description = std::make_shared<robotlink::RobotDescription>();
+    description->name = "box";
+    s.world.context.robots["red1"] = description;
+    s.world.context.bodyOf = [&](const std::string& kind, const QColor&) {
+      return kind == "box" ? body : nullptr;
+    };
+    s.world.pushEstimates({1, 0.5, 0}, {0, 0});
+    QVERIFY(s.step());
+    const QColor blue = s.colorAt({1, 0.38, 0.2});
+    QVERIFY2(blue.blue() > 120 && blue.red() < 80, qPrintable(blue.name()));
+    const QColor floor = s.colorAt({-1, -0.5, 0});
+    QVERIFY2(std::abs(floor.red() - floor.blue()) < 12 && floor.red() > 90, qPrintable(floor.name()));
+    auto camera = std::make_shared<robotcontrol::CameraPose>();
+    camera->mutable_camera_in_robot()->mutable_position()->set_z(0.2);
+    camera->mutable_camera_in_robot()->mutable_orientation()->set_w(1);
+    camera->set_horizontal_angle(1);
+    camera->set_vertical_angle(0.8);
+    const QImage before = s.picture();
+    s.world.push("red1/camera/pose", camera);
+    QVERIFY(s.step());
+    QVERIFY2(difference(before, s.picture()) > 0.0005, "its camera is shown");
+    QVERIFY(s.view.choosePose("true"));
+    QVERIFY(s.step());
+    QVERIFY2(!(s.colorAt({1, 0.38, 0.2}).blue() > 120 && s.colorAt({1, 0.38, 0.2}).red() < 80),
+             "no true pose is known");
+  }
+
   void theBallIsOrangeWhereItLies() {
     ShownScene s;
     QVERIFY(s.placeThings());
@@ -71,6 +130,20 @@ class SceneViewTest : public QObject {
     // What lies flat has its own color.
     QVERIFY(isNear(s.colorAt({1.2, 0.8, 0}), s.named("green"), 8));
     QVERIFY(isNear(s.colorAt({-1, 0.5, 0.17}), s.named("red"), 60));
+  }
+
+  void aTipNamesTheDrawingUnderTheCursor() {
+    ShownScene s;
+    QVERIFY(s.placeThings());
+    s.world.pushFrame({post()});
+    QVERIFY(s.step());
+    const QString pillar = shownTip(*s.canvas, s.at({1, 0.6, 0.2}));
+    QVERIFY2(
+        pillar.contains(QStringLiteral("debug key ball-model/post")) && pillar.contains(QStringLiteral(" m")),
+        qPrintable(pillar));
+    QVERIFY(shownTip(*s.canvas, s.at({0.2, -1, 0}) + QPoint(4, -4)).contains(QStringLiteral("MMMM")));
+    QVERIFY(shownTip(*s.canvas, s.at({0.3, 0.9, 0.005})).contains(QStringLiteral("ball-model/post")));
+    QVERIFY(!shownTip(*s.canvas, s.at({-1.5, -1, 0})).contains(QStringLiteral("ball-model")));
   }
 
   void theLightOfTheSimulationFallsOnTheScene() {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <algorithm>
+#include <iterator>
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -63,6 +64,11 @@ void SceneView::createActions() {
       this, "labels",
       {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L},
       true);
+  sensors_ =
+      makeToggle(this, "camera",
+                 {"sceneSensors", tr("Cameras and ranges"),
+                  tr("Shows what cameras see and ranges measure, of robots that no scene shows"), Qt::Key_C},
+                 true);
   move_ = makeToggle(this, "grab",
                      {"sceneMove", tr("Move robots and ball"),
                       tr("Dragging a robot or the ball places it; otherwise only with Control. The wheel "
@@ -102,7 +108,7 @@ QWidget* SceneView::createToolRow(QAction* showDrawings) {
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
   state_ = addWideLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
   addPoses(row);
-  addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut(), zoomIn(), showDrawings});
+  addButtons(row, {move_, wireFrame_, grid_, labels_, sensors_, zoomOut(), zoomIn(), showDrawings});
   return row->parentWidget();
 }
 
@@ -111,6 +117,7 @@ void SceneView::connectSignals() {
   connect(grid_, &QAction::toggled, canvas_, &SceneCanvas::setGrid);
   connect(labels_, &QAction::toggled, canvas_, &SceneCanvas::setLabels);
   connect(move_, &QAction::toggled, this, &SceneView::tick);
+  connect(sensors_, &QAction::toggled, this, &SceneView::tick);
   drawings()->listStreams(&StreamFigures::canShow);
   connect(drawings(), &DrawingsModel::shownChanged, this, &SceneView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, [this] {
@@ -171,6 +178,7 @@ void SceneView::tick() {
   poses()->refresh(session());
   beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
   placeDrawings(beliefs_, session().store(), poses()->choice().toStdString(), shown);
+  ownModels_.update(context(), scene_, beliefs_, shown);
   drag_.tick(session());
   const QString refusal = drag_.refusal();
   canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
@@ -186,9 +194,12 @@ void SceneView::tick() {
 VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   VisibleScene contents;
   contents.bodies = assembly_.bodies(scene_);
+  std::ranges::copy(ownModels_.bodies(contents.bodies.empty() ? std::optional(box()) : std::nullopt),
+                    std::back_inserter(contents.bodies));
   const auto drawings = worldDrawings(session(), scene_, streamFigures_, beliefs, robots_->robots(session()),
                                       this->drawings()->shown(), session().timeline().shown());
   contents.drawings = assembly_.drawings(drawings);
+  if (sensors_->isChecked()) std::ranges::copy(ownModels_.sensors(), std::back_inserter(contents.drawings));
   showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
   contents.light = sceneLight(session().store().latestAs<robotcontrol::SimulationStatus>(
@@ -196,6 +207,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.refused = !drag_.refusal().isEmpty();
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);
+  std::ranges::copy(ownModels_.names(), std::back_inserter(contents.labels));
   return contents;
 }
 
@@ -232,7 +244,7 @@ void SceneView::addNames(const std::vector<RobotBelief>& beliefs, std::vector<Sc
 
 std::optional<robotlink::Pose2> SceneView::robotPose() const {
   const auto found = std::ranges::find(beliefs_, robots_->robot(session()), &RobotBelief::robot);
-  return found == beliefs_.end() ? std::nullopt : found->pose();
+  return found == beliefs_.end() ? std::nullopt : found->drawingPose();
 }
 
 void SceneView::ride() {
@@ -295,6 +307,7 @@ void SceneView::keepChoices() {
   keep("grid", grid_);
   keep("labels", labels_);
   keep("move", move_);
+  keep("sensors", sensors_);
   keep("robot", robots_);
   keep(
       "camera", [this] { return stateOf(canvas_->camera()); },

@@ -6,6 +6,7 @@
 
 #include "widgets/picture/PictureView.h"
 #include "widgets/scene/CameraRide.h"
+#include "widgets/scene/OwnModels.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneCamera.h"
 #include "widgets/world/ModelDrag.h"
@@ -78,6 +79,8 @@ class SceneView final : public PictureView {
   SceneState scene_;
   StreamFigures streamFigures_;
   SceneAssembly assembly_;
+  /// The robots that the scene does not show.
+  OwnModels ownModels_;
   ModelDrag drag_;
   /// Null: the world has none.
   std::shared_ptr<const robotcontrol::GroundMap> map_;
@@ -91,6 +94,7 @@ class SceneView final : public PictureView {
   QLabel* state_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
   QAction *wireFrame_ = nullptr, *grid_ = nullptr, *labels_ = nullptr, *move_ = nullptr;
+  QAction* sensors_ = nullptr;
 };
 
 }  // namespace widgets

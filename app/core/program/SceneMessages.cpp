@@ -6,6 +6,7 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/MapConversions.h"
+#include "simcore/ModelParts.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
 
@@ -42,6 +43,14 @@ void assignMesh(foxglove::TriangleListPrimitive& to, const simcore::Mesh& mesh) 
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t index : triangle) to.add_indices(index);
   }
+}
+
+void addShape(foxglove::SceneEntity& to, const simcore::RenderInstance& instance,
+              const simcore::RenderScene& scene) {
+  auto& triangles = *to.add_triangles();
+  robotlink::assign(*triangles.mutable_pose(), instance.meshInBody);
+  robotlink::assign(*triangles.mutable_color(), instance.color);
+  assignMesh(triangles, scene.meshes[static_cast<std::size_t>(instance.mesh)]);
 }
 
 void addTransform(foxglove::FrameTransforms& to, const std::string& child, const robotlink::Pose3& pose,
@@ -98,11 +107,18 @@ std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulat
       pair.set_key("model");
       pair.set_value(model);
     }
-    auto& triangles = *entity.add_triangles();
-    robotlink::assign(*triangles.mutable_pose(), instance.meshInBody);
-    robotlink::assign(*triangles.mutable_color(), instance.color);
-    assignMesh(triangles, scene->meshes[static_cast<std::size_t>(instance.mesh)]);
+    addShape(entity, instance, *scene);
   }
+  return update;
+}
+
+std::shared_ptr<const foxglove::SceneUpdate> modelMessage(const simcore::ModelParts& model) {
+  auto update = std::make_shared<foxglove::SceneUpdate>();
+  for (std::size_t i = 0; i < model.links.size(); ++i)
+    update->add_entities()->set_id(model.shapes->bodies[i + 1]);
+  // Body 0 is the world, in which nothing is.
+  for (const simcore::RenderInstance& instance : model.shapes->instances)
+    addShape(*update->mutable_entities(instance.body - 1), instance, *model.shapes);
   return update;
 }
 

@@ -19,13 +19,17 @@ struct GroundMap;
 }
 namespace simcore {
 class Simulation;
-}
+struct ModelParts;
+}  // namespace simcore
 
 namespace app {
 
 /// Returns the message of the stream "scene": the shapes of a simulated world, one entity for each visual, in
 /// the frame of its body. Entities of a model that can be moved name it in their metadata ("model").
 std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation);
+
+/// The shapes of a robot's model, one entity for each link, in the link's frame.
+std::shared_ptr<const foxglove::SceneUpdate> modelMessage(const simcore::ModelParts& model);
 
 /// Returns the message of the stream "transforms": the poses of all bodies in the field's frame, and for each
 /// robot a frame of its name on the ground below it.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/ModelParts.h"
+
+#include "robotlink/base/Resources.h"
+#include "simcore/sdf/SceneFiles.h"
+#include "simcore/sdf/SdfReader.h"
+#include "simcore/sdf/SdfSpec.h"
+#include "simcore/world/RenderSceneBuilder.h"
+
+namespace simcore {
+
+tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& model,
+                                                             std::optional<Rgb> team) {
+  robotlink::Errors errors;
+  const SdfSpec spec;
+  SceneFiles files;
+  // Models are searched for beside a scene, too, so this is the one that the shipped models belong to.
+  const auto file = files.addModel(model, robotlink::resource("scenes") / "scene", spec, errors);
+  if (!file || !errors.empty()) return tl::unexpected(std::move(errors));
+  const auto type = readSdfModel(files.models.at(*file), file->string(), files.palette, spec, errors);
+  if (errors.empty() && (type->robot.empty() || type->isStatic))
+    errors.push_back({"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}});
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  ModelParts parts;
+  for (const LinkDescription& link : type->links) parts.links.push_back(link.poseInModel);
+  for (const JointDescription& joint : type->joints)
+    parts.joints.push_back({joint.name, joint.parent, joint.child, joint.anchorInModel, joint.axisInModel,
+                            joint.fixed ? 0 : joint.initialAngle});
+  WorldDescription world;
+  ModelInstance instance;
+  instance.name = model;
+  instance.type = type;
+  instance.teamColor = team;
+  world.models.push_back(std::move(instance));
+  parts.shapes = buildRenderScene(world);
+  return parts;
+}
+
+}  // namespace simcore
