@@ -32,6 +32,7 @@ namespace widgets {
 
 class ColorBench;
 class CommandLog;
+class GamepadSettings;
 class ManualSteering;
 class MotionBench;
 class OpenLogs;
@@ -55,6 +56,8 @@ struct ViewContext {
   std::shared_ptr<MotionBench> motions = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
+  /// What gamepads do; null: as shipped.
+  std::shared_ptr<GamepadSettings> gamepad = {};
   /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
   /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
   std::function<std::shared_ptr<const RobotBody>(const std::string& kind, const QColor& team)> bodyOf = {};

@@ -49,6 +49,7 @@
 #include "widgets/console/CommandLog.h"
 #include "widgets/export/ViewExport.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/motion/GamepadSettings.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motions/MotionLink.h"
 #include "widgets/solutions/ParameterSweep.h"
@@ -82,6 +83,8 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
     : workbench_(workbench),
       context_{workbench.session(), workbench.commands(), nullptr, {}},
       perspectives_(userFolder / "window.json") {
+  context_.gamepad = std::make_shared<widgets::GamepadSettings>(userFolder / "gamepad.json");
+  if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
   context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));

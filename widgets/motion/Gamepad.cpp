@@ -4,21 +4,8 @@
 #include <SDL.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace widgets {
-namespace {
-
-constexpr double kDeadZone = 0.15;
-
-double axisValue(Sint16 raw) {
-  const double value = std::clamp(raw / 32767.0, -1.0, 1.0);
-  const double magnitude = std::max(0.0, std::abs(value) - kDeadZone) / (1 - kDeadZone);
-  return std::copysign(magnitude, value) + 0.0;
-}
-
-}  // namespace
-
 /// SDL's game controller subsystem, initialized as long as this object lives, and the gamepad that is open.
 struct Gamepad::Device {
   Device() {
@@ -44,8 +31,15 @@ struct Gamepad::Device {
     }
   }
 
-  double axis(SDL_GameControllerAxis which) const { return axisValue(SDL_GameControllerGetAxis(pad, which)); }
-  bool button(SDL_GameControllerButton which) const { return SDL_GameControllerGetButton(pad, which) != 0; }
+  /// The names of axes and buttons are in SDL's order; older versions of it know fewer buttons.
+  GamepadReading read() const {
+    GamepadReading reading;
+    for (std::size_t i = 0; i < std::min<std::size_t>(reading.axes.size(), SDL_CONTROLLER_AXIS_MAX); ++i)
+      reading.axes[i] = SDL_GameControllerGetAxis(pad, static_cast<SDL_GameControllerAxis>(i)) / 32767.0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(reading.buttons.size(), SDL_CONTROLLER_BUTTON_MAX); ++i)
+      reading.buttons[i] = SDL_GameControllerGetButton(pad, static_cast<SDL_GameControllerButton>(i)) != 0;
+    return reading;
+  }
 
   bool available = false;
   SDL_GameController* pad = nullptr;
@@ -54,7 +48,7 @@ struct Gamepad::Device {
 Gamepad::Gamepad() : device_(std::make_unique<Device>()) {}
 Gamepad::~Gamepad() = default;
 
-Gamepad::State Gamepad::poll() {
+Gamepad::State Gamepad::poll(const GamepadBindings& bindings) {
   State state;
   if (!device_->available) return state;
   SDL_GameControllerUpdate();
@@ -64,10 +58,11 @@ Gamepad::State Gamepad::poll() {
   state.connected = true;
   const char* name = SDL_GameControllerName(device_->pad);
   state.name = QString::fromUtf8(name != nullptr ? name : "");
-  state.axes = {-device_->axis(SDL_CONTROLLER_AXIS_LEFTY), -device_->axis(SDL_CONTROLLER_AXIS_LEFTX),
-                -device_->axis(SDL_CONTROLLER_AXIS_RIGHTX)};
-  state.kick = device_->button(SDL_CONTROLLER_BUTTON_A);
-  state.stop = device_->button(SDL_CONTROLLER_BUTTON_B);
+  const GamepadReading reading = device_->read();
+  state.axes = walkAxes(reading, bindings);
+  state.kick = isPressedAsShipped(reading, bindings, "a");
+  state.stop = isPressedAsShipped(reading, bindings, "b");
+  state.commands = pressedCommands(reading, bindings);
   return state;
 }
 

@@ -2,14 +2,17 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <memory>
+#include <string>
 
+#include "widgets/motion/GamepadBindings.h"
 #include "widgets/motion/MotionCommander.h"
 
 namespace widgets {
 
-/// The first gamepad that is plugged in, read with SDL2. The left stick walks, the right stick turns, button
-/// A kicks, button B is STOP. Gamepads may be plugged in and removed at any time. No window is opened, and
+/// The first gamepad that is plugged in, read with SDL2. What its axes and buttons do is bound by
+/// GamepadBindings. Gamepads may be plugged in and removed at any time. No window is opened, and
 /// SDL installs no signal handlers. Without SDL's game controller subsystem no gamepad is ever found. GUI
 /// thread; poll() is called once in each tick of a view.
 class Gamepad {
@@ -20,12 +23,14 @@ class Gamepad {
     bool connected = false;
     /// The device's name as SDL reports it.
     QString name;
-    /// Deflection of the sticks, each axis -1 to 1, after a dead zone of 15 %.
+    /// Deflection for walking, each axis -1 to 1, after the dead zones.
     WalkAxes axes;
-    /// Whether button A is pressed now. The caller detects the edge.
+    /// Whether button A is pressed now, and does what it does as shipped. The caller detects the edge.
     bool kick = false;
-    /// Whether button B is pressed now.
+    /// The same for button B.
     bool stop = false;
+    /// The commands of the buttons that are pressed now, by the buttons' names.
+    std::map<std::string, std::string> commands = {};
   };
 
   Gamepad();
@@ -34,7 +39,7 @@ class Gamepad {
   Gamepad& operator=(const Gamepad&) = delete;
 
   /// Opens a gamepad if none is open, and reads it. Does not block.
-  State poll();
+  State poll(const GamepadBindings& bindings = {});
 
  private:
   /// SDL's handle, kept out of this header.

@@ -5,6 +5,7 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
@@ -13,11 +14,14 @@
 #include <utility>
 
 #include "robotcontrol/Driving.pb.h"
+#include "robotlink/commands/CommandTable.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
+#include "widgets/motion/GamepadDialog.h"
+#include "widgets/motion/GamepadSettings.h"
 #include "widgets/motion/HeadPanel.h"
 #include "widgets/motion/MotionButtons.h"
 #include "widgets/motion/SpeedPanel.h"
@@ -42,7 +46,8 @@ MotionView::MotionView(ViewContext& context, QWidget* parent)
     : View(context, parent), manual_(manualSteering(context)) {
   setObjectName(QStringLiteral("motionView"));
   auto device = std::make_shared<Gamepad>();
-  gamepad_ = [device] { return device->poll(); };
+  if (!context.gamepad) context.gamepad = std::make_shared<GamepadSettings>();
+  gamepad_ = [device, settings = context.gamepad] { return device->poll(settings->bindings()); };
   createActions();
   createViews();
   connectSignals();
@@ -101,13 +106,20 @@ QWidget* MotionView::createBody() {
   describe(*gamepadState_,
            {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
   gamepadState_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  QAction* bind = makeAction(
+      this, "gamepad",
+      {"motionGamepad", tr("Gamepad…"), tr("Chooses what the axes and buttons of the gamepad do")});
+  connect(bind, &QAction::triggered, this, &MotionView::bindGamepad);
+  auto* pad = new QHBoxLayout;
+  pad->addWidget(makeButton(body, bind));
+  pad->addWidget(gamepadState_, 1);
   speed_ = new SpeedPanel(body);
   head_ = new HeadPanel(body);
   motions_ = new MotionButtons(body);
   auto* left = new QVBoxLayout;
   left->addWidget(walkPad_, 1);
   left->addWidget(turn_);
-  left->addWidget(gamepadState_);
+  left->addLayout(pad);
   auto* right = new QVBoxLayout;
   right->addWidget(speed_);
   right->addWidget(motors_);
@@ -250,7 +262,10 @@ void MotionView::stand() {
   walkPad_->release();
   turn_->setSliderDown(false);
   turn_->setValue(0);
+  // A button that is held must not run its command again.
+  auto held = std::move(pad_.commands);
   pad_ = {};
+  pad_.commands = std::move(held);
   manual_.releaseAxes();
 }
 
@@ -282,11 +297,34 @@ void MotionView::useGamepad(const Gamepad::State& pad) {
     if (kick != motions.end()) play(*kick);
   }
   if (pad.stop && !pad_.stop) stop(true);
+  for (const auto& [button, command] : pad.commands) {
+    if (pad_.commands.contains(button)) continue;
+    // Afterwards, since a command may close this view.
+    QMetaObject::invokeMethod(
+        this, [this, line = command] { runCommand(line); }, Qt::QueuedConnection);
+  }
   pad_ = pad;
   if (drive_) pad_.axes = {pad.axes.forward, 0, std::clamp(pad.axes.turn + pad.axes.left, -1.0, 1.0)};
-  gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name)
-                                       : tr("No gamepad; plug one in to use it"));
+  if (!pad.connected) padFailure_.clear();
+  gamepadState_->setText(!pad.connected          ? tr("No gamepad; plug one in to use it")
+                         : padFailure_.isEmpty() ? tr("Gamepad: %1").arg(pad.name)
+                                                 : padFailure_);
   gamepadState_->setEnabled(pad.connected);
+}
+
+void MotionView::runCommand(const std::string& command) {
+  const QPointer<MotionView> guard(this);
+  const auto done = context().commands.runLine(command);
+  if (!guard) return;
+  padFailure_ = done ? QString()
+                     : tr("%1: %2").arg(QString::fromStdString(command),
+                                        QString::fromStdString(done.error().describe()));
+}
+
+void MotionView::bindGamepad() {
+  auto* dialog = new GamepadDialog(*context().gamepad, context().commands, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void MotionView::showStop() {

@@ -83,6 +83,10 @@ class MotionView final : public View {
   void steerHead();
   /// Applies the gamepad's state; buttons act when they are pressed, not while they are held.
   void useGamepad(const Gamepad::State& pad);
+  /// Runs the command of a button.
+  void runCommand(const std::string& command);
+  /// Lets the user choose what the gamepad does.
+  void bindGamepad();
   /// Updates STOP from the SimulationStatus.
   void showStop();
   /// Updates all controls but STOP. `status` may be null: the robot has not reported any.
@@ -98,6 +102,8 @@ class MotionView final : public View {
   GamepadSource gamepad_;
   /// The gamepad's state in the last tick, to detect pressed buttons.
   Gamepad::State pad_;
+  /// Why the last command of a button failed; empty: it did not.
+  QString padFailure_;
   WalkPad* walkPad_ = nullptr;
   QSlider* turn_ = nullptr;
   HeadPanel* head_ = nullptr;
