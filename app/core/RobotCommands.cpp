@@ -12,6 +12,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/PackageJson.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/KeyModes.h"
 #include "robotlink/session/RobotTables.h"
@@ -85,6 +86,30 @@ Result<void> setKey(OpenPlatform& open, const Values& values) {
   return askRobots(open, text(values, 2), request);
 }
 
+Result<void> setPackage(OpenPlatform& open, const Values& values) {
+  using robotcontrol::SetPackage;
+  Request request;
+  SetPackage& set = *request.mutable_set_package();
+  set.set_package(text(values, 0));
+  const std::string& mode = text(values, 1);
+  set.set_mode(mode == "hold"      ? SetPackage::HOLD
+               : mode == "release" ? SetPackage::RELEASE
+                                   : SetPackage::ONCE);
+  if (set.mode() != SetPackage::RELEASE) {
+    auto value = robotlink::packageFromJson(set.package(), text(values, 2));
+    if (!value) return tl::unexpected(value.error());
+    *set.mutable_value() = std::move(*value);
+  }
+  return askRobots(open, text(values, 3), request);
+}
+
+/// What completes the name of a package: those of the selected robot's program.
+std::vector<std::string> packageNames(OpenPlatform& open) {
+  const auto names = robotlink::programPackages(open.session().store(), open.session().selectedRobot(),
+                                                robotlink::Instant::max());
+  return {names.begin(), names.end()};
+}
+
 /// Asks for a change of where and how programs run. Without a name for the selected robot.
 Result<void> host(OpenPlatform& open, const std::string& whose, const robotcontrol::HostProgram& choice) {
   Request request;
@@ -135,6 +160,15 @@ void addForAll(CommandTable& commands, OpenPlatform& open) {
     }
     return {};
   });
+}
+
+void addForPackages(CommandTable& commands, OpenPlatform& open) {
+  commands.attach(
+      "robot.package", [&open](const Values& values) { return setPackage(open, values); },
+      [&open](const auto& before) {
+        if (before.size() > 2) return robotsOrAll(open);
+        return before.empty() ? packageNames(open) : std::vector<std::string>();
+      });
 }
 
 void addForProgram(CommandTable& commands, OpenPlatform& open) {
@@ -235,6 +269,7 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
 void addRobotCommands(CommandTable& commands, OpenPlatform& open) {
   addForAll(commands, open);
   addForProgram(commands, open);
+  addForPackages(commands, open);
   addForCamera(commands, open);
   addForDrive(commands, open);
 }

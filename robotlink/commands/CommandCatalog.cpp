@@ -71,6 +71,15 @@ Rows robotRows() {
       {"robot.solution",
        "Switches the solution of a task of the program of the selected robot, of another one, or of all",
        {{"task", Type::kText, "its name"}, {"solution", Type::kText, "its name"}, whose}},
+      {"robot.package",
+       "Puts a value in place of a package that the program of the selected robot, of another one or of all "
+       "offers",
+       {{"package", Type::kText, "its name: models/ball"},
+        {.name = "mode",
+         .help = "once: in place of the next one; hold: of all, until release",
+         .choices = {"once", "hold", "release"}},
+        {"json", Type::kText, "its fields: '{\"known\": true}'; '': as by default", std::string()},
+        whose}},
       {"robot.host",
        "Chooses where the program of the selected robot, of another one or of all runs, and how the "
        "processes "

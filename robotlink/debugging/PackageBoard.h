@@ -42,6 +42,16 @@ class PackageBoard {
     ModeCounter mode;
     /// Published for the recorder in every frame, whatever the mode.
     bool recorded = false;
+    /// Whether a user's value takes the place of the package in this process: it has the sender, or the
+    /// receiver of a package that no task sends.
+    bool settable = false;
+    /// The user's value that takes the place of all packages, and the one that takes that of the next; null:
+    /// none.
+    PackagePtr held, once;
+    /// The newest package of the task while another one was held.
+    PackagePtr offered;
+    /// What is sent again at the end of the frame in which another one was released; null: nothing.
+    PackagePtr restored;
   };
 
   /// While it exists, notes in `times` the packages that the process had and those that it sends, each with
@@ -73,6 +83,8 @@ class PackageBoard {
 
   /// Copies the packages that the receivers took for this frame to the board.
   void beginFrame();
+  /// Sends values of the user in whose place no task has sent a package in this frame.
+  void endFrame();
   /// Puts a package of a task on the board, publishes it if requested, and sends it to other processes.
   void send(Entry& entry, const PackagePtr& package);
 
@@ -80,6 +92,15 @@ class PackageBoard {
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
   /// From now on publishes exactly these packages for the recorder, if this process is responsible for them.
   void record(const std::set<std::string>& packages);
+  /// Whether setOnce(), hold() and release() have an effect here.
+  bool isSettable(const std::string& package) const;
+  /// Puts a value of the user in place of the next package. It must be of the package's type. Ignored unless
+  /// the package is settable here, as are the next two.
+  void setOnce(const std::string& package, PackagePtr value);
+  /// The same for all packages, until release(). Its timestamp, if that is not set, is that of the frame.
+  void hold(const std::string& package, PackagePtr value);
+  /// The packages of the task, or of the platform, take their place again.
+  void release(const std::string& package);
   /// The packages that this process publishes on request, sorted by name.
   std::vector<const Entry*> shown() const;
   /// Returns whether a package's mode has run out since the last call.
@@ -87,6 +108,13 @@ class PackageBoard {
 
  private:
   void put(Entry& entry, PackagePtr package);
+  /// Puts it on the board, and sends it to other processes.
+  void pass(Entry& entry, const PackagePtr& package);
+  void receive(Entry& entry);
+  /// The package, or what a user has put in its place.
+  PackagePtr replaced(Entry& entry, const PackagePtr& package);
+  PackagePtr stamped(PackagePtr value) const;
+  Entry* settable(const std::string& package);
   /// Whether the package is to be published in this frame; counts a use of its mode.
   bool askedFor(Entry& entry);
 

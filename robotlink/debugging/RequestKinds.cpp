@@ -11,6 +11,8 @@
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
 #include "robotlink/motions/MotionLibrary.h"
+#include "robotlink/packages/PackageTypes.h"
+#include "robotlink/packages/ParsedMessage.h"
 
 namespace robotlink {
 
@@ -110,6 +112,27 @@ std::string wrongCamera(const Request& request) {
   return std::isfinite(request.set_camera().value()) ? "" : "the value of a camera's setting is no number";
 }
 
+std::string wrongPackage(const Request& request) {
+  using robotcontrol::SetPackage;
+  const SetPackage& set = request.set_package();
+  if (!SetPackage::Mode_IsValid(set.mode())) return "there is no such way to set a package";
+  const auto& types = ownPackageTypes();
+  const auto type = types.find(set.package());
+  if (type == types.end()) {
+    std::vector<std::string> all;
+    for (const auto& [name, each] : types) all.push_back(name);
+    const std::string near = nearest(set.package(), all);
+    return "there is no package '" + set.package() + "' that can be set" +
+           (near.empty() ? "" : "; did you mean '" + near + "'?");
+  }
+  if (set.mode() == SetPackage::RELEASE) return "";
+  const std::string& name = type->second->full_name();
+  if (set.value().type() != name)
+    return "package " + set.package() + " is a " + name + ", not a '" + set.value().type() + "'";
+  return parsedMessage(name, set.value().data()) ? ""
+                                                 : "the value of package " + set.package() + " is damaged";
+}
+
 std::string wrongHosting(const Request& request) {
   const auto& wanted = request.host_program();
   if (!robotcontrol::HostProgram::Where_IsValid(wanted.where()))
@@ -141,6 +164,11 @@ std::string parametersOf(const Request& request) {
 }
 std::string motionOf(const Request& request) {
   return request.set_motion().motion().name();
+}
+/// What is sent once takes the place of nothing that is held.
+std::string packageSet(const Request& request) {
+  const auto& set = request.set_package();
+  return set.package() + (set.mode() == robotcontrol::SetPackage::ONCE ? "\nonce" : "");
 }
 std::string cameraSettingOf(const Request& request) {
   return request.set_camera().setting();
@@ -209,7 +237,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 19> kKinds{{
+constexpr std::array<RequestKind, 20> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -280,6 +308,13 @@ constexpr std::array<RequestKind, 19> kKinds{{
      .wrong = wrongGoal,
      .choice = goalChosen,
      .removes = goalIsCancelled},
+    {.what = Request::kSetPackage,
+     .doer = Doer::kDebugProcess,
+     .words = "set package",
+     .effect = Effect::kBehavior,
+     .subject = packageSet,
+     .wrong = wrongPackage,
+     .publishesTables = true},
     {.what = Request::kStop, .doer = Doer::kPlatform, .words = "stop", .subject = theOnlyOne},
     {.what = Request::kControlDrive, .doer = Doer::kPlatform, .words = "control drive"},
     {.what = Request::kSetCamera,

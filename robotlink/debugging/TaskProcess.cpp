@@ -13,6 +13,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/ParsedMessage.h"
 
 namespace robotlink {
 
@@ -53,6 +54,7 @@ struct TaskProcess::Implementation {
   Errors build(const Clock& clock);
   Blocking blockingOutput(const std::string& package) const;
   void connectPackages();
+  bool isOfTask(const LayoutLink& link) const;
   void runTasks();
   void takeRequests();
   // The handlers of requests.
@@ -61,6 +63,7 @@ struct TaskProcess::Implementation {
   void getParameters(const Request& request);
   void setParameters(const Request& request);
   void recordPackages(const Request& request);
+  void setPackage(const Request& request);
   void sendTablesAgain(const Request& request);
 
   void setKey(int key, const robotcontrol::KeyMode& mode);
@@ -104,6 +107,7 @@ struct TaskProcess::Implementation {
       {Request::kGetParameters, &Implementation::getParameters},
       {Request::kSetParameters, &Implementation::setParameters},
       {Request::kRecordPackages, &Implementation::recordPackages},
+      {Request::kSetPackage, &Implementation::setPackage},
       {Request::kSendTables, &Implementation::sendTablesAgain}};
 };
 
@@ -158,16 +162,26 @@ Blocking TaskProcess::Implementation::blockingOutput(const std::string& package)
              : Blocking::kNo;
 }
 
+/// Whether a task sends the package, rather than the platform or the debug process.
+bool TaskProcess::Implementation::isOfTask(const LayoutLink& link) const {
+  return std::ranges::any_of(setup.layout.processes, [&](const Layout::Process& process) {
+    return process.name == link.from && !process.debug;
+  });
+}
+
 void TaskProcess::Implementation::connectPackages() {
   for (const LayoutLink& link : layoutLinks(setup.layout, catalog, setup.platform)) {
     if (link.to == setup.process.name) {
       board.addReceiver(link.package, link.blocking ? Blocking::kYes : Blocking::kNo);
+      board.entry(link.package).settable = !isOfTask(link);
     }
   }
   for (const Layout::Task& task : setup.process.tasks) {
     for (const TaskCatalog::Solution& solution : catalog.tasks[task.task].solutions) {
       for (const std::string& package : solution.outputs) {
-        if (!setup.layout.withheld.contains(package)) board.addSender(package, blockingOutput(package));
+        if (setup.layout.withheld.contains(package)) continue;
+        board.addSender(package, blockingOutput(package));
+        board.entry(package).settable = true;
       }
     }
   }
@@ -234,6 +248,7 @@ void TaskProcess::execute() {
     self.sendQueue();
     throw;
   }
+  self.board.endFrame();
   self.noticeExpiredKeys();
   self.sendTables();
   self.debug.endFrame();
@@ -364,6 +379,10 @@ Result<void> TaskProcess::trySolution(const std::string& task, const std::string
   return (*found)->trySolution(solution);
 }
 
+bool TaskProcess::canSet(const std::string& package) const {
+  return implementation_->board.isSettable(package);
+}
+
 const SolutionParameters* TaskProcess::solutionParameters(const std::string& task,
                                                           const std::string& solution) const {
   const TaskRunner* found = implementation_->runner(task);
@@ -429,6 +448,20 @@ Result<void> TaskProcess::Implementation::publishParameters(const std::string& t
 void TaskProcess::Implementation::recordPackages(const Request& request) {
   const auto& packages = request.record_packages().packages();
   board.record({packages.begin(), packages.end()});
+}
+
+/// The debug process has checked the value, and answers.
+void TaskProcess::Implementation::setPackage(const Request& request) {
+  using robotcontrol::SetPackage;
+  const SetPackage& set = request.set_package();
+  if (set.mode() == SetPackage::RELEASE) return board.release(set.package());
+  const PackagePtr value = parsedMessage(set.value().type(), set.value().data());
+  if (!value) return;
+  if (set.mode() == SetPackage::HOLD) {
+    board.hold(set.package(), value);
+  } else {
+    board.setOnce(set.package(), value);
+  }
 }
 
 void TaskProcess::Implementation::sendTablesAgain(const Request&) {

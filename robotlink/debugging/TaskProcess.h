@@ -63,6 +63,8 @@ class TaskProcess final : public Process {
   /// The parameters of a solution, or of the active one if `solution` is empty. Null if there is no such task
   /// or solution.
   const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
+  /// Whether a value of a user takes the place of a package in this process (SetPackage). Any time.
+  bool canSet(const std::string& package) const;
   /// The tables of keys and solutions as they would be if the solutions in `chosen` (by task) were active.
   void describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions) const;

@@ -54,6 +54,11 @@ class AnyReceiver {
   /// The number of packages lost: replaced by newer ones on the link, or before a phase 2 saw them.
   std::uint64_t missed() const;
 
+  /// Whether its process has another value in place of the packages that arrive, for those who show the
+  /// process.
+  bool held() const { return held_.load(std::memory_order_relaxed); }
+  void setHeld(bool held) { held_.store(held, std::memory_order_relaxed); }
+
  private:
   friend class Process;
   /// Phase 1: takes packages from the link.
@@ -82,6 +87,7 @@ class AnyReceiver {
   std::atomic<std::uint64_t> taken_{0};
   /// Taken, but replaced before phase 2.
   std::atomic<std::uint64_t> unused_{0};
+  std::atomic<bool> held_{false};
 };
 
 /// A receiver of packages of type T.

@@ -49,6 +49,11 @@ class AnySender {
 
   std::uint64_t sent() const { return sent_.load(std::memory_order_relaxed); }
 
+  /// Whether its process has another value in place of the packages that are sent, for those who show the
+  /// process.
+  bool held() const { return held_.load(std::memory_order_relaxed); }
+  void setHeld(bool held) { held_.store(held, std::memory_order_relaxed); }
+
  private:
   friend class Process;
   bool satisfied() const { return !blocking() || delivered(); }
@@ -63,6 +68,7 @@ class AnySender {
   std::vector<Tap> taps_;
   std::atomic<const google::protobuf::Descriptor*> type_{nullptr};
   std::atomic<std::uint64_t> sent_{0};
+  std::atomic<bool> held_{false};
 };
 
 /// A sender of packages of type T.

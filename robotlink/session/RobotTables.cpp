@@ -15,6 +15,22 @@ const Table* tableOf(Session& session, const char* path) {
   return session.store().latestAs<Table>(session.selectedRobot() + "/" + path, Instant::max());
 }
 
+/// The packages of all ends of processes that match.
+template <typename Matches>
+std::set<std::string> portsOf(const StreamStore& store, const std::string& robot, Instant time,
+                              Matches matches) {
+  std::set<std::string> packages;
+  const auto* table = store.latestAs<robotcontrol::ProcessTable>(robot + "/" + streams::kProcesses, time);
+  for (int i = 0; table != nullptr && i < table->processes_size(); ++i) {
+    for (const auto* ports : {&table->processes(i).receivers(), &table->processes(i).senders()}) {
+      for (const auto& port : *ports) {
+        if (!port.package().starts_with("debug/") && matches(port)) packages.insert(port.package());
+      }
+    }
+  }
+  return packages;
+}
+
 }  // namespace
 
 const robotcontrol::KeyTable* keyTable(Session& session) {
@@ -55,6 +71,14 @@ std::vector<std::string> taskNames(Session& session) {
     for (const auto& task : table->tasks()) names.push_back(task.name());
   }
   return names;
+}
+
+std::set<std::string> programPackages(const StreamStore& store, const std::string& robot, Instant time) {
+  return portsOf(store, robot, time, [](const auto&) { return true; });
+}
+
+std::set<std::string> heldPackages(const StreamStore& store, const std::string& robot, Instant time) {
+  return portsOf(store, robot, time, [](const auto& port) { return port.held(); });
 }
 
 std::vector<std::string> solutionNames(Session& session, const std::string& name) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ bool areTasksKnown(Session& session);
 /// Their names, for lists and completion.
 std::vector<std::string> keyNames(Session& session);
 std::vector<std::string> taskNames(Session& session);
+/// Packages that a robot's program has, and those in whose place users hold values, at an instant.
+std::set<std::string> programPackages(const StreamStore& store, const std::string& robot, Instant time);
+std::set<std::string> heldPackages(const StreamStore& store, const std::string& robot, Instant time);
 std::vector<std::string> solutionNames(Session& session, const std::string& task);
 
 }  // namespace robotlink

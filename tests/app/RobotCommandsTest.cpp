@@ -82,6 +82,31 @@ TEST_F(RobotCommandsTest, aKeyAndASolutionAreSetInTheSelectedRobotInAnotherOneOr
   session.setRequestSink({});
 }
 
+TEST_F(RobotCommandsTest, aPackageIsSentOnceHeldOrReleased) {
+  using robotcontrol::SetPackage;
+  auto& session = workbench_.session();
+  std::vector<robotcontrol::Request> asked;
+  session.setRobots({"red1", "red2"});
+  session.setRequestSink([&](const auto& request) { asked.push_back(request); });
+  const auto& commands = workbench_.commands();
+  ASSERT_TRUE(commands.runLine("robot.package models/ball hold '{\"known\": true}'"));
+  EXPECT_EQ(asked.back().robot(), "red1");
+  EXPECT_EQ(asked.back().set_package().package(), "models/ball");
+  EXPECT_EQ(asked.back().set_package().mode(), SetPackage::HOLD);
+  EXPECT_EQ(asked.back().set_package().value().type(), "robotcontrol.BallModel");
+  ASSERT_TRUE(commands.runLine("robot.package models/ball release --robot all"));
+  ASSERT_EQ(asked.size(), 3U);
+  EXPECT_EQ(asked.back().robot(), "red2");
+  EXPECT_EQ(asked.back().set_package().mode(), SetPackage::RELEASE);
+  const auto wrong =
+      commands.runLine("robot.package models/ball once '{\"position_in_robot\": {\"x\": \"far\"}}'");
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().text.find("position_in_robot.x"), std::string::npos) << wrong.error().text;
+  EXPECT_FALSE(commands.runLine("robot.package models/bal once"));
+  EXPECT_EQ(asked.size(), 3U);
+  session.setRequestSink({});
+}
+
 TEST_F(RobotCommandsTest, whereProgramsRunIsChosenForOneRobotOrAll) {
   using robotcontrol::HostProgram;
   EXPECT_EQ(refusal("robot.host", {std::string("inside")}), "robot.none");

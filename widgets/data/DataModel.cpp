@@ -8,6 +8,7 @@
 #include <set>
 
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/session/RobotTables.h"
 #include "widgets/TypedStreams.h"
 #include "widgets/data/FieldJson.h"
 
@@ -25,6 +26,11 @@ void DataModel::update(const robotlink::StreamStore& store, robotlink::Instant s
   shown_ = shown;
   thumbnails_.tick();
   if (streams_.update(store)) mergeStreams();
+  held_.clear();
+  for (const std::string& robot : robots()) {
+    if (auto held = robotlink::heldPackages(store, robot, shown); !held.empty())
+      held_.emplace(robot, std::move(held));
+  }
   for (const auto& robot : root_->children) {
     if (!robot->isFollowed) continue;
     for (const auto& stream : robot->children) {

@@ -4,6 +4,7 @@
 #include <QAbstractItemModel>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "robotlink/session/StreamStore.h"
@@ -146,6 +147,9 @@ class DataModel final : public QAbstractItemModel {
   QString valueOf(const DataNode& node) const;
   QString otherValueOf(const DataNode& node) const;
   QString streamState(const DataNode& node) const;
+  QString arrivalState(const DataNode& node) const;
+  /// Whether a user holds a value in place of a stream's package.
+  bool isHeld(const DataNode& stream) const;
   QString toolTip(const DataNode& node) const;
   QString sourceOf(const DataNode& node) const;
   bool isChanged(const DataNode& node) const;
@@ -153,6 +157,8 @@ class DataModel final : public QAbstractItemModel {
 
   const robotlink::StreamStore* store_ = nullptr;
   robotlink::Instant shown_;
+  /// Packages in whose place users hold values at that instant, by robot.
+  std::map<std::string, std::set<std::string>> held_;
   DataStreams streams_;
   DataFilter filter_;
   DataComparison comparison_;

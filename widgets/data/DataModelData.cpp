@@ -7,6 +7,7 @@
 #include <QMimeData>
 
 #include "widgets/Theme.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/data/DataModel.h"
 #include "widgets/data/FieldJson.h"
 #include "widgets/plots/PlotTreeModel.h"
@@ -127,7 +128,18 @@ QVariant DataModel::fieldData(const DataNode& node, int column, int role) const 
   }
 }
 
+bool DataModel::isHeld(const DataNode& stream) const {
+  const std::string robot = robotPart(stream.name);
+  const auto held = held_.find(robot);
+  return held != held_.end() && held->second.contains(stream.name.substr(robot.size() + 1));
+}
+
 QString DataModel::streamState(const DataNode& node) const {
+  const QString state = arrivalState(node);
+  return isHeld(node) ? tr("held – %1").arg(state) : state;
+}
+
+QString DataModel::arrivalState(const DataNode& node) const {
   if (!node.key.empty()) return tr("off – click to switch on");
   const auto* message = store_->latest(node.name, shown_);
   if (message == nullptr) return tr("no message yet");
@@ -190,6 +202,7 @@ QVariant DataModel::colorOfRow(const DataNode& node, int role) const {
     if (!isChanged(node)) return {};
     return mixed(palette.color(QPalette::Base), colorOf(Meaning::kWarning, palette), kHighlight);
   }
+  if (node.kind == DataNode::Kind::kStream && isHeld(node)) return colorOf(Meaning::kWarning, palette);
   const bool isMuted = node.kind == DataNode::Kind::kStream
                            ? !node.key.empty()
                            : node.field != nullptr && !placesOf(node).own.isSet();

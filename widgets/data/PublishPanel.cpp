@@ -9,9 +9,11 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <algorithm>
 
+#include "robotlink/session/RobotTables.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
 #include "widgets/Requests.h"
@@ -23,6 +25,7 @@ namespace widgets {
 PublishPanel::PublishPanel(ViewContext& context, QWidget* parent)
     : QWidget(parent), context_(context), forms_(requestForms()) {
   setObjectName(QStringLiteral("publishPanel"));
+  for (RequestForm& form : packageForms()) forms_.push_back(std::move(form));
   createActions();
   createViews();
   for (const RequestForm& form : forms_) kind_->addItem(QString::fromStdString(form.title));
@@ -59,6 +62,16 @@ void PublishPanel::createActions() {
                  {"publishReset", tr("Reset the message"), tr("Shows the message as it is by default"), {}});
   connect(reset_, &QAction::triggered, this,
           [this] { text_->setPlainText(QString::fromStdString(form()->json)); });
+  hold_ = makeAction(this, "lock",
+                     {"publishHold",
+                      tr("Hold"),
+                      tr("Puts the package in place of all that the program offers, until it is released"),
+                      {}});
+  connect(hold_, &QAction::triggered, this, [this] { setHeld(true); });
+  release_ = makeAction(
+      this, "undo",
+      {"publishRelease", tr("Release"), tr("Lets the program offer the package again that is held"), {}});
+  connect(release_, &QAction::triggered, this, [this] { setHeld(false); });
 }
 
 void PublishPanel::createViews() {
@@ -72,6 +85,7 @@ void PublishPanel::createViews() {
   rate_->setValue(10);
   rate_->setSuffix(tr(" Hz"));
   state_ = makeNote(this, "publishState", tr("What came of it"));
+  held_ = makeNote(this, "publishHeld", tr("Packages that are held"));
   text_ = new QPlainTextEdit(this);
   describe(*text_, {"publishText", tr("The fields of the message, as JSON"), {}});
   text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -89,6 +103,11 @@ void PublishPanel::createViews() {
   auto* layout = makeColumn(this, {}, 4);
   layout->addLayout(top);
   layout->addWidget(text_, 1);
+  auto* holding = new QHBoxLayout;
+  holding->addWidget(makeLabeledButton(this, hold_));
+  holding->addWidget(makeLabeledButton(this, release_));
+  holding->addWidget(held_, 1);
+  layout->addLayout(holding);
   layout->addWidget(state_);
 }
 
@@ -105,6 +124,7 @@ void PublishPanel::showForm() {
   reset_->setEnabled(typed_.contains(shown_));
   sent_ = accepted_ = 0;
   state_->clear();
+  showPackages();
 }
 
 void PublishPanel::setRepeating(bool on) {
@@ -119,11 +139,25 @@ void PublishPanel::setRepeating(bool on) {
 
 bool PublishPanel::send() {
   const std::string robot = robot_->robot(context_.session);
-  auto request = readRequest(form()->what, robot, text_->toPlainText().toStdString());
+  const std::string text = text_->toPlainText().toStdString();
+  return sendRead(form()->package.empty()
+                      ? readRequest(form()->what, robot, text)
+                      : readPackage(form()->package, robotcontrol::SetPackage::ONCE, robot, text));
+}
+
+void PublishPanel::setHeld(bool held) {
+  using robotcontrol::SetPackage;
+  setRepeating(false);
+  sendRead(readPackage(form()->package, held ? SetPackage::HOLD : SetPackage::RELEASE,
+                       robot_->robot(context_.session), text_->toPlainText().toStdString()));
+}
+
+bool PublishPanel::sendRead(robotlink::Result<robotcontrol::Request> request) {
   if (!request) {
     showOutcome(*state_, tr("Not sent: %1").arg(QString::fromStdString(request.error().text)), true);
     return false;
   }
+  const std::string robot = robot_->robot(context_.session);
   ++sent_;
   ask(context_.session, robot, std::move(*request), this,
       [this, kind = shown_](bool accepted, const QString& reason) {
@@ -147,6 +181,31 @@ void PublishPanel::showCounts() {
 
 void PublishPanel::tick() {
   robot_->refresh(context_.session);
+  showPackages();
+}
+
+void PublishPanel::showPackages() {
+  const std::string robot = robot_->robot(context_.session);
+  const auto& store = context_.session.store();
+  const auto present = robotlink::programPackages(store, robot, robotlink::Instant::max());
+  const auto held = robotlink::heldPackages(store, robot, robotlink::Instant::max());
+  auto* kinds = qobject_cast<QStandardItemModel*>(kind_->model());
+  for (std::size_t i = 0; i < forms_.size(); ++i) {
+    const std::string& package = forms_[i].package;
+    // What the program has is not known before it has reported its processes.
+    const bool isThere = package.empty() || present.empty() || present.contains(package);
+    if (QStandardItem* item = kinds->item(static_cast<int>(i)); item->isEnabled() != isThere)
+      item->setEnabled(isThere);
+  }
+  const bool isPackage = form() != nullptr && !form()->package.empty();
+  hold_->setEnabled(isPackage);
+  release_->setEnabled(isPackage && held.contains(form()->package));
+  QStringList names;
+  for (const std::string& package : held) names << QString::fromStdString(package);
+  held_->setText(
+      held.empty()
+          ? QString()
+          : tr("Held at %1: %2").arg(QString::fromStdString(robot), names.join(QStringLiteral(", "))));
 }
 
 QJsonValue PublishPanel::state() const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "robotlink/base/Error.h"
 #include "widgets/View.h"
 
 class QAction;
@@ -16,14 +17,19 @@ class QDoubleSpinBox;
 class QLabel;
 class QPlainTextEdit;
 
+namespace robotcontrol {
+class Request;
+}
+
 namespace widgets {
 
 class RobotChoice;
 struct RequestForm;
 
-/// Fills in a message to a robot (any request that can be written as text) and sends it, once or at a rate.
-/// What was typed for each kind of message is remembered. Repeating ends when a message is refused, when
-/// something else is chosen, and when the panel is hidden. GUI thread.
+/// Fills in a message to a robot (any request that can be written as text, and any package of its program)
+/// and sends it, once or at a rate. A package can also be held in place of what the program offers; all that
+/// are held are listed. What was typed for each kind of message is remembered. Repeating ends when a message
+/// is refused, when something else is chosen, and when the panel is hidden. GUI thread.
 class PublishPanel final : public QWidget {
   Q_OBJECT
  public:
@@ -50,6 +56,12 @@ class PublishPanel final : public QWidget {
   const RequestForm* form() const;
   /// Sends the text; false: it is wrong, and nothing was sent.
   bool send();
+  /// The same for a request that was read from it, with a note if it could not be read.
+  bool sendRead(robotlink::Result<robotcontrol::Request> request);
+  /// Holds the chosen package as it is typed, or releases it.
+  void setHeld(bool held);
+  /// Says what is held, and which packages the robot's program has.
+  void showPackages();
   void setRepeating(bool on);
   void showCounts();
 
@@ -66,6 +78,9 @@ class PublishPanel final : public QWidget {
   QAction* send_ = nullptr;
   QAction* repeat_ = nullptr;
   QAction* reset_ = nullptr;
+  QAction* hold_ = nullptr;
+  QAction* release_ = nullptr;
+  QLabel* held_ = nullptr;
   QTimer repeating_;
   /// How many messages were sent, and accepted, since the last choice.
   int sent_ = 0, accepted_ = 0;

@@ -7,6 +7,8 @@
 
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/packages/PackageJson.h"
+#include "robotlink/packages/PackageTypes.h"
 #include "robotlink/session/Session.h"
 
 namespace widgets {
@@ -30,18 +32,6 @@ bool hasOnlyText(const google::protobuf::Descriptor& type, int depth) {
   return true;
 }
 
-/// Sets the messages within a message, so that their fields are printed.
-void fill(Message& message, int depth) {
-  const auto& type = *message.GetDescriptor();
-  for (int i = 0; i < type.field_count() && depth < kMaxDepth; ++i) {
-    const FieldDescriptor& field = *type.field(i);
-    const auto* alternatives = field.real_containing_oneof();
-    const bool isFirst = alternatives == nullptr || alternatives->field(0) == &field;
-    if (field.type() != FieldDescriptor::TYPE_MESSAGE || field.is_repeated() || !isFirst) continue;
-    fill(*message.GetReflection()->MutableMessage(&message, &field), depth + 1);
-  }
-}
-
 const FieldDescriptor& fieldOf(Request::WhatCase what) {
   return *Request::descriptor()->FindFieldByNumber(what);
 }
@@ -49,15 +39,7 @@ const FieldDescriptor& fieldOf(Request::WhatCase what) {
 std::string templateOf(Request::WhatCase what) {
   Request request;
   Message& message = *request.GetReflection()->MutableMessage(&request, &fieldOf(what));
-  fill(message, 0);
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  if (!google::protobuf::util::MessageToJsonString(message, &json, options).ok()) return "{}";
-  while (json.ends_with('\n')) json.pop_back();
-  return json;
+  return robotlink::templateJson(message);
 }
 
 /// "set-goal" for "set goal".
@@ -76,7 +58,7 @@ std::vector<RequestForm> requestForms() {
   std::vector<RequestForm> forms;
   for (const robotlink::RequestKind& kind : robotlink::requestKinds()) {
     if (!hasOnlyText(*fieldOf(kind.what).message_type(), 0)) continue;
-    forms.push_back({kind.what, kind.words, templateOf(kind.what)});
+    forms.push_back({kind.what, kind.words, templateOf(kind.what), {}});
   }
   std::ranges::sort(forms, {}, &RequestForm::title);
   return forms;
@@ -94,6 +76,26 @@ robotlink::Result<Request> readRequest(Request::WhatCase what, const std::string
   if (doer == kTask || doer == kDebugProcess || doer == kPlatform || request.has_host_program())
     request.set_robot(robot);
   if (std::string reason = robotlink::wrongWith(request); !reason.empty()) return wrong(std::move(reason));
+  return request;
+}
+
+std::vector<RequestForm> packageForms() {
+  std::vector<RequestForm> forms;
+  for (const auto& [name, type] : robotlink::ownPackageTypes())
+    forms.push_back({Request::kSetPackage, "package " + name, robotlink::packageTemplate(name), name});
+  return forms;
+}
+
+robotlink::Result<Request> readPackage(const std::string& package, robotcontrol::SetPackage::Mode mode,
+                                       const std::string& robot, const std::string& json) {
+  Request request;
+  request.set_robot(robot);
+  request.mutable_set_package()->set_package(package);
+  request.mutable_set_package()->set_mode(mode);
+  if (mode == robotcontrol::SetPackage::RELEASE) return request;
+  auto value = robotlink::packageFromJson(package, json);
+  if (!value) return tl::unexpected(value.error());
+  *request.mutable_set_package()->mutable_value() = std::move(*value);
   return request;
 }
 

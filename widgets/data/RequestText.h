@@ -21,11 +21,20 @@ struct RequestForm {
   std::string title;  ///< for users: "set goal"
   /// All of its fields with the values they have by default; of alternatives the first one.
   std::string json;
+  std::string package = {};  ///< whose value the fields are; empty: they are those of the request itself
 };
 
 /// All kinds, sorted by title. Those with binary contents (color tables, parameters), which no one types, are
 /// left out.
 std::vector<RequestForm> requestForms();
+
+/// All packages that a program can have, sorted: "package models/ball".
+std::vector<RequestForm> packageForms();
+/// The request that puts a package with the fields in the text in place of what a robot's program offers, or
+/// releases it; the text then does not matter. Fails as packageFromJson() does.
+robotlink::Result<robotcontrol::Request> readPackage(const std::string& package,
+                                                     robotcontrol::SetPackage::Mode mode,
+                                                     const std::string& robot, const std::string& json);
 
 /// The request of this kind, for a robot (unless it is one to the simulation, the replay or the recording,
 /// which are asked for all robots), with the fields in the text. Fails if the text is no such JSON, with the

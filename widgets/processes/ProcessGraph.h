@@ -31,6 +31,8 @@ struct ProcessGraph {
     /// no slower one, and still misses some. A process that reads only the newest package, or has a longer
     /// period, is not marked.
     bool falls = false;
+    /// A value of a user is in the package's place.
+    bool held = false;
     /// The port's row in its node.
     QRectF rect;
   };

@@ -60,7 +60,9 @@ void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, c
   // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in
   // the tool tip.
   const bool lossy = !output && port.falls;
-  const QString figures = lossy ? ProcessGraphWidget::tr("%1 missed").arg(port.missed) : rateText(port.rate);
+  const QString figures = port.held ? ProcessGraphWidget::tr("held")
+                          : lossy   ? ProcessGraphWidget::tr("%1 missed").arg(port.missed)
+                                    : rateText(port.rate);
   const double width = painter.fontMetrics().horizontalAdvance(figures);
   const QRectF name = output ? row.adjusted(width + 6, 0, 0, 0) : row.adjusted(0, 0, -width - 6, 0);
   painter.setPen(palette.color(QPalette::Text));
@@ -72,7 +74,8 @@ void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, c
     const QPointF end(port.rect.right(), port.rect.center().y());
     painter.fillRect(QRectF(end - QPointF(4, 6), QSizeF(4, 12)), palette.color(QPalette::Text));
   }
-  painter.setPen(lossy ? colorOf(Meaning::kWarning, palette) : colorOf(Meaning::kMuted, palette));
+  painter.setPen(lossy || port.held ? colorOf(Meaning::kWarning, palette)
+                                    : colorOf(Meaning::kMuted, palette));
   painter.drawText(row, (output ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, figures);
 }
 

@@ -49,6 +49,7 @@ std::vector<ProcessGraph::Port> portsOf(const Ports& now, const Ports* before, r
     port.blocking = from.blocking();
     port.count = from.count();
     port.missed = from.missed();
+    port.held = from.held();
     if (const auto* old = findPort(before, from)) {
       port.rate = rateOf(from.count(), old->count(), elapsed);
       port.missedRate = rateOf(from.missed(), old->missed(), elapsed);
@@ -104,6 +105,7 @@ int outputOf(ProcessGraph::Node& node, const ProcessGraph::Port& input) {
   port.missed = 0;
   port.missedRate = 0;
   port.falls = false;
+  port.held = false;
   node.outputs.push_back(port);
   return static_cast<int>(node.outputs.size()) - 1;
 }

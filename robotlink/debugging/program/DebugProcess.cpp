@@ -61,10 +61,12 @@ struct DebugProcess::Implementation {
   void setKey(const Request& request);
   void sendTablesAgain(const Request& request);
   void recordPackages(const Request& request);
+  void setPackage(const Request& request);
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
   bool isForLater(const Request& request, const AnySender& sender) const;
   std::string whyNotSent(const Request& request) const;
+  std::string whyNotSet(const std::string& package) const;
   void sendToAll(const Request& request);
   /// `taken` is the checksum of the value that was passed on.
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
@@ -95,7 +97,8 @@ struct DebugProcess::Implementation {
   using Handler = void (Implementation::*)(const Request& request);
   static constexpr RequestRow<Handler> kRows[]{{Request::kSetKey, &Implementation::setKey},
                                                {Request::kSendTables, &Implementation::sendTablesAgain},
-                                               {Request::kRecordPackages, &Implementation::recordPackages}};
+                                               {Request::kRecordPackages, &Implementation::recordPackages},
+                                               {Request::kSetPackage, &Implementation::setPackage}};
 };
 
 bool DebugProcess::fulfills(const Request& request) {
@@ -269,6 +272,7 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
   if (std::string wrong = wrongWith(request); !wrong.empty()) return wrong;
   if (const auto target = targetOf(request)) return whyNotBy(*target);
   if (UserPackages::has(request)) return whyNotSent(request);
+  if (request.has_set_package()) return whyNotSet(request.set_package().package());
   return rowOf(kRows, request.what_case()) != nullptr
              ? ""
              : "a robot's program cannot do this; ask its platform or the simulation";
@@ -315,6 +319,19 @@ void DebugProcess::Implementation::sendTablesAgain(const Request& request) {
 void DebugProcess::Implementation::recordPackages(const Request& request) {
   sendToAll(request);
   answer(request, "");
+}
+
+/// Processes know themselves whether a value takes the package's place there: all that receive readings do.
+void DebugProcess::Implementation::setPackage(const Request& request) {
+  sendToAll(request);
+  processTableDue.reset();
+  answer(request, "");
+}
+
+/// Empty if there is a task that sends or receives the package, and whose process runs.
+std::string DebugProcess::Implementation::whyNotSet(const std::string& package) const {
+  const auto owner = routes.packages.find(package);
+  return whyNotBy({owner == routes.packages.end() ? "" : owner->second, package});
 }
 
 std::string DebugProcess::Implementation::whyNotBy(const Target& target) const {

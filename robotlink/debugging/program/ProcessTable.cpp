@@ -20,6 +20,7 @@ void describe(const Process& process, robotcontrol::ProcessTable::Process& to) {
     port.set_count(receiver->taken());
     port.set_missed(receiver->missed());
     port.set_peer(receiver->peer());
+    port.set_held(receiver->held());
   }
   for (const AnySender* sender : process.senders()) {
     auto& port = *to.add_senders();
@@ -27,6 +28,7 @@ void describe(const Process& process, robotcontrol::ProcessTable::Process& to) {
     port.set_type(sender->typeName());
     port.set_blocking(sender->blocking());
     port.set_count(sender->sent());
+    port.set_held(sender->held());
   }
 }
 

@@ -39,7 +39,8 @@ struct RequestPreview::Handlers {
       {Request::kGetParameters, {&RequestPreview::getParameters, &RequestPreview::describeGotten}},
       {Request::kSetParameters, {&RequestPreview::setParameters, &RequestPreview::describeSet}},
       {Request::kSetColorTable, {&RequestPreview::setColorTable, nullptr}},
-      {Request::kSetMotion, {&RequestPreview::setMotion, &RequestPreview::describeMotion}}};
+      {Request::kSetMotion, {&RequestPreview::setMotion, &RequestPreview::describeMotion}},
+      {Request::kSetPackage, {&RequestPreview::setPackage, nullptr}}};
 };
 
 bool RequestPreview::handles(const Request& request) {
@@ -91,6 +92,28 @@ std::string RequestPreview::setColorTable(const Request& request) {
 std::string RequestPreview::setMotion(const Request& request) {
   motions_.push_back(request.set_motion().motion());
   return "";
+}
+
+std::string RequestPreview::setPackage(const Request& request) {
+  const auto& set = request.set_package();
+  if (set.mode() != robotcontrol::SetPackage::ONCE)
+    held_[set.package()] = set.mode() == robotcontrol::SetPackage::HOLD;
+  return "";
+}
+
+/// Marks a process's packages in whose places there will be values of the user.
+void RequestPreview::describeHeld(robotcontrol::ProcessTable::Process& process) const {
+  const TaskProcess* tasks = nullptr;
+  for (const Process* one : program_.processes()) {
+    if (one->name() == process.name()) tasks = dynamic_cast<const TaskProcess*>(one);
+  }
+  if (tasks == nullptr) return;
+  for (auto* ports : {process.mutable_receivers(), process.mutable_senders()}) {
+    for (auto& port : *ports) {
+      const auto held = held_.find(port.package());
+      if (held != held_.end() && tasks->canSet(port.package())) port.set_held(held->second);
+    }
+  }
 }
 
 void RequestPreview::describeMotion(const Request&) {
@@ -163,8 +186,9 @@ void RequestPreview::describeParameters(const TaskProcess& process, const std::s
 void RequestPreview::describeTables() {
   auto& keys = queue().add<robotcontrol::KeyTable>(streams::kKeys);
   auto& solutions = queue().add<robotcontrol::SolutionTable>(streams::kSolutions);
-  program_.debugProcess().describe(program_.tables(solutions_), keys, solutions,
-                                   queue().add<robotcontrol::ProcessTable>(streams::kProcesses));
+  auto& processes = queue().add<robotcontrol::ProcessTable>(streams::kProcesses);
+  program_.debugProcess().describe(program_.tables(solutions_), keys, solutions, processes);
+  for (auto& process : *processes.mutable_processes()) describeHeld(process);
   for (auto& key : *keys.mutable_keys()) {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
   }

@@ -55,6 +55,7 @@ class RequestPreview {
   std::string setParameters(const robotcontrol::Request& request);
   std::string setColorTable(const robotcontrol::Request& request);
   std::string setMotion(const robotcontrol::Request& request);
+  std::string setPackage(const robotcontrol::Request& request);
   struct Handlers;
   /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
@@ -67,6 +68,7 @@ class RequestPreview {
   void describeSet(const robotcontrol::Request& request);
   void describeParameters(const TaskProcess& process, const std::string& task, const std::string& asked);
   void describeMotion(const robotcontrol::Request& request);
+  void describeHeld(robotcontrol::ProcessTable::Process& process) const;
   void describeTables();
   void describeColorTable();
   SharedDebugQueue& queue();
@@ -80,6 +82,7 @@ class RequestPreview {
   std::map<std::string, robotcontrol::KeyMode> keys_;
   std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
   std::vector<robotcontrol::MotionText> motions_;       // that were sent
+  std::map<std::string, bool> held_;                    // packages that were held or released
   bool tablesAsked_ = false;
   std::shared_ptr<SharedDebugQueue> queue_;
 };

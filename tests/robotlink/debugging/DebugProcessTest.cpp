@@ -41,6 +41,107 @@ processes:
   EXPECT_EQ("no task of this layout obeys remote motions", robot.ask(walk(1)).reason());
 }
 
+/// Puts a request to the joints in place of what the task motion offers.
+Request setJoints(robotcontrol::SetPackage::Mode mode) {
+  Request request;
+  auto& set = *request.mutable_set_package();
+  set.set_package("joints/request");
+  set.set_mode(mode);
+  robotcontrol::JointRequest joints;
+  joints.add_positions(42);
+  set.mutable_value()->set_type(joints.GetDescriptor()->full_name());
+  set.mutable_value()->set_data(joints.SerializeAsString());
+  return request;
+}
+
+int requestsOfTheUser(const ToyRobot& robot, std::size_t from) {
+  int count = 0;
+  for (std::size_t i = from; i < robot.platform.requests().size(); ++i) {
+    robotcontrol::JointRequest joints;
+    joints.ParseFromString(robot.platform.requests()[i]);
+    count += joints.positions_size() > 0 && joints.positions(0) == 42 ? 1 : 0;
+  }
+  return count;
+}
+
+std::set<std::string> heldIn(const robotcontrol::ProcessTable& table) {
+  std::set<std::string> held;
+  for (const auto& process : table.processes()) {
+    for (const auto* ports : {&process.receivers(), &process.senders()}) {
+      for (const auto& port : *ports) {
+        if (port.held()) held.insert(process.name() + ":" + port.package());
+      }
+    }
+  }
+  return held;
+}
+
+TEST(DebugProcessTest, aPackageIsHeldUntilItIsReleasedAndTheTableOfProcessesSaysSo) {
+  ToyRobot robot;
+  robot.run(20);
+  EXPECT_TRUE(robot.ask(setJoints(robotcontrol::SetPackage::HOLD)).accepted());
+  robot.run(80);
+  const std::size_t before = robot.platform.requests().size();
+  robot.run(50);
+  EXPECT_EQ(requestsOfTheUser(robot, before), static_cast<int>(robot.platform.requests().size() - before));
+  EXPECT_EQ(heldIn(robot.on("tables/processes").back()->processes()),
+            std::set<std::string>{"motion:joints/request"});
+  EXPECT_TRUE(robot.ask(setJoints(robotcontrol::SetPackage::RELEASE)).accepted());
+  robot.run(80);
+  const std::size_t after = robot.platform.requests().size();
+  robot.run(50);
+  EXPECT_EQ(requestsOfTheUser(robot, after), 0);
+  EXPECT_TRUE(heldIn(robot.on("tables/processes").back()->processes()).empty());
+}
+
+TEST(DebugProcessTest, aPackageIsSentOnce) {
+  ToyRobot robot;
+  robot.run(20);
+  const std::size_t before = robot.platform.requests().size();
+  EXPECT_TRUE(robot.ask(setJoints(robotcontrol::SetPackage::ONCE)).accepted());
+  robot.run(50);
+  EXPECT_EQ(requestsOfTheUser(robot, before), 1);
+}
+
+TEST(DebugProcessTest, aReadingIsHeldWhereItIsReceived) {
+  ToyRobot robot;
+  robot.setKey("package/joints/states", KeyMode::ALWAYS);
+  Request request;
+  auto& set = *request.mutable_set_package();
+  set.set_package("joints/states");
+  set.set_mode(robotcontrol::SetPackage::HOLD);
+  set.mutable_value()->set_type("foxglove.JointStates");
+  EXPECT_TRUE(robot.ask(request).accepted());
+  robot.run(100);
+  foxglove::JointStates shown;
+  shown.ParseFromString(robot.on("joints/states").back()->package().data());
+  EXPECT_EQ(shown.joints_size(), 0);
+  EXPECT_GT(shown.timestamp().nanos() + shown.timestamp().seconds(), 0) << "as if it were read now";
+  EXPECT_EQ(heldIn(robot.on("tables/processes").back()->processes()),
+            std::set<std::string>{"motion:joints/states"});
+}
+
+TEST(DebugProcessTest, aPackageThatTheProgramDoesNotHaveOrOfAnotherTypeIsRefused) {
+  ToyRobot robot;
+  Request request;
+  auto& set = *request.mutable_set_package();
+  set.set_mode(robotcontrol::SetPackage::HOLD);
+  set.set_package("models/bal");
+  EXPECT_EQ("there is no package 'models/bal' that can be set; did you mean 'models/ball'?",
+            robot.ask(request).reason());
+  set.set_package("models/ball");
+  set.mutable_value()->set_type("robotcontrol.RobotPose");
+  EXPECT_EQ("package models/ball is a robotcontrol.BallModel, not a 'robotcontrol.RobotPose'",
+            robot.ask(request).reason());
+  set.mutable_value()->set_type("robotcontrol.BallModel");
+  set.mutable_value()->set_data("\xff");
+  EXPECT_EQ("the value of package models/ball is damaged", robot.ask(request).reason());
+  set.set_package("range/laser");
+  set.mutable_value()->set_type("foxglove.LaserScan");
+  set.mutable_value()->clear_data();
+  EXPECT_EQ("no process of this layout has 'range/laser'", robot.ask(request).reason());
+}
+
 TEST(DebugProcessTest, aColorTableThatNobodyUsesOrThatIsNoneIsRefused) {
   ToyRobot robot;
   Request request;

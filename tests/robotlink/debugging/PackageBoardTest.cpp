@@ -80,6 +80,53 @@ TEST_F(PackageBoardTest, theRecorderGetsItsPackagesWhateverTheirMode) {
   EXPECT_THAT(published(), ElementsAre("ball", "(pose)"));
 }
 
+TEST_F(PackageBoardTest, aValueTakesThePlaceOfPackagesUntilItIsReleased) {
+  PackageBoard::Entry& pose = board_.entry("pose");
+  board_.addSender("pose", Blocking::kNo);
+  pose.settable = true;
+  published();
+  const auto held = std::make_shared<robotcontrol::BallModel>();
+  held->set_known(true);
+  board_.hold("pose", held);
+  EXPECT_TRUE(pose.sender->held());
+  published();
+  EXPECT_TRUE(static_cast<const robotcontrol::BallModel&>(*pose.value).known());
+  published();
+  EXPECT_TRUE(static_cast<const robotcontrol::BallModel&>(*pose.value).known());
+  const auto arrivals = pose.arrivals;
+  board_.endFrame();
+  EXPECT_EQ(pose.arrivals, arrivals) << "the task has sent in this frame";
+  board_.release("pose");
+  EXPECT_FALSE(pose.sender->held());
+  board_.endFrame();
+  EXPECT_FALSE(static_cast<const robotcontrol::BallModel&>(*pose.value).known()) << "though no task sends";
+}
+
+TEST_F(PackageBoardTest, aValueIsSentOnceInPlaceOfTheNextPackageOrAtTheFramesEnd) {
+  PackageBoard::Entry& ball = board_.entry("ball");
+  board_.addSender("ball", Blocking::kNo);
+  ball.settable = true;
+  const auto value = std::make_shared<robotcontrol::BallModel>();
+  value->set_known(true);
+  board_.setOnce("ball", value);
+  published();
+  EXPECT_TRUE(static_cast<const robotcontrol::BallModel&>(*ball.value).known());
+  published();
+  EXPECT_FALSE(static_cast<const robotcontrol::BallModel&>(*ball.value).known());
+  board_.setOnce("ball", value);
+  board_.endFrame();
+  EXPECT_TRUE(static_cast<const robotcontrol::BallModel&>(*ball.value).known());
+  EXPECT_FALSE(ball.sender->held());
+}
+
+TEST_F(PackageBoardTest, onlyPackagesThatBelongHereCanBeSet) {
+  board_.setOnce("ball", std::make_shared<robotcontrol::BallModel>());
+  board_.hold("none", std::make_shared<robotcontrol::BallModel>());
+  EXPECT_FALSE(board_.isSettable("ball"));
+  board_.endFrame();
+  EXPECT_EQ(board_.entry("ball").arrivals, 0U);
+}
+
 TEST_F(PackageBoardTest, everyPackageCountsAsAnArrival) {
   PackageBoard::Entry& ball = board_.entry("ball");
   published();

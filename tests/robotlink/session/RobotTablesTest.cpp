@@ -27,6 +27,23 @@ StreamMessage solutions(const std::vector<std::string>& tasks, double time) {
   return {"red1/tables/solutions", Instant(fromSeconds(time)), table};
 }
 
+TEST(RobotTables, packagesAndThoseThatAreHeldAreThoseOfAllProcesses) {
+  Session session;
+  auto table = std::make_shared<robotcontrol::ProcessTable>();
+  auto& process = *table->add_processes();
+  process.add_receivers()->set_package("joints/states");
+  process.add_receivers()->set_package("debug/requests/see");
+  auto& sender = *process.add_senders();
+  sender.set_package("models/ball");
+  sender.set_held(true);
+  session.push({"red1/tables/processes", Instant(fromSeconds(1)), table});
+  session.tick();
+  EXPECT_EQ(programPackages(session.store(), "red1", Instant::max()),
+            (std::set<std::string>{"joints/states", "models/ball"}));
+  EXPECT_EQ(heldPackages(session.store(), "red1", Instant::max()), std::set<std::string>{"models/ball"});
+  EXPECT_TRUE(programPackages(session.store(), "red2", Instant::max()).empty());
+}
+
 TEST(RobotTables, tasksAreKnownWhenAllProcessesHaveReportedTheirs) {
   Session session;
   session.setRobots({"red1"});

@@ -60,6 +60,17 @@ std::vector<std::string> namesBelow(const QAbstractItemModel& model, const QMode
   return names;
 }
 
+TEST_F(DataModelTest, aStreamSaysThatItsPackageIsHeld) {
+  push("red1/models/ball", robotcontrol::BallModel());
+  EXPECT_EQ(cell("red1/models/ball").find("held"), std::string::npos);
+  robotcontrol::ProcessTable table;
+  auto& port = *table.add_processes()->add_senders();
+  port.set_package("models/ball");
+  port.set_held(true);
+  push("red1/tables/processes", table, 2);
+  EXPECT_EQ(cell("red1/models/ball").rfind("held", 0), 0U) << cell("red1/models/ball");
+}
+
 TEST_F(DataModelTest, streamsStandBelowTheirRobotsInTheNaturalOrder) {
   for (const char* path : {"red10/log", "red2/plots/10", "red2/plots/9", "red2/models/ball", "scene"})
     push(path, robotcontrol::PlotValue());

@@ -138,6 +138,58 @@ class PublishPanelTest : public QObject {
     QVERIFY(!repeat.isChecked());
   }
 
+  void aPackageIsSentHeldAndReleasedAndTheViewSaysSo() {
+    using robotcontrol::SetPackage;
+    Bench bench;
+    auto view = bench.open<DataView>();
+    robotcontrol::ProcessTable table;
+    auto& port = *table.add_processes()->add_senders();
+    port.set_package("models/ball");
+    bench.push("red1/tables/processes", table, 1);
+    bench.tick(*view);
+    openPanel(*view, "package models/ball");
+    auto& held = child<QLabel>(*view, "publishHeld");
+    auto& release = child<QAction>(*view, "publishReleaseAction");
+    QVERIFY(child<QPlainTextEdit>(*view, "publishText").toPlainText().contains(QStringLiteral("\"known\"")));
+    QVERIFY(held.text().isEmpty() && !release.isEnabled());
+    write(*view, R"({"known": true})");
+    child<QAction>(*view, "publishSendAction").trigger();
+    QCOMPARE(bench.requests.back().set_package().mode(), SetPackage::ONCE);
+    child<QAction>(*view, "publishHoldAction").trigger();
+    QCOMPARE(bench.requests.back().robot(), std::string("red1"));
+    QCOMPARE(bench.requests.back().set_package().mode(), SetPackage::HOLD);
+    QCOMPARE(bench.requests.back().set_package().value().type(), std::string("robotcontrol.BallModel"));
+    port.set_held(true);
+    bench.push("red1/tables/processes", table, 2);
+    bench.tick(*view);
+    QVERIFY(release.isEnabled());
+    QCOMPARE(held.text(), QStringLiteral("Held at red1: models/ball"));
+    release.trigger();
+    QCOMPARE(bench.requests.back().set_package().mode(), SetPackage::RELEASE);
+    write(*view, R"({"know": true})");
+    child<QAction>(*view, "publishHoldAction").trigger();
+    QVERIFY2(said(*view).contains(QStringLiteral("know")), qPrintable(said(*view)));
+    QCOMPARE(bench.requests.size(), std::size_t{3});
+  }
+
+  void onlyPackagesOfTheProgramCanBeChosen() {
+    Bench bench;
+    auto view = bench.open<DataView>();
+    robotcontrol::ProcessTable table;
+    table.add_processes()->add_senders()->set_package("models/ball");
+    bench.push("red1/tables/processes", table, 1);
+    child<QAction>(*view, "dataPublishAction").trigger();
+    bench.tick(*view);
+    auto& kinds = child<QComboBox>(*view, "publishKind");
+    const auto isEnabled = [&kinds](const char* kind) {
+      const QModelIndex index = kinds.model()->index(kinds.findText(QLatin1String(kind)), 0);
+      return index.flags().testFlag(Qt::ItemIsEnabled);
+    };
+    QVERIFY(isEnabled("package models/ball") && isEnabled("set goal") && !isEnabled("package models/pose"));
+    child<QComboBox>(*view, "publishKind").setCurrentText(QStringLiteral("set goal"));
+    QVERIFY(!child<QAction>(*view, "publishHoldAction").isEnabled());
+  }
+
   void whatWasTypedIsRemembered() {
     Bench bench;
     auto view = bench.open<DataView>();

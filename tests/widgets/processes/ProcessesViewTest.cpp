@@ -59,6 +59,14 @@ ProcessTable someProcesses(std::uint64_t n) {
 class ProcessesViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void thePictureKnowsWhichPackagesAreHeld() {
+    auto table = someProcesses(10);
+    table.mutable_processes(1)->mutable_senders(0)->set_held(true);
+    const ProcessGraph graph = processGraph(table, nullptr, {}, {});
+    QVERIFY(graph.nodes[1].outputs[0].held);
+    QVERIFY(!graph.nodes[2].inputs[0].held);
+  }
+
   void dataFlowFromLeftToRightAndCyclesAreTurned() {
     const ProcessGraph graph = widgets::processGraph(someProcesses(10), nullptr, {}, {});
     const auto rect = [&](const char* name) {
