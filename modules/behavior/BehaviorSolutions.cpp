@@ -4,6 +4,7 @@
 #include <array>
 
 #include "BehaviorParameters.pb.h"
+#include "modules/BehaviorReport.h"
 #include "modules/behavior/BallChaser.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
@@ -29,11 +30,12 @@ const RobotDrawingKey kTargetKey{
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
 const PlotKey kSpeedKey{"behavior/speed", "The requested walking speeds"};
 
-/// Sends the requests for body and head.
+/// Sends the requests for body and head, and the state that they follow from.
 class Behavior : public robotlink::Solution {
  public:
-  explicit Behavior(robotlink::SolutionContext& context)
-      : debug_(context.debug()),
+  Behavior(robotlink::SolutionContext& context, const char* solution)
+      : report_(context, solution),
+        debug_(context.debug()),
         clock_(context.clock()),
         motion_(context.output(robotlink::kMotionRequest)),
         head_(context.output(robotlink::kHeadMode)) {}
@@ -51,6 +53,7 @@ class Behavior : public robotlink::Solution {
     head_.send(std::move(head));
   }
 
+  BehaviorReport report_;
   robotlink::DebugContext& debug_;
   const robotlink::Clock& clock_;
 
@@ -62,7 +65,7 @@ class Behavior : public robotlink::Solution {
 class GoToBallAndKick final : public Behavior {
  public:
   explicit GoToBallAndKick(robotlink::SolutionContext& context)
-      : Behavior(context),
+      : Behavior(context, "go-to-ball-and-kick"),
         parameters_(context.parameters<robotcontrol::GoToBallParameters>()),
         goalInField_(opponentGoal(context.robot())),
         ball_(context.input(robotlink::kBallModel)),
@@ -78,6 +81,7 @@ class GoToBallAndKick final : public Behavior {
     if (chaser_.changed())
       debug_.text(robotlink::Level::kInfo, "behavior",
                   std::string(name(chaser_.state())) + ": " + chaser_.reason());
+    report_.send(name(chaser_.state()), chaser_.reason());
     draw(now);
     auto motion = std::make_shared<MotionRequest>();
     fill(*motion, intention);
@@ -205,14 +209,16 @@ const robotlink::SolutionRegistration kGoToBallAndKick =
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
+        .yields(robotlink::kBehaviorState)
         .keys({&kStateKey, &kTargetKey, &kSpeedKey})
         .parameters<robotcontrol::GoToBallParameters>();
 
 class Stand final : public Behavior {
  public:
-  explicit Stand(robotlink::SolutionContext& context) : Behavior(context) {}
+  explicit Stand(robotlink::SolutionContext& context) : Behavior(context, "stand") {}
 
   void execute() override {
+    report_.send("stand");
     auto head = std::make_shared<HeadMode>();
     head->set_kind(HeadMode::LOOK_AHEAD);
     want(std::make_shared<MotionRequest>(), std::move(head));
@@ -223,12 +229,13 @@ const robotlink::SolutionRegistration kStand =
     robotlink::SolutionBuilder<Stand>("behavior", "stand", "Stands and looks ahead.")
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
+        .yields(robotlink::kBehaviorState)
         .keys({&kSpeedKey});
 
 class Obey final : public Behavior {
  public:
   explicit Obey(robotlink::SolutionContext& context)
-      : Behavior(context), remote_(context.input(robotlink::kRemoteMotion)) {}
+      : Behavior(context, "obey"), remote_(context.input(robotlink::kRemoteMotion)) {}
 
   void execute() override {
     auto motion = std::make_shared<MotionRequest>();
@@ -238,6 +245,7 @@ class Obey final : public Behavior {
       *head = remote_->head();
       if (holds(remote_->motion())) *motion = remote_->motion();
     }
+    report_.send(motion->kind() == MotionRequest::STAND ? "stand" : "obey");
     want(std::move(motion), std::move(head));
   }
 
@@ -261,6 +269,7 @@ const robotlink::SolutionRegistration kObey =
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kMotionRequest)
         .yields(robotlink::kHeadMode)
+        .yields(robotlink::kBehaviorState)
         .keys({&kSpeedKey});
 
 }  // namespace

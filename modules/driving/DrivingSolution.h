@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "modules/BehaviorReport.h"
 #include "modules/driving/Outline.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Sensing.pb.h"
@@ -16,13 +17,15 @@ inline const robotlink::PlotKey kDrivingSpeedKey{"driving/speed",
                                                  "The speed and rotation that the behavior desires (plots)"};
 
 /// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
-/// plots it. Obstacle avoidance treats a request older than a second as 0. Used by its process's thread; the
-/// context must outlive it.
+/// plots it; derived classes send their state by report_. Obstacle avoidance treats a request older than a
+/// second as 0. Used by its process's thread; the context must outlive it.
 class DrivingSolution : public robotlink::Solution {
  public:
-  explicit DrivingSolution(robotlink::SolutionContext& context)
+  /// `solution` is its name.
+  DrivingSolution(robotlink::SolutionContext& context, const char* solution)
       : debug_(context.debug()),
         clock_(context.clock()),
+        report_(context, solution),
         desired_(context.output(robotlink::kBehaviorDrive)) {}
 
  protected:
@@ -41,6 +44,7 @@ class DrivingSolution : public robotlink::Solution {
   // For the derived classes.
   robotlink::DebugContext& debug_;
   const robotlink::Clock& clock_;
+  BehaviorReport report_;
 
  private:
   robotlink::Output<robotcontrol::DriveRequest> desired_;

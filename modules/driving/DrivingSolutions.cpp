@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions of the task "driving" that decide where the robot goes without regard to obstacles, or leave
 // that to the user.
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -98,13 +99,14 @@ class Roaming {
 class Wander final : public DrivingSolution {
  public:
   explicit Wander(robotlink::SolutionContext& context)
-      : DrivingSolution(context),
+      : DrivingSolution(context, "wander"),
         parameters_(context.parameters<robotcontrol::WanderParameters>()),
         roaming_(context, wanderOptions(parameters_)) {}
 
   void execute() override {
     roaming_.update(last_.forward);
     last_ = roaming_.wander(wanderOptions(parameters_));
+    report_.send(roaming_.sensing().awake() ? "wander" : "no readings");
     want(last_);
   }
 
@@ -121,13 +123,14 @@ const robotlink::SolutionRegistration kWander =
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
+        .yields(robotlink::kBehaviorState)
         .keys({&kDrivingSpeedKey, &kDirectionKey})
         .parameters<robotcontrol::WanderParameters>(kWanderTable.rules<robotcontrol::WanderParameters>());
 
 class FollowPath final : public DrivingSolution {
  public:
   explicit FollowPath(robotlink::SolutionContext& context)
-      : DrivingSolution(context),
+      : DrivingSolution(context, "follow-path"),
         parameters_(context.parameters<robotcontrol::FollowPathParameters>()),
         path_(context.input(robotlink::kDrivePath)),
         pose_(context.input(robotlink::kRobotPose)),
@@ -137,19 +140,21 @@ class FollowPath final : public DrivingSolution {
   void execute() override {
     roaming_.update(last_.forward);
     last_ = decide();
+    report_.send(state_, said_);
     want(last_);
   }
 
  private:
   DriveVelocity decide() {
-    if (!path_ || !path_->has_goal() || path_->goal().cancelled()) return stand("nothing to do");
+    if (!path_ || !path_->has_goal() || path_->goal().cancelled()) return stand("idle", "nothing to do");
     if (isLost()) {
-      if (parameters_.wait_when_lost()) return stand("does not know where it is: waits");
+      if (parameters_.wait_when_lost()) return stand("lost", "does not know where it is: waits");
+      state_ = "wander";
       say("does not know where it is: wanders until it does");
       follower_.decide({}, {}, {});
       return roaming_.wander({});
     }
-    if (path_->blocked()) return stand("no way: " + path_->reason());
+    if (path_->blocked()) return stand("blocked", "no way: " + path_->reason());
     return follow();
   }
 
@@ -177,6 +182,8 @@ class FollowPath final : public DrivingSolution {
     const DriveVelocity desired = follower_.decide(robotNow(), points, heading);
     using State = PathFollower::State;
     const std::string to = goal.name().empty() ? "the goal" : "“" + goal.name() + "”";
+    static constexpr std::array kStates{"no path", "drive", "turn", "there"};
+    state_ = kStates[static_cast<std::size_t>(follower_.state())];
     if (follower_.state() == State::kDriving) say("drives to " + to);
     if (follower_.state() == State::kThere) say("is at " + to);
     if (debug_.on(kTargetKey)) {
@@ -188,7 +195,8 @@ class FollowPath final : public DrivingSolution {
     return desired;
   }
 
-  DriveVelocity stand(const std::string& why) {
+  DriveVelocity stand(const char* state, const std::string& why) {
+    state_ = state;
     say(why);
     follower_.decide({}, {}, {});
     return {};
@@ -208,6 +216,7 @@ class FollowPath final : public DrivingSolution {
   DriveVelocity last_;
   bool lost_ = true;
   std::string said_;
+  std::string state_;
 };
 
 const robotlink::SolutionRegistration kFollowPath =
@@ -220,6 +229,7 @@ const robotlink::SolutionRegistration kFollowPath =
         .uses(robotlink::kSonar)
         .uses(robotlink::kLaser)
         .yields(robotlink::kBehaviorDrive)
+        .yields(robotlink::kBehaviorState)
         .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
         .parameters<robotcontrol::FollowPathParameters>(
             kFollowPathTable.rules<robotcontrol::FollowPathParameters>());
@@ -227,7 +237,7 @@ const robotlink::SolutionRegistration kFollowPath =
 class ObeyOnWheels final : public DrivingSolution {
  public:
   explicit ObeyOnWheels(robotlink::SolutionContext& context)
-      : DrivingSolution(context), remote_(context.input(robotlink::kRemoteMotion)) {}
+      : DrivingSolution(context, "obey"), remote_(context.input(robotlink::kRemoteMotion)) {}
 
   void execute() override {
     DriveVelocity desired;
@@ -235,6 +245,7 @@ class ObeyOnWheels final : public DrivingSolution {
     const bool fresh = remote_ && clock_.now() - heard_ <= kPatience;
     if (fresh && remote_->motion().kind() == robotcontrol::MotionRequest::WALK)
       desired = {remote_->motion().walk().x(), remote_->motion().walk().rotation()};
+    report_.send(desired == DriveVelocity{} ? "stand" : "obey");
     want(desired);
   }
 
@@ -252,16 +263,21 @@ const robotlink::SolutionRegistration kObey =
         "driving", "obey", "Drives as the user requests; stands until then, and when requests stop.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kBehaviorDrive)
+        .yields(robotlink::kBehaviorState)
         .keys({&kDrivingSpeedKey});
 
 class Halt final : public DrivingSolution {
  public:
-  explicit Halt(robotlink::SolutionContext& context) : DrivingSolution(context) {}
-  void execute() override { want({}); }
+  explicit Halt(robotlink::SolutionContext& context) : DrivingSolution(context, "halt") {}
+  void execute() override {
+    report_.send("halt");
+    want({});
+  }
 };
 
 const robotlink::SolutionRegistration kHalt = robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands.")
                                                   .yields(robotlink::kBehaviorDrive)
+                                                  .yields(robotlink::kBehaviorState)
                                                   .keys({&kDrivingSpeedKey});
 
 }  // namespace

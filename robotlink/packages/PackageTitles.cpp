@@ -46,6 +46,7 @@ constexpr std::array kTitles{
     Title{kMotionStatus.name, "the state of motion"},
     Title{kDrivePath.name, "a path"},
     Title{kBehaviorDrive.name, "the behavior's drive requests"},
+    Title{kBehaviorState.name, "the behavior's state"},
 };
 
 }  // namespace

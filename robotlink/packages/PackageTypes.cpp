@@ -28,12 +28,12 @@ Types typesOf(const Package<T>&... packages) {
 }  // namespace
 
 const Types& ownPackageTypes() {
-  static const Types kTypes =
-      typesOf(kCameraImage, kCameraSettings, kJointStates, kBodySensors, kBodyReadings, kOracleWorld,
-              kOracleClasses, kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest,
-              kDriveRequest, kRemoteMotion, kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions,
-              kBallPercept, kLandmarkPercepts, kRobotPercepts, kBallModel, kRobotPose, kPlayersModel,
-              kMotionRequest, kHeadMode, kHeadRequest, kMotionStatus, kDrivePath, kBehaviorDrive);
+  static const Types kTypes = typesOf(
+      kCameraImage, kCameraSettings, kJointStates, kBodySensors, kBodyReadings, kOracleWorld, kOracleClasses,
+      kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest, kRemoteMotion,
+      kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept, kLandmarkPercepts,
+      kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest, kHeadMode, kHeadRequest,
+      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState);
   return kTypes;
 }
 

@@ -10,6 +10,7 @@ class RawImage;
 namespace robotcontrol {
 class BallModel;
 class BallPercept;
+class BehaviorState;
 class BodyReadings;
 class BodySensors;
 class CameraPose;
@@ -116,5 +117,7 @@ inline constexpr Package<robotcontrol::MotionStatus> kMotionStatus{"motion/statu
 inline constexpr Package<robotcontrol::DrivePath> kDrivePath{"models/path"};
 /// The speeds that the behavior of a robot on wheels requests, before obstacle avoidance.
 inline constexpr Package<robotcontrol::DriveRequest> kBehaviorDrive{"behavior/drive"};
+/// The state of the behavior, and since when it lasts.
+inline constexpr Package<robotcontrol::BehaviorState> kBehaviorState{"behavior/state"};
 
 }  // namespace robotlink

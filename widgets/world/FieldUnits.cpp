@@ -31,6 +31,7 @@ const std::map<std::string_view, const char*> kUnits{
     {"robotcontrol.CameraPose.width", "px"},
     {"robotcontrol.CameraPose.height", "px"},
     {"robotcontrol.OracleWorld.ball_in_field", "m"},
+    {"robotcontrol.BehaviorState.seconds", "s"},
     {"robotcontrol.HeadMode.tilt", "rad"},
     {"robotcontrol.HeadMode.pan", "rad"},
     {"robotcontrol.HeadMode.roll", "rad"},

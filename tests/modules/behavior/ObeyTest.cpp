@@ -48,5 +48,24 @@ TEST_F(ObeyTest, motionsThatEndByThemselvesAreNotCutShort) {
   EXPECT_EQ(motion(), MotionRequest::GET_UP);
 }
 
+TEST_F(ObeyTest, itsStateIsSentWithTheTimeSinceWhenItLasts) {
+  obey_.pass(1);
+  motion();
+  const auto* state = obey_.sent(robotlink::kBehaviorState);
+  ASSERT_NE(state, nullptr);
+  EXPECT_EQ(state->solution(), "obey");
+  EXPECT_EQ(state->state(), "stand");
+  EXPECT_EQ(state->seconds(), 0);
+  obey_.pass(2);
+  motion();
+  EXPECT_NEAR(obey_.sent(robotlink::kBehaviorState)->seconds(), 2, 1e-6);
+  ask(MotionRequest::GET_UP);
+  motion();
+  state = obey_.sent(robotlink::kBehaviorState);
+  EXPECT_EQ(state->state(), "obey");
+  EXPECT_EQ(state->seconds(), 0);
+  EXPECT_EQ(state->since().seconds(), state->timestamp().seconds());
+}
+
 }  // namespace
 }  // namespace modules

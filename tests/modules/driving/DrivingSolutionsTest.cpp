@@ -50,6 +50,15 @@ TEST(Wander, drivesByWhatIsSeenAndStandsWhileNothingIs) {
       << "its sensors have fallen silent";
 }
 
+TEST(Driving, theStateIsSentAsAPackage) {
+  OneSolution wander("driving", "wander"), follow("driving", "follow-path"), halt("driving", "halt");
+  for (OneSolution* solution : {&wander, &follow, &halt}) solution->execute();
+  EXPECT_EQ(wander.sent(robotlink::kBehaviorState)->state(), "no readings");
+  EXPECT_EQ(follow.sent(robotlink::kBehaviorState)->state(), "idle");
+  EXPECT_EQ(follow.sent(robotlink::kBehaviorState)->reason(), "nothing to do");
+  EXPECT_EQ(halt.sent(robotlink::kBehaviorState)->solution(), "halt");
+}
+
 TEST(ObeyOnWheels, doesWhatAPersonAsksFor) {
   OneSolution obey("driving", "obey");
   obey.execute();
