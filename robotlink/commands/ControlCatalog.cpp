@@ -136,9 +136,11 @@ Rows presetRows() {
   const CommandTable::Argument preset{"name", Type::kText, "of a preset, or the path of its file"};
   return {
       {"preset.save",
-       "Saves what is chosen now as a preset: debug keys, solutions, parameters and views",
+       "Saves what is chosen now as a preset: debug keys, solutions, parameters, views and settings of the "
+       "camera",
        {{"name", Type::kText, "a new one or one to replace; a path is a file"},
-        {"parts", Type::kText, "some of keys,solutions,parameters,views, or all", std::string("all")}}},
+        {"parts", Type::kText, "some of keys,solutions,parameters,views,camera, or all",
+         std::string("all")}}},
       {"preset.load", "Switches the selected robot and the window to a preset", {preset}},
       {"preset.diff", "Fails with what differs between what is chosen now and a preset", {preset}},
       {"preset.delete", "Deletes a preset", {{"name", Type::kText, "of the preset"}}},

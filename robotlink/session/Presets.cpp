@@ -2,8 +2,14 @@
 #include "robotlink/session/Presets.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/ParsedNumber.h"
+#include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/KeyModes.h"
 #include "robotlink/session/KeyPresets.h"
 #include "robotlink/session/RobotTables.h"
@@ -40,8 +46,17 @@ Result<Preset::Values> valuesIn(const json& part, std::string_view name, const s
     if (name == Preset::kPartNames[Preset::kKeys] && !keyModeOf(values[key]))
       return wrong("the mode of the key " + key +
                    " is off, always, 'n 3', 'every 3' or 'every-ms 40', not '" + values[key] + "'");
+    if (name == Preset::kPartNames[Preset::kCamera] && !parsedNumber<double>(values[key]))
+      return wrong("the camera's setting " + key + " has to be a number, not '" + values[key] + "'");
   }
   return values;
+}
+
+/// The shortest text that is this number again.
+std::string inDigits(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
 }
 
 bool isThere(const std::filesystem::path& file) {
@@ -74,6 +89,18 @@ std::vector<std::string> differences(const Preset& now, const Preset& wanted) {
     }
   }
   return lines;
+}
+
+std::optional<Preset::Values> cameraSettings(Session& session) {
+  if (!keysThatAreOn(session).contains(packageKey(kCameraSettings.name))) return std::nullopt;
+  const auto* known = session.store().latestAs<robotcontrol::CameraSettings>(
+      session.selectedRobot() + "/" + kCameraSettings.name, Instant::max());
+  if (known == nullptr) return std::nullopt;
+  Preset::Values values;
+  for (const auto& setting : known->settings()) {
+    if (setting.value() != setting.initial()) values[setting.name()] = inDigits(setting.value());
+  }
+  return values;
 }
 
 Preset::Values keysThatAreOn(Session& session) {

@@ -27,10 +27,12 @@ struct Preset {
     kParameters,
     /// "perspective" -> "Play"; "layout" -> JSON.
     kViews,
+    /// Settings of the camera that differ from those with which it began: "exposure" -> "0.5".
+    kCamera,
     kParts
   };
-  static constexpr std::array<std::string_view, kParts> kPartNames{"keys", "solutions", "parameters",
-                                                                   "views"};
+  static constexpr std::array<std::string_view, kParts> kPartNames{"keys", "solutions", "parameters", "views",
+                                                                   "camera"};
   using Values = std::map<std::string, std::string>;
 
   std::array<std::optional<Values>, kParts> parts = {};
@@ -44,6 +46,9 @@ std::vector<std::string> differences(const Preset& now, const Preset& wanted);
 /// The debug keys of the selected robot that are on, and the active solutions of its tasks.
 Preset::Values keysThatAreOn(Session& session);
 Preset::Values activeSolutions(Session& session);
+/// The settings of its camera that differ from those with which it began. None if they are not known: the
+/// robot reports them only while the key of their package is on.
+std::optional<Preset::Values> cameraSettings(Session& session);
 
 /// Presets as text files with a version, <folder>/<name>.preset.json, written as a whole or not at all. Older
 /// files with keys only (KeyPresets.h) are read, too. One thread at a time.

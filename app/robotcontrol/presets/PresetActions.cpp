@@ -5,6 +5,9 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/ParsedNumber.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/RobotTables.h"
 #include "widgets/solutions/ParameterEdits.h"
 
@@ -17,6 +20,11 @@ using robotlink::Result;
 using Values = robotlink::CommandTable::Values;
 
 constexpr char kAllParts[] = "all";
+
+/// The robot reports them only on request, and a preset is to change no key.
+constexpr char kUnknownCamera[] =
+    "the settings of the camera are not known; open the view Camera, or switch on the key "
+    "package/camera/settings";
 
 std::string argument(const Values& values, std::size_t index) {
   return std::get<std::string>(values[index]);
@@ -36,8 +44,9 @@ Result<std::vector<Preset::Part>> partsOf(const std::string& words) {
     const bool isKnown =
         word == kAllParts || std::ranges::find(Preset::kPartNames, word) != Preset::kPartNames.end();
     if (!isKnown)
-      return failure("preset.part",
-                     "the parts of a preset are keys, solutions, parameters and views, not '" + word + "'");
+      return failure(
+          "preset.part",
+          "the parts of a preset are keys, solutions, parameters, views and camera, not '" + word + "'");
   }
   return parts;
 }
@@ -130,7 +139,7 @@ void PresetActions::requestTables(std::function<void(const Result<void>&)> done)
 void PresetActions::capture(const std::vector<Preset::Part>& parts,
                             std::function<void(Result<Preset>)> done) {
   const bool needsTables = std::ranges::any_of(
-      parts, [](Preset::Part part) { return part == Preset::kKeys || part == Preset::kSolutions; });
+      parts, [](Preset::Part part) { return part != Preset::kParameters && part != Preset::kViews; });
   if (!needsTables || session_.selectedRobot().empty()) return captureNow(parts, std::move(done));
   // A program that has begun just now reports process by process. What has no program, such as a log without
   // one, refuses; then what was logged counts.
@@ -144,6 +153,7 @@ void PresetActions::captureNow(const std::vector<Preset::Part>& parts,
   if (has(Preset::kKeys)) now.parts[Preset::kKeys] = robotlink::keysThatAreOn(session_);
   if (has(Preset::kSolutions)) now.parts[Preset::kSolutions] = robotlink::activeSolutions(session_);
   if (has(Preset::kViews)) now.parts[Preset::kViews] = views_.now();
+  if (has(Preset::kCamera)) now.parts[Preset::kCamera] = robotlink::cameraSettings(session_);
   if (!has(Preset::kParameters)) return done(std::move(now));
   parameters_.requestChanges([now = std::move(now), done = std::move(done)](auto changes) mutable {
     if (!changes) return done(tl::unexpected(changes.error()));
@@ -157,8 +167,11 @@ Result<void> PresetActions::save(const std::string& name, const std::vector<Pres
   // A name that is none fails at once.
   if (const auto known = presets_.load(name); !isFile && !known && known.error().id == "preset.name")
     return tl::unexpected(known.error());
-  capture(parts, [guard = QPointer(this), name, isFile](Result<Preset> now) {
+  capture(parts, [guard = QPointer(this), name, isFile, parts](Result<Preset> now) {
     if (!guard) return;
+    // Who saves everything may well have a robot without a camera.
+    if (now && parts == std::vector{Preset::kCamera} && !now->parts[Preset::kCamera])
+      now = failure("preset.camera", kUnknownCamera);
     const auto saved = !now     ? Result<void>(tl::unexpected(now.error()))
                        : isFile ? robotlink::Presets::saveFile(name, *now)
                                 : guard->presets_.save(name, *now);
@@ -171,7 +184,10 @@ void PresetActions::compare(const Preset& preset,
                             std::function<void(Result<std::vector<std::string>>)> done) {
   capture(partsIn(preset), [preset, done = std::move(done)](const Result<Preset>& now) {
     if (!now) return done(tl::unexpected(now.error()));
-    done(robotlink::differences(*now, preset));
+    std::vector<std::string> lines = robotlink::differences(*now, preset);
+    if (preset.parts[Preset::kCamera] && !now->parts[Preset::kCamera])
+      lines.push_back(std::string("camera: ") + kUnknownCamera);
+    done(std::move(lines));
   });
 }
 
@@ -195,6 +211,7 @@ Result<void> PresetActions::loadNow(const Preset& preset) {
   if (parts[Preset::kSolutions]) loadSolutions(*parts[Preset::kSolutions], errors);
   if (parts[Preset::kParameters]) loadParameters(*parts[Preset::kParameters], errors);
   if (parts[Preset::kKeys]) loadKeys(*parts[Preset::kKeys], errors);
+  if (parts[Preset::kCamera]) loadCamera(*parts[Preset::kCamera], errors);
   if (parts[Preset::kViews]) {
     if (const auto shown = views_.show(*parts[Preset::kViews]); !shown) errors.push_back(shown.error());
   }
@@ -237,6 +254,21 @@ void PresetActions::loadParameters(const Preset::Values& wanted, robotlink::Erro
     const auto space = name.find(' ');
     const std::string path = space == std::string::npos ? std::string() : name.substr(space + 1);
     run("robot.parameter", {name.substr(0, space), path, value}, errors);
+  }
+}
+
+void PresetActions::loadCamera(const Preset::Values& wanted, robotlink::Errors& errors) {
+  std::map<std::string, double> values;
+  const auto* known = session_.store().latestAs<robotcontrol::CameraSettings>(
+      session_.selectedRobot() + "/" + robotlink::kCameraSettings.name, robotlink::Instant::max());
+  for (int i = 0; known != nullptr && i < known->settings_size(); ++i)
+    values[known->settings(i).name()] = known->settings(i).initial();
+  for (const auto& [setting, text] : wanted) {
+    if (const auto value = robotlink::parsedNumber<double>(text)) values[setting] = *value;
+  }
+  for (const auto& [setting, value] : values) {
+    const auto done = commands_.run("robot.camera", {setting, value});
+    if (!done) errors.push_back(done.error());
   }
 }
 

@@ -66,6 +66,7 @@ class PresetActions final : public QObject {
   void loadKeys(const robotlink::Preset::Values& wanted, robotlink::Errors& errors);
   void loadSolutions(const robotlink::Preset::Values& wanted, robotlink::Errors& errors);
   void loadParameters(const robotlink::Preset::Values& wanted, robotlink::Errors& errors);
+  void loadCamera(const robotlink::Preset::Values& wanted, robotlink::Errors& errors);
   void run(const std::string& command, const std::vector<std::string>& arguments, robotlink::Errors& errors);
 
   robotlink::CommandTable& commands_;

@@ -44,7 +44,7 @@ void PresetsDialog::createWidgets() {
   widgets::describe(*name_, {"presetsName", tr("Name"), tr("The name to save under, or the new name")});
   name_->setPlaceholderText(tr("Name"));
   const QString titles[Preset::kParts] = {tr("Debug &keys"), tr("S&olutions"), tr("&Parameters"),
-                                          tr("&Views")};
+                                          tr("&Views"), tr("&Camera")};
   auto* parts = new QHBoxLayout;
   parts->addWidget(name_, 1);
   for (int part = 0; part < Preset::kParts; ++part) {
@@ -54,6 +54,8 @@ void PresetsDialog::createWidgets() {
     parts->addWidget(box);
     parts_.push_back(box);
   }
+  parts_[Preset::kCamera]->setToolTip(
+      tr("The settings of the camera; they are known while the view Camera is open"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   const auto add = [&](const char* name, const QString& text) {
     auto* button = buttons->addButton(text, QDialogButtonBox::ActionRole);

@@ -111,6 +111,23 @@ class PresetsGuiTest : public WindowTest {
     QCOMPARE(desk.refusals, QStringList());
   }
 
+  void settingsOfTheCameraAreLoaded() {
+    PresetDesk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded() && desk.hasTables(), kWaitMs);
+    Preset dark;
+    dark.parts[Preset::kCamera] = Preset::Values{{"exposure", "0.5"}};
+    QVERIFY(desk.actions().presets().save("dark", dark));
+    QCOMPARE(desk.run(QStringLiteral("preset.load dark")), QString());
+    QCOMPARE(desk.run(QStringLiteral("robot.key package/camera/settings")), QString());
+    QCOMPARE(desk.run(QStringLiteral("simulation.start")), QString());
+    const auto isLoaded = [&desk, &dark] {
+      return robotlink::cameraSettings(desk.workbench.session()) == dark.parts[Preset::kCamera];
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isLoaded(), kWaitMs);
+    QCOMPARE(desk.run(QStringLiteral("preset.diff dark")), QString());
+    QCOMPARE(desk.refusals, QStringList());
+  }
+
   void whatIsNoPresetIsReported() {
     PresetDesk desk(home_);
     QVERIFY(desk.run(QStringLiteral("preset.load nothing")).contains(QStringLiteral("nothing")));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/session/KeyModes.h"
 #include "robotlink/session/KeyPresets.h"
@@ -44,6 +45,41 @@ TEST_F(PresetsTest, whatIsSavedIsReadBackWithItsPartsOnly) {
   EXPECT_EQ(presets_.load("my own").value(), preset);
   EXPECT_FALSE(presets_.load("other"));
   EXPECT_FALSE(presets_.save("../a", preset));
+}
+
+TEST_F(PresetsTest, settingsOfTheCameraThatDifferFromItsStartBelongToAPreset) {
+  Session session;
+  session.setRobots({"red1"});
+  const auto push = [&](const char* path, PackagePtr message) {
+    session.push({std::string("red1/") + path, Instant(fromSeconds(1)), std::move(message)});
+    session.tick();
+  };
+  auto settings = std::make_shared<robotcontrol::CameraSettings>();
+  for (const auto& [name, value] : {std::pair("exposure", 0.25), std::pair("gain", 1.0)}) {
+    auto& setting = *settings->add_settings();
+    setting.set_name(name);
+    setting.set_value(value);
+    setting.set_initial(1);
+  }
+  push("camera/settings", settings);
+  EXPECT_FALSE(cameraSettings(session)) << "it may have changed since its key was switched off";
+  auto table = std::make_shared<robotcontrol::KeyTable>();
+  table->add_keys()->set_name("package/camera/settings");
+  table->mutable_keys(0)->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  push("tables/keys", table);
+  const auto known = cameraSettings(session);
+  ASSERT_TRUE(known);
+  EXPECT_EQ(*known, (Preset::Values{{"exposure", "0.25"}}));
+  Preset now, wanted;
+  now.parts[Preset::kCamera] = *known;
+  wanted.parts[Preset::kCamera] = Preset::Values{{"gain", "2"}};
+  ASSERT_TRUE(presets_.save("dark", wanted));
+  EXPECT_EQ(presets_.load("dark").value(), wanted);
+  EXPECT_THAT(differences(now, wanted),
+              ElementsAre("camera: exposure is 0.25, not the default", "camera: gain is the default, not 2"));
+  EXPECT_THAT(errorOf(R"({"format": "robotcontrol-preset", "version": 1,
+                          "preset": {"camera": {"gain": "much"}}})"),
+              HasSubstr("gain has to be a number, not 'much'"));
 }
 
 TEST_F(PresetsTest, olderFilesWithKeysAreReadAndReplaced) {
