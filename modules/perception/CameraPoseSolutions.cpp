@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "PerceptionParameters.pb.h"
 #include "foxglove/Image.pb.h"
@@ -239,6 +240,37 @@ const robotlink::SolutionRegistration kMounted =
         .yields(robotlink::kCameraPose)
         .keys({&kHorizonKey, &kViewKey})
         .parameters<robotcontrol::MountedCameraPoseParameters>();
+
+class OracleCameraPose final : public CameraPoseEstimator {
+ public:
+  explicit OracleCameraPose(robotlink::SolutionContext& context)
+      : CameraPoseEstimator(context), world_(context.input(robotlink::kOracleWorld)) {}
+
+ private:
+  std::optional<CameraView> estimate(int width, int height) override {
+    if (!world_) return std::nullopt;
+    if (!world_->has_camera()) {
+      if (!std::exchange(saidWhy_, true))
+        debug_.text(robotlink::Level::kWarning, "camera-pose",
+                    "The ground truth has no camera, as in older logs: choose another solution.");
+      return std::nullopt;
+    }
+    const robotcontrol::CameraPose& camera = world_->camera();
+    return CameraView::fromAngles(robotlink::pose3(camera.camera_in_robot()), camera.horizontal_angle(),
+                                  camera.vertical_angle(), width, height);
+  }
+
+  robotlink::Input<robotcontrol::OracleWorld> world_;
+  bool saidWhy_ = false;
+};
+
+const robotlink::SolutionRegistration kOracle =
+    robotlink::SolutionBuilder<OracleCameraPose>("camera-pose", "oracle",
+                                                 "The camera's true place and angles, from the simulator.")
+        .needs(robotlink::kCameraImage)
+        .needs(robotlink::kOracleWorld)
+        .yields(robotlink::kCameraPose)
+        .keys({&kHorizonKey, &kViewKey});
 
 }  // namespace
 }  // namespace modules

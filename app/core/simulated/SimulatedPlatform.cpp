@@ -1,12 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedPlatform.h"
 
+#include <algorithm>
+
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "simcore/Scene.h"
 
 namespace app {
+namespace {
+
+/// The first camera of the robot, as its robot frame sees it: on the ground, below the model.
+void addCamera(const simcore::Simulation& simulation, const std::string& robot,
+               robotcontrol::OracleWorld& to) {
+  const auto cameras = simulation.cameras();
+  const auto found = std::ranges::find_if(
+      cameras, [&](const simcore::CameraSensor& camera) { return camera.info.robot == robot; });
+  const auto pose = simulation.modelPose(robot);
+  if (found == cameras.end() || !pose) return;
+  const robotlink::Pose2 ground = robotlink::groundPose(*pose);
+  const robotlink::Pose3 robotInField =
+      Eigen::Translation3d(ground.x, ground.y, 0) *
+      robotlink::Pose3(Eigen::AngleAxisd(ground.heading, Eigen::Vector3d::UnitZ()));
+  const robotlink::Pose3 cameraInField =
+      simulation.bodyPoses()[static_cast<std::size_t>(found->body)] * found->cameraInBody;
+  auto& camera = *to.mutable_camera();
+  *camera.mutable_timestamp() = to.timestamp();
+  robotlink::assign(*camera.mutable_camera_in_robot(),
+                    robotlink::Pose3(robotInField.inverse() * cameraInField));
+  camera.set_horizontal_angle(found->model.horizontalAngle);
+  camera.set_vertical_angle(found->model.verticalAngle);
+  camera.set_width(static_cast<std::uint32_t>(found->model.width));
+  camera.set_height(static_cast<std::uint32_t>(found->model.height));
+}
+
+}  // namespace
 
 SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
     : Platform("platform", world.clock()),
@@ -38,6 +67,7 @@ void SimulatedPlatform::sendOracle() {
     other.set_team(robot.team);
     robotlink::assign(*other.mutable_pose_in_field(), robotlink::groundPose(*pose));
   }
+  addCamera(simulation, robot_, *oracle);
   oracle_.send(std::move(oracle));
 }
 

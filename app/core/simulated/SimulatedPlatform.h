@@ -46,7 +46,8 @@ class SimulatedPlatform : public robotlink::Platform {
   SimulatedPlatform(SimulatedWorld& world, std::string robot);
   SimulatedWorld& world() const { return world_; }
   const std::string& robot() const { return robot_; }
-  /// Sends oracle/world: the true poses of the robot, the ball and the other robots in the field's frame.
+  /// Sends oracle/world: the true poses of the robot, the ball and the other robots in the field's frame, and
+  /// that of its camera.
   void sendOracle();
 
  private:

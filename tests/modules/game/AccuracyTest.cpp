@@ -66,10 +66,22 @@ TEST_P(CameraPoseAccuracy, isUsableWhileWalking) {
   EXPECT_LT(direction.mean(), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(, CameraPoseAccuracy, testing::Values("kinematic", "fixed-stance"),
+INSTANTIATE_TEST_SUITE_P(, CameraPoseAccuracy, testing::Values("kinematic", "fixed-stance", "oracle"),
                          [](const auto& test) {
-                           return std::string(test.param) == "kinematic" ? "kinematic" : "fixedStance";
+                           const std::string name = test.param;
+                           return name == "fixed-stance" ? "fixedStance" : name;
                          });
+
+TEST_F(Accuracy, theOracleKnowsTheCamera) {
+  PlayedGame game(PlayedGame::Solutions{{"camera-pose", "oracle"}, {"behavior", "stand"}});
+  Errors place, direction;
+  game.run(1);  // to come to a stand
+  compareCamera(game, place, direction);
+  game.run(2);
+  EXPECT_GT(place.count, 40);
+  EXPECT_LT(place.worst, 0.001);
+  EXPECT_LT(direction.worst, 0.1);
+}
 
 class BallAccuracy : public Accuracy, public testing::WithParamInterface<const char*> {};
 
