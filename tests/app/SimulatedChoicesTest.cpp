@@ -6,9 +6,11 @@
 #include <map>
 #include <set>
 
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ShippedFiles.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/debugging/SharedDebugQueue.h"
+#include "tests/TestFolder.h"
 #include "tests/app/Requests.h"
 #include "tests/app/SimulatedRuns.h"
 
@@ -122,6 +124,54 @@ TEST(SimulatedChoices, inAPauseTheTablesAndParametersFollowWhatWasAsked) {
   EXPECT_EQ(reported.solutions["ball-model"], "last-percept");
   EXPECT_EQ(reported.memory, 0.125);
   EXPECT_EQ(run->world().clock().now(), robotlink::Instant{});
+}
+
+TEST(SimulatedChoices, programsStartWithAPreset) {
+  const TestFolder home;
+  const auto file = home.write("tuned.preset.json", R"({
+    "format": "robotcontrol-preset", "version": 1,
+    "preset": {
+      "keys": {"package/models/ball": "always"},
+      "solutions": {"ball-model": "last-percept"},
+      "parameters": {"ball-model/last-percept memory": "0.125"},
+      "views": {"perspective": "Play"}
+    }
+  })");
+  auto preset = app::presetToStartWith(file.string());
+  ASSERT_TRUE(preset) << robotlink::describe(preset.error());
+  auto options = simulationOptions();
+  options.preset = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  Reported reported;
+  const auto run = makeRun(options, reported.listeners());
+  play(*run, 0.5);
+  EXPECT_EQ(reported.solutions["ball-model"], "last-percept");
+  EXPECT_EQ(reported.memory, 0.125);
+  EXPECT_NE(reported.frames.find("models/ball"), std::string::npos);
+  reported = {};
+  ASSERT_TRUE(run->reset(1).empty());
+  play(*run, 0.5);
+  EXPECT_EQ(reported.memory, 0.125) << "after a reset";
+}
+
+TEST(SimulatedChoices, aPresetWithWhatNoProgramHasIsRefusedWithAllOfIt) {
+  const TestFolder home;
+  const auto file = home.write("wrong.preset.json", R"({
+    "format": "robotcontrol-preset", "version": 1,
+    "preset": {
+      "keys": {"ball-model/nothing": "always"},
+      "solutions": {"ball-model": "filterd"},
+      "parameters": {"ball-model/filtered memori": "1", "ball-model/filtered memory": "long"}
+    }
+  })");
+  const auto preset = app::presetToStartWith(file.string());
+  ASSERT_FALSE(preset);
+  const std::string text = robotlink::describe(preset.error());
+  EXPECT_EQ(preset.error().size(), 4U) << text;
+  EXPECT_THAT(text, testing::HasSubstr("there is no debug key 'ball-model/nothing'"));
+  EXPECT_THAT(text, testing::HasSubstr("did you mean 'filtered'"));
+  EXPECT_THAT(text, testing::HasSubstr("memori does not exist"));
+  EXPECT_THAT(text, testing::HasSubstr("memory cannot be 'long'"));
+  EXPECT_FALSE(app::presetToStartWith((home / "none.preset.json").string()));
 }
 
 TEST(SimulatedChoices, whatAPersonChoseSurvivesResetsAndOtherLayouts) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,10 @@
 #include "app/core/spread/SpreadOptions.h"
 #include "robotlink/base/Error.h"
 
+namespace robotlink {
+struct Preset;
+}
+
 namespace app {
 
 /// What a user wants to run without a window. A plain value.
@@ -26,6 +31,8 @@ struct HeadlessChoices {
   std::string layout = {};
   /// Maps tasks to solutions, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
+  /// What the programs start with besides; null: nothing.
+  std::shared_ptr<const robotlink::Preset> preset = nullptr;
   RecordOptions record = {};
   /// Which of the layout's programs is run; without one, all processes are.
   SpreadOptions spread = {};

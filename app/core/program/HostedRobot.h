@@ -8,6 +8,7 @@
 namespace robotlink {
 struct FieldDescription;
 struct GroundMap;
+struct Preset;
 struct RobotDescription;
 }  // namespace robotlink
 
@@ -29,6 +30,8 @@ struct HostedRobot {
   std::filesystem::path fieldFile = {};
   /// The file of `map`; empty if there is none.
   std::filesystem::path mapFile = {};
+  /// What its first program starts with, instead of what its layout and files say; null: nothing.
+  std::shared_ptr<const robotlink::Preset> preset = nullptr;
 };
 
 }  // namespace app

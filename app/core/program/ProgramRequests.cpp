@@ -46,6 +46,13 @@ std::vector<std::string> ProgramRequests::begin(HostedProgram& program) {
   return lost;
 }
 
+void ProgramRequests::choose(const std::vector<Request>& overrides) {
+  const std::lock_guard lock(mutex_);
+  for (const Request& request : overrides) {
+    if (!overrides_.contains(request)) overrides_.note(request);
+  }
+}
+
 void ProgramRequests::beginOverridden() {
   const std::lock_guard lock(mutex_);
   preview_.reset();

@@ -41,6 +41,8 @@ class ProgramRequests {
   /// The same for a program that was made with the overrides in it: only the requests that the previous
   /// program did not answer are enqueued again.
   void beginOverridden();
+  /// Keeps overrides as if the user had made them before; those that were made win. Before begin().
+  void choose(const std::vector<robotcontrol::Request>& overrides);
   /// Enqueues a request of the user. Returns false if too many are waiting already. In a pause, a request
   /// replaces the previous one if both set the same thing.
   bool ask(const robotcontrol::Request& request);

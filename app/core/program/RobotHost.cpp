@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "app/core/program/InsideProgram.h"
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ProgramSetups.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
@@ -108,6 +110,8 @@ std::vector<std::string> RobotHost::begin(ProgramExecutor& executor) {
   if (tap_ != nullptr) record(executor.kind());
   setUp();
   std::vector<std::string> lost;
+  if (const auto preset = std::exchange(robot_.preset, nullptr))
+    requests_.choose(requestsOf(*preset, program_->parameters()));
   if (overridden_) {
     requests_.beginOverridden();
   } else {

@@ -40,6 +40,7 @@ void applyChoices(const HeadlessChoices& choices, RealTimeOptions& program) {
   if (!choices.layout.empty()) program.layout = layoutNamed(choices.layout);
   program.map = textOf(values, kMapField);
   for (const auto& [task, solution] : choices.solutions) program.solutions[task] = solution;
+  program.preset = choices.preset;
   program.spread = choices.spread;
   program.hosting.ownProcesses = flagOf(values, ownProcessField().name);
 }

@@ -39,6 +39,11 @@ Errors refusalOfHosting(const std::string& robot, const std::string& asked, cons
   return {};
 }
 
+HostedRobot startingWith(std::shared_ptr<const robotlink::Preset> preset, HostedRobot robot) {
+  robot.preset = std::move(preset);
+  return robot;
+}
+
 }  // namespace
 
 RealTimeProgram::RealTimeProgram(RealTimeOptions options, HostedRobot robot,
@@ -48,7 +53,7 @@ RealTimeProgram::RealTimeProgram(RealTimeOptions options, HostedRobot robot,
       listeners_(std::move(listeners)),
       clock_(std::move(clock)),
       tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr),
-      host_(std::move(robot), listeners_, tap_.get(), options_.overrides) {}
+      host_(startingWith(options_.preset, std::move(robot)), listeners_, tap_.get(), options_.overrides) {}
 
 RealTimeProgram::~RealTimeProgram() {
   end();

@@ -36,6 +36,8 @@ struct RealTimeOptions {
   std::filesystem::path map = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions = {};
+  /// What the program starts with besides; null: nothing.
+  std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// Whether the program runs in a process of the operating system of its own.
   HostingChoices hosting = {};
   /// How it is run there; always with threads, in real time.

@@ -348,6 +348,10 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
 
 Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
   ReplayOptions options;
+  if (choices.preset)
+    return robotlink::failure(
+        "usage",
+        "--preset is for simulations and robots; the program of a log has what was logged, or --solution");
   if (const std::string wrong = addLogs(choices, options); !wrong.empty())
     return robotlink::failure("usage", wrong);
   if (const auto packages = choices.options.lists.find(kPackage); packages != choices.options.lists.end()) {

@@ -149,7 +149,7 @@ Errors SimulatedRun::describeRobots() {
     const std::string team = robot.team.empty() ? kind.use.teamOf(robot.name) : robot.team;
     robots_.push_back(std::make_unique<RobotHost>(
         HostedRobot{robot.name, team, kind.description, field_, map(), fieldFile(field),
-                    map() ? scene.file() : std::filesystem::path()},
+                    map() ? scene.file() : std::filesystem::path(), options_.preset},
         RobotHost::Listeners{
             listeners_.queue, listeners_.trouble, listeners_.platform, {}, listeners_.hosting},
         tap_.get()));

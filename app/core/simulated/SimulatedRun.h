@@ -34,6 +34,7 @@ class RobotProgram;
 struct FieldDescription;
 struct GroundMap;
 struct Layout;
+struct Preset;
 }  // namespace robotlink
 
 namespace app {
@@ -63,6 +64,8 @@ struct RunOptions {
   HostedProgram::Maker instead = {};
   /// Maps tasks to the solutions at the start, instead of the layout's.
   std::map<std::string, std::string> solutions;
+  /// What all programs start with besides; null: nothing.
+  std::shared_ptr<const robotlink::Preset> preset = nullptr;
   /// Whether ball and robots are put back after a goal; see KickOff.
   bool kickOffs = true;
   /// Called while the scene is loaded; can cancel that.

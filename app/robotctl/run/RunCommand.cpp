@@ -7,6 +7,7 @@
 
 #include "app/core/platform/HeadlessRun.h"
 #include "app/core/platform/ProgramTroubles.h"
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/spread/SpreadNetwork.h"
 #include "app/robotctl/Commands.h"
@@ -21,6 +22,7 @@ namespace {
 struct RunArguments {
   HeadlessChoices choices;
   std::vector<std::string> solutions;
+  std::string preset;
   bool asJson = false;
   ListenOptions listen;
 };
@@ -73,6 +75,11 @@ int runPlatform(RunArguments& arguments) {
   auto solutions = solutionsOf(arguments.solutions);
   if (!solutions) return usage(solutions.error());
   arguments.choices.solutions = std::move(*solutions);
+  if (!arguments.preset.empty()) {
+    auto preset = presetToStartWith(arguments.preset);
+    if (!preset) return printErrors(preset.error());
+    arguments.choices.preset = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  }
   std::vector<LogInput> inputs;
   const auto input = [&](const std::string& source) -> robotlink::Result<std::filesystem::path> {
     auto file = LogInput::of(source);
@@ -135,6 +142,9 @@ void addRunCommand(CLI::App& app, int& status) {
       "--layout", choices.layout,
       "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
+  command->add_option("--preset", arguments->preset,
+                      "A preset (a file, or a name of one of yours) with the keys, solutions and parameters "
+                      "that a robot's program starts with");
   command->add_option(
       "--record", choices.record.file,
       "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");

@@ -20,6 +20,7 @@
 #include "app/core/platform/RecordOptions.h"
 #include "app/core/platform/TextMessages.h"
 #include "app/core/program/LeftOverPrograms.h"
+#include "app/core/program/PresetOverrides.h"
 #include "app/core/program/ShippedFiles.h"
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/simulated/BallTrials.h"
@@ -52,6 +53,7 @@ struct SimArguments {
   RunOptions run = defaultSimulation();
   std::string layout;
   std::vector<std::string> solutions;
+  std::string preset;
   std::string executor = "lockstep";
   std::vector<std::string> ownProcesses;
   std::uint64_t programMemory = 2048;                                        ///< MiB
@@ -269,9 +271,9 @@ int runTrials(const SimArguments& arguments) {
 /// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
-      !arguments.solutions.empty()) {
-    std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, --layout "
-                 "and --solution\n";
+      !arguments.solutions.empty() || !arguments.preset.empty()) {
+    std::cerr << "robotctl sim: with --arcos robots have no programs here; omit --trials, --record, "
+                 "--layout, --solution and --preset\n";
     return kUsage;
   }
   ArcosRun run{
@@ -338,6 +340,11 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     return kUsage;
   }
   arguments.run.solutions = *solutions;
+  if (!arguments.preset.empty()) {
+    auto preset = presetToStartWith(arguments.preset);
+    if (!preset) return printErrors(preset.error());
+    arguments.run.preset = std::make_shared<const robotlink::Preset>(std::move(*preset));
+  }
   const bool threads = arguments.executor == "threads";
   if (arguments.trials > 0 && threads) {
     std::cerr << "robotctl sim: trials are played in lockstep only; omit --executor\n";
@@ -405,6 +412,10 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--layout", arguments->layout,
                   "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
+  sim->add_option(
+      "--preset", arguments->preset,
+      "A preset (a file, or a name of one of yours) with the keys, solutions and parameters that all "
+      "programs start with");
   addProgramOptions(*sim, *arguments);
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see only black");
