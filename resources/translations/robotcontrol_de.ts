@@ -443,10 +443,6 @@
         <translation>Speichert die Proben der Farbtabelle</translation>
     </message>
     <message>
-        <source>Saves what is chosen now as a preset: debug keys, solutions, parameters and views</source>
-        <translation>Speichert die jetzige Wahl als Voreinstellung: Debug-Schlüssel, Lösungen, Parameter und Ansichten</translation>
-    </message>
-    <message>
         <source>Saves what was changed of the parameters to the files that the program reads at its start; their comments stay</source>
         <translation>Speichert geänderte Parameter in den Dateien, die das Programm bei seinem Start liest; ihre Kommentare bleiben</translation>
     </message>
@@ -782,6 +778,18 @@
         <source>Writes a part of the open logs into a new log</source>
         <translation>Schreibt einen Teil der offenen Logs in ein neues Log</translation>
     </message>
+    <message>
+        <source>Chooses at which pose of a robot a view places its drawings</source>
+        <translation>Wählt, an welche Pose eines Roboters eine Ansicht seine Zeichnungen setzt</translation>
+    </message>
+    <message>
+        <source>Puts a value in place of a package that the program of the selected robot, of another one or of all offers</source>
+        <translation>Setzt einen Wert an die Stelle eines Pakets, das das Programm des gewählten, eines anderen oder aller Roboter anbietet</translation>
+    </message>
+    <message>
+        <source>Saves what is chosen now as a preset: debug keys, solutions, parameters, views and settings of the camera</source>
+        <translation>Speichert, was jetzt gewählt ist, als Voreinstellung: Debug-Schlüssel, Lösungen, Parameter, Ansichten und Einstellungen der Kamera</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -804,6 +812,29 @@
     <message>
         <source>list of %1</source>
         <translation>Liste von %1</translation>
+    </message>
+</context>
+<context>
+    <name>DrawingTip</name>
+    <message>
+        <source>stream %1</source>
+        <translation>Strom %1</translation>
+    </message>
+    <message>
+        <source>robot %1, debug key %2</source>
+        <translation>Roboter %1, Debug-Schlüssel %2</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>circle at %1, diameter %2</source>
+        <translation>Kreis bei %1, Durchmesser %2</translation>
     </message>
 </context>
 <context>
@@ -1095,6 +1126,13 @@
     <message>
         <source>whole number</source>
         <translation>ganze Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>OwnModels</name>
+    <message>
+        <source>%1 (pose unknown)</source>
+        <translation>%1 (Pose unbekannt)</translation>
     </message>
 </context>
 <context>
@@ -1816,6 +1854,14 @@
     <message>
         <source>on disk; look there with the timeline</source>
         <translation>auf der Platte; dort mit der Zeitleiste ansehen</translation>
+    </message>
+    <message>
+        <source>being read from disk</source>
+        <translation>wird von der Platte gelesen</translation>
+    </message>
+    <message>
+        <source>lost, since the disk was too slow</source>
+        <translation>verloren, weil die Platte zu langsam war</translation>
     </message>
 </context>
 <context>
@@ -3528,6 +3574,14 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     <message>
         <source>Everything is as in this preset.</source>
         <translation>Alles ist wie in dieser Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>The settings of the camera; they are known while the view Camera is open</source>
+        <translation>Die Einstellungen der Kamera; bekannt, solange die Ansicht Kamera offen ist</translation>
     </message>
 </context>
 <context>
@@ -7846,6 +7900,10 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
         <source>Compared with</source>
         <translation>Verglichen mit</translation>
     </message>
+    <message>
+        <source>held – %1</source>
+        <translation>gehalten – %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::DataView</name>
@@ -8676,6 +8734,85 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     </message>
 </context>
 <context>
+    <name>widgets::GamepadDialog</name>
+    <message>
+        <source>Gamepad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was sie tut</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Knöpfe</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>Knopf</translation>
+    </message>
+    <message>
+        <source>Command that it runs</source>
+        <translation>Befehl, den er ausführt</translation>
+    </message>
+    <message>
+        <source>What an empty command means</source>
+        <translation>Was ein leerer Befehl bedeutet</translation>
+    </message>
+    <message>
+        <source>Commands are those of the console. As shipped, a kicks and b is STOP; a single - does nothing. They work while the Motion tester is visible.</source>
+        <translation>Befehle sind die der Konsole. Ausgeliefert schießt a, und b ist STOP; ein einzelnes - tut nichts. Sie wirken, solange der Bewegungstester sichtbar ist.</translation>
+    </message>
+    <message>
+        <source>Last result</source>
+        <translation>Letztes Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Reset all</source>
+        <translation>Alles zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>walks forwards</source>
+        <translation>geht vorwärts</translation>
+    </message>
+    <message>
+        <source>walks to the left</source>
+        <translation>geht nach links</translation>
+    </message>
+    <message>
+        <source>turns to the left</source>
+        <translation>dreht nach links</translation>
+    </message>
+    <message>
+        <source>What full deflection is; negative: the other way round</source>
+        <translation>Was voller Ausschlag bedeutet; negativ: andersherum</translation>
+    </message>
+    <message>
+        <source>There is no command %1.</source>
+        <translation>Es gibt keinen Befehl %1.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::GoalTool</name>
     <message>
         <source>Send the robot</source>
@@ -8751,6 +8888,13 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>Angle in degrees</source>
         <translation>Winkel in Grad</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HistoryCurves</name>
+    <message>
+        <source>Reading the history: %1 %</source>
+        <translation>Der Verlauf wird gelesen: %1 %</translation>
     </message>
 </context>
 <context>
@@ -10345,6 +10489,18 @@ Verzeichnung %8</translation>
         <source>Take over to steer</source>
         <translation>Zum Steuern übernehmen</translation>
     </message>
+    <message>
+        <source>Gamepad…</source>
+        <translation>Gamepad…</translation>
+    </message>
+    <message>
+        <source>Chooses what the axes and buttons of the gamepad do</source>
+        <translation>Wählt, was Achsen und Knöpfe des Gamepads tun</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>widgets::OpenLogs</name>
@@ -10997,6 +11153,14 @@ Verzeichnung %8</translation>
         <source>Writes this picture over time, as a video or as a series of images</source>
         <translation>Schreibt dieses Bild über der Zeit, als Video oder als Bildfolge</translation>
     </message>
+    <message>
+        <source>Pose of drawings</source>
+        <translation>Pose der Zeichnungen</translation>
+    </message>
+    <message>
+        <source>Chooses at which pose of the robot its drawings are placed: the true one or an estimate</source>
+        <translation>Wählt, an welcher Pose des Roboters seine Zeichnungen liegen: der wahren oder einer Schätzung</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PlacePanel</name>
@@ -11091,9 +11255,20 @@ Verzeichnung %8</translation>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
+</context>
+<context>
+    <name>widgets::PlotHatches</name>
+    <message>
+        <source>being read from disk</source>
+        <translation>wird von der Platte gelesen</translation>
+    </message>
     <message>
         <source>on disk; look there with the timeline</source>
-        <translation>auf der Platte; dort mit der Zeitleiste ansehen</translation>
+        <translation>auf der Platte; mit der Zeitleiste hinsehen</translation>
+    </message>
+    <message>
+        <source>lost, since the disk was too slow</source>
+        <translation>verloren, weil die Platte zu langsam war</translation>
     </message>
 </context>
 <context>
@@ -11452,6 +11627,37 @@ Verzeichnung %8</translation>
     </message>
 </context>
 <context>
+    <name>widgets::PoseMenu</name>
+    <message>
+        <source>Robots&apos; drawings are placed at</source>
+        <translation>Zeichnungen der Roboter liegen an</translation>
+    </message>
+    <message>
+        <source>The &amp;usual pose</source>
+        <translation>Der ü&amp;blichen Pose</translation>
+    </message>
+    <message>
+        <source>The true pose where it is known, else the robot&apos;s own estimate</source>
+        <translation>Die wahre Pose, wo sie bekannt ist, sonst die eigene Schätzung des Roboters</translation>
+    </message>
+    <message>
+        <source>The &amp;true pose</source>
+        <translation>Der &amp;wahren Pose</translation>
+    </message>
+    <message>
+        <source>Only simulated robots have one</source>
+        <translation>Nur simulierte Roboter haben eine</translation>
+    </message>
+    <message>
+        <source>The estimate %1</source>
+        <translation>Der Schätzung %1</translation>
+    </message>
+    <message>
+        <source>Where the robot believes to be</source>
+        <translation>Wo der Roboter zu sein glaubt</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ProcessGraphWidget</name>
     <message>
         <source>%1 Hz</source>
@@ -11516,6 +11722,14 @@ Verzeichnung %8</translation>
     <message>
         <source>Tasks: %1</source>
         <translation>Aufgaben: %1</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>gehalten</translation>
+    </message>
+    <message>
+        <source>held: a value that was published in the view Data is in its place</source>
+        <translation>gehalten: Ein in der Ansicht Daten veröffentlichter Wert steht an seiner Stelle</translation>
     </message>
 </context>
 <context>
@@ -11725,6 +11939,30 @@ Verzeichnung %8</translation>
     <message>
         <source>%1 messages sent</source>
         <translation>%1 Nachrichten gesendet</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Puts the package in place of all that the program offers, until it is released</source>
+        <translation>Setzt das Paket an die Stelle aller, die das Programm anbietet, bis es freigegeben wird</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Lets the program offer the package again that is held</source>
+        <translation>Lässt das Programm das gehaltene Paket wieder selbst anbieten</translation>
+    </message>
+    <message>
+        <source>Packages that are held</source>
+        <translation>Gehaltene Pakete</translation>
+    </message>
+    <message>
+        <source>Held at %1: %2</source>
+        <translation>Gehalten bei %1: %2</translation>
     </message>
 </context>
 <context>
@@ -12083,6 +12321,14 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
         <source>faded: drawn in earlier frames</source>
         <translation>verblasst: in früheren Frames gezeichnet</translation>
     </message>
+    <message>
+        <source>Cameras and ranges</source>
+        <translation>Kameras und Abstände</translation>
+    </message>
+    <message>
+        <source>Shows what cameras see and ranges measure, of robots that no scene shows</source>
+        <translation>Zeigt, was Kameras sehen und Abstandssensoren messen, bei Robotern, die keine Szene zeigt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SearchModel</name>
@@ -12292,6 +12538,18 @@ Eines mit Datei &gt; Log öffnen… öffnen, oder Logdateien auf das Fenster zie
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>reads %1</source>
+        <translation>liest %1</translation>
+    </message>
+    <message>
+        <source>reads if offered %1</source>
+        <translation>liest, falls angeboten, %1</translation>
+    </message>
+    <message>
+        <source>publishes %1</source>
+        <translation>veröffentlicht %1</translation>
     </message>
 </context>
 <context>
@@ -12987,10 +13245,6 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
         <translation>%1. Klicken oder ziehen: in allen Ansichten zeigen.</translation>
     </message>
     <message>
-        <source>Warnings and errors in the log&apos;s messages</source>
-        <translation>Warnungen und Fehler in den Meldungen des Logs</translation>
-    </message>
-    <message>
         <source>Drag: show an earlier instant in all views. Shift+drag: select a range. Wheel: zoom.</source>
         <translation>Ziehen: einen früheren Zeitpunkt in allen Ansichten zeigen. Umschalt+Ziehen: einen Bereich wählen. Rad: zoomen.</translation>
     </message>
@@ -13001,6 +13255,10 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>The context menu removes the curve.</source>
         <translation>Das Kontextmenü entfernt die Kurve.</translation>
+    </message>
+    <message>
+        <source>Warnings and errors in the messages</source>
+        <translation>Warnungen und Fehler in den Meldungen</translation>
     </message>
 </context>
 <context>
@@ -13392,6 +13650,30 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     <message>
         <source>Frames that took longer than the period of their process, or than the time from one frame to the next where it has none; of a task: those in which it took longest</source>
         <translation>Durchläufe, die länger dauerten als die Periode ihres Prozesses, oder als die Zeit von einem Durchlauf zum nächsten, wo es keine gibt; bei einer Aufgabe: die, in denen sie am längsten dauerte</translation>
+    </message>
+    <message>
+        <source>Min period ms</source>
+        <translation>Kürzeste Periode ms</translation>
+    </message>
+    <message>
+        <source>Max period ms</source>
+        <translation>Längste Periode ms</translation>
+    </message>
+    <message>
+        <source>Jitter ms</source>
+        <translation>Jitter ms</translation>
+    </message>
+    <message>
+        <source>Shortest time from one frame to the next, on the robot&apos;s clock</source>
+        <translation>Kürzeste Zeit von einem Frame zum nächsten, nach der Uhr des Roboters</translation>
+    </message>
+    <message>
+        <source>Longest time from one frame to the next, on the robot&apos;s clock</source>
+        <translation>Längste Zeit von einem Frame zum nächsten, nach der Uhr des Roboters</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the time from one frame to the next, on the robot&apos;s clock</source>
+        <translation>Standardabweichung der Zeit von einem Frame zum nächsten, nach der Uhr des Roboters</translation>
     </message>
 </context>
 <context>

@@ -16,13 +16,12 @@ namespace robotlink {
 namespace {
 
 using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
 
 constexpr int kMaxDepth = 4;
 constexpr std::size_t kMaxText = 1U << 20U;  // bytes
 
 /// Sets the messages within a message, so that their fields are printed.
-void fill(Message& message, int depth) {
+void fill(google::protobuf::Message& message, int depth) {
   const auto& type = *message.GetDescriptor();
   for (int i = 0; i < type.field_count() && depth < kMaxDepth; ++i) {
     const FieldDescriptor& field = *type.field(i);
@@ -34,16 +33,16 @@ void fill(Message& message, int depth) {
 }
 
 /// Null if there is no such package.
-std::unique_ptr<Message> newPackage(const std::string& package) {
+std::unique_ptr<google::protobuf::Message> newPackage(const std::string& package) {
   const auto found = ownPackageTypes().find(package);
   if (found == ownPackageTypes().end()) return nullptr;
   const auto* prototype = google::protobuf::MessageFactory::generated_factory()->GetPrototype(found->second);
-  return std::unique_ptr<Message>(prototype->New());
+  return std::unique_ptr<google::protobuf::Message>(prototype->New());
 }
 
 }  // namespace
 
-std::string templateJson(Message& message) {
+std::string templateJson(google::protobuf::Message& message) {
   fill(message, 0);
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
