@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "widgets/Icon.h"
+#include "widgets/controls/ToolRow.h"
 
 namespace widgets {
 namespace {
@@ -54,9 +55,8 @@ QAction* makeToggle(QWidget* owner, const char* iconName, const ControlText& tex
 }
 
 QToolButton* makeButton(QWidget* parent, QAction* action) {
-  auto* button = new QToolButton(parent);
+  auto* button = new RowButton(parent);
   button->setDefaultAction(action);
-  button->setAutoRaise(true);
   QString name = action->objectName();
   name.chop(static_cast<int>(qstrlen("Action")));
   button->setObjectName(name);
@@ -72,19 +72,19 @@ QToolButton* makeLabeledButton(QWidget* parent, QAction* action) {
 }
 
 QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu) {
-  auto* button = new QToolButton(parent);
+  auto* button = new RowButton(parent);
   describe(*button, text);
   button->setText(text.text);
-  button->setAutoRaise(true);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);
   return button;
 }
 
-QHBoxLayout* makeToolRow(QWidget* parent) {
+QHBoxLayout* makeToolRow(QWidget* parent, int margin) {
   auto* layout = new QHBoxLayout(new QWidget(parent));
-  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setContentsMargins(margin, margin, margin, margin);
   layout->setSpacing(1);
+  new ToolRow(*layout);
   return layout;
 }
 

@@ -56,9 +56,9 @@ QToolButton* makeButton(QWidget* parent, QAction* action);
 QToolButton* makeLabeledButton(QWidget* parent, QAction* action);
 /// Returns a flat button with the text that opens a menu.
 QToolButton* makeMenuButton(QWidget* parent, const ControlText& text, QMenu* menu);
-/// Creates a row for tools above a picture, with the margins of a toolbar. Returns its layout; the row itself
-/// is the layout's parentWidget().
-QHBoxLayout* makeToolRow(QWidget* parent);
+/// Creates a row for tools; buttons for which it has no room are offered by a button » at its end. `margin`
+/// in pixels: usually that of a toolbar. Returns its layout; the row itself is the layout's parentWidget().
+QHBoxLayout* makeToolRow(QWidget* parent, int margin = 2);
 /// Appends a flat button for each action.
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions);
 /// Gives a widget a layout in which its parts lie one below the other.

@@ -13800,6 +13800,17 @@ Eine Simulation starten, mit einem Roboter verbinden oder ein Log öffnen mit Da
     </message>
 </context>
 <context>
+    <name>widgets::ToolRow</name>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tools for which there is no room</source>
+        <translation>Werkzeuge, für die kein Platz ist</translation>
+    </message>
+</context>
+<context>
     <name>widgets::TrailMenu</name>
     <message>
         <source>Trails of</source>

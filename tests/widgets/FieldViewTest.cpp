@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "robotcontrol/Modeling.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/FieldBench.h"

@@ -135,13 +135,13 @@ void DataView::createViews() {
   state_ = makeNote(this, "dataState", tr("State of the data"));
   state_->hide();
 
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   top->addWidget(search_, 1);
   top->addWidget(comparison_);
   for (QAction* action : {remember_, plot_, listOverTime_, publish_})
     top->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   table_ = new FieldTablePanel(context(), this);
   table_->hide();
   publishing_ = new PublishPanel(context(), this);

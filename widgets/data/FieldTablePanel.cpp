@@ -72,7 +72,7 @@ void FieldTablePanel::createViews() {
   table_ = makeTable(this, {"dataTable", tr("Values over time"), {}}, &model_);
   table_->setTextElideMode(Qt::ElideMiddle);
   new ColumnFit(*table_, ColumnKind::kNumber);
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   top->addWidget(source_);
   top->addWidget(makeButton(this, refresh_));
   top->addWidget(makeButton(this, csv_));
@@ -81,7 +81,7 @@ void FieldTablePanel::createViews() {
   top->addWidget(makeButton(this, cancel_));
   top->addWidget(makeButton(this, close_));
   auto* layout = makeColumn(this, {}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   layout->addWidget(table_, 1);
   findChild<QToolButton*>(QStringLiteral("dataTableCancel"))->hide();
   progress_->hide();

@@ -61,12 +61,12 @@ void BookmarksView::createViews() {
   new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kName});
   hint_ = new EmptyHint(table_);
 
-  auto* row = new QHBoxLayout;
+  auto* row = makeToolRow(this, 0);
   row->setSpacing(2);
   row->addWidget(search, 1);
   for (QAction* action : {add_, remove_, undo_, redo_}) row->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
-  layout->addLayout(row);
+  layout->addWidget(row->parentWidget());
   layout->addWidget(table_, 1);
 }
 

@@ -12,7 +12,6 @@
 class QAction;
 class QComboBox;
 class QLabel;
-class QLayout;
 class QLineEdit;
 class QMenu;
 class QSortFilterProxyModel;
@@ -86,7 +85,7 @@ class PlotsView final : public View {
   void createStatistics();
   void createViews();
   /// The row of tools above the plots.
-  QLayout* createTools();
+  QWidget* createTools();
   void connectSignals();
   void connectCanvas();
   void connectExports();

@@ -154,8 +154,8 @@ void PlotsView::createStatistics() {
   statistics_->hide();
 }
 
-QLayout* PlotsView::createTools() {
-  auto* top = new QHBoxLayout;
+QWidget* PlotsView::createTools() {
+  auto* top = makeToolRow(this, 0);
   const auto addTexts = [&](std::initializer_list<QAction*> actions) {
     for (QAction* action : actions) {
       auto* button = makeButton(this, action);
@@ -177,7 +177,7 @@ QLayout* PlotsView::createTools() {
   for (QAction* action : {mark_, previousChange_, nextChange_}) top->addWidget(makeButton(this, action));
   top->addWidget(state_, 1);
   for (QAction* action : {copy_, csv_, png_, svg_}) top->addWidget(makeButton(this, action));
-  return top;
+  return top->parentWidget();
 }
 
 void PlotsView::createViews() {
@@ -196,7 +196,7 @@ void PlotsView::createViews() {
   window_->setCurrentIndex(window_->findData(kUsualWindow));
   state_ = new QLabel(this);
   describe(*state_, {"plotsState", tr("State of the plots"), {}});
-  QLayout* tools = createTools();
+  QWidget* tools = createTools();
   auto* beside = makeSplitter(this, "plotsPathSplitter", Qt::Horizontal, {{canvas_, 1}, {paths_, 1}});
   area_ = makeSplitter(this, "plotsArea", Qt::Vertical, {{beside, 3}, {spectrum_, 2}});
   auto* right =
@@ -205,7 +205,7 @@ void PlotsView::createViews() {
   splitter_ = makeSplitter(this, "plotsSplitter", Qt::Horizontal, {{treePanel_, 1}, {right, 3}});
   splitter_->setSizes({260, 640});
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(tools);
+  layout->addWidget(tools);
   layout->addWidget(splitter_, 1);
 }
 

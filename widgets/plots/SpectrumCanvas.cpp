@@ -79,14 +79,14 @@ void SpectrumCanvas::createControls() {
       this, "fit", {"plotsSpectrumLog", tr("Logarithmic"), tr("Shows amplitudes on a logarithmic scale")});
   logarithmic_->setIcon({});
   note_ = makeNote(this, "plotsSpectrumNote", tr("About the spectrum"));
-  auto* row = tools_ = new QHBoxLayout;
+  auto* row = tools_ = makeToolRow(this, 0);
   row->addWidget(window_);
   auto* button = makeButton(this, logarithmic_);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   row->addWidget(button);
   row->addWidget(note_, 1);
   auto* layout = makeColumn(this, {}, 2);
-  layout->addLayout(row);
+  layout->addWidget(row->parentWidget());
   layout->addWidget(plot_, 1);
   connect(window_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &SpectrumCanvas::compute);
   connect(logarithmic_, &QAction::toggled, this, [this](bool on) {

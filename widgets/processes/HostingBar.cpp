@@ -33,7 +33,7 @@ HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
   stack_->setReadOnly(true);
   stack_->setLineWrapMode(QPlainTextEdit::NoWrap);
   stack_->setMaximumHeight(kStackLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height());
-  auto* row = new QHBoxLayout;
+  auto* row = makeToolRow(this, 0);
   row->addWidget(text_, 1);
   for (QAction* action : {startAgain_, threads_, own_}) row->addWidget(makeLabeledButton(this, action));
   auto* menu = new QMenu(this);
@@ -42,7 +42,7 @@ HostingBar::HostingBar(QWidget* parent) : QWidget(parent) {
   row->addWidget(makeMenuButton(
       this, {"hostingAll", tr("All robots"), tr("Where the programs of all robots run")}, menu));
   auto* layout = makeColumn(this, {}, 4);
-  layout->addLayout(row);
+  layout->addWidget(row->parentWidget());
   layout->addWidget(stack_);
   setStatus(nullptr);
 }

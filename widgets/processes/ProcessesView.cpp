@@ -70,12 +70,12 @@ void ProcessesView::createViews() {
   new ColumnFit(*table_, {kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kText});
   splitter_ = makeSplitter(this, "processesSplitter", Qt::Vertical, {{graph_, 3}, {table_, 1}});
   splitter_->setChildrenCollapsible(false);
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   for (QAction* action : {fit_, zoomIn_, zoomOut_, debugLinks_, details_, refresh_})
     top->addWidget(makeButton(this, action));
   top->addStretch();
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   layout->addWidget(hosting_);
   layout->addWidget(splitter_, 1);
 }

@@ -78,12 +78,12 @@ void SearchView::createViews() {
                           ColumnKind::kName});
   hint_ = new EmptyHint(table_);
   state_ = makeNote(this, "searchState", tr("State of the search"));
-  auto* row = new QHBoxLayout;
+  auto* row = makeToolRow(this, 0);
   row->addWidget(kind_);
   row->addWidget(wanted_, 1);
   for (QAction* action : {search_, cancel_, previous_, next_}) row->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(row);
+  layout->addWidget(row->parentWidget());
   layout->addWidget(table_, 1);
   layout->addWidget(state_);
 }

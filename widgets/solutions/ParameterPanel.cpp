@@ -80,12 +80,12 @@ void ParameterPanel::createViews() {
   new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(tree_);
   state_ = makeNote(this, "parametersState", tr("State of the parameters"));
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   top->addWidget(title_, 1);
   for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_, save_, saveAs_})
     top->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   layout->addWidget(tree_, 1);
   slider_ = new ParameterSlider(this);
   layout->addWidget(slider_);

@@ -65,12 +65,12 @@ void SolutionsView::createViews() {
   splitter_->setChildrenCollapsible(false);
   parameters_->hide();
   state_ = makeNote(this, "solutionsState", tr("Last answer"));
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   top->addWidget(state_, 1);
   top->addWidget(makeButton(this, defaults_));
   top->addWidget(makeLabeledButton(this, showParameters_));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   layout->addWidget(splitter_, 1);
 }
 

@@ -149,13 +149,13 @@ void TimingView::createViews() {
   state_ = new QLabel(this);
   describe(*state_, {"timingState", tr("State of the measuring"), {}});
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  auto* top = new QHBoxLayout;
+  auto* top = makeToolRow(this, 0);
   top->addWidget(makeLabeledButton(this, measure_));
   top->addWidget(state_, 1);
   for (QAction* action : {follow_, zoomIn_, zoomOut_, reset_, copy_})
     top->addWidget(makeButton(this, action));
   auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
-  layout->addLayout(top);
+  layout->addWidget(top->parentWidget());
   layout->addWidget(splitter_, 1);
 }
 
