@@ -204,7 +204,8 @@ bool ScratchLog::writeNext() {
   std::shared_ptr<ScratchSegment> segment;
   {
     const std::lock_guard lock(mutex_);
-    const auto next = std::ranges::find_if(entries_, [](const Entry& entry) { return entry.waiting > 0; });
+    const auto next =
+        std::ranges::find_if(entries_, [](const Entry& entry) { return entry.messages != nullptr; });
     if (next == entries_.end()) return false;
     segment = next->segment;
   }
@@ -258,7 +259,7 @@ void ScratchLog::trim() {
 }
 
 void ScratchLog::stop(const std::string& why) {
-  std::erase_if(entries_, [](const Entry& entry) { return entry.waiting > 0; });
+  std::erase_if(entries_, [](const Entry& entry) { return entry.messages != nullptr; });
   isStopped_ = true;
   losingFrom_.reset();
   problem_ = {

@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QDir>
 #include <QHelpEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -12,6 +13,7 @@
 
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Checksum.h"
+#include "widgets/controls/ToolRow.h"
 
 namespace widgets::test {
 namespace {
@@ -96,7 +98,12 @@ void turnWheel(QWidget& widget, const QPoint& at, int notches) {
 }
 
 void click(QWidget& widget) {
-  QTest::mouseClick(&widget, Qt::LeftButton);
+  auto* button = qobject_cast<RowButton*>(&widget);
+  if (button == nullptr || !button->isLeftOut()) return QTest::mouseClick(&widget, Qt::LeftButton);
+  QMenu* menu = button->parentWidget()->findChild<QToolButton*>(QStringLiteral("moreTools"))->menu();
+  Q_EMIT menu->aboutToShow();
+  QVERIFY(menu->actions().contains(button->defaultAction()));
+  button->defaultAction()->trigger();
 }
 
 void click(const QWidget& parent, const char* button) {

@@ -36,7 +36,7 @@ class ColorImageViewTest : public QObject {
     QTest::keyClick(s.left, Qt::Key_Z, Qt::ControlModifier);
     s.settle();
     QCOMPARE(s.pixel(*s.right, 16, 12), QColor(Qt::black));
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorRedo"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorRedo"));
     s.settle();
     QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
   }
@@ -127,7 +127,7 @@ class ColorImageViewTest : public QObject {
 
   void bothPicturesShowTheSamePart() {
     ShownColorImage s;
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorZoomIn"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorZoomIn"));
     QCOMPARE(s.right->viewport(), s.left->viewport());
     QVERIFY(!s.left->viewport().fit);
     s.tool("colorToolMove");
@@ -185,7 +185,7 @@ class ColorImageViewTest : public QObject {
     s.world.show();
     s.view.tick();
     QCOMPARE(s.bench.frame(), first);
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorFreeze"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorFreeze"));
     s.view.tick();
     QVERIFY(s.bench.frame() != first);
     strip->setCurrentRow(0);
@@ -245,7 +245,7 @@ class ColorImageViewTest : public QObject {
     s.choose("orange");
     s.click(8, 7);
     auto* sent = &child<QLabel>(s.view, "colorSent");
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorSend"));
     QCOMPARE(s.world.requests.size(), std::size_t{1});
     QCOMPARE(s.world.requests[0].robot(), std::string("red1"));
     const auto& table = s.world.requests[0].set_color_table().table();
@@ -262,7 +262,7 @@ class ColorImageViewTest : public QObject {
     QVERIFY2(sent->text().contains(QStringLiteral("refuses it: no task")), qPrintable(sent->text()));
     s.world.refusal.clear();
     s.world.wrongChecksum = true;
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorSend"));
     s.world.advance();
     QVERIFY2(sent->text().contains(QStringLiteral("send it again")), qPrintable(sent->text()));
   }
@@ -273,7 +273,7 @@ class ColorImageViewTest : public QObject {
     s.click(8, 7);
     auto* sent = &child<QLabel>(s.view, "colorSent");
     s.world.refusal = "no task uses a color table";
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorSend"));
     s.world.advance();
     s.view.tick();
     QVERIFY(sent->text().contains(QStringLiteral("refuses it")));
@@ -311,7 +311,7 @@ class ColorImageViewTest : public QObject {
              qPrintable(effect->text()));
     const std::size_t before = colortool::pixelCount(s.lastStroke().area);
     keepPicture(s.view, "color-effect");
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorDropOutliers"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorDropOutliers"));
     s.settle();
     QVERIFY(colortool::pixelCount(s.lastStroke().area) < before);
     QVERIFY(!colortool::contains(s.lastStroke().area, 30, 7));
@@ -359,7 +359,7 @@ class ColorImageViewTest : public QObject {
     std::ofstream(folder.filePath(QStringLiteral("notes.txt")).toStdString()) << "no picture";
     ColorFiles& files = colorFiles(s.world.context);
     const auto answer = DialogAnswer::file(folder.path());
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorOpenFolder"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorOpenFolder"));
     QTRY_COMPARE((files.tick(), s.bench.collected().size()), std::size_t{3});
     QVERIFY2(files.message().text.contains(QStringLiteral(": 3")), qPrintable(files.message().text));
     auto* strip = &child<QListWidget>(s.view, "colorStrip");
@@ -401,7 +401,7 @@ class ColorImageViewTest : public QObject {
     ShownColorImage s;
     s.choose("orange");
     s.click(8, 7);
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorSend"));
     QVERIFY(!s.world.requests.back().set_color_table().table().has_correction());
     s.world.advance();
     colortool::Samples next = s.bench.samples();
@@ -412,7 +412,7 @@ class ColorImageViewTest : public QObject {
     next.settings.correctVignetting = next.settings.correctCameras = true;
     s.bench.change(QStringLiteral("correct"), std::move(next));
     s.settle();
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorSend"));
     const auto& sent = s.world.requests.back().set_color_table().table().correction();
     QCOMPARE(sent.luma_r2(), -0.25);
     QCOMPARE(sent.luma_r4(), 0.1);
@@ -423,7 +423,7 @@ class ColorImageViewTest : public QObject {
 
   void eachNewTableIsSentWhileThatIsOn() {
     ShownColorImage s;
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorAutoSend"));
     s.world.advance();
     const std::size_t before = s.world.requests.size();
     s.choose("orange");
@@ -437,7 +437,7 @@ class ColorImageViewTest : public QObject {
     const auto& cells = s.world.requests.back().set_color_table().table().cells();
     QVERIFY(cells[colortool::ColorTable::cellOf({90, 110, 90})] != 0);
     s.world.advance();
-    QTest::mouseClick(&child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    click(child<QToolButton>(s.view, "colorAutoSend"));
     s.click(35, 7);
     s.world.advance();
     QCOMPARE(s.world.requests.size(), before + 2);

@@ -32,7 +32,7 @@ struct ShownColorImage {
     return (canvas == nullptr ? left : canvas)->toWidget({x + 0.5, y + 0.5}).toPoint();
   }
   void choose(const char* name) { bench.setCurrentClass(bench.samples().classes.index(name)); }
-  void tool(const char* name) { QTest::mouseClick(&child<QToolButton>(view, name), Qt::LeftButton); }
+  void tool(const char* name) { test::click(child<QToolButton>(view, name)); }
   void drag(const std::vector<QPointF>& way, ColorCanvas* on = nullptr) {
     ColorCanvas* canvas = on == nullptr ? left : on;
     QTest::mousePress(canvas, Qt::LeftButton, {}, at(way.front().x(), way.front().y(), canvas));

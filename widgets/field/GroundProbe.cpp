@@ -2,6 +2,7 @@
 #include "widgets/field/GroundProbe.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <optional>
 
 #include "foxglove/Scene.pb.h"
@@ -44,6 +45,11 @@ class PartsFromAbove {
     addPlaces(entity.cylinders(), &SceneEntity::add_cylinders, values);
     addPlaces(entity.cubes(), &SceneEntity::add_cubes, values);
     addPlaces(entity.arrows(), &SceneEntity::add_arrows, values);
+    for (const auto& fill : entity.triangles()) {
+      SceneEntity part;
+      *part.add_triangles() = fill;
+      if (values.size() < kMaxTipValues && isPainted(part)) values << center(fill);
+    }
     for (const auto& lines : entity.lines()) {
       SceneEntity part;
       *part.add_lines() = lines;
@@ -62,6 +68,15 @@ class PartsFromAbove {
         values << QCoreApplication::translate("DrawingTip", "at %1")
                       .arg(worldPlaceText(frame_ * robotlink::pose3(each.pose()).translation()));
     }
+  }
+
+  /// Of filled shapes, such as dots and discs.
+  QString center(const foxglove::TriangleListPrimitive& fill) const {
+    Vector3 sum = Vector3::Zero();
+    for (const auto& point : fill.points()) sum += Vector3(point.x(), point.y(), point.z());
+    const Vector3 mean = sum / std::max(1, fill.points_size());
+    return QCoreApplication::translate("DrawingTip", "at %1")
+        .arg(worldPlaceText(frame_ * (robotlink::pose3(fill.pose()) * mean)));
   }
 
   QString nearest(const foxglove::LinePrimitive& lines) const {
