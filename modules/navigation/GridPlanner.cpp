@@ -44,11 +44,40 @@ GridPlanner::GridPlanner(const robotlink::GroundMap& map, const Options& options
       walls_(map, {}),
       obstacles_(map, withForbidden()),
       frame_(planningFrame(obstacles_.frame(), options.cell)),
-      costs_(frame_.size()) {
+      mapCosts_(frame_.size()),
+      toObstacle_(frame_.size(), DistanceMap::kFar) {
   for (int row = 0; row < frame_.height; ++row)
     for (int column = 0; column < frame_.width; ++column)
-      costs_[frame_.index(column, row)] =
+      mapCosts_[frame_.index(column, row)] =
           static_cast<float>(costOf(obstacles_.at(frame_.center(column, row))));
+  costs_ = mapCosts_;
+}
+
+void GridPlanner::setObstacles(std::span<const Vector2> places) {
+  std::ranges::fill(toObstacle_, DistanceMap::kFar);
+  costs_ = mapCosts_;
+  const double radius = std::max(options_.comfort, options_.clearance);
+  const int reach = static_cast<int>(std::ceil(radius / frame_.cell));
+  for (const Vector2& place : places) {
+    const int column = frame_.column(place.x()), row = frame_.row(place.y());
+    for (int y = std::max(0, row - reach); y <= std::min(frame_.height - 1, row + reach); ++y) {
+      for (int x = std::max(0, column - reach); x <= std::min(frame_.width - 1, column + reach); ++x) {
+        const double away = (frame_.center(x, y) - place).norm();
+        const std::size_t cell = frame_.index(x, y);
+        if (away > radius || away >= toObstacle_[cell]) continue;
+        toObstacle_[cell] = static_cast<float>(away);
+        costs_[cell] = std::max(mapCosts_[cell], static_cast<float>(costOf(away)));
+      }
+    }
+  }
+  if (goal_) wave_ = places.empty() ? mapWave_ : waveOf(costs_);
+}
+
+double GridPlanner::clearanceAt(const Vector2& place) const {
+  const int column = frame_.column(place.x()), row = frame_.row(place.y());
+  const double seen =
+      frame_.contains(column, row) ? toObstacle_[frame_.index(column, row)] : DistanceMap::kFar;
+  return std::min(obstacles_.at(place), seen);
 }
 
 double GridPlanner::costOf(double clearance) const {
@@ -70,57 +99,80 @@ double GridPlanner::costOf(const Vector2& from, const Vector2& to) const {
   const double length = (to - from).norm();
   const int steps = 1 + static_cast<int>(length / (0.5 * frame_.cell));
   double sum = 0;
-  for (int i = 0; i < steps; ++i) sum += costOf(obstacles_.at(from + (to - from) * ((i + 0.5) / steps)));
+  for (int i = 0; i < steps; ++i) sum += costOf(clearanceAt(from + (to - from) * ((i + 0.5) / steps)));
   return sum / steps * length;
 }
 
 void GridPlanner::setGoal(const Vector2& goal) {
   goal_ = goal;
-  wave_.assign(frame_.size(), kNever);
-  if (!passable(goal)) return;
+  mapWave_ = waveOf(mapCosts_);
+  wave_ = costs_ == mapCosts_ ? mapWave_ : waveOf(costs_);
+}
+
+std::vector<float> GridPlanner::waveOf(const std::vector<float>& costs) const {
+  std::vector<float> wave(frame_.size(), kNever);
+  const auto free = [&](int column, int row) {
+    return frame_.contains(column, row) && costs[frame_.index(column, row)] < kNever;
+  };
+  const int goalColumn = frame_.column(goal_->x()), goalRow = frame_.row(goal_->y());
+  if (!free(goalColumn, goalRow)) return wave;
   using Entry = std::pair<float, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  const std::size_t start = frame_.index(frame_.column(goal.x()), frame_.row(goal.y()));
-  wave_[start] = 0;
+  const std::size_t start = frame_.index(goalColumn, goalRow);
+  wave[start] = 0;
   front.emplace(0.0F, static_cast<std::uint32_t>(start));
   while (!front.empty()) {
     const auto [cost, cell] = front.top();
     front.pop();
-    if (cost > wave_[cell]) continue;
+    if (cost > wave[cell]) continue;
     const int column = static_cast<int>(cell) % frame_.width, row = static_cast<int>(cell) / frame_.width;
     for (const auto& step : kSteps) {
-      if (!passable(column + step[0], row + step[1])) continue;
+      if (!free(column + step[0], row + step[1])) continue;
       // Not diagonally across corners.
-      if (!passable(column + step[0], row) || !passable(column, row + step[1])) continue;
+      if (!free(column + step[0], row) || !free(column, row + step[1])) continue;
       const std::size_t next = frame_.index(column + step[0], row + step[1]);
       const double way = frame_.cell * std::hypot(step[0], step[1]);
-      const auto through = static_cast<float>(cost + way * 0.5 * (costs_[cell] + costs_[next]));
-      if (through >= wave_[next]) continue;
-      wave_[next] = through;
+      const auto through = static_cast<float>(cost + way * 0.5 * (costs[cell] + costs[next]));
+      if (through >= wave[next]) continue;
+      wave[next] = through;
       front.emplace(through, static_cast<std::uint32_t>(next));
     }
   }
+  return wave;
 }
 
 std::string GridPlanner::wrongWithGoal() const {
   const int column = frame_.column(goal_->x()), row = frame_.row(goal_->y());
   if (!frame_.contains(column, row)) return "the goal is not on the map";
   if (passable(column, row)) return "";
+  if (mapCosts_[frame_.index(column, row)] < kNever)
+    return "something that is not on the map is at the goal, or too near to it";
   if (walls_.at(*goal_) >= options_.clearance)
     return "the goal is forbidden: it lies in a forbidden area, or too near to one";
   return "the goal is too near to a wall for this robot";
 }
 
-std::optional<std::size_t> GridPlanner::startCell(const Vector2& from) const {
+bool GridPlanner::nothingBetween(const Vector2& from, const Vector2& to) const {
+  constexpr double kStep = 0.025;
+  // A robot that is said to be inside of something may leave it.
+  const double least = std::min(clearanceAt(from), 0.5 * frame_.cell);
+  const int steps = 1 + static_cast<int>((to - from).norm() / kStep);
+  for (int i = 1; i <= steps; ++i) {
+    if (clearanceAt(from + (to - from) * (static_cast<double>(i) / steps)) < least) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> GridPlanner::startCell(const Vector2& from, const std::vector<float>& wave) const {
   const int reach = static_cast<int>(options_.reach / frame_.cell);
   const int column = frame_.column(from.x()), row = frame_.row(from.y());
   std::optional<std::size_t> best;
   double least = kNever;
   for (int y = row - reach; y <= row + reach; ++y) {
     for (int x = column - reach; x <= column + reach; ++x) {
-      if (!passable(x, y) || wave_[frame_.index(x, y)] == kNever) continue;
+      if (!frame_.contains(x, y) || wave[frame_.index(x, y)] == kNever) continue;
       const double away = (frame_.center(x, y) - from).norm();
-      if (away > options_.reach || away >= least) continue;
+      if (away > options_.reach || away >= least || !nothingBetween(from, frame_.center(x, y))) continue;
       least = away;
       best = frame_.index(x, y);
     }
@@ -132,11 +184,15 @@ PlannedPath GridPlanner::path(const Vector2& from) const {
   PlannedPath path;
   path.reason = wrongWithGoal();
   if (path.blocked()) return path;
-  const std::optional<std::size_t> start = startCell(from);
+  const std::optional<std::size_t> start = startCell(from, wave_);
   if (!start) {
-    path.reason = "no way leads to the goal that is wide enough and not forbidden";
+    path.reason = startCell(from, mapWave_)
+                      ? "something that is not on the map blocks every way to the goal"
+                      : "no way leads to the goal that is wide enough and not forbidden";
     return path;
   }
+  constexpr float kDetour = 0.5;
+  path.around = wave_[*start] > mapWave_[*start] + kDetour;
   std::vector<Vector2> points = downTheWave(*start);
   points.front() = from;
   points.back() = *goal_;

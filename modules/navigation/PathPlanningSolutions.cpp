@@ -4,7 +4,11 @@
 
 #include "NavigationParameters.pb.h"
 #include "foxglove/Geometry.pb.h"
+#include "foxglove/Ranging.pb.h"
 #include "modules/navigation/GridPlanner.h"
+#include "modules/navigation/OdometryHistory.h"
+#include "modules/navigation/RangePackages.h"
+#include "modules/navigation/SeenObstacles.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/debugging/ParameterTable.h"
@@ -24,6 +28,10 @@ const FieldDrawingKey kPathKey{"path-planning/path",
 const FieldDrawingKey kWaveKey{
     "path-planning/wave",
     "How far each place is from the goal, from near (green) to far (blue) (drawn on the field)"};
+
+const FieldDrawingKey kObstaclesKey{
+    "path-planning/obstacles",
+    "What the laser has recently seen and the map does not have (drawn on the field)"};
 
 Vector2 goalOf(const robotcontrol::DriveGoal& goal) {
   return {goal.pose_in_field().x(), goal.pose_in_field().y()};
@@ -47,6 +55,7 @@ class PathPlanner : public robotlink::Solution {
         path_(context.output(robotlink::kDrivePath)) {}
 
   void execute() override {
+    observe(pose_);
     if (goal_ && goal_.isNew()) {
       published_.clear();
       planNow_ = true;
@@ -67,6 +76,8 @@ class PathPlanner : public robotlink::Solution {
   /// The standard deviation of the pose, m, above which nothing is planned.
   virtual double lostDeviation() const { return 1.0; }
   virtual PlannedPath plan(const Vector2& from, const Vector2& goal) = 0;
+  /// Looks at what has come, each time the task runs.
+  virtual void observe(const robotlink::Input<robotcontrol::RobotPose>&) {}
   virtual void drawMore() {}
 
   robotlink::DebugContext& debug_;
@@ -87,7 +98,8 @@ class PathPlanner : public robotlink::Solution {
       return sayOnce(Level::kWarning, "no way to " + nameOf(goal) + ": " + planned.reason);
     char length[32];
     std::snprintf(length, sizeof length, "%.1f m", planned.length());
-    sayOnce(Level::kInfo, "to " + nameOf(goal) + " it is " + length, "to " + nameOf(goal));
+    const char* const around = planned.around ? " around something that is not on the map" : "";
+    sayOnce(Level::kInfo, "to " + nameOf(goal) + " it is " + length + around, "to " + nameOf(goal) + around);
   }
 
   /// Logs a text, but not again until there is another goal or another text; `what` identifies the text if
@@ -130,6 +142,10 @@ struct GridPlanningOptions : GridPlanner::Options {
   double lostDeviation = 1.0;
   /// The time between two plans, s.
   double period = 0.5;
+  /// What counts as an obstacle that is not on the map.
+  SeenObstacles::Options seen;
+  /// The standard deviation of the pose above which no obstacles are looked for, m.
+  double obstacleDeviation = 0.25;
 };
 
 using PlanningFields = robotcontrol::GridPlanningParameters;
@@ -138,7 +154,15 @@ const robotlink::ParameterTable<GridPlanningOptions> kGridPlanningTable{
     {PlanningFields::kComfortFieldNumber, &GridPlanningOptions::comfort, robotlink::kAtLeastZero},
     {PlanningFields::kNearnessFieldNumber, &GridPlanningOptions::nearness, robotlink::kAtLeastZero},
     {PlanningFields::kLostDeviationFieldNumber, &GridPlanningOptions::lostDeviation, robotlink::kAboveZero},
-    {PlanningFields::kPeriodFieldNumber, &GridPlanningOptions::period, robotlink::kAtLeastZero}};
+    {PlanningFields::kPeriodFieldNumber, &GridPlanningOptions::period, robotlink::kAtLeastZero},
+    {PlanningFields::kObstacleRangeFieldNumber,
+     +[](GridPlanningOptions& o) -> double& { return o.seen.range; }, robotlink::kAtLeastZero},
+    {PlanningFields::kObstacleMemoryFieldNumber,
+     +[](GridPlanningOptions& o) -> double& { return o.seen.memory; }, robotlink::kAtLeastZero},
+    {PlanningFields::kWallDistanceFieldNumber,
+     +[](GridPlanningOptions& o) -> double& { return o.seen.wallDistance; }, robotlink::kAtLeastZero},
+    {PlanningFields::kObstacleDeviationFieldNumber, &GridPlanningOptions::obstacleDeviation,
+     robotlink::kAtLeastZero}};
 
 /// The options of a robot whose parameters say nothing: it needs half of its width, and a little more.
 GridPlanningOptions builtInPlanning(const robotlink::RobotSetup& robot) {
@@ -151,7 +175,11 @@ GridPlanningOptions builtInPlanning(const robotlink::RobotSetup& robot) {
 class GridPathPlanner final : public PathPlanner {
  public:
   explicit GridPathPlanner(robotlink::SolutionContext& context)
-      : PathPlanner(context), parameters_(context.parameters<robotcontrol::GridPlanningParameters>()) {
+      : PathPlanner(context),
+        parameters_(context.parameters<robotcontrol::GridPlanningParameters>()),
+        laserMaximum_(context.robot().description.laser ? context.robot().description.laser->maximum : 0),
+        drive_(context.input(robotlink::kDriveState)),
+        laser_(context.input(robotlink::kLaser)) {
     if (context.robot().map == nullptr) {
       debug_.text(Level::kWarning, "path-planning",
                   "there is no map to plan in: open one, or choose the solution direct");
@@ -159,20 +187,47 @@ class GridPathPlanner final : public PathPlanner {
     }
     planner_.emplace(*context.robot().map,
                      kGridPlanningTable.read(parameters_, builtInPlanning(context.robot())));
+    obstacles_.emplace(planner_->walls());
   }
 
  private:
   double period() const override { return kGridPlanningTable.read(parameters_).period; }
   double lostDeviation() const override { return kGridPlanningTable.read(parameters_).lostDeviation; }
 
+  /// Adds what the laser sees to the obstacles, from where the robot was then.
+  void observe(const robotlink::Input<robotcontrol::RobotPose>& pose) override {
+    if (drive_ && drive_.isNew()) {
+      const robotlink::Pose2 odometry = robotlink::pose2(drive_->odometry());
+      if (std::isfinite(odometry.x + odometry.y + odometry.heading))
+        odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
+    }
+    if (!obstacles_ || !pose || !laser_ || !laser_.isNew()) return;
+    const GridPlanningOptions options = kGridPlanningTable.read(parameters_);
+    if (!(pose->position_deviation() <= options.obstacleDeviation)) return;
+    const robotlink::Instant time = robotlink::instant(laser_->timestamp());
+    const auto now = odometry_.at(robotlink::instant(pose->timestamp())), then = odometry_.at(time);
+    if (!now || !then) return;
+    const robotlink::Pose2 robot = robotlink::pose2(pose->robot_in_field()) * now->inverse() * *then;
+    obstacles_->see(time, robot, beams(*laser_, laserMaximum_), options.seen);
+  }
+
   PlannedPath plan(const Vector2& from, const Vector2& goal) override {
     if (!planner_) return {{}, "there is no map to plan in"};
+    if (obstacles_->generation() != planned_) {
+      planned_ = obstacles_->generation();
+      planner_->setObstacles(obstacles_->places());
+    }
     if (planner_->goal() != goal) planner_->setGoal(goal);
     return planner_->path(from);
   }
 
   void drawMore() override {
-    if (!planner_ || !debug_.on(kWaveKey)) return;
+    if (!planner_) return;
+    if (debug_.on(kObstaclesKey)) {
+      auto drawing = debug_.fieldDrawing(kObstaclesKey);
+      for (const Vector2& place : obstacles_->places()) drawing.dot(place, robotlink::colors::kOrange, 0.1);
+    }
+    if (!debug_.on(kWaveKey)) return;
     auto drawing = debug_.fieldDrawing(kWaveKey);
     for (const GridPlanner::WavePoint& point : planner_->wave(1500)) {
       const auto share = static_cast<std::uint8_t>(255 * point.share);
@@ -181,17 +236,28 @@ class GridPathPlanner final : public PathPlanner {
   }
 
   const robotcontrol::GridPlanningParameters& parameters_;
+  double laserMaximum_;
+  robotlink::Input<robotcontrol::DriveState> drive_;
+  robotlink::Input<foxglove::LaserScan> laser_;
+  OdometryHistory odometry_;
   std::optional<GridPlanner> planner_;
+  /// The walls of planner_ are its.
+  std::optional<SeenObstacles> obstacles_;
+  /// The generation of obstacles_ that planner_ has.
+  std::uint64_t planned_ = 0;
 };
 
 const robotlink::SolutionRegistration kGrid =
-    robotlink::SolutionBuilder<GridPathPlanner>(
-        "path-planning", "grid",
-        "The way of least cost on the map's grid, away from walls, not through what is forbidden.")
+    robotlink::SolutionBuilder<GridPathPlanner>("path-planning", "grid",
+                                                "The way of least cost on the map's grid, away from walls "
+                                                "and from what the laser sees that is not on "
+                                                "the map, not through what is forbidden.")
         .needs(robotlink::kRobotPose)
         .uses(robotlink::kDriveGoal)
+        .uses(robotlink::kDriveState)
+        .uses(robotlink::kLaser)
         .yields(robotlink::kDrivePath)
-        .keys({&kPathKey, &kWaveKey})
+        .keys({&kPathKey, &kWaveKey, &kObstaclesKey})
         .parameters<robotcontrol::GridPlanningParameters>(
             kGridPlanningTable.rules<robotcontrol::GridPlanningParameters>(builtInPlanning));
 

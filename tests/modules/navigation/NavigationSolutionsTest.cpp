@@ -207,6 +207,106 @@ TEST(GridPathPlanning, aCanceledGoalIsNone) {
   EXPECT_FALSE(planner.sent(robotlink::kDrivePath)->has_goal());
 }
 
+/// A robot that drives to a goal by the planned path, as the path follower does; `map` is what its program
+/// knows of the world.
+class PlannedDrive {
+ public:
+  PlannedDrive(const GroundMap& map, const GroundMap& world)
+      : world_(world),
+        robot_(world_, {.start = {1.5, 2, 0}, .skid = 0}),
+        planner_("path-planning", "grid", {.map = std::make_shared<GroundMap>(map), .keys = false}) {
+    planner_.set(robotlink::kDriveGoal, goalAt(6.5, 2, "Desk"));
+  }
+  void run(double seconds) {
+    for (const double end = robot_.time() + seconds; robot_.time() < end;) {
+      robotcontrol::RobotPose pose = poseAt(0, 0, 0.05);
+      robotlink::assign(*pose.mutable_timestamp(), robot_.now());
+      robotlink::assign(*pose.mutable_robot_in_field(), robot_.pose());
+      planner_.set(robotlink::kRobotPose, pose);
+      planner_.set(robotlink::kDriveState, driveState(robot_));
+      planner_.set(robotlink::kLaser, laserScan(robot_));
+      planner_.pass();
+      planner_.execute();
+      follow(path());
+    }
+  }
+  const robotcontrol::DrivePath& path() const { return *planner_.sent(robotlink::kDrivePath); }
+  const RollingRobot& robot() const { return robot_; }
+  OneSolution& planner() { return planner_; }
+
+ private:
+  void follow(const robotcontrol::DrivePath& path) {
+    for (const auto& point : path.points_in_field()) {
+      const Vector2 toPoint = robot_.pose().inverse() * robotlink::vector2(point);
+      if (toPoint.norm() < 0.2) continue;
+      const double direction = std::atan2(toPoint.y(), toPoint.x());
+      const double speed = std::abs(direction) < 0.3 ? std::min(0.4, toPoint.norm()) : 0;
+      return robot_.drive({speed, std::clamp(1.5 * direction, -0.8, 0.8)});
+    }
+    robot_.drive({});
+  }
+
+  FlatWorld world_;
+  RollingRobot robot_;
+  OneSolution planner_;
+};
+
+/// Two rooms of 4 m by 8 m with a door, or two, between them.
+GroundMap roomsWithDoors(bool second) {
+  GroundMap map = roomMap(8, 8);
+  addWall(map, 4, 0, 4, 1.5);
+  addWall(map, 4, 2.5, 4, second ? 5.5 : 8);
+  if (second) addWall(map, 4, 6.5, 4, 8);
+  return map;
+}
+
+GroundMap withBoxInTheDoor(GroundMap map) {
+  addWall(map, 3.8, 1.75, 3.8, 2.25);
+  addWall(map, 3.8, 2.25, 4.2, 2.25);
+  addWall(map, 4.2, 2.25, 4.2, 1.75);
+  addWall(map, 4.2, 1.75, 3.8, 1.75);
+  return map;
+}
+
+TEST(GridPathPlanning, aDoorThatIsBlockedIsAvoidedThroughAnotherOne) {
+  const GroundMap map = roomsWithDoors(true);
+  PlannedDrive drive(map, withBoxInTheDoor(map));
+  drive.run(90);
+  EXPECT_LT((drive.robot().pose().translation() - Vector2(6.5, 2)).norm(), 0.3);
+  EXPECT_GT(drive.robot().nearest(), 0) << "it touched something";
+  EXPECT_TRUE(drive.planner().said("around something that is not on the map"));
+  PlannedDrive open(map, map);
+  open.run(40);
+  EXPECT_LT((open.robot().pose().translation() - Vector2(6.5, 2)).norm(), 0.3);
+  EXPECT_FALSE(open.planner().said("not on the map"));
+}
+
+TEST(GridPathPlanning, itGivesUpWithAReasonWhereTheOnlyDoorIsBlocked) {
+  const GroundMap map = roomsWithDoors(false);
+  PlannedDrive drive(map, withBoxInTheDoor(map));
+  drive.run(30);
+  EXPECT_TRUE(drive.path().blocked());
+  EXPECT_EQ("something that is not on the map blocks every way to the goal", drive.path().reason());
+  EXPECT_GT(drive.robot().nearest(), 0);
+  EXPECT_TRUE(drive.planner().said("no way to “Desk”: something that is not on the map blocks"));
+}
+
+TEST(GridPathPlanning, whereThePoseIsUnsureNothingCountsAsAnObstacle) {
+  const GroundMap map = roomsWithDoors(true);
+  OneSolution planner("path-planning", "grid", {std::make_shared<GroundMap>(map)});
+  planner.set(robotlink::kDriveGoal, goalAt(6.5, 2));
+  const FlatWorld world(withBoxInTheDoor(map));
+  RollingRobot robot(world, {.start = {2, 2, 0}});
+  for (int i = 0; i < 20; ++i) {
+    planner.set(robotlink::kRobotPose, poseAt(2, 2, 0.5));
+    planner.set(robotlink::kDriveState, driveState(robot));
+    planner.set(robotlink::kLaser, laserScan(robot));
+    planner.pass();
+    planner.execute();
+  }
+  EXPECT_FALSE(planner.said("not on the map"));
+}
+
 TEST(GridPathPlanning, whoDoesNotKnowWhereItIsHasNoWayYet) {
   OneSolution planner("path-planning", "grid", {crookedRoom()});
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3, 3));
