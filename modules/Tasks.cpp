@@ -18,6 +18,8 @@ const TaskRegistration kBallModel("ball-model",
                                   "Estimates where the ball is, seen or not, and how it rolls.");
 const TaskRegistration kSelfLocalization("self-localisation",
                                          "Estimates where the robot is on the field, or in the building.");
+const TaskRegistration kMapping("mapping",
+                                "Makes a map of where the robot drives, and finds its place in it.");
 const TaskRegistration kPlayersModel("players-model", "Estimates where the other robots are on the field.");
 const TaskRegistration kBehavior("behavior", "Decides what the robot does: where it goes, looks and kicks.");
 const TaskRegistration kPathPlanning("path-planning", "Plans the path to the goal that the user set.");

@@ -7,11 +7,15 @@
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "app/core/program/ColorTables.h"
+#include "foxglove/Grid.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
+#include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Spelling.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GridConversions.h"
+#include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/PackageJson.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/KeyModes.h"
@@ -240,6 +244,37 @@ void addForCamera(CommandTable& commands, OpenPlatform& open) {
       });
 }
 
+/// Writes what the selected robot has mapped, as of the instant that the time line shows; the home of the map
+/// is where the robot was then. A map that the robot does not publish yet is asked for.
+Result<void> saveMap(OpenPlatform& open, const std::string& file) {
+  const std::string& robot = open.session().selectedRobot();
+  const auto& store = open.session().store();
+  const robotlink::Instant shown = open.session().timeline().shown();
+  const auto* grid = store.latestAs<foxglove::Grid>(robot + "/" + robotlink::kGridMap.name, shown);
+  if (grid == nullptr) {
+    Request show;
+    show.mutable_set_key()->set_name(std::string("package/") + robotlink::kGridMap.name);
+    show.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    if (auto asked = ask(open, std::move(show)); !asked) return asked;
+    return robotlink::failure(
+        "robot.no-map",
+        "there is no map of " + robot +
+            " here yet; it was asked to show it. Repeat the command in a moment, if its "
+            "program does the task mapping, as in the layout pioneer-mapping",
+        {}, {robot});
+  }
+  auto map = robotlink::groundMap(*grid);
+  if (!map) return tl::unexpected(map.error());
+  const auto* pose = store.latestAs<robotcontrol::RobotPose>(robot + "/" + robotlink::kRobotPose.name, shown);
+  if (pose != nullptr) {
+    robotlink::GroundMap::Place& home = map->places.emplace_back();
+    home.kind = robotlink::GroundMap::Place::Kind::kHome;
+    home.pose = robotlink::pose2(pose->robot_in_field());
+    home.hasHeading = true;
+  }
+  return map->save(file);
+}
+
 void addForDrive(CommandTable& commands, OpenPlatform& open) {
   commands.attach("robot.goal", [&open](const Values& values) {
     Request request;
@@ -260,6 +295,7 @@ void addForDrive(CommandTable& commands, OpenPlatform& open) {
       return ask(open, std::move(request));
     });
   };
+  commands.attach("robot.save-map", [&open](const Values& values) { return saveMap(open, text(values, 0)); });
   addSwitch("robot.motors", [](auto& details, bool on) { details.set_motors(on); });
   addSwitch("robot.sonars", [](auto& details, bool on) { details.set_sonar(on); });
 }

@@ -75,6 +75,12 @@ struct GroundMap {
   static tl::expected<GroundMap, Errors> load(const std::filesystem::path& file);
   /// The same for a text. `file` is the name that errors carry; its stem becomes the map's name.
   static tl::expected<GroundMap, Errors> parse(std::string_view text, const std::string& file);
+
+  /// The text of a file of this map, of the kind 2D-Map: lines and points rounded to mm, headings of places
+  /// to a tenth of a degree. Quotes and line breaks in names become spaces. Notes are not part of it.
+  std::string text() const;
+  /// Writes the file as a whole or not at all. Errors: file.io.
+  Result<void> save(const std::filesystem::path& file) const;
 };
 
 }  // namespace robotlink

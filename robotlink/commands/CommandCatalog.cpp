@@ -104,6 +104,11 @@ Rows robotRows() {
        "Sends the selected robot to a place, if it has wheels",
        {{"x", Type::kNumber, "m, in the map's frame"}, {"y", Type::kNumber, "m"}}},
       {"robot.no-goal", "Cancels the selected robot's goal"},
+      {"robot.save-map",
+       "Saves what the selected robot has mapped as a map for localization and planning; its home is where "
+       "the "
+       "robot is",
+       {{"file", Type::kFile, "ends in .map"}}},
       {"robot.motors",
        "Switches the motors of the selected robot on wheels",
        {{"on", Type::kBool, "true: on, false: off"}}},

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace robotlink {
@@ -47,6 +48,9 @@ constexpr std::array kTitles{
     Title{kDrivePath.name, "a path"},
     Title{kBehaviorDrive.name, "the behavior's drive requests"},
     Title{kBehaviorState.name, "the behavior's state"},
+    Title{kGridMap.name, "the map that it made"},
+    Title{kGripper.name, "the state of a gripper"},
+    Title{kGlobalFix.name, "a position by GPS"},
 };
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/packages/PackageTypes.h"
 
+#include "foxglove/Grid.pb.h"
 #include "foxglove/Image.pb.h"
+#include "foxglove/LocationFix.pb.h"
 #include "foxglove/Ranging.pb.h"
 #include "foxglove/Robot.pb.h"
+#include "robotcontrol/Accessories.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Linking.pb.h"
@@ -12,6 +15,7 @@
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace robotlink {
@@ -33,7 +37,7 @@ const Types& ownPackageTypes() {
       kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest, kRemoteMotion,
       kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept, kLandmarkPercepts,
       kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest, kHeadMode, kHeadRequest,
-      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState);
+      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper, kGlobalFix);
   return kTypes;
 }
 

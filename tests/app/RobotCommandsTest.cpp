@@ -8,10 +8,13 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
+#include "foxglove/Grid.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Hosting.pb.h"
+#include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/GroundMap.h"
 #include "robotlink/commands/CommandCatalog.h"
 #include "robotlink/session/KeyPresets.h"
 #include "tests/TestFolder.h"
@@ -40,6 +43,41 @@ TEST_F(RobotCommandsTest, withoutARobotNothingCanBeAskedOfIt) {
   EXPECT_EQ(refusal("robot.goal", {1.0, 2.0}), "robot.none");
   EXPECT_EQ(refusal("robot.motors", {true}), "robot.none");
   EXPECT_EQ(refusal("robot.select", {std::string("nobody")}), "robot.unknown");
+}
+
+TEST_F(RobotCommandsTest, aMapIsSavedOnceItIsThere) {
+  EXPECT_EQ(refusal("robot.save-map", {(home_ / "made.map").string()}), "robot.none");
+  auto& session = workbench_.session();
+  session.setRobots({"p3at1"});
+  std::string key;
+  session.setRequestSink([&](const auto& request) { key = request.set_key().name(); });
+  EXPECT_EQ(refusal("robot.save-map", {(home_ / "made.map").string()}), "robot.no-map");
+  EXPECT_EQ(key, "package/models/map") << "the robot is asked to publish it";
+  session.setRequestSink({});
+
+  auto grid = std::make_shared<foxglove::Grid>();
+  grid->set_column_count(2);
+  grid->mutable_cell_size()->set_x(0.05);
+  grid->mutable_cell_size()->set_y(0.05);
+  grid->mutable_pose()->mutable_orientation()->set_w(1);
+  grid->set_row_stride(2);
+  grid->set_cell_stride(1);
+  grid->add_fields()->set_name("occupancy");
+  grid->mutable_fields(0)->set_type(foxglove::PackedElementField::INT8);
+  grid->set_data(std::string("\x00\xFF\x64\x00", 4));
+  auto pose = std::make_shared<robotcontrol::RobotPose>();
+  pose->mutable_robot_in_field()->set_x(2);
+  const robotlink::Instant now{std::chrono::seconds(1)};
+  session.push({"p3at1/models/map", now, grid});
+  session.push({"p3at1/models/pose", now, pose});
+  session.tick();
+  EXPECT_EQ(refusal("robot.save-map", {(home_ / "made.map").string()}), "");
+  const auto map = robotlink::GroundMap::load(home_ / "made.map");
+  ASSERT_TRUE(map) << robotlink::describe(map.error());
+  ASSERT_EQ(map->points.size(), 1U);
+  EXPECT_EQ(map->resolution, 0.05);
+  ASSERT_NE(map->find(robotlink::GroundMap::Place::Kind::kHome), nullptr);
+  EXPECT_EQ(map->find(robotlink::GroundMap::Place::Kind::kHome)->pose.x, 2);
 }
 
 TEST_F(RobotCommandsTest, onlyWhatNeedsTheWindowWaitsForIt) {

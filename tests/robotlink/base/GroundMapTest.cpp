@@ -238,3 +238,45 @@ INSTANTIATE_TEST_SUITE_P(
                     MapFile{kRealMaps / "triangle.map", 9, 0, 1, {0, 0}, {10.26, 10.08}},
                     MapFile{kShippedMaps / "house.map", 80, 0, 9, {0, 0}, {16, 11}}),
     [](const auto& map) { return map.param.file.stem().string(); });
+
+TEST(GroundMap, whatIsWrittenIsReadAsTheSame) {
+  for (const char* file : {"columbia.map", "office.map"}) {
+    if (!std::filesystem::exists(kRealMaps / file)) continue;
+    const auto real = GroundMap::load(kRealMaps / file);
+    ASSERT_TRUE(real) << describe(real.error());
+    const auto back = GroundMap::parse(real->text(), file);
+    ASSERT_TRUE(back) << describe(back.error());
+    EXPECT_EQ(back->lines, real->lines);
+    EXPECT_EQ(back->points, real->points);
+    EXPECT_EQ(back->resolution, real->resolution);
+    ASSERT_EQ(back->places.size(), real->places.size());
+    for (std::size_t i = 0; i < real->places.size(); ++i) {
+      EXPECT_EQ(back->places[i].type, real->places[i].type);
+      EXPECT_EQ(back->places[i].name, real->places[i].name);
+      EXPECT_EQ(back->places[i].extent, real->places[i].extent);
+      EXPECT_EQ(back->places[i].pose.translation(), real->places[i].pose.translation());
+      EXPECT_NEAR(back->places[i].pose.heading, real->places[i].pose.heading, radians(0.051));
+    }
+    EXPECT_EQ(back->origin.has_value(), real->origin.has_value());
+    EXPECT_FALSE(back->incomplete);
+  }
+}
+
+TEST(GroundMap, aMapThatWasNotReadHasTypesAndCountsInItsFile) {
+  GroundMap map;
+  map.points = {{1, -0.5}, {1.05, -0.5}};
+  map.resolution = 0.05;
+  GroundMap::Place& home = map.places.emplace_back();
+  home.kind = Kind::kHome;
+  home.name = "my \"home\"\n";
+  home.pose = {0.5, 0, kPi / 2};
+  GroundMap::Place& area = map.places.emplace_back();
+  area.kind = Kind::kForbiddenArea;
+  area.extent = {{0, 0}, {1, 1}};
+  EXPECT_EQ(map.text(),
+            "2D-Map\nMinPos: 1000 -500\nMaxPos: 1050 -500\nNumPoints: 2\nResolution: 50\n"
+            "Cairn: RobotHome 500 0 90.0 \"\" ICON \"my  home  \"\n"
+            "Cairn: ForbiddenArea 0 0 0.0 \"\" ICON \"\" 0 0 1000 1000\nDATA\n1000 -500\n1050 -500\n");
+  EXPECT_EQ(parsed(map.text()).points, map.points);
+  EXPECT_EQ(parsed(GroundMap().text()).lines.size(), 0U);
+}

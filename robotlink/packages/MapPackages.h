@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/packages/Packages.h"
+
+namespace foxglove {
+class Grid;
+class LocationFix;
+}  // namespace foxglove
+
+namespace robotcontrol {
+class GripperState;
+}
+
+namespace robotlink {
+
+/// The occupancy grid that the robot has mapped so far; see Grid.proto.
+inline constexpr Package<foxglove::Grid> kGridMap{"models/map"};
+/// The state of a gripper that the robot carries, from its platform.
+inline constexpr Package<robotcontrol::GripperState> kGripper{"body/gripper"};
+/// The position of a GPS receiver that the robot carries, from its platform.
+inline constexpr Package<foxglove::LocationFix> kGlobalFix{"position/gps"};
+
+}  // namespace robotlink
