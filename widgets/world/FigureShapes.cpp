@@ -8,9 +8,11 @@
 #include <cstring>
 #include <limits>
 
+#include "foxglove/Grid.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/GridConversions.h"
 #include "robotlink/ros/MessageView.h"
 
 namespace widgets {
@@ -213,6 +215,21 @@ void gridFigure(const Message& message, foxglove::SceneEntity& entity) {
       ++added;
     }
   }
+}
+
+void packedGridFigure(const Message& message, foxglove::SceneEntity& entity) {
+  setFrame(entity, MessageView(&message));
+  // What came over a connection is of a type that was made from its description.
+  foxglove::Grid parsed;
+  const auto* grid = dynamic_cast<const foxglove::Grid*>(&message);
+  if (grid == nullptr && parsed.ParseFromString(message.SerializeAsString())) grid = &parsed;
+  if (grid == nullptr) return;
+  Squares squares(entity, robotlink::pose3(grid->pose()), kWallShade);
+  int added = 0;
+  robotlink::forOccupiedRuns(*grid, [&](const robotlink::GridRun& run) {
+    squares.add({run.low.x(), run.low.y(), 0}, run.length, run.width);
+    return ++added < kMaxSquares;
+  });
 }
 
 void frameFigure(const std::string& frame, foxglove::SceneEntity& entity) {

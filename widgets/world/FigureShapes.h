@@ -29,6 +29,9 @@ void pathFigure(const google::protobuf::Message& message, foxglove::SceneEntity&
 /// The occupied cells of a map as squares on the ground.
 void gridFigure(const google::protobuf::Message& message, foxglove::SceneEntity& entity);
 
+/// The same for an occupancy grid of Foxglove, such as the map that a robot makes.
+void packedGridFigure(const google::protobuf::Message& message, foxglove::SceneEntity& entity);
+
 /// A frame as its axes (x red, y green, z blue) with its name.
 void frameFigure(const std::string& frame, foxglove::SceneEntity& entity);
 

@@ -34,7 +34,9 @@ struct FigureType {
   std::string_view type;
   FigureShape shape;
 };
-constexpr std::array<FigureType, 12> kFigureTypes{{
+constexpr std::string_view kGridType = "foxglove.Grid";
+constexpr std::array<FigureType, 13> kFigureTypes{{
+    {kGridType, &packedGridFigure},
     {"foxglove.LaserScan", &scanFigure},
     {"foxglove.PointCloud", &cloudFigure},
     {"foxglove.PoseInFrame", &poseFigure},
@@ -54,7 +56,9 @@ const FigureType* figureType(std::string_view type) {
   return found == kFigureTypes.end() ? nullptr : &*found;
 }
 
-bool isOwn(const std::string& path) {
+/// Whether views show a stream in another way; the map that a robot makes is a figure like those of others.
+bool isOwn(const std::string& path, const std::string& type) {
+  if (type == kGridType) return false;
   if (path == robotlink::streams::kScene || path == robotlink::streams::kTransforms) return true;
   const std::string rest = path.substr(path.find('/') + 1);
   return rest.starts_with("drawings/") || robotlink::typeOfPackage(rest) != nullptr;
@@ -64,7 +68,7 @@ bool isOwn(const std::string& path) {
 
 bool StreamFigures::canShow(const std::string& path, const std::string& type) {
   const bool isKnown = type == kSceneType || isOfTransforms(type) || figureType(type) != nullptr;
-  return isKnown && !isOwn(path);
+  return isKnown && !isOwn(path, type);
 }
 
 std::shared_ptr<const foxglove::SceneUpdate> figureOf(const google::protobuf::Message& message) {

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "foxglove/Geometry.pb.h"
+#include "foxglove/Grid.pb.h"
 #include "foxglove/Ranging.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/DynamicTypes.h"
@@ -118,6 +119,30 @@ TEST(FigureOf, occupiedCellsOfAMapAreSquares) {
   EXPECT_EQ(squares.points(2).y(), 0.5);
   EXPECT_EQ(squares.points(4).x(), 1);
   EXPECT_EQ(squares.points(4).y(), 0.5);
+}
+
+TEST(FigureOf, theMapThatARobotMakesIsSquaresToo) {
+  foxglove::Grid grid;
+  grid.set_frame_id("field");
+  grid.mutable_pose()->mutable_position()->set_x(-3);
+  grid.mutable_pose()->mutable_orientation()->set_w(1);
+  grid.set_column_count(3);
+  grid.mutable_cell_size()->set_x(0.5);
+  grid.mutable_cell_size()->set_y(0.5);
+  grid.set_row_stride(3);
+  grid.set_cell_stride(1);
+  grid.add_fields()->set_name("occupancy");
+  grid.mutable_fields(0)->set_type(foxglove::PackedElementField::INT8);
+  grid.set_data(std::string("\x64\x64\x00\x00\xFF\x3C", 6));
+  const auto figure = figureOf(grid);
+  const auto& entity = entityOf(figure);
+  EXPECT_EQ(entity.frame_id(), "field");
+  ASSERT_EQ(entity.triangles_size(), 1);
+  EXPECT_EQ(entity.triangles(0).pose().position().x(), -3);
+  ASSERT_EQ(entity.triangles(0).points_size(), 8);
+  EXPECT_EQ(entity.triangles(0).points(2).x(), 1);
+  EXPECT_EQ(entity.triangles(0).points(4).y(), 0.5);
+  EXPECT_TRUE(StreamFigures::canShow("p3at1/models/map", "foxglove.Grid"));
 }
 
 /// The relative luminance of a color, as WCAG 2 defines it.
