@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "app/core/pioneer/PioneerAddress.h"
 #include "app/core/pioneer/PioneerOptions.h"
 #include "app/core/platform/PlatformAdapter.h"
 #include "app/core/program/RobotFiles.h"
@@ -31,7 +32,7 @@ bool isAddress(const std::string& source) {
   std::error_code ignored;
   const bool isFile =
       !source.starts_with("/dev/") && (source.starts_with('/') || std::filesystem::exists(source, ignored));
-  return !isFile && arcos::parseUrl(source).has_value();
+  return !isFile && PioneerAddress::parse(source).has_value();
 }
 
 Result<PlatformOpening> openPioneer(const PlatformChoices& choices) {
@@ -53,8 +54,17 @@ std::string meaningOf(const arcos::StreamUrl& url) {
   return "over the serial line " + serial.device + " at " + std::to_string(serial.baud) + " baud";
 }
 
+std::string meaningOf(const PioneerAddress& address) {
+  std::string text = meaningOf(address.line);
+  if (address.laser) text += "; a SICK LMS 200 " + meaningOf(*address.laser);
+  return text;
+}
+
 /// Sets the parts from the address.
-void readAddress(FormValues& values, const arcos::StreamUrl& url) {
+void readAddress(FormValues& values, const PioneerAddress& address) {
+  const arcos::StreamUrl& url = address.line;
+  values["kind"] = address.kind;
+  values["laser"] = address.laser ? toString(*address.laser) : std::string();
   if (const auto* tcp = std::get_if<arcos::TcpAddress>(&url)) {
     values["line"] = std::string(kNetwork);
     values["host"] = tcp->host;
@@ -67,17 +77,25 @@ void readAddress(FormValues& values, const arcos::StreamUrl& url) {
   }
 }
 
-/// Sets the address from the parts.
+/// Sets the address from the parts; of what has no part it keeps the rest.
 void writeAddress(FormValues& values) {
+  PioneerAddress address = PioneerAddress::parse(textOf(values, "address")).value_or(PioneerAddress());
   if (textOf(values, "line") == kNetwork) {
-    values["address"] = toString(arcos::StreamUrl(
-        arcos::TcpAddress{textOf(values, "host"), static_cast<std::uint16_t>(numberOf(values, "port"))}));
-    return;
+    address.line =
+        arcos::TcpAddress{textOf(values, "host"), static_cast<std::uint16_t>(numberOf(values, "port"))};
+  } else {
+    arcos::SerialAddress serial{textOf(values, "device")};
+    const std::string baud = textOf(values, "baud");
+    std::from_chars(baud.data(), baud.data() + baud.size(), serial.baud);
+    address.line = serial;
   }
-  arcos::SerialAddress serial{textOf(values, "device")};
-  const std::string baud = textOf(values, "baud");
-  std::from_chars(baud.data(), baud.data() + baud.size(), serial.baud);
-  values["address"] = toString(arcos::StreamUrl(serial));
+  address.kind = textOf(values, "kind");
+  address.laser.reset();
+  std::string text = address.text();
+  // As it was typed, so that a laser's address that is wrong is shown as that.
+  if (const std::string laser = textOf(values, "laser"); !laser.empty())
+    text += (text.find('?') == std::string::npos ? "?laser=" : "&laser=") + laser;
+  values["address"] = text;
 }
 
 PlatformField::Items deviceItems() {
@@ -88,10 +106,10 @@ PlatformField::Items deviceItems() {
 
 void followAddress(FormState& state, const std::string& changed) {
   FormValues& values = state.values;
-  for (const char* part : {"line", "host", "port", "device", "baud"}) {
+  for (const char* part : {"line", "host", "port", "device", "baud", "kind", "laser"}) {
     if (changed == part) writeAddress(values);
   }
-  const auto url = arcos::parseUrl(textOf(values, "address"));
+  const auto url = PioneerAddress::parse(textOf(values, "address"));
   if (url && (changed.empty() || changed == "address")) readAddress(values, *url);
   const bool network = textOf(values, "line") == kNetwork;
   for (const char* part : {"device", "baud"}) {
@@ -111,7 +129,7 @@ void followAddress(FormState& state, const std::string& changed) {
 
 /// The same robot always has the same address.
 void normalizeAddress(FormValues& values) {
-  if (const auto url = arcos::parseUrl(textOf(values, "address"))) values["address"] = toString(*url);
+  if (const auto url = PioneerAddress::parse(textOf(values, "address"))) values["address"] = url->text();
 }
 
 /// The layouts that the program of such a robot can run in.
@@ -177,6 +195,19 @@ std::vector<PlatformField> lineFields() {
        .unit = "baud",
        .items = baudItems,
        .sameRow = true,
+       .isArgument = false},
+      {.name = "kind",
+       .label = "&Kind:",
+       .help = "The robot's description: p3at, p3dx, peoplebot or one of your own",
+       .initial = PioneerAddress().kind,
+       .isArgument = false},
+      {.name = "laser",
+       .kind = Kind::kChoice,
+       .label = "La&ser:",
+       .help = "Line of a SICK LMS 200, such as /dev/ttyUSB1; empty: the robot has none",
+       .emptyText = "none",
+       .items = deviceItems,
+       .editable = true,
        .isArgument = false}};
 }
 

@@ -138,6 +138,16 @@ void PioneerDriver::scanCame(const arcos::RangeScan& scan) {
   laser_ = packages_.laser(scan);
 }
 
+void PioneerDriver::takeScan(const arcos::RangeScan& scan) {
+  auto message = packages_.laser(scan);
+  if (message == nullptr) return;
+  // Its own angles, not those of the laser that the robot is described with.
+  auto own = std::make_shared<foxglove::LaserScan>(*message);
+  own->set_start_angle(scan.startAngle);
+  own->set_end_angle(scan.angle(scan.ranges.empty() ? 0 : scan.ranges.size() - 1));
+  laser_ = std::move(own);
+}
+
 // ---- To the robot
 
 void PioneerDriver::command(CommandId id, int argument, Instant now) {
@@ -266,7 +276,9 @@ void PioneerDriver::sendStatus(Instant now) {
   const auto& statistics = session().statistics();
   status->set_round_trip(robotlink::seconds(statistics.roundTrip));
   status->set_reconnects(statistics.connections > 0 ? statistics.connections - 1 : 0);
-  status->set_text(otherClient_.empty() ? session().describe() : "driven by a client at " + otherClient_);
+  std::string text = otherClient_.empty() ? session().describe() : "driven by a client at " + otherClient_;
+  if (!laserText_.empty()) text += "; " + laserText_;
+  status->set_text(std::move(text));
   statusSender_.send(std::move(status));
 }
 

@@ -43,8 +43,8 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
     std::string address;
     /// Whether the motors are switched on when the robot is connected.
     bool motorsOn = false;
-    /// Whether a simulator is asked for laser scans. The laser of a real robot has a line of its own, which
-    /// is not read here.
+    /// Whether a simulator is asked for laser scans. The laser of a real robot has a line of its own, whose
+    /// scans come by takeScan().
     bool laser = true;
   };
 
@@ -66,6 +66,10 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   void take(std::span<const std::uint8_t> bytes, robotlink::Instant now);
   /// Processes a packet from a robot that is reached without a line.
   void take(const robotlink::arcos::Packet& packet, robotlink::Instant now);
+  /// Takes a scan of a laser at a line of its own, in the laser's frame.
+  void takeScan(const robotlink::arcos::RangeScan& scan);
+  /// Sets what that laser does, a sentence without its period that link/status gets.
+  void setLaserText(std::string text) { laserText_ = std::move(text); }
   /// Processes a packet between the robot and another client, which drives the robot meanwhile. Nothing is
   /// sent.
   void overhear(const robotlink::arcos::Packet& packet, bool fromRobot, robotlink::Instant now);
@@ -129,6 +133,8 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   bool motorsWanted_;
   /// Empty if no other client drives the robot.
   std::string otherClient_;
+  /// Empty if there is no laser at a line of its own.
+  std::string laserText_;
   /// For takeReport().
   std::string report_;
   /// The times of the last event of each kind.

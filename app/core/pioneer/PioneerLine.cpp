@@ -18,7 +18,7 @@ constexpr Duration kOpeningLimit = std::chrono::seconds(3);
 }  // namespace
 
 PioneerLine::PioneerLine(std::string url, const robotlink::Clock& clock)
-    : url_(std::move(url)), clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), thread_([this] {
+    : clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), url_(std::move(url)), thread_([this] {
         run();
       }) {}
 
@@ -58,15 +58,31 @@ void PioneerLine::open() {
   wakeUp_.notify_all();
 }
 
+void PioneerLine::open(std::string url) {
+  {
+    const std::lock_guard lock(mutex_);
+    url_ = std::move(url);
+  }
+  open();
+}
+
+bool PioneerLine::isIdle() {
+  const std::lock_guard lock(mutex_);
+  return !wanted_ && !busy_;
+}
+
 void PioneerLine::close() {
   const std::lock_guard lock(mutex_);
   wanted_ = false;
 }
 
-bool PioneerLine::waitUntilWanted() {
+std::optional<std::string> PioneerLine::waitUntilWanted() {
   std::unique_lock lock(mutex_);
+  busy_ = false;
   wakeUp_.wait(lock, [this] { return wanted_ || quit_; });
-  return !quit_;
+  if (quit_) return std::nullopt;
+  busy_ = true;
+  return url_;
 }
 
 bool PioneerLine::wanted() {
@@ -75,8 +91,8 @@ bool PioneerLine::wanted() {
 }
 
 void PioneerLine::run() {
-  while (waitUntilWanted()) {
-    if (auto stream = arcos::open(url_, kOpeningLimit)) {
+  while (const auto url = waitUntilWanted()) {
+    if (auto stream = arcos::open(*url, kOpeningLimit)) {
       outgoing_.drain();
       open_ = true;
       report(Opened{});

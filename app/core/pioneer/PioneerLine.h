@@ -4,6 +4,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <variant>
@@ -47,7 +48,6 @@ class PioneerLine {
   PioneerLine(const PioneerLine&) = delete;
   PioneerLine& operator=(const PioneerLine&) = delete;
 
-  const std::string& url() const { return url_; }
   /// Removes and returns the events so far, in order.
   std::vector<Event> take() { return events_.drain(); }
   /// Enqueues bytes for the robot; drops them while the line is not open.
@@ -56,8 +56,12 @@ class PioneerLine {
   void sendUrgent(Bytes bytes);
   /// Opens the line if it is not open. Either an Opened or a Lost follows.
   void open();
-  /// Closes the line after sending what is waiting. No event follows.
+  /// The same at another URL, such as one with another speed; the line must be idle.
+  void open(std::string url);
+  /// Closes the line after sending what is waiting. No event follows once it is idle.
   void close();
+  /// Whether the line is closed and not being opened or closed.
+  bool isIdle();
 
  private:
   /// The thread's function.
@@ -70,21 +74,22 @@ class PioneerLine {
   void lose(const robotlink::Error& why);
   /// Enqueues an event with the current time.
   void report(std::variant<Opened, Bytes, Lost> what);
-  /// Blocks until the line is to be opened. Returns false if the thread is to end.
-  bool waitUntilWanted();
+  /// Blocks until the line is to be opened, and returns its URL; empty if the thread is to end.
+  std::optional<std::string> waitUntilWanted();
   /// Whether the line should be open.
   bool wanted();
 
-  const std::string url_;
   const robotlink::Clock& clock_;
   robotlink::BoundedQueue<Event> events_;
   robotlink::BoundedQueue<Bytes> outgoing_;
   /// Whether send() accepts bytes.
   std::atomic<bool> open_{false};
-  /// Protects wanted_ and quit_.
+  /// Protects url_, wanted_, busy_ and quit_.
   std::mutex mutex_;
   std::condition_variable wakeUp_;
-  bool wanted_ = false, quit_ = false;
+  std::string url_;
+  /// busy_: the thread uses the line.
+  bool wanted_ = false, busy_ = false, quit_ = false;
   /// The last member, since the thread uses the others.
   std::thread thread_;
 };

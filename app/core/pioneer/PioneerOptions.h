@@ -10,9 +10,9 @@ namespace app {
 /// The name of the PlatformAdapter of Pioneers.
 inline constexpr char kPioneerAdapter[] = "pioneer";
 
-/// A Pioneer at the other end of a line: "tcp://localhost:8101" or "serial:///dev/ttyUSB0?baud=9600". Its
-/// name is p3at1. An address that is none is refused when its platform is made.
-/// `motorsOn`: whether the motors are switched on when the robot is connected.
+/// A Pioneer at the other end of a line, by an address of PioneerAddress.h: "tcp://localhost:8101" or
+/// "serial:///dev/ttyUSB0?baud=9600". Its name is that of its kind: p3at1. An address that is none is refused
+/// when its platform is made. `motorsOn`: whether the motors are switched on when the robot is connected.
 RealRobotOptions pioneerOptions(std::string url, bool motorsOn = false);
 
 }  // namespace app

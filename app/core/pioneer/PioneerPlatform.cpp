@@ -16,10 +16,12 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 PioneerPlatform::PioneerPlatform(const robotlink::Clock& clock, std::string robot,
                                  const robotlink::RobotDescription& description,
-                                 PioneerDriver::Options options)
+                                 PioneerDriver::Options options, const PioneerAddress& address)
     : RealPlatform("platform", clock),
       driver_(*this, std::move(robot), description, options),
-      line_(options.address, clock) {}
+      line_(options.address, clock) {
+  if (address.laser) laser_ = std::make_unique<PioneerLaser>(*address.laser, address.scans, clock);
+}
 
 PioneerPlatform::~PioneerPlatform() {
   PioneerPlatform::shutDown();
@@ -38,6 +40,13 @@ void PioneerPlatform::takeEvents() {
                           [&](const PioneerLine::Lost& lost) { driver_.lineLost(lost.why, event.time); }},
                event.what);
   }
+}
+
+void PioneerPlatform::stepLaser() {
+  if (!laser_) return;
+  laser_->step();
+  while (const auto scan = laser_->takeScan()) driver_.takeScan(*scan);
+  driver_.setLaserText(laser_->session().describe());
 }
 
 void PioneerPlatform::sendWaiting() {
@@ -60,6 +69,7 @@ void PioneerPlatform::actuate() {
   if (stopSent_.exchange(false)) driver_.actuate(true, clock().now());
   driver_.actuate(mustStand(), clock().now());
   sendWaiting();
+  stepLaser();
   if (const std::string text = driver_.takeReport(); !text.empty()) report(text);
   if (driver_.wantsLine()) {
     line_.open();
@@ -70,10 +80,11 @@ void PioneerPlatform::actuate() {
 
 std::vector<RealPlatform::Figure> PioneerPlatform::connectionFigures() const {
   const auto& statistics = driver_.session().statistics();
+  const std::uint64_t scans = laser_ ? laser_->session().counters().scans : statistics.scans;
   return {{"packets", statistics.packets},
           {"standard_informations", statistics.information},
           {"undecodable_packets", statistics.undecodable},
-          {"scans", statistics.scans},
+          {"scans", scans},
           {"connections", statistics.connections},
           {"losses", statistics.losses},
           {"round_trip_s", robotlink::seconds(statistics.roundTrip)},

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 
+#include "app/core/pioneer/PioneerAddress.h"
 #include "app/core/pioneer/PioneerDriver.h"
+#include "app/core/pioneer/PioneerLaser.h"
 #include "app/core/pioneer/PioneerLine.h"
 #include "app/core/real/RealPlatform.h"
 
@@ -18,9 +21,11 @@ namespace app {
 /// robot stops. Clock and description must outlive it.
 class PioneerPlatform final : public RealPlatform {
  public:
-  /// `options.address` is the URL of the line. The connection is made by actuate().
+  /// `options.address` is the URL of the line. The connection is made by actuate(), and so is that of the
+  /// laser that the address has, if it has one.
   PioneerPlatform(const robotlink::Clock& clock, std::string robot,
-                  const robotlink::RobotDescription& description, PioneerDriver::Options options);
+                  const robotlink::RobotDescription& description, PioneerDriver::Options options,
+                  const PioneerAddress& address);
   ~PioneerPlatform() override;
 
   /// Ends the connection properly: motors off, then CLOSE.
@@ -45,6 +50,8 @@ class PioneerPlatform final : public RealPlatform {
   void execute() override;
 
  private:
+  /// Passes the laser's scans to the driver, and its state.
+  void stepLaser();
   /// Passes the events of the line to the driver.
   void takeEvents();
   /// Passes the driver's packets to the line.
@@ -57,6 +64,8 @@ class PioneerPlatform final : public RealPlatform {
   bool shutDown_ = false;
   PioneerDriver driver_;
   PioneerLine line_;
+  /// Null if the robot has no laser at a line of its own.
+  std::unique_ptr<PioneerLaser> laser_;
 };
 
 }  // namespace app
