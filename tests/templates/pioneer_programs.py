@@ -251,21 +251,50 @@ class RawClient(unittest.TestCase):
 
 
 class Ada(ProgramsTestCase):
-    """The program in Ada, where there is a compiler."""
+    """The program in Ada and its package I_Robot, where there is a compiler."""
 
-    def test_it_drives_its_robot(self):
+    @classmethod
+    def setUpClass(cls):
         if not shutil.which("gnatmake"):
-            self.skipTest("there is no gnatmake: install the package gnat to test the program in Ada")
-        source = os.path.join(OPTIONS.source, "resources/templates/pioneer/ada/drive.adb")
-        with tempfile.TemporaryDirectory() as folder, simulate(arena(), 1) as simulation:
-            subprocess.run(["gnatmake", "-q", "-gnatwae", source], cwd=folder, check=True)
-            start = (18, -12, 0)
-            simulator.put(DRIVE, simulation.url(), *start)
-            done = subprocess.run([os.path.join(folder, "drive"), simulation.url(), "8.0"], text=True, capture_output=True, timeout=HANGS)
-            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-            self.assertRegex(done.stdout, r"connected\nat -?\s*\d+ mm, .* after (7|8)\d states")
-            self.assert_turned_before_the_wall("Ada", start, simulator.true_pose(DRIVE, simulation.url()))
-            self.assertEqual(simulation.figures()["contacts"], 0)
+            raise unittest.SkipTest("there is no gnatmake: install the package gnat to test the program in Ada")
+        cls.folder = tempfile.TemporaryDirectory()
+        source = os.path.join(OPTIONS.source, "resources/templates/pioneer/ada")
+        subprocess.run(["gnatmake", "-q", "-gnatwae", f"-I{source}", os.path.join(source, "drive.adb")], cwd=cls.folder.name, check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def drive(self, url, seconds="8.0"):
+        return subprocess.run([os.path.join(self.folder.name, "drive"), url, seconds], text=True, capture_output=True, timeout=HANGS)
+
+    def assert_drives(self, simulation, line=None):
+        start = (18, -12, 0)
+        simulator.put(DRIVE, simulation.url(), *start)
+        line = line() if line else None  # it is the robot's client, too
+        done = self.drive(line.url if line else simulation.url())
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"connected with a p3at-sh\nat -?\s*\d+ mm, .* after (7|8)\d states")
+        if line:
+            self.assertGreater(line.carried[1], 3000)
+            line.close()
+        self.assert_turned_before_the_wall("Ada", start, simulator.true_pose(DRIVE, simulation.url()))
+        self.assertEqual(simulation.figures()["contacts"], 0)
+
+    def test_it_drives_its_robot_over_a_socket(self):
+        with simulate(arena(), 1) as simulation:
+            self.assert_drives(simulation)
+
+    def test_it_drives_its_robot_over_a_serial_line(self):
+        with simulate(arena(), 1) as simulation:
+            self.assert_drives(simulation, lambda: simulator.SerialBridge(simulation.url(), 38400))
+
+    def test_what_is_wrong_is_said(self):
+        for url, problem in (("tcp://localhost:1", "no connection to localhost"), ("serial:///dev/none", "/dev/none cannot be opened"),
+                             ("tcp://localhost:x", "'x' is not the port"), ("serial:///dev/none?baud=1", "9600, 19200, 38400")):
+            done = self.drive(url)
+            self.assertEqual(done.returncode, 1, url)
+            self.assertIn(problem, done.stderr)
 
 
 class SameProgram(unittest.TestCase):
