@@ -109,9 +109,10 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest,
                                          Shipped{"balanced", "ers210"}, Shipped{"ers210-programs", "ers210"},
                                          Shipped{"pioneer", "p3at"}, Shipped{"pioneer-parallel", "p3at"},
                                          Shipped{"pioneer-programs", "p3at"},
-                                         Shipped{"pioneer-mapping", "p3at"}),
+                                         Shipped{"pioneer-mapping", "p3at"}, Shipped{"pioneer", "p3dx"},
+                                         Shipped{"pioneer-mapping", "peoplebot"}),
                          [](const auto& shipped) {
-                           std::string name = shipped.param.layout;
+                           std::string name = std::string(shipped.param.layout) + "_" + shipped.param.robot;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });

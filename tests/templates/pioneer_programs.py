@@ -33,8 +33,8 @@ def program(name):
     return os.path.join(OPTIONS.programs, name)
 
 
-def simulate(scene, robots, *options):
-    return simulator.Simulator(OPTIONS.robotctl, scene, robots, *options)
+def simulate(scene, robots, *options, kind="p3at"):
+    return simulator.Simulator(OPTIONS.robotctl, scene, robots, *options, kind=kind)
 
 
 def arena():
@@ -115,6 +115,38 @@ class Programs(ProgramsTestCase):
             self.assertLess(abs(distance(ends["meeting_point"][a], ends["meeting_point"][b]) - 1.6), 0.5)
         self.assertIn("a p3at-sh", said["python"])
         self.assert_turned_before_the_wall("python", self.PLACES["python"][0], ends["python"][0])
+
+
+class OtherKinds(unittest.TestCase):
+    """Pioneers that are there by their data alone."""
+
+    def test_they_drive_straight_turn_and_say_what_they_are(self):
+        for kind, sonars in (("p3dx", 16), ("peoplebot", 24)):
+            with self.subTest(kind), simulate(arena(), 1, kind=kind) as simulation:
+                simulator.put(DRIVE, simulation.url(), 0, 0, 0)
+                robot = DRIVE.Pioneer(simulation.url())
+                self.assertEqual(robot.subclass, kind + "-sh")
+                robot.send(4, 1)  # ENABLE
+                robot.send(28, 1)  # SONAR
+                for _ in range(30):
+                    robot.read()
+                    robot.send(11, 300)  # VEL
+                x, y, heading = robot.x, robot.y, robot.heading
+                for _ in range(30):
+                    robot.read()
+                    robot.send(11, 0)
+                    robot.send(21, 40)  # RVEL
+                turned = (robot.heading - heading) % 360
+                heard = len(robot.sonars)
+                robot.close()
+                end = simulator.true_pose(DRIVE, simulation.url())
+                self.assertGreater(x, 0.5, "it did not drive")
+                self.assertLess(abs(y), 0.1, "it did not drive straight on")
+                self.assertGreater(turned, 60)
+                self.assertEqual(heard, sonars)
+                self.assertLess(abs(end[0] - robot.x), 0.15, "its odometry errs")
+                self.assertLess(abs((end[2] - robot.heading + 180) % 360 - 180), 15, "its track is wrong")
+                self.assertEqual(simulation.figures()["contacts"], 0)
 
 
 class Obstacle(unittest.TestCase):

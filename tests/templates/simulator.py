@@ -38,10 +38,10 @@ def free_ports(count):
 class Simulator:
     """`robotctl sim --arcos` in a scene or a map."""
 
-    def __init__(self, robotctl, scene, robots, *options):
+    def __init__(self, robotctl, scene, robots, *options, kind="p3at"):
         self.port = free_ports(robots)
         self.process = subprocess.Popen(
-            [robotctl, "sim", scene, "--robot", "p3at", "--robots", str(robots), "--arcos", str(self.port), "--json", *options],
+            [robotctl, "sim", scene, "--robot", kind, "--robots", str(robots), "--arcos", str(self.port), "--json", *options],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         deadline = time.monotonic() + 120
         while True:

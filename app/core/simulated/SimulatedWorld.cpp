@@ -54,8 +54,11 @@ std::shared_ptr<const robotlink::RobotDescription> descriptionOf(const simcore::
   return nullptr;
 }
 
-/// Sets what a microcontroller has from the description of its robot: limits of motion, sonars, battery.
+/// Sets what a microcontroller has from the description of its robot: type, limits of motion, sonars,
+/// battery.
 void describe(const robotlink::RobotDescription& robot, robotlink::arcos::ServerSettings& settings) {
+  // As robots with the newer controllers call themselves.
+  settings.subclass = robot.name + "-sh";
   if (const auto& drive = robot.drive) {
     settings.motion.speed = drive->maximumSpeed;
     settings.motion.rotation = drive->maximumRotation;
