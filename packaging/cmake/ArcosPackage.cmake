@@ -32,7 +32,7 @@ foreach(header
     arcos/codec/RangeScan.h arcos/codec/SensorPackets.h arcos/codec/ServerPackets.h arcos/codec/SimulatorCommands.h
     arcos/codec/SimulatorPackets.h arcos/codec/StandardInformation.h arcos/stream/ByteStream.h
     arcos/stream/MemoryStream.h arcos/stream/OpenStream.h arcos/stream/SerialPorts.h arcos/stream/StreamUrl.h
-    base/Clock.h base/Error.h base/Geometry.h)
+    base/Clock.h base/Error.h base/Geometry.h base/GlobalPosition.h base/GroundMap.h)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/robotlink/${header}
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/robotlink/${folder} ${arcos_component})

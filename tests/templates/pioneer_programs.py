@@ -117,6 +117,63 @@ class Programs(ProgramsTestCase):
         self.assert_turned_before_the_wall("python", self.PLACES["python"][0], ends["python"][0])
 
 
+class Navigation(unittest.TestCase):
+    """Navigation, planning and mapping in a house; faster than real time, as the programs live by the robot's states."""
+
+    HOME = (1.0, 5.5, 0)
+
+    def house(self):
+        return os.path.join(OPTIONS.source, "resources/scenes/house.map")
+
+    def run_program(self, simulation, name, *arguments):
+        done = subprocess.run([program(name), simulation.url(), *arguments], text=True, capture_output=True, timeout=HANGS)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def walls(self):
+        with open(self.house(), encoding="utf-8") as file:
+            lines = file.read().split("LINES\n")[1].split("DATA")[0].splitlines()
+        return [[float(number) / 1000 for number in line.split()] for line in lines if line.strip()]
+
+    def to_wall(self, walls, x, y):
+        def to_line(x1, y1, x2, y2):
+            length = (x2 - x1) ** 2 + (y2 - y1) ** 2
+            share = max(0, min(1, ((x - x1) * (x2 - x1) + (y - y1) * (y2 - y1)) / length)) if length else 0
+            return math.hypot(x1 + share * (x2 - x1) - x, y1 + share * (y2 - y1) - y)
+        return min(to_line(*wall) for wall in walls)
+
+    def test_a_place_is_reached_around_what_is_in_the_way(self):
+        with simulate(self.house(), 1, "--speed", "3") as simulation:
+            simulator.put(DRIVE, simulation.url(), 6.2, 5.5, 0)
+            self.assertIn("arrived", self.run_program(simulation, "navigation", "1.6", "-2.8"))  # through a door
+            end = simulator.true_pose(DRIVE, simulation.url())
+            self.assertLess(distance(end, (7.8, 2.7)), 0.5)
+            self.assertEqual(simulation.figures()["contacts"], 0)
+
+    def test_a_planned_way_leads_to_a_place_of_the_map(self):
+        with simulate(self.house(), 1, "--speed", "3") as simulation:
+            simulator.put(DRIVE, simulation.url(), *self.HOME)
+            self.assertRegex(self.run_program(simulation, "planning", self.house(), "Kitchen"), r"the way has \d\d points\narrived")
+            end = simulator.true_pose(DRIVE, simulation.url())
+            self.assertLess(distance(end, (7.7, 3.2)), 0.5)
+            self.assertEqual(simulation.figures()["contacts"], 0)
+            done = subprocess.run([program("planning"), simulation.url(), self.house(), "Nowhere"], text=True, capture_output=True, timeout=HANGS)
+            self.assertEqual((done.returncode, done.stderr), (1, "the map has no Nowhere\n"))
+
+    def test_a_map_is_made_and_read_again(self):
+        with simulate(self.house(), 1, "--speed", "3") as simulation, tempfile.TemporaryDirectory() as folder:
+            simulator.put(DRIVE, simulation.url(), *self.HOME)
+            made = os.path.join(folder, "made.map")
+            self.run_program(simulation, "mapping", "40", made)
+            with open(made, encoding="ascii") as file:
+                points = [[float(number) / 1000 for number in line.split()] for line in file.read().split("DATA\n")[1].splitlines()]
+            walls = self.walls()
+            right = sum(self.to_wall(walls, x + self.HOME[0], y + self.HOME[1]) < 0.3 for x, y in points)
+            self.assertGreater(len(points), 100)
+            self.assertGreater(right / len(points), 0.8, f"{right} of {len(points)}")
+            self.assertEqual(simulation.figures()["contacts"], 0)
+
+
 class OtherKinds(unittest.TestCase):
     """Pioneers that are there by their data alone."""
 
