@@ -211,6 +211,9 @@ Result<void> PioneerRobot::setDigitalOutput(int number, bool on) {
   const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(number));
   return setDigitalOutputs(bit, on ? bit : std::uint8_t{0});
 }
+Result<void> PioneerRobot::setGripper(GripperAction action) {
+  return write(command(CommandId::kGripper, static_cast<int>(action)));
+}
 Result<void> PioneerRobot::selectAnalogInput(int number) {
   if (number < 0 || number > 7)
     return failure("pioneer.no-input",

@@ -155,6 +155,9 @@ class PioneerRobot {
   /// Selects the port that analogInput() shows.
   Result<void> selectAnalogInput(int number);
 
+  /// Moves the gripper of a robot that has one; its state is in state().gripper. Returns at once.
+  Result<void> setGripper(GripperAction action);
+
   // --- Only for simulators; a real robot gives an error.
 
   /// Moves the robot to a pose in the map, as if it had been carried there. Its odometry does not change.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "robotlink/arcos/GripperState.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
 
@@ -58,6 +59,9 @@ struct RobotState {
   std::optional<bool> charging;
   /// Degrees Celsius.
   std::optional<double> temperature;
+
+  /// Of every robot, also of those without a gripper.
+  std::optional<GripperState> gripper;
 
   std::uint8_t digitalIn = 0, digitalOut = 0;
   /// The port selected by ADSEL; 0 to 255 for 0 to 5 V.

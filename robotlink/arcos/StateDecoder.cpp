@@ -84,6 +84,8 @@ void StateDecoder::take(const StandardInformation& information, Instant now) {
   const int temperature = information.temperatureDegC.value_or(StandardInformation::kNoTemperature);
   s.temperature =
       temperature > StandardInformation::kNoTemperature ? std::optional<double>(temperature) : std::nullopt;
+  s.gripper.reset();
+  if (information.gripState) s.gripper = gripperState(*information.gripState);
   s.digitalIn = information.digitalIn.value_or(0);
   s.digitalOut = information.digitalOut.value_or(0);
   s.analogIn = information.analog.value_or(0);

@@ -109,6 +109,18 @@ Rows robotRows() {
        "the "
        "robot is",
        {{"file", Type::kFile, "ends in .map"}}},
+      {"robot.gripper",
+       "Moves the gripper of the selected Pioneer, if it has one",
+       {{.name = "action",
+         .type = Type::kText,
+         .help =
+             "open, close, stop; lift-up, lift-down, lift-stop; store: closed and up, deploy: open and down; "
+             "halt: stops all",
+         .choices = {"open", "close", "stop", "lift-up", "lift-down", "lift-stop", "store", "deploy",
+                     "halt"}}}},
+      {"robot.output",
+       "Switches a digital output of the selected Pioneer's user port",
+       {{"number", Type::kNumber, "0 to 7"}, {"on", Type::kBool, "true: on, false: off"}}},
       {"robot.motors",
        "Switches the motors of the selected robot on wheels",
        {{"on", Type::kBool, "true: on, false: off"}}},

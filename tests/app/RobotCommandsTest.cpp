@@ -45,6 +45,29 @@ TEST_F(RobotCommandsTest, withoutARobotNothingCanBeAskedOfIt) {
   EXPECT_EQ(refusal("robot.select", {std::string("nobody")}), "robot.unknown");
 }
 
+TEST_F(RobotCommandsTest, aGripperAndOutputsAreMovedByPacketsForTheBase) {
+  EXPECT_EQ(refusal("robot.gripper", {std::string("open")}), "robot.none");
+  auto& session = workbench_.session();
+  session.setRobots({"p3dx1"});
+  std::string packet;
+  session.setRequestSink([&](const auto& request) {
+    packet = request.control_drive().packets_size() == 1 ? request.control_drive().packets(0) : "";
+  });
+  const auto bytesOf = [&](const std::string& line) {
+    packet.clear();
+    const auto done = workbench_.commands().runLine(line);
+    return done ? packet : done.error().id;
+  };
+  // FA FB, length, command, its argument with its sign, and the checksum.
+  EXPECT_EQ(bytesOf("robot.gripper open").substr(0, 7), std::string("\xFA\xFB\x06\x21\x3B\x01\x00", 7));
+  EXPECT_EQ(bytesOf("robot.gripper halt").substr(0, 7), std::string("\xFA\xFB\x06\x21\x3B\x0F\x00", 7));
+  EXPECT_EQ(bytesOf("robot.output 3 true").substr(0, 7), std::string("\xFA\xFB\x06\x1E\x3B\x08\x08", 7));
+  EXPECT_EQ(bytesOf("robot.output 3 false").substr(0, 7), std::string("\xFA\xFB\x06\x1E\x3B\x00\x08", 7));
+  EXPECT_EQ(bytesOf("robot.output 8 true"), "robot.output");
+  EXPECT_EQ(bytesOf("robot.output 1.5 true"), "robot.output");
+  session.setRequestSink({});
+}
+
 TEST_F(RobotCommandsTest, aMapIsSavedOnceItIsThere) {
   EXPECT_EQ(refusal("robot.save-map", {(home_ / "made.map").string()}), "robot.none");
   auto& session = workbench_.session();

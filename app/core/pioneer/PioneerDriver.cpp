@@ -7,6 +7,7 @@
 #include "robotlink/arcos/WireUnits.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/Packages.h"
 
 namespace app {
@@ -46,6 +47,21 @@ std::string robotNameOf(const arcos::ClientSession& session) {
   return identity != nullptr ? " " + identity->name + " (" + identity->subclass + ")" : std::string();
 }
 
+/// The gripper's package; null if the robot sent nothing of it.
+std::shared_ptr<const robotcontrol::GripperState> gripperPackage(const arcos::RobotState& state,
+                                                                 Instant now) {
+  if (!state.gripper) return nullptr;
+  auto gripper = std::make_shared<robotcontrol::GripperState>();
+  robotlink::assign(*gripper->mutable_timestamp(), now);
+  gripper->set_open(state.gripper->open);
+  gripper->set_closed(state.gripper->closed);
+  gripper->set_moving(state.gripper->moving);
+  gripper->set_lift_up(state.gripper->liftUp);
+  gripper->set_lift_down(state.gripper->liftDown);
+  gripper->set_lift_moving(state.gripper->liftMoving);
+  return gripper;
+}
+
 robotcontrol::LinkStatus::State stateOf(const arcos::ClientSession& session) {
   using robotcontrol::LinkStatus;
   switch (session.state()) {
@@ -72,6 +88,7 @@ PioneerDriver::PioneerDriver(robotlink::Process& platform, std::string robot,
       stateSender_(platform, robotlink::kDriveState.name, Blocking::kNo),
       sonarSender_(platform, robotlink::kSonar.name, Blocking::kNo),
       laserSender_(platform, robotlink::kLaser.name, Blocking::kNo),
+      gripperSender_(platform, robotlink::kGripper.name, Blocking::kNo),
       statusSender_(platform, robotlink::kLinkStatus.name, Blocking::kNo),
       packetsSender_(platform, robotlink::kLinkPackets.name, Blocking::kNo),
       request_(platform, robotlink::kDriveRequest.name, Blocking::kNo) {
@@ -124,6 +141,7 @@ void PioneerDriver::damageCame(const arcos::Damage& damage, Instant now) {
 }
 
 void PioneerDriver::configurationCame(const arcos::Configuration& configuration) {
+  hasGripper_ = configuration.gripper != 0;
   packages_.setBumpers(configuration.frontBumpers, configuration.rearBumpers);
   packages_.setBattery(configuration.lowBatteryDecivolts / 10.0, configuration.shutdownDecivolts / 10.0);
 }
@@ -131,6 +149,7 @@ void PioneerDriver::configurationCame(const arcos::Configuration& configuration)
 void PioneerDriver::stateCame(const arcos::StandardInformation& information, Instant now) {
   meter_.cycle(now);
   state_ = packages_.state(client_.state(), information, now);
+  if (hasGripper_) gripper_ = gripperPackage(client_.state(), now);
   if (auto sonars = packages_.sonars(information, client_.type().range, now)) sonars_ = std::move(sonars);
 }
 
@@ -246,13 +265,14 @@ robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive&
 // ---- To the program
 
 std::vector<robotlink::AnySender*> PioneerDriver::senders() {
-  return {&stateSender_, &sonarSender_, &laserSender_, &statusSender_, &packetsSender_};
+  return {&stateSender_, &sonarSender_, &laserSender_, &gripperSender_, &statusSender_, &packetsSender_};
 }
 
 void PioneerDriver::sendPackages(Instant now) {
   meter_.setKeeping(packetsSender_.connected());
   if (state_) stateSender_.send(std::exchange(state_, nullptr));
   if (sonars_) sonarSender_.send(std::exchange(sonars_, nullptr));
+  if (gripper_) gripperSender_.send(std::exchange(gripper_, nullptr));
   if (laser_) laserSender_.send(std::exchange(laser_, nullptr));
   if (auto packets = meter_.takePackets(now)) packetsSender_.send(std::move(packets));
   if (statusSent_ == Instant{} || now - statusSent_ >= kStatusPeriod) sendStatus(now);

@@ -11,6 +11,7 @@
 
 #include "app/core/pioneer/LinkMeter.h"
 #include "app/core/pioneer/PioneerPackages.h"
+#include "robotcontrol/Accessories.pb.h"
 #include "robotlink/arcos/PioneerClient.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/process/Receiver.h"
@@ -23,8 +24,8 @@ class ControlDrive;
 namespace app {
 
 /// The driver of a Pioneer: the part of a platform that speaks ARCOS with the robot, real or simulated. It
-/// sends the packages drive/state, range/sonar, range/laser, link/status and, on request, link/packets, and
-/// drives as the package drive/request asks.
+/// sends the packages drive/state, range/sonar, range/laser, link/status, of robots with a gripper
+/// body/gripper and, on request, link/packets, and drives as the package drive/request asks.
 ///
 /// If the program sends no request for kSilence, the robot stops, so that it never continues with the last
 /// request of a program that hangs. While STOP is engaged, the motors are off. The owner decides whether the
@@ -150,9 +151,13 @@ class PioneerDriver final : private robotlink::arcos::PioneerClient::Listener {
   std::shared_ptr<const robotcontrol::DriveState> state_;
   std::shared_ptr<const robotcontrol::SonarReadings> sonars_;
   std::shared_ptr<const foxglove::LaserScan> laser_;
+  std::shared_ptr<const robotcontrol::GripperState> gripper_;
+  /// Whether the robot says in its configuration that it has a gripper.
+  bool hasGripper_ = false;
   robotlink::Sender<robotcontrol::DriveState> stateSender_;
   robotlink::Sender<robotcontrol::SonarReadings> sonarSender_;
   robotlink::Sender<foxglove::LaserScan> laserSender_;
+  robotlink::Sender<robotcontrol::GripperState> gripperSender_;
   robotlink::Sender<robotcontrol::LinkStatus> statusSender_;
   robotlink::Sender<robotcontrol::LinkPackets> packetsSender_;
   robotlink::Receiver<robotcontrol::DriveRequest> request_;

@@ -140,6 +140,26 @@ TEST_F(PioneerDriverTest, itConnectsAndPublishesWhatTheRobotSenses) {
   EXPECT_EQ(status_.get()->robot_subclass(), "p3at-sh");
 }
 
+TEST_F(PioneerDriverTest, aGripperIsPublishedIfTheRobotHasOne) {
+  robotlink::Receiver<robotcontrol::GripperState> gripper{program_, "body/gripper", robotlink::Blocking::kNo};
+  robotlink::connect(*findSender<robotcontrol::GripperState>("body/gripper"), gripper);
+  play(2);
+  EXPECT_EQ(gripper.get(), nullptr);
+  arcos::Configuration configuration;
+  configuration.gripper = 1;
+  driver_.take(arcos::toPacket(configuration), clock_.now());
+  arcos::StandardInformation information;
+  information.gripState = std::uint8_t{0b0010'0010};
+  driver_.take(arcos::toPacket(information), clock_.now());
+  driver_.sendPackages(clock_.now());
+  platform_.runFrame();
+  program_.tryBeginFrame();
+  ASSERT_NE(gripper.get(), nullptr);
+  EXPECT_TRUE(gripper.get()->closed());
+  EXPECT_TRUE(gripper.get()->lift_down());
+  EXPECT_FALSE(gripper.get()->moving());
+}
+
 TEST_F(PioneerDriverTest, itDrivesAsTheProgramWantsOnceTheMotorsAreOn) {
   play(2);
   playAsking(1, 0.3, 0);

@@ -115,6 +115,14 @@ TEST_F(StateDecoderTest, sonarsKeepTheirLatestRange) {
   EXPECT_NEAR(point.y(), 0.027 + 1.5 * std::sin(radians(10.0)), 1e-6);
 }
 
+TEST_F(StateDecoderTest, theGripperIsAsItsBitsSay) {
+  EXPECT_FALSE(take({}).gripper) << "an older robot sends nothing of it";
+  StandardInformation information;
+  information.gripState = std::uint8_t{0b0101'0001};
+  const GripperState expected{.open = true, .liftUp = true, .liftMoving = true};
+  EXPECT_EQ(take(information).gripper, expected);
+}
+
 TEST_F(StateDecoderTest, aRobotWithAnOlderControllerCountsSmallerSteps) {
   decoder = StateDecoder(robotType("p3at"));
   EXPECT_NEAR(at(1000, 0).x, 0.465, 1e-9);
