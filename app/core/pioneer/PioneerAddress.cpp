@@ -51,7 +51,7 @@ bool isKind(std::string_view name) {
 }
 
 /// Applies an option; returns what is wrong with it, or an empty text.
-std::string apply(PioneerAddress& address, std::string_view option) {
+std::string applyOption(PioneerAddress& address, std::string_view option) {
   const auto equals = option.find('=');
   const std::string_view name = option.substr(0, equals);
   const std::string_view value = equals == std::string_view::npos ? "" : option.substr(equals + 1);
@@ -97,7 +97,7 @@ Result<PioneerAddress> PioneerAddress::parse(const std::string& text) {
     // The only option of the line itself.
     if (option.starts_with("baud=")) {
       line += '?' + std::string(option);
-    } else if (const std::string problem = apply(address, option); !problem.empty()) {
+    } else if (const std::string problem = applyOption(address, option); !problem.empty()) {
       return badOption(text, problem);
     }
   }
