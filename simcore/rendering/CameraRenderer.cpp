@@ -97,6 +97,17 @@ struct Frustum {
   }
 };
 
+/// Sets what makes a lamp a spot.
+void aimSpot(const Lamp& lamp, const Pose3& worldInCamera, ShadeLamp& result) {
+  if (lamp.kind != Lamp::Kind::kSpot) return;
+  const Eigen::Vector3f direction = (worldInCamera.linear() * lamp.direction.cast<double>()).cast<float>();
+  std::copy_n(direction.data(), 3, result.spotDirection);
+  constexpr float kSharpest = 1e-4F;
+  const float outer = std::cos(lamp.outerAngle / 2);
+  result.spotFactor = 1 / std::max(kSharpest, std::cos(lamp.innerAngle / 2) - outer);
+  result.spotOffset = -outer * result.spotFactor;
+}
+
 }  // namespace
 
 class CameraRenderer::Implementation {
@@ -201,8 +212,9 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
 void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
   for (std::size_t i = 0; i < lamps_.size(); ++i) {
     const Lamp& lamp = scene_->lamps[i];
-    const Eigen::Vector3f inCamera = (worldInCamera * lamp.position.cast<double>()).cast<float>();
+    const Eigen::Vector3f inCamera = (worldInCamera * placeOf(lamp).cast<double>()).cast<float>();
     std::copy_n(inCamera.data(), 3, lamps_[i].inCamera);
+    aimSpot(lamp, worldInCamera, lamps_[i]);
     lamps_[i].intensity = static_cast<float>(lamp.intensity * lighting_.brightness);
     lamps_[i].attenuation = lamp.attenuation;
     lamps_[i].cells = shadows_ ? shadows_->cells(i) : nullptr;

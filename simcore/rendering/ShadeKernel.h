@@ -126,6 +126,11 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
   const Float8 cosine =
       dot(surface.normal, toLamp) / squareRoot(maximum(squaredNormal * squaredDistance, splat(kTiny)));
   Float8 light = lamp.intensity * maximum(cosine, splat(0)) / (1.0F + squaredDistance * lamp.attenuation);
+  if (lamp.spotFactor != 0) {
+    const Float8 along =
+        -dot(toLamp, splatVector(lamp.spotDirection)) / squareRoot(maximum(squaredDistance, splat(kTiny)));
+    light = light * maximum(minimum(along * lamp.spotFactor + lamp.spotOffset, splat(1)), splat(0));
+  }
   if (lamp.cells == nullptr) return light;
   // A surface whose triangle faces away from the lamp is in the shadow of its own body.
   light = dot(surface.plane, position) < splat(1) ? light : splat(0);

@@ -9,18 +9,31 @@ namespace {
 constexpr int kWidth = 8;
 /// Rays end in front of the surface that they light, so that it does not shade itself by rounding errors.
 constexpr float kEnd = 1 - 2e-4F;
+/// Of directional lamps: their rays are longer.
+constexpr float kFarEnd = 1 - 1e-5F;
+constexpr float kSunDistance = 1000;  // m
+
+float endOf(const Lamp& lamp) {
+  return lamp.kind == Lamp::Kind::kDirectional ? kFarEnd : kEnd;
+}
 
 }  // namespace
+
+Eigen::Vector3f placeOf(const Lamp& lamp) {
+  return lamp.kind == Lamp::Kind::kDirectional ? Eigen::Vector3f(lamp.direction * -kSunDistance)
+                                               : lamp.position;
+}
 
 /// Collects rays from a lamp and traces them whenever there are eight.
 class ShadowCaster::Packet {
  public:
-  Packet(RTCScene tree, const Eigen::Vector3f& lamp, const UnsurePixels& pixels, float* light)
-      : tree_(tree), pixels_(pixels), light_(light) {
+  Packet(RTCScene tree, const Lamp& lamp, const UnsurePixels& pixels, float* light)
+      : tree_(tree), pixels_(pixels), light_(light), end_(endOf(lamp)) {
+    const Eigen::Vector3f place = placeOf(lamp);
     for (int lane = 0; lane < kWidth; ++lane) {
-      rays_.org_x[lane] = lamp.x();
-      rays_.org_y[lane] = lamp.y();
-      rays_.org_z[lane] = lamp.z();
+      rays_.org_x[lane] = place.x();
+      rays_.org_y[lane] = place.y();
+      rays_.org_z[lane] = place.z();
       rays_.mask[lane] = ~0U;
     }
   }
@@ -48,7 +61,7 @@ class ShadowCaster::Packet {
     rays_.dir_x[count_] = pixels_.direction[0][pixel];
     rays_.dir_y[count_] = pixels_.direction[1][pixel];
     rays_.dir_z[count_] = pixels_.direction[2][pixel];
-    rays_.tfar[count_] = kEnd;
+    rays_.tfar[count_] = end_;
     valid_[count_] = -1;
     pixel_[count_++] = pixel;
     if (count_ == kWidth) trace();
@@ -57,6 +70,7 @@ class ShadowCaster::Packet {
   RTCScene tree_;
   const UnsurePixels& pixels_;
   float* light_;
+  float end_;
   int count_ = 0;
   int pixel_[kWidth] = {};
   alignas(32) int valid_[kWidth] = {};
@@ -67,7 +81,7 @@ ShadowCaster::ShadowCaster(const RenderScene& scene, std::span<const DrawableMes
                            const Kernels& kernels)
     : scene_(scene), meshes_(meshes), kernels_(kernels), tree_(scene) {
   for (const Lamp& lamp : scene.lamps) {
-    LampGrid& grid = grids_.emplace_back(lamp.position.cast<double>());
+    LampGrid& grid = grids_.emplace_back(placeOf(lamp).cast<double>());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
       const RenderInstance& instance = scene.instances[i];
       if (instance.body != 0 || !instance.castsShadow) continue;
@@ -92,7 +106,7 @@ void ShadowCaster::setPoses(std::span<const Pose3> bodyInWorld) {
 }
 
 void ShadowCaster::addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light) {
-  Packet packet(tree_.scene(), scene_.lamps[lamp].position, pixels, light);
+  Packet packet(tree_.scene(), scene_.lamps[lamp], pixels, light);
   const auto groups = std::span(pixels.groups, static_cast<std::size_t>(pixels.count));
   for (const UnsureGroup& group : groups) {
     if (group.row % 2 == 0) packet.add(group, group.lanes & 0x55U);

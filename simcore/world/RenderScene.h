@@ -38,14 +38,22 @@ struct RenderInstance {
   std::string colorName = {};
 };
 
-/// A point light. The irradiance of a surface that faces it at distance d is `intensity` / (1 + d^2 *
-/// attenuation).
+/// A light. The irradiance of a surface that faces a point light or a spot at distance d is `intensity` / (1
+/// + d^2 * attenuation); that of a directional light, which is infinitely far away, is `intensity`
+/// everywhere.
 struct Lamp {
-  /// In the world, m.
+  enum class Kind : std::uint8_t { kPoint, kDirectional, kSpot };
+  /// In the world, m; without meaning for a directional light.
   Eigen::Vector3f position = {0, 0, 3};
   float intensity = 0.6F;
   /// Per square meter.
   float attenuation = 0;
+  Kind kind = Kind::kPoint;
+  /// Where the light goes, in the world, of unit length; without meaning for a point light.
+  Eigen::Vector3f direction = {0, 0, -1};
+  /// Of a spot, rad, the full angles of two cones: within the inner one the light is full, between the two it
+  /// falls off with the cosine of the angle, beyond there is none.
+  float innerAngle = 0, outerAngle = 0;
 };
 
 /// Everything that a camera or a viewer needs to draw a world, except for the poses of the bodies. Built once
