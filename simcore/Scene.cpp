@@ -2,12 +2,15 @@
 #include "simcore/Scene.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "simcore/SceneContents.h"
 #include "simcore/SceneFileKind.h"
 #include "simcore/maps/MapWorld.h"
 #include "simcore/placement/RobotPlacement.h"
+#include "simcore/sdf/ModelWorld.h"
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
@@ -20,62 +23,93 @@ using robotlink::GroundMap;
 
 namespace {
 
-using ModelTypes = std::map<fs::path, std::shared_ptr<const ModelDescription>>;
+/// The types of included models, by file and by whether an <include> makes them static.
+class IncludedTypes {
+ public:
+  explicit IncludedTypes(const SdfSources& sources) : sources_(sources) {}
 
-/// A copy of a type with `static` overridden by an <include>.
-std::shared_ptr<const ModelDescription> madeStatic(const std::shared_ptr<const ModelDescription>& type) {
-  auto copy = std::make_shared<ModelDescription>(*type);
-  copy->isStatic = true;
-  return copy;
+  /// Null after errors, which are reported once.
+  std::shared_ptr<const ModelDescription> of(const fs::path& file, std::optional<bool> isStatic) {
+    const auto key = std::pair(file, isStatic);
+    const auto known = types_.find(key);
+    if (known != types_.end()) return known->second;
+    const auto* model = sources_.files.model(file);
+    auto type = model != nullptr ? readSdfModel(*model, file.string(), sources_, isStatic) : nullptr;
+    // An <include> that says what the model says anyway has the same type.
+    if (type && !isStatic) types_[std::pair(file, std::optional(type->isStatic))] = type;
+    return types_[key] = type;
+  }
+
+ private:
+  const SdfSources& sources_;
+  std::map<std::pair<fs::path, std::optional<bool>>, std::shared_ptr<const ModelDescription>> types_;
+};
+
+void setTeam(const SceneInclude& include, const SceneFiles& files, ModelInstance& instance, Errors& errors) {
+  if (include.team.empty()) return;
+  const auto color = files.palette().find(include.team);
+  instance.teamColorName = include.team;
+  if (color != files.palette().end())
+    instance.teamColor = color->second;
+  else
+    errors.push_back({"scene.color", "no palette has the color '" + include.team + "'", {}, instance.where});
 }
 
-void addInclude(const SceneInclude& include, const SceneFiles& files, const ModelTypes& types,
-                const std::string& file, WorldDescription& world, Errors& errors) {
-  const auto& type = types.at(include.file);
-  if (!type) return;
-  const robotlink::FilePosition where{file, include.line, 0};
+ModelInstance instanceOf(const SceneInclude& include, const SceneFiles& files,
+                         std::shared_ptr<const ModelDescription> type, Errors& errors) {
   ModelInstance instance;
   instance.name = include.name.empty() ? type->name : include.name;
-  instance.type = include.isStatic && !type->isStatic ? madeStatic(type) : type;
-  instance.poseInWorld = poseFromNumbers(include.pose);
-  instance.where = where;
-  if (!instance.poseInWorld.matrix().allFinite() || instance.poseInWorld.translation().norm() > 1e4) {
-    errors.push_back({"scene.pose", "a pose must be finite and at most 10 km away", {}, where});
+  instance.where = {files.file().string(), include.line, 0};
+  instance.poseInWorld =
+      include.pose ? poseFromNumbers(*include.pose) : ownPoseOf(*files.model(include.file));
+  instance.type = std::move(type);
+  if (!instance.poseInWorld.matrix().allFinite() || instance.poseInWorld.translation().norm() > 1e5) {
+    errors.push_back({"scene.pose", "a pose must be finite and at most 100 km away", {}, instance.where});
   }
-  if (!include.team.empty()) {
-    const auto color = files.palette.find(include.team);
-    instance.teamColorName = include.team;
-    if (color != files.palette.end())
-      instance.teamColor = color->second;
-    else
-      errors.push_back({"scene.color", "no palette has the color '" + include.team + "'", {}, where});
+  setTeam(include, files, instance, errors);
+  return instance;
+}
+
+void checkNames(const WorldDescription& world, Errors& errors) {
+  std::set<std::string> names;
+  for (const ModelInstance& model : world.models) {
+    if (names.insert(model.name).second) continue;
+    errors.push_back(
+        {"scene.duplicate-name", "there is another model '" + model.name + "'", {}, model.where});
   }
-  if (std::ranges::any_of(world.models,
-                          [&](const ModelInstance& other) { return other.name == instance.name; })) {
-    errors.push_back({"scene.duplicate-name", "there is another model '" + instance.name + "'", {}, where});
-  }
-  world.models.push_back(std::move(instance));
 }
 
 /// A world under construction, from either kind of file.
 struct Draft {
   WorldDescription world;
   std::shared_ptr<const GroundMap> map;
-  // Empty if the world comes from a map and no model was added.
   SceneFiles files;
+  LeftOuts leftOut;
 };
 
-Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
-  Draft draft;
-  draft.files = SceneFiles::read(file, spec, errors);
-  if (!errors.empty()) return draft;
-  ModelTypes types;
-  for (const auto& [path, text] : draft.files.models)
-    types[path] = readSdfModel(text, path.string(), draft.files.palette, spec, errors);
-  draft.world = readSdfWorld(draft.files.worldText, file.string(), draft.files.palette, spec, errors);
-  for (const SceneInclude& include : draft.files.includes) {
-    addInclude(include, draft.files, types, file.string(), draft.world, errors);
+Draft readSdfScene(const fs::path& file, const std::vector<fs::path>& folders, const SdfSpec& spec,
+                   Errors& errors) {
+  Draft draft{{}, {}, SceneFiles(file, folders, spec, errors), {}};
+  MeshFiles meshes;
+  const SdfSources sources{draft.files, spec, meshes, errors, draft.leftOut};
+  if (draft.files.world() == nullptr) {
+    const auto* model = draft.files.model(file);
+    auto type = model != nullptr ? readSdfModel(*model, file.string(), sources) : nullptr;
+    if (type) draft.world = worldOfModel(std::move(type), ownPoseOf(*model));
+    return draft;
   }
+  IncludedTypes types(sources);
+  bool includesRead = false;
+  draft.world = readSdfWorld(sources, includesRead);
+  for (const SceneInclude& include : draft.files.includes()) {
+    if (includesRead) {
+      const auto read = std::ranges::find(draft.world.models, include.name, &ModelInstance::name);
+      if (read != draft.world.models.end()) setTeam(include, draft.files, *read, errors);
+    } else if (auto type = types.of(include.file, include.isStatic)) {
+      draft.world.models.push_back(instanceOf(include, draft.files, std::move(type), errors));
+    }
+  }
+  checkNames(draft.world, errors);
   return draft;
 }
 
@@ -97,7 +131,7 @@ class Progress {
 };
 
 Draft readMapScene(const fs::path& file, const Progress& progress, Errors& errors) {
-  Draft draft;
+  Draft draft{{}, {}, SceneFiles(file), {}};
   auto map = GroundMap::load(file);
   if (!map) {
     errors = std::move(map.error());
@@ -125,10 +159,12 @@ const ModelInstance* firstModel(const WorldDescription& world, Fits fits) {
 /// Reads the model of the robots to add; null, after adding errors, if it is not a robot.
 std::shared_ptr<const ModelDescription> readRobot(Draft& draft, const std::string& name, const fs::path& file,
                                                   const SdfSpec& spec, Errors& errors) {
-  const auto model = draft.files.addModel(name, file, spec, errors);
+  const auto model = draft.files.addModel(name, spec, errors);
   if (!model || !errors.empty()) return nullptr;
-  auto type = readSdfModel(draft.files.models.at(*model), model->string(), draft.files.palette, spec, errors);
-  if (!errors.empty()) return nullptr;
+  MeshFiles meshes;
+  const SdfSources sources{draft.files, spec, meshes, errors, draft.leftOut};
+  auto type = readSdfModel(*draft.files.model(*model), model->string(), sources);
+  if (!type || !errors.empty()) return nullptr;
   if (!type->robot.empty() && !type->isStatic) return type;
   errors.push_back(
       {"scene.no-robot", "'" + name + "' is not a robot that can be added", {name}, {file.string(), 0, 0}});
@@ -146,7 +182,7 @@ void putRobots(Draft& draft, RobotsToAdd robots, const fs::path& file, const Sdf
   if (!type) type = readRobot(draft, robots.model, file, spec, errors);
   if (!type) return;
   const auto added =
-      addRobots(draft.world, draft.map.get(), type, robots, draft.files.palette, file.string());
+      addRobots(draft.world, draft.map.get(), type, robots, draft.files.palette(), file.string());
   if (!added) errors.push_back(added.error());
 }
 
@@ -157,14 +193,16 @@ Scene::~Scene() = default;
 
 tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
                                                                const RobotsToAdd& robots,
-                                                               const LoadProgress& report) {
+                                                               const LoadProgress& report,
+                                                               const std::vector<fs::path>& modelFolders) {
   Errors errors;
   const Progress progress(report, errors);
   if (!progress.reached(0)) return tl::unexpected(std::move(errors));
   // It takes longer to make than a small map takes to read.
   std::optional<SdfSpec> spec;
   if (!isMapFile(file) || robots.count > 0) spec.emplace();
-  Draft draft = isMapFile(file) ? readMapScene(file, progress, errors) : readSdfScene(file, *spec, errors);
+  Draft draft = isMapFile(file) ? readMapScene(file, progress, errors)
+                                : readSdfScene(file, modelFolders, *spec, errors);
   if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
   if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
@@ -172,6 +210,8 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   implementation.file = file;
   implementation.world = std::move(draft.world);
   implementation.groundMap = std::move(draft.map);
+  implementation.leftOut = draft.files.leftOut();
+  for (LeftOut& one : draft.leftOut) leaveOut(implementation.leftOut, std::move(one));
   for (const ModelInstance& model : implementation.world.models) {
     if (!model.type->robot.empty())
       implementation.robots.push_back({model.name, model.type->robot, model.teamColorName});
@@ -192,11 +232,20 @@ const fs::path& Scene::file() const {
 const std::vector<Scene::Robot>& Scene::robots() const {
   return contents_->robots;
 }
+std::vector<SceneModel> Scene::models() const {
+  std::vector<SceneModel> result;
+  for (const ModelInstance& model : contents_->world.models)
+    result.push_back({model.name, model.type->file, model.type->isStatic});
+  return result;
+}
 const std::string& Scene::field() const {
   return contents_->field;
 }
 const std::vector<std::string>& Scene::balls() const {
   return contents_->balls;
+}
+const LeftOuts& Scene::leftOut() const {
+  return contents_->leftOut;
 }
 std::shared_ptr<const robotlink::GroundMap> Scene::groundMap() const {
   return contents_->groundMap;

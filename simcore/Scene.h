@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "simcore/world/LeftOut.h"
 #include "simcore/world/SceneRobots.h"
 
 namespace robotlink {
@@ -19,17 +20,26 @@ namespace simcore {
 
 struct SceneContents;
 
+/// A model of a scene.
+struct SceneModel {
+  std::string name;
+  /// The file that describes it.
+  std::string file;
+  bool isStatic = false;
+};
+
 /// Called with how much of a scene is loaded, in [0, 1]; returns whether to continue.
 using LoadProgress = std::function<bool(double share)>;
 
-/// A world as its file describes it, checked and ready for any number of simulations: an SDFormat 1.9 file,
-/// or a map of a building's floor (robotlink::GroundMap), whose lines and points become walls. Immutable.
+/// A world as its file describes it, checked and ready for any number of simulations: an SDFormat file (1.2
+/// to 1.12; see sdf/SCENES.md), a model alone, which then stands on a floor, or a map of a building's floor
+/// (robotlink::GroundMap), whose lines and points become walls. Immutable.
 class Scene {
  public:
   using Robot = SceneRobot;
 
-  /// Reads a world file, or a map (see SceneFileKind.h). `model://NAME` is searched below the file's folder
-  /// and below resources/scenes/models. All errors are reported, each with file and line.
+  /// Reads a world file, or a map (see SceneFileKind.h). `model://NAME` is searched below `modelFolders`, the
+  /// file's folder, and further ones (sdf/ModelSearch.h). All errors are reported, each with file and line.
   ///
   /// Robots to add stand at the homes of a map or, by their teams, of a field first, then at free places that
   /// can be reached from there, apart from each other and with room to turn; never in walls, in forbidden
@@ -39,17 +49,22 @@ class Scene {
   /// Large maps take seconds: `progress` is called several times per second, and can end it with the error
   /// "scene.given-up".
   static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
-      const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {});
+      const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {},
+      const std::vector<std::filesystem::path>& modelFolders = {});
 
   ~Scene();
   /// The path as given to load().
   const std::filesystem::path& file() const;
   /// In the order of the world's models; added robots come last.
   const std::vector<Robot>& robots() const;
+  /// All models, in the order of the world.
+  std::vector<SceneModel> models() const;
   /// The name of the field in the world (resources/fields/<name>.yaml, "2002"); empty if there is none.
   const std::string& field() const;
   /// The names of all balls.
   const std::vector<std::string>& balls() const;
+  /// What the files describe and the simulation does not have.
+  const LeftOuts& leftOut() const;
   /// The map from which the world was built; null if the file is not a map.
   std::shared_ptr<const robotlink::GroundMap> groundMap() const;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robotlink/base/GroundMap.h"
+#include "simcore/world/LeftOut.h"
 #include "simcore/world/RenderScene.h"
 #include "simcore/world/SceneRobots.h"
 #include "simcore/world/WorldDescription.h"
@@ -23,6 +24,7 @@ struct SceneContents {
   WorldDescription world;
   /// Shared by all simulations and viewers of the scene.
   std::shared_ptr<const RenderScene> renderScene;
+  LeftOuts leftOut;
   /// Null if the file is not a map.
   std::shared_ptr<const robotlink::GroundMap> groundMap;
 };

@@ -12,10 +12,10 @@ inline bool isMapFile(const std::filesystem::path& file) {
   return robotlink::fileSuffix(file) == ".map";
 }
 
-/// Whether a file is a scene: a world (*.sdf, *.world, *.xml) or a map.
+/// Whether a file is a scene: a world or a model (*.sdf, *.world, *.xml, *.urdf) or a map.
 inline bool isSceneFile(const std::filesystem::path& file) {
   const std::string suffix = robotlink::fileSuffix(file);
-  return suffix == ".sdf" || suffix == ".world" || suffix == ".xml" || suffix == ".map";
+  return suffix == ".sdf" || suffix == ".world" || suffix == ".xml" || suffix == ".urdf" || suffix == ".map";
 }
 
 }  // namespace simcore

@@ -80,6 +80,7 @@ struct Simulation::Implementation {
   std::vector<bool> touchedBall;
   // Keyed by robot.
   std::vector<TouchCount> obstacles;
+  LeftOuts overlaps;
   // Keyed by drive.
   std::vector<WheelState> wheelStates;
   bool readingsValid = false, posesValid = false, rangingValid = false;
@@ -179,14 +180,21 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
   const Implementation& made = *simulation->implementation_;
+  const auto isOurs = [](const ModelInstance& model) {
+    return !model.type->robot.empty() || model.type->isBall;
+  };
   for (std::size_t i = 0; i < made.world.models.size(); ++i) {
     const int other = made.physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
     if (other < 0) continue;
     const ModelInstance& model = made.world.models[i];
-    const std::string& otherName = made.world.models[static_cast<std::size_t>(other)].name;
-    return robotlink::failure("scene.overlap",
-                              "'" + model.name + "' starts inside '" + otherName + "': move one of them",
-                              model.where, {model.name, otherName});
+    const ModelInstance& otherModel = made.world.models[static_cast<std::size_t>(other)];
+    const std::string text = "'" + model.name + "' starts inside '" + otherModel.name + "'";
+    if (isOurs(model) || isOurs(otherModel)) {
+      return robotlink::failure("scene.overlap", text + ": move one of them", model.where,
+                                {model.name, otherModel.name});
+    }
+    leaveOut(simulation->implementation_->overlaps,
+             {model.where, model.name, text, "they push each other apart"});
   }
   return simulation;
 }
@@ -317,6 +325,19 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   return robotlink::failure("simulation.place",
                             "'" + model + "' does not fit there: '" + otherName + "' is in the way", {},
                             {model, otherName});
+}
+
+const LeftOuts& Simulation::overlaps() const {
+  return implementation_->overlaps;
+}
+
+std::vector<std::string> Simulation::modelsTouching(const std::string& model) const {
+  std::vector<std::string> names;
+  const int index = implementation_->modelIndex(model);
+  if (index < 0) return names;
+  for (const int other : implementation_->physics->modelsTouching(index))
+    names.push_back(implementation_->world.models[static_cast<std::size_t>(other)].name);
+  return names;
 }
 
 std::uint64_t Simulation::ballContacts() const {

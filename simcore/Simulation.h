@@ -10,6 +10,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "simcore/world/Devices.h"
+#include "simcore/world/LeftOut.h"
 #include "simcore/world/RangeSensor.h"
 #include "simcore/world/RenderScene.h"
 
@@ -47,7 +48,7 @@ class Simulation {
   /// The duration of a step.
   static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
 
-  /// Fails if a model starts inside another one.
+  /// Fails if a robot or a ball starts inside another model; other models may (see overlaps()).
   static robotlink::Result<std::unique_ptr<Simulation>> create(std::shared_ptr<const Scene> scene,
                                                                SimulationOptions options);
   ~Simulation();
@@ -106,6 +107,12 @@ class Simulation {
   /// or does not fit there.
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose,
                                      const std::optional<ModelPosture>& posture = {});
+
+  /// The models that start inside others by more than 3 mm.
+  const LeftOuts& overlaps() const;
+  /// The names of the models that a moving model touches at its present pose; costs a search. Empty if the
+  /// model is unknown or static.
+  std::vector<std::string> modelsTouching(const std::string& model) const;
 
   /// How often robots began to touch a ball.
   std::uint64_t ballContacts() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
@@ -11,6 +12,8 @@ namespace simcore {
 namespace {
 
 constexpr int kMaxContacts = 4;
+/// With a mesh, whose triangles each give contacts: the first four may all be at one corner of a body.
+constexpr int kMaxMeshContacts = 24;
 constexpr double kContactErrorReduction = 0.3;
 constexpr double kContactSoftness = 1e-5;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
@@ -63,8 +66,10 @@ void addContacts(void* data, dGeomID a, dGeomID b) {
   OdeGeom& second = infoOf(b);
   if (first.wheel >= 0 && movedBody(ode, first) != nullptr) return addRolling(ode, first, second);
   if (second.wheel >= 0 && movedBody(ode, second) != nullptr) return addRolling(ode, second, first);
-  dContact contacts[kMaxContacts];
-  const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+  dContact contacts[kMaxMeshContacts];
+  const int most =
+      first.triangles != nullptr || second.triangles != nullptr ? kMaxMeshContacts : kMaxContacts;
+  const int count = dCollide(a, b, most, &contacts[0].geom, sizeof(dContact));
   if (count == 0) return;
   noteTouch(ode, first, second, contacts[0].geom.normal[2]);
   for (int i = 0; i < count; ++i) {
@@ -127,7 +132,47 @@ void compareDepth(void* data, dGeomID a, dGeomID b) {
   }
 }
 
+struct TouchQuery {
+  int model;
+  std::set<int> found{};
+};
+
+void noteModel(void* data, dGeomID a, dGeomID b) {
+  auto& query = *static_cast<TouchQuery*>(data);
+  if (descend(&query, a, b, &noteModel)) return;
+  const OdeGeom &first = infoOf(a), &second = infoOf(b);
+  const int other = first.model == query.model ? second.model : first.model;
+  dContactGeom contact;
+  if (!query.found.contains(other) && dCollide(a, b, 1, &contact, sizeof contact) > 0)
+    query.found.insert(other);
+}
+
+/// Calls `callback` for a moving model's space and each geom or space that may touch it.
+template <typename Query>
+void compareWithOthers(OdeWorld& ode, int model, Query& query, dNearCallback* callback) {
+  const dSpaceID own = ode.models[static_cast<std::size_t>(model)].space;
+  const OdePlace& place = *std::ranges::lower_bound(ode.places, model, {}, &OdePlace::model);
+  for (const OdePlace& other : ode.places) {
+    // ODE's bounds are not used: asking for them makes ODE update all solids of everything that moves.
+    if (other.model == model || !mayMeet(ode, place, other)) continue;
+    const OdeModel& otherModel = ode.models[static_cast<std::size_t>(other.model)];
+    dSpaceCollide2(asGeom(own), asGeom(otherModel.space), &query, callback);
+  }
+  StaticGrid::Bounds bounds;
+  dGeomGetAABB(asGeom(own), bounds.data());
+  ode.grid.near(bounds, ode.nearby);
+  for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(own), geom, &query, callback);
+  for (const dGeomID geom : ode.grid.unbounded()) dSpaceCollide2(asGeom(own), geom, &query, callback);
+}
+
 }  // namespace
+
+std::vector<int> touchingModels(OdeWorld& ode, int model) {
+  TouchQuery query{model};
+  if (ode.models[static_cast<std::size_t>(model)].space != nullptr)
+    compareWithOthers(ode, model, query, &noteModel);
+  return {query.found.begin(), query.found.end()};
+}
 
 void findContacts(OdeWorld& ode) {
   if (!ode.hasDynamic) return;
@@ -143,21 +188,9 @@ void findContacts(OdeWorld& ode) {
 }
 
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
-  const dSpaceID own = ode.models[static_cast<std::size_t>(model)].space;
   OverlapQuery query{ode, model, note};
-  if (own == nullptr) return query.found;
-  const OdePlace& place = *std::ranges::find(ode.places, model, &OdePlace::model);
-  for (const OdePlace& other : ode.places) {
-    // ODE's bounds are not used: asking for them makes ODE update all solids of everything that moves.
-    if (other.model == model || !mayMeet(ode, place, other)) continue;
-    const OdeModel& otherModel = ode.models[static_cast<std::size_t>(other.model)];
-    dSpaceCollide2(asGeom(own), asGeom(otherModel.space), &query, &compareDepth);
-  }
-  StaticGrid::Bounds bounds;
-  dGeomGetAABB(asGeom(own), bounds.data());
-  ode.grid.near(bounds, ode.nearby);
-  for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);
-  for (const dGeomID geom : ode.grid.unbounded()) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);
+  if (ode.models[static_cast<std::size_t>(model)].space == nullptr) return query.found;
+  compareWithOthers(ode, model, query, &compareDepth);
   return query.found;
 }
 

@@ -23,4 +23,7 @@ enum class NoteTouches : std::uint8_t { kNo, kYes };
 /// its own. With kYes, contacts are recorded as by findContacts(), but get no joints.
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo);
 
+/// The models, in ascending order, that a moving model touches.
+std::vector<int> touchingModels(OdeWorld& ode, int model);
+
 }  // namespace simcore

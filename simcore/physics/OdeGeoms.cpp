@@ -4,7 +4,19 @@
 namespace simcore {
 namespace {
 
-dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
+/// ODE reads the vertices and indices where they are, so the mesh must outlive the geom; `data` must be
+/// destroyed after it.
+dGeomID createTrimesh(dSpaceID space, const Mesh& mesh, dTriMeshDataID& data) {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+  static_assert(sizeof(mesh.triangles[0]) == 3 * sizeof(dTriIndex));
+  data = dGeomTriMeshDataCreate();
+  dGeomTriMeshDataBuildSingle(data, mesh.vertices.data(), 3 * sizeof(float),
+                              static_cast<int>(mesh.vertices.size()), mesh.triangles.data(),
+                              static_cast<int>(mesh.triangles.size() * 3), 3 * sizeof(dTriIndex));
+  return dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
+}
+
+dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose, dTriMeshDataID& data) {
   switch (shape.kind) {
     case Shape::Kind::kBox:
       return dCreateBox(space, shape.size.x(), shape.size.y(), shape.size.z());
@@ -14,9 +26,9 @@ dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
       return dCreateCylinder(space, shape.radius, shape.length);
     case Shape::Kind::kCapsule:
       return dCreateCapsule(space, shape.radius, shape.length);
-    case Shape::Kind::kPlane:
-    // Never a solid.
     case Shape::Kind::kMesh:
+      return createTrimesh(space, *shape.mesh, data);
+    case Shape::Kind::kPlane:
       break;
   }
   const Vector3 normal = pose.linear().col(2);
@@ -28,7 +40,7 @@ dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
 dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& collision, int index,
                 const Pose3& pose) {
   OdeGeom& geom = ode.geoms.emplace_back();
-  geom.id = createGeom(space, collision.shape, pose);
+  geom.id = createGeom(space, collision.shape, pose, geom.triangles);
   geom.model = index;
   geom.friction = collision.friction;
   geom.restitution = collision.restitution;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/OdeWorld.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace simcore {
@@ -13,6 +14,16 @@ constexpr double kErrorReduction = 0.3;
 constexpr double kConstraintForceMixing = 1e-7;
 /// In m/s; keeps overlapping bodies from being catapulted apart.
 constexpr double kMaxCorrectingVelocity = 1;
+
+/// From this number of moving models on, sorting them is faster than comparing each with each.
+constexpr std::ptrdiff_t kSortFrom = 100;
+
+dSpaceID newTopSpace(const WorldDescription& description) {
+  const auto moving = std::ranges::count_if(description.models,
+                                            [](const ModelInstance& model) { return !model.type->isStatic; });
+  return moving >= kSortFrom ? dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)
+                             : dSimpleSpaceCreate(nullptr);
+}
 
 }  // namespace
 
@@ -35,7 +46,7 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(world
   // The threading that worlds share by default is not safe when two of them step at the same time.
   threading = dThreadingAllocateSelfThreadedImplementation();
   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
-  top = dSimpleSpaceCreate(nullptr);
+  top = newTopSpace(description);
   dSpaceSetCleanup(top, 0);
   statics = dSimpleSpaceCreate(top);
   dSpaceSetCleanup(statics, 0);
@@ -46,7 +57,10 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(world
 OdeWorld::~OdeWorld() {
   prepareOdeForThread();
   dJointGroupDestroy(contacts);
-  for (const OdeGeom& geom : geoms) dGeomDestroy(geom.id);
+  for (const OdeGeom& geom : geoms) {
+    dGeomDestroy(geom.id);
+    if (geom.triangles != nullptr) dGeomTriMeshDataDestroy(geom.triangles);
+  }
   dGeomDestroy(ray);
   for (const OdeModel& model : models) {
     if (model.space != nullptr) dSpaceDestroy(model.space);

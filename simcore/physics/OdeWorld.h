@@ -16,6 +16,8 @@ namespace simcore {
 /// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
+  /// Of a mesh, otherwise null. The mesh itself is that of the description.
+  dTriMeshDataID triangles = nullptr;
   int model = 0;
   // Coulomb's friction coefficient, and restitution, 0 to 1.
   double friction = 1;
@@ -36,6 +38,12 @@ struct OdeBody {
   Vector3 centerInLink = Vector3::Zero();
   /// Its geoms are consecutive in OdeWorld::geoms.
   std::size_t firstGeom = 0;
+};
+
+/// A passive joint that resists being moved.
+struct OdeResistance {
+  dJointID joint = nullptr;
+  double damping = 0, friction = 0;
 };
 
 /// The data attached to the space of each moving model.
@@ -95,6 +103,8 @@ struct OdeWorld {
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
   std::vector<OdeModel> models;
+  /// Joints that resist.
+  std::vector<OdeResistance> resistances;
   /// The places of all moving models, updated only when they are needed.
   std::vector<OdePlace> places;
   /// Whether there are models of either kind.

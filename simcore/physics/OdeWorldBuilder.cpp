@@ -6,6 +6,7 @@
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/OdeDriveBuilder.h"
 #include "simcore/physics/OdeGeoms.h"
+#include "simcore/physics/OdeJoints.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/ModelGeometry.h"
 
@@ -82,7 +83,7 @@ class WorldBuilder {
       ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
     }
     if (type.drive) addDrive(ode_, model, index);
-    for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
+    for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
@@ -105,6 +106,7 @@ class WorldBuilder {
     dMassSetParameters(&mass, link.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
     dBodySetMass(body.id, &mass);
     dBodySetAutoDisableFlag(body.id, 0);
+    if (link.weightless) dBodySetGravityMode(body.id, 0);
     setDamping(body.id, link);
     place(body, model.poseInWorld * link.poseInModel);
     for (const CollisionDescription& collision : link.collisions)
@@ -121,37 +123,13 @@ class WorldBuilder {
     dBodySetAngularDampingThreshold(body, 0);
   }
 
-  void addJoint(const ModelInstance& model, const JointDescription& joint, std::size_t firstBody) {
-    if (joint.wheel) return;
-    const dBodyID child = ode_.bodies[firstBody + static_cast<std::size_t>(joint.child)].id;
-    const dBodyID parent =
-        joint.parent < 0 ? nullptr : ode_.bodies[firstBody + static_cast<std::size_t>(joint.parent)].id;
-    if (joint.fixed) {
-      const dJointID id = dJointCreateFixed(ode_.world, nullptr);
-      dJointAttach(id, child, parent);
-      dJointSetFixed(id);
-      return;
-    }
-    const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
-    const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
-    const dJointID id = dJointCreateHinge(ode_.world, nullptr);
-    dJointAttach(id, child, parent);
-    dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
-    dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
-    // Set twice, because ODE ignores a lower stop above the upper one.
-    dJointSetHingeParam(id, dParamLoStop, joint.lower);
-    dJointSetHingeParam(id, dParamHiStop, joint.upper);
-    dJointSetHingeParam(id, dParamLoStop, joint.lower);
-    ode_.hinges.push_back(id);
-    dJointSetFeedback(id, &ode_.hingeForces.emplace_back());
-  }
-
   /// Turns the joints, which were created at angle 0, to their initial angles.
   void pose(const ModelInstance& model, std::size_t firstBody) {
     const ModelDescription& type = *model.type;
     // Keyed by the joints above, in the model's frame.
     std::vector<Pose3> moved(type.links.size(), Pose3::Identity());
     for (const JointDescription& joint : type.joints) {
+      if (joint.closesCycle) continue;
       const Pose3 above =
           joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
       const Eigen::Translation3d anchor(joint.anchorInModel);

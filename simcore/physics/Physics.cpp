@@ -8,6 +8,7 @@
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeGeoms.h"
+#include "simcore/physics/OdeJoints.h"
 #include "simcore/physics/OdeRandom.h"
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
@@ -47,6 +48,7 @@ void Physics::step(std::uint64_t seed) {
   for (OdeModel& model : ode_->models) model.touchesObstacle = false;
   ode_->touches.clear();
   ode_->wheelContactCount = 0;
+  resist(*ode_);
   moveKinematicModels(*ode_);
   findContacts(*ode_);
   dWorldQuickStep(ode_->world, kStepSeconds);
@@ -198,6 +200,11 @@ int Physics::overlappedModel(int model, double tolerance) const {
   prepareOdeForThread();
   const Overlap overlap = deepestOverlap(*ode_, model);
   return overlap.depth > tolerance ? overlap.model : -1;
+}
+
+std::vector<int> Physics::modelsTouching(int model) const {
+  prepareOdeForThread();
+  return touchingModels(*ode_, model);
 }
 
 std::uint64_t Physics::digest() const {

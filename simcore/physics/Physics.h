@@ -86,6 +86,9 @@ class Physics {
   /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none.
   int overlappedModel(int model, double tolerance) const;
 
+  /// The models, in ascending order, that a moving model touches at its present pose; costs a search.
+  std::vector<int> modelsTouching(int model) const;
+
   /// A hash of the poses and velocities of all bodies.
   std::uint64_t digest() const;
   /// Only for tests and benchmarks.

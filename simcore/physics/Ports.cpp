@@ -14,7 +14,7 @@ class Collector {
     name_ = model.name;
     if (model.type->isStatic) return;
     for (const JointDescription& joint : model.type->joints) {
-      if (joint.fixed || joint.wheel) continue;
+      if (joint.kind != JointDescription::Kind::kHinge || joint.wheel) continue;
       addAngle(joint);
       if (joint.servo) addServo(joint);
       ++hinge_;

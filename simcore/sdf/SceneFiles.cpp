@@ -7,8 +7,9 @@
 #include <sstream>
 
 #include "robotlink/base/AtomicFile.h"
-#include "robotlink/base/Resources.h"
 #include "simcore/sdf/SdfCheck.h"
+#include "simcore/sdf/SdfPaths.h"
+#include "simcore/sdf/UrdfConversion.h"
 
 namespace simcore {
 namespace fs = std::filesystem;
@@ -49,20 +50,28 @@ std::string problemOf(tinyxml2::XMLError error) {
   }
 }
 
-/// Reads and parses a whole file; returns false if it cannot be read or is not XML.
-bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& document, Errors& errors) {
+/// Reads and parses a whole file, a URDF after its conversion; returns false if it cannot be read or is not
+/// XML.
+bool readXml(const fs::path& file, tinyxml2::XMLDocument& document, Errors& errors) {
   auto contents = robotlink::readFile(file, kMaxFileBytes);
   if (!contents) {
     errors.push_back(contents.error());
     return false;
   }
-  text = std::move(*contents);
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  if (document.Parse(contents->data(), contents->size()) != tinyxml2::XML_SUCCESS) {
     fail(errors, file, std::max(1, document.ErrorLineNum()), "scene.xml",
          "this is not well-formed XML: " + problemOf(document.ErrorID()));
     return false;
   }
-  return true;
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr || std::string_view(root->Name()) != "robot") return true;
+  const auto converted = sdfOfUrdf(*contents, file.string());
+  if (!converted) {
+    errors.push_back(converted.error());
+    return false;
+  }
+  document.Clear();
+  return document.Parse(converted->data(), converted->size()) == tinyxml2::XML_SUCCESS;
 }
 
 /// Reads the <robotcontrol:palette> of a world or a model: <robotcontrol:color name="green">0 130
@@ -85,149 +94,180 @@ void readPalette(const XMLElement& parent, const fs::path& file, Palette& palett
   }
 }
 
-std::string childText(const XMLElement& element, const char* name) {
-  const XMLElement* child = element.FirstChildElement(name);
-  return child != nullptr && child->GetText() != nullptr ? child->GetText() : "";
-}
-
-/// The model file of a URI: model://NAME below the world's folder, below its models folder, or among the
-/// shipped models.
-std::optional<fs::path> resolve(const std::string& uri, const fs::path& world) {
-  const fs::path folder = world.parent_path();
-  std::vector<fs::path> candidates;
-  constexpr std::string_view kScheme = "model://";
-  if (uri.starts_with(kScheme)) {
-    const fs::path name = uri.substr(kScheme.size());
-    candidates = {folder / name, folder / "models" / name, robotlink::resource("scenes/models") / name};
-  } else if (uri.find("://") == std::string::npos && !uri.empty()) {
-    candidates = {folder / uri};
-  }
-  std::error_code error;
-  for (const fs::path& candidate : candidates) {
-    const fs::path file = fs::is_directory(candidate, error) ? candidate / "model.sdf" : candidate;
-    if (fs::is_regular_file(file, error)) return fs::weakly_canonical(file, error);
-  }
-  return std::nullopt;
-}
-
-bool readPose(const std::string& text, SceneInclude& include) {
+bool readPose(const std::string& text, std::array<double, 6>& pose) {
   std::istringstream stream(text);
-  for (double& number : include.pose) stream >> number;
+  for (double& number : pose) stream >> number;
   std::string rest;
   return !stream.fail() && !(stream >> rest);
 }
 
-std::optional<SceneInclude> readInclude(const XMLElement& element, const fs::path& world, Errors& errors) {
+/// The contents of a world's <include>, except for its file.
+SceneInclude readDetails(const XMLElement& element, const fs::path& world, Errors& errors) {
   SceneInclude include;
   include.line = element.GetLineNum();
-  const std::string uri = childText(element, "uri");
-  const auto file = resolve(uri, world);
-  if (!file) {
-    fail(errors, world, include.line, "scene.unknown-model", "there is no model '" + uri + "'");
-    return std::nullopt;
-  }
-  include.file = *file;
   include.name = childText(element, "name");
   include.team = childText(element, "robotcontrol:team");
-  const std::string isStatic = childText(element, "static");
-  include.isStatic = isStatic == "true" || isStatic == "1";
+  if (element.FirstChildElement("static") != nullptr) include.isStatic = isTrue(childText(element, "static"));
   const XMLElement* pose = element.FirstChildElement("pose");
-  if (pose != nullptr && !readPose(childText(element, "pose"), include)) {
+  const std::string text = childText(element, "pose");
+  if (pose != nullptr && !text.empty() && !readPose(text, include.pose.emplace())) {
     fail(errors, world, pose->GetLineNum(), "scene.pose", "a pose is six numbers: x y z roll pitch yaw");
-  }
-  if (pose != nullptr && pose->FirstAttribute() != nullptr) {
-    fail(errors, world, pose->GetLineNum(), "scene.pose", "the pose of an <include> takes no attributes");
   }
   return include;
 }
 
-/// Overwrites the text between `begin` and `end` with spaces, except for line ends.
-void blank(std::string& text, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end && i < text.size(); ++i) {
-    if (text[i] != '\n') text[i] = ' ';
+/// Puts a copy of a file's light into the world instead of the <include> that names it: libraries have lamps
+/// that are included like models.
+void insertLight(const XMLElement& light, const XMLElement& include, XMLElement& world) {
+  XMLElement* copy = light.DeepClone(world.GetDocument())->ToElement();
+  const std::string name = childText(include, "name");
+  if (!name.empty()) copy->SetAttribute("name", name.c_str());
+  if (const XMLElement* pose = include.FirstChildElement("pose")) {
+    if (XMLElement* own = copy->FirstChildElement("pose")) copy->DeleteChild(own);
+    copy->InsertEndChild(pose->DeepClone(world.GetDocument()));
   }
+  world.InsertEndChild(copy);
 }
 
-/// Blanks every <include> element of well-formed XML, with regard to comments and CDATA.
-void blankIncludes(std::string& text) {
-  constexpr std::string_view kOpen = "<include", kClose = "</include>";
-  std::size_t at = 0;
-  while ((at = text.find('<', at)) != std::string::npos) {
-    const std::string_view rest = std::string_view(text).substr(at);
-    if (rest.starts_with("<!--")) {
-      at = text.find("-->", at);
-    } else if (rest.starts_with("<![CDATA[")) {
-      at = text.find("]]>", at);
-    } else if (rest.starts_with(kOpen) &&
-               (rest[kOpen.size()] == '>' || std::isspace(rest[kOpen.size()]) != 0)) {
-      const std::size_t end = text.find(kClose, at);
-      blank(text, at, end + kClose.size());
-      at = end;
-    } else {
-      ++at;
-    }
-    if (at == std::string::npos) return;
-  }
-}
-
-/// Reads and checks a model's file once, and collects its colors. `where` is the place that refers to it.
-void readModel(SceneFiles& files, const fs::path& model, const robotlink::FilePosition& where,
-               const SdfSpec& spec, Errors& errors) {
-  if (files.models.contains(model)) return;
-  std::string& text = files.models[model];
-  tinyxml2::XMLDocument document;
-  if (!readXml(model, text, document, errors)) return;
-  checkSdfTree(document, model.string(), spec, errors);
-  const XMLElement* root = document.RootElement();
-  const XMLElement* element = root != nullptr ? root->FirstChildElement("model") : nullptr;
-  if (element == nullptr) {
-    errors.push_back({"scene.unknown-model", "'" + model.string() + "' describes no model", {}, where});
-  } else {
-    readPalette(*element, model, files.palette, errors);
-  }
+bool isWorld(const XMLElement& element) {
+  return std::string_view(element.Name()) == "world";
 }
 
 }  // namespace
 
-SceneFiles SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& errors) {
-  SceneFiles files;
-  tinyxml2::XMLDocument document;
-  if (!readXml(file, files.worldText, document, errors)) return files;
-  checkSdfTree(document, file.string(), spec, errors);
-  if (!errors.empty()) return files;
-  const XMLElement* root = document.RootElement();
-  const XMLElement* world = root != nullptr ? root->FirstChildElement("world") : nullptr;
-  if (world == nullptr) {
-    fail(errors, file, 1, "scene.no-world",
-         R"(the file must describe a world: <sdf version="1.9"><world name="...">)");
-    return files;
+SceneFiles::SceneFiles(const fs::path& file) : file_(file), search_(file) {}
+SceneFiles::~SceneFiles() = default;
+SceneFiles::SceneFiles(SceneFiles&&) noexcept = default;
+SceneFiles& SceneFiles::operator=(SceneFiles&&) noexcept = default;
+
+SceneFiles::SceneFiles(const fs::path& file, const std::vector<fs::path>& folders, const SdfSpec& spec,
+                       Errors& errors)
+    : file_(file), search_(file, folders) {
+  tinyxml2::XMLDocument* document = read(file, spec, errors);
+  XMLElement* root = document != nullptr ? document->RootElement() : nullptr;
+  if (root == nullptr) return;
+  if (root->FirstChildElement("world") == nullptr && root->FirstChildElement("model") == nullptr) {
+    fail(errors, file, root->GetLineNum(), "scene.no-world",
+         R"(the file must describe a world: <sdf version="1.9"><world name="...">, or a model)");
+    return;
   }
-  for (auto* element = world->FirstChildElement("include"); element != nullptr;
-       element = element->NextSiblingElement("include")) {
-    if (auto include = readInclude(*element, file, errors)) files.includes.push_back(std::move(*include));
+  if (XMLElement* world = root->FirstChildElement("world")) {
+    readPalette(*world, file, palette_, errors);
+    readIncludes(*world, file, spec, errors);
+  } else {
+    readModel(file, {file.string(), 1, 0}, spec, errors);
   }
-  readPalette(*world, file, files.palette, errors);
-  for (auto* model = world->FirstChildElement("model"); model != nullptr;
-       model = model->NextSiblingElement("model")) {
-    readPalette(*model, file, files.palette, errors);
-  }
-  for (const SceneInclude& include : files.includes) {
-    readModel(files, include.file, {file.string(), include.line, 0}, spec, errors);
-  }
-  blankIncludes(files.worldText);
-  return files;
 }
 
-std::optional<fs::path> SceneFiles::addModel(const std::string& name, const fs::path& scene,
-                                             const SdfSpec& spec, Errors& errors) {
+tinyxml2::XMLDocument* SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  auto& document = documents_[file];
+  if (document) return document.get();
+  document = std::make_unique<tinyxml2::XMLDocument>();
+  if (!readXml(file, *document, errors)) {
+    document->Clear();
+    return nullptr;
+  }
+  checkSdfTree(*document, file.string(), spec, errors, leftOut_);
+  return document.get();
+}
+
+const XMLElement* SceneFiles::world() const {
+  const auto found = documents_.find(file_);
+  const XMLElement* root = found != documents_.end() ? found->second->RootElement() : nullptr;
+  return root != nullptr ? root->FirstChildElement("world") : nullptr;
+}
+
+const XMLElement* SceneFiles::model(const fs::path& file) const {
+  const auto found = documents_.find(file);
+  const XMLElement* root = found != documents_.end() ? found->second->RootElement() : nullptr;
+  return root != nullptr ? root->FirstChildElement("model") : nullptr;
+}
+
+const fs::path* SceneFiles::fileOf(const XMLElement& include) const {
+  const auto found = included_.find(&include);
+  return found != included_.end() ? &found->second : nullptr;
+}
+
+void SceneFiles::readIncludes(XMLElement& parent, const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  for (XMLElement* child = parent.FirstChildElement(); child != nullptr;) {
+    XMLElement* const next = child->NextSiblingElement();
+    const std::string_view name = child->Name();
+    if (name == "include") {
+      if (!readInclude(*child, file, spec, errors)) parent.DeleteChild(child);
+    } else if (name == "model") {
+      readPalette(*child, file, palette_, errors);
+      readIncludes(*child, file, spec, errors);
+    }
+    child = next;
+  }
+}
+
+bool SceneFiles::readInclude(XMLElement& element, const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  const std::string uri = childText(element, "uri");
+  const robotlink::FilePosition where{file.string(), element.GetLineNum(), 0};
+  if (isNetworkUri(uri)) {
+    leaveOut(leftOut_, {where, objectPath(element), "<include> of " + uri,
+                        "nothing is fetched from the network; get the model, and name its folder"});
+    return false;
+  }
+  const auto model = search_.findModel(uri, file);
+  if (!model) {
+    const std::string path = objectPath(element);
+    fail(errors, file, where.line, "scene.unknown-model",
+         (path.empty() ? "" : path + ": ") + "there is no model '" + uri +
+             "'; name the folder that contains it " +
+             "with --models or GZ_SIM_RESOURCE_PATH (searched: " + search_.describe() + ")");
+    return true;
+  }
+  if (isTrue(element.Attribute("merge") != nullptr ? element.Attribute("merge") : "")) {
+    leaveOut(leftOut_,
+             {where, objectPath(element), "merge=\"true\"", "the model stays a model in the model"});
+  }
+  if (const XMLElement* light = lightOf(*model, spec, errors)) {
+    insertLight(*light, element, *element.Parent()->ToElement());
+    return false;
+  }
+  included_[&element] = *model;
+  if (isWorld(*element.Parent()->ToElement())) {
+    SceneInclude include = readDetails(element, file, errors);
+    include.file = *model;
+    includes_.push_back(std::move(include));
+  }
+  readModel(*model, where, spec, errors);
+  return true;
+}
+
+const XMLElement* SceneFiles::lightOf(const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  const tinyxml2::XMLDocument* document = read(file, spec, errors);
+  const XMLElement* root = document != nullptr ? document->RootElement() : nullptr;
+  if (root == nullptr || root->FirstChildElement("model") != nullptr) return nullptr;
+  return root->FirstChildElement("light");
+}
+
+void SceneFiles::readModel(const fs::path& file, const robotlink::FilePosition& where, const SdfSpec& spec,
+                           Errors& errors) {
+  if (!modelsRead_.insert(file).second) return;
+  tinyxml2::XMLDocument* document = read(file, spec, errors);
+  if (document == nullptr) return;
+  XMLElement* root = document->RootElement();
+  XMLElement* model = root != nullptr ? root->FirstChildElement("model") : nullptr;
+  if (model == nullptr) {
+    errors.push_back({"scene.unknown-model", "'" + file.string() + "' describes no model", {}, where});
+    return;
+  }
+  readPalette(*model, file, palette_, errors);
+  readIncludes(*model, file, spec, errors);
+}
+
+std::optional<fs::path> SceneFiles::addModel(const std::string& name, const SdfSpec& spec, Errors& errors) {
   // Only a name is allowed, not a path to elsewhere.
   const bool isName = !name.empty() && name.find('/') == std::string::npos && name != "." && name != "..";
-  const auto model = isName ? resolve("model://" + name, scene) : std::nullopt;
+  const auto model = isName ? search_.findModel("model://" + name, file_) : std::nullopt;
   if (!model) {
-    fail(errors, scene, 0, "scene.unknown-model", "there is no model '" + name + "' to add robots of");
+    fail(errors, file_, 0, "scene.unknown-model", "there is no model '" + name + "' to add robots of");
     return std::nullopt;
   }
-  readModel(*this, *model, {scene.string(), 0, 0}, spec, errors);
+  readModel(*model, {file_.string(), 0, 0}, spec, errors);
   return model;
 }
 

@@ -1,50 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "robotlink/base/Error.h"
-#include "simcore/sdf/SdfReader.h"
+#include "simcore/sdf/ModelSearch.h"
+#include "simcore/world/LeftOut.h"
+#include "simcore/world/Palette.h"
+
+namespace tinyxml2 {
+class XMLDocument;
+class XMLElement;
+}  // namespace tinyxml2
 
 namespace simcore {
+
+class SdfSpec;
 
 /// An <include> of a world: the model's file, name, pose and team color.
 struct SceneInclude {
   std::filesystem::path file;
   /// Empty: the model's own name.
   std::string name;
-  /// As in SDFormat: x y z roll pitch yaw, m and rad.
-  double pose[6] = {};
-  bool isStatic = false;
+  /// As in SDFormat: x y z roll pitch yaw, m and rad; unset: the model's own.
+  std::optional<std::array<double, 6>> pose;
+  /// Unset: as the model says.
+  std::optional<bool> isStatic;
   /// A color of the palette; empty if there is no team.
   std::string team;
   /// Line of the <include>, for error messages.
   int line = 0;
 };
 
-/// The text of a world and those of the models that it includes, each read and checked once as XML with line
-/// numbers. libsdformat would parse an included file again for each <include>, and reports many errors
-/// without a line. Therefore includes are resolved here, and worldText is the world's text with the <include>
-/// elements blanked out, so that line numbers stay the same.
-struct SceneFiles {
-  std::string worldText;
-  std::vector<SceneInclude> includes;
-  /// Text by file.
-  std::map<std::filesystem::path, std::string> models;
+/// The files of a scene: a world, or a model alone, and all models that they include, each read and checked
+/// once however often it is included. URDF files are converted by libsdformat; they have no line numbers
+/// then. One thread at a time.
+class SceneFiles {
+ public:
+  /// Reads `file` and everything that it includes; appends problems to `errors`. `folders` are searched for
+  /// models first.
+  SceneFiles(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders,
+             const SdfSpec& spec, robotlink::Errors& errors);
+  ~SceneFiles();
+  SceneFiles(SceneFiles&&) noexcept;
+  SceneFiles& operator=(SceneFiles&&) noexcept;
+  SceneFiles(const SceneFiles&) = delete;
+  SceneFiles& operator=(const SceneFiles&) = delete;
+
+  /// For scenes that are no SDFormat files, to which models are added.
+  explicit SceneFiles(const std::filesystem::path& file);
+
+  const std::filesystem::path& file() const { return file_; }
+  /// Null if the file describes a model alone.
+  const tinyxml2::XMLElement* world() const;
+  /// The <model> of a file that was read; null if it is not sound.
+  const tinyxml2::XMLElement* model(const std::filesystem::path& file) const;
+  /// The file that an <include> of a document names; null if there is none.
+  const std::filesystem::path* fileOf(const tinyxml2::XMLElement& include) const;
+  /// The world's own includes.
+  const std::vector<SceneInclude>& includes() const { return includes_; }
   /// The palette of the world and all models.
-  Palette palette;
+  const Palette& palette() const { return palette_; }
+  const ModelSearch& search() const { return search_; }
+  const LeftOuts& leftOut() const { return leftOut_; }
 
-  /// Reads `file` and everything that it includes; appends problems to `errors`.
-  static SceneFiles read(const std::filesystem::path& file, const SdfSpec& spec, robotlink::Errors& errors);
+  /// Reads a further model, found as model://NAME would be found in the scene. Returns its file; nothing,
+  /// after adding errors, if there is no such model.
+  std::optional<std::filesystem::path> addModel(const std::string& name, const SdfSpec& spec,
+                                                robotlink::Errors& errors);
 
-  /// Reads a further model, found as model://NAME would be found in the world file `scene`. Returns its file;
-  /// nothing, after adding errors, if there is no such model.
-  std::optional<std::filesystem::path> addModel(const std::string& name, const std::filesystem::path& scene,
-                                                const SdfSpec& spec, robotlink::Errors& errors);
+ private:
+  /// Reads and checks a file once; null, after adding errors, if it is no sound XML.
+  tinyxml2::XMLDocument* read(const std::filesystem::path& file, const SdfSpec& spec,
+                              robotlink::Errors& errors);
+  /// Reads the models that are included anywhere below an element.
+  void readIncludes(tinyxml2::XMLElement& parent, const std::filesystem::path& file, const SdfSpec& spec,
+                    robotlink::Errors& errors);
+  /// Returns false if the element is to be removed.
+  bool readInclude(tinyxml2::XMLElement& include, const std::filesystem::path& file, const SdfSpec& spec,
+                   robotlink::Errors& errors);
+  /// The light that a file describes instead of a model; null if it describes none.
+  const tinyxml2::XMLElement* lightOf(const std::filesystem::path& file, const SdfSpec& spec,
+                                      robotlink::Errors& errors);
+  void readModel(const std::filesystem::path& model, const robotlink::FilePosition& where,
+                 const SdfSpec& spec, robotlink::Errors& errors);
+
+  std::filesystem::path file_;
+  std::map<std::filesystem::path, std::unique_ptr<tinyxml2::XMLDocument>> documents_;
+  std::set<std::filesystem::path> modelsRead_;
+  std::map<const tinyxml2::XMLElement*, std::filesystem::path> included_;
+  std::vector<SceneInclude> includes_;
+  Palette palette_;
+  ModelSearch search_;
+  LeftOuts leftOut_;
 };
 
 }  // namespace simcore

@@ -12,8 +12,12 @@
 #include <string_view>
 #include <vector>
 
+#include "robotlink/base/Spelling.h"
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfSpec.h"
+#include "simcore/sdf/SdfUnsupported.h"
+#include "simcore/sdf/SdfUpgrade.h"
 
 namespace simcore {
 namespace {
@@ -53,9 +57,6 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:idle_torque", {"robotcontrol:drive", ""}, 1},
 };
 
-// Versions that libsdformat converts.
-constexpr std::string_view kOlderVersions[] = {"1.5", "1.6", "1.7", "1.8"};
-
 std::vector<std::string> words(const XMLElement& element) {
   std::vector<std::string> result;
   std::istringstream stream(element.GetText() != nullptr ? element.GetText() : "");
@@ -85,54 +86,99 @@ constexpr ValueType kNumberTypes[] = {{"double", 1, 1},       {"float", 1, 1},  
 
 class Checker {
  public:
-  Checker(const std::string& file, robotlink::Errors& errors) : file_(file), errors_(errors) {}
+  Checker(const std::string& file, robotlink::Errors& errors, LeftOuts& leftOut)
+      : file_(file), errors_(errors), leftOut_(leftOut) {}
 
   /// Checks an element of SDFormat; without a description, only our own elements below it.
-  void check(const XMLElement& element, const sdf::ElementPtr& description) {
+  void check(XMLElement& element, const sdf::ElementPtr& description) {
     if (description) {
       checkAttributes(element, description);
       checkValue(element, description);
     }
-    for (auto* child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    for (XMLElement* child = element.FirstChildElement(); child != nullptr;) {
+      XMLElement* const next = child->NextSiblingElement();
       const std::string_view name = child->Name();
       if (name.starts_with(kOwnPrefix)) {
         checkOwn(*child, element.Name());
-      } else if (name.find(':') == std::string_view::npos) {
-        checkChild(*child, element, description);
+      } else if (name.find(':') == std::string_view::npos && !checkChild(*child, element, description)) {
+        element.DeleteChild(child);
       }
+      child = next;
     }
   }
 
  private:
   void fail(const XMLElement& element, const char* id, const std::string& text) {
-    errors_.push_back({id, text, {element.Name()}, {file_, element.GetLineNum(), 0}});
+    const std::string path = objectPath(element);
+    errors_.push_back(
+        {id, path.empty() ? text : path + ": " + text, {element.Name()}, {file_, element.GetLineNum(), 0}});
   }
+  void omit(const XMLElement& element, const std::string& what, const std::string& why) {
+    leaveOut(leftOut_, {{file_, element.GetLineNum(), 0}, objectPath(element), what, why});
+  }
+  static std::string tag(const XMLElement& element) { return std::string("<") + element.Name() + ">"; }
 
-  void checkChild(const XMLElement& child, const XMLElement& parent, const sdf::ElementPtr& description) {
-    if (!description) return check(child, nullptr);
-    // The parameters of a plugin are arbitrary.
-    if (description->GetCopyChildren()) return;
-    if (!description->HasElementDescription(child.Name())) {
-      return fail(child, "scene.unknown-element",
-                  std::string("SDFormat 1.9 has no <") + child.Name() + "> in <" + parent.Name() + ">");
+  /// Returns whether the child stays in the tree.
+  bool checkChild(XMLElement& child, const XMLElement& parent, const sdf::ElementPtr& description) {
+    const Unsupported found = unsupported(child);
+    if (found.why != nullptr) omit(child, tag(child) + " in " + tag(parent), found.why);
+    if (found.removed) return false;
+    if (!description) {
+      check(child, nullptr);
+      return true;
     }
-    const sdf::ElementPtr found = description->GetElementDescription(child.Name());
+    // The parameters of a plugin are arbitrary.
+    if (description->GetCopyChildren()) return true;
+    // Newer than the SDFormat that libsdformat describes, and read by readSolidShapes().
+    if (std::string_view(child.Name()) == "cone" && std::string_view(parent.Name()) == "geometry") {
+      check(child, nullptr);
+      return true;
+    }
+    if (!description->HasElementDescription(child.Name())) {
+      omit(child, tag(child) + " in " + tag(parent),
+           "SDFormat 1.9 has no such element" + guess(child, description));
+      return false;
+    }
+    const sdf::ElementPtr known = description->GetElementDescription(child.Name());
     // A model inside a model is described by reference.
-    check(child, found->ReferenceSDF().empty() ? found : nullptr);
+    if (!known->ReferenceSDF().empty() && std::string_view(child.Name()) == "model") {
+      check(child, model_ ? model_ : description);
+    } else {
+      if (std::string_view(child.Name()) == "model") model_ = known;
+      check(child, known->ReferenceSDF().empty() ? known : nullptr);
+    }
+    return true;
   }
 
-  void checkAttributes(const XMLElement& element, const sdf::ElementPtr& description) {
+  static std::string shortText(const XMLElement& element) {
+    const std::string text = trimmedText(&element);
+    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+  }
+
+  static std::string guess(const XMLElement& child, const sdf::ElementPtr& description) {
+    std::vector<std::string> names;
+    for (unsigned i = 0; i < description->GetElementDescriptionCount(); ++i)
+      names.push_back(description->GetElementDescription(i)->GetName());
+    const auto nearest = robotlink::nearest(child.Name(), names);
+    return nearest.empty() ? "" : "; is <" + nearest + "> meant?";
+  }
+
+  void checkAttributes(XMLElement& element, const sdf::ElementPtr& description) {
+    std::vector<std::string> unknown;
     for (auto* attribute = element.FirstAttribute(); attribute != nullptr; attribute = attribute->Next()) {
       const std::string name = attribute->Name();
       if (name.find(':') != std::string::npos || description->HasAttribute(name)) continue;
-      fail(element, "scene.unknown-attribute",
-           "<" + std::string(element.Name()) + "> has no attribute '" + name + "'");
+      unknown.push_back(name);
+    }
+    for (const std::string& name : unknown) {
+      omit(element, "attribute '" + name + "' of " + tag(element), "SDFormat 1.9 has no such attribute");
+      element.DeleteAttribute(name.c_str());
     }
     for (std::size_t i = 0; i < description->GetAttributeCount(); ++i) {
       const auto attribute = description->GetAttribute(static_cast<unsigned int>(i));
       if (!attribute->GetRequired() || element.Attribute(attribute->GetKey().c_str()) != nullptr) continue;
       fail(element, "scene.missing-attribute",
-           "<" + std::string(element.Name()) + "> needs the attribute '" + attribute->GetKey() + "'");
+           tag(element) + " needs the attribute '" + attribute->GetKey() + "'");
     }
   }
 
@@ -142,9 +188,12 @@ class Checker {
     const std::vector<std::string> values = words(element);
     const auto known = std::ranges::find(kNumberTypes, std::string_view(type), &ValueType::name);
     if (type == "bool") {
-      const bool valid = values.size() == 1 && (values[0] == "true" || values[0] == "false" ||
-                                                values[0] == "1" || values[0] == "0");
-      if (!valid) fail(element, "scene.value", "<" + std::string(element.Name()) + "> must be true or false");
+      const bool valid =
+          values.size() == 1 && (isTrue(values[0]) || values[0] == "0" || values[0] == "false" ||
+                                 values[0] == "False" || values[0] == "FALSE");
+      if (!valid)
+        fail(element, "scene.value",
+             tag(element) + " must be true or false, not '" + shortText(element) + "'");
     } else if (known != std::end(kNumberTypes)) {
       checkNumbers(element, values, known->fewest, known->most);
     }
@@ -158,10 +207,10 @@ class Checker {
     const bool countFits = values.empty() || (values.size() >= fewest && values.size() <= most);
     if (countFits && std::ranges::all_of(values, isLimit ? isLimitNumber : isFiniteNumber)) return;
     const std::string count = fewest == 1 ? "one finite number" : std::to_string(fewest) + " finite numbers";
-    fail(element, "scene.value", "<" + std::string(element.Name()) + "> must be " + count);
+    fail(element, "scene.value", tag(element) + " must be " + count + ", not '" + shortText(element) + "'");
   }
 
-  void checkOwn(const XMLElement& element, std::string_view parent) {
+  void checkOwn(XMLElement& element, std::string_view parent) {
     const std::string name = element.Name();
     const auto* known = std::ranges::find(kOwnElements, std::string_view(name), &OwnElement::name);
     if (known == std::end(kOwnElements))
@@ -182,30 +231,35 @@ class Checker {
 
   const std::string& file_;
   robotlink::Errors& errors_;
+  LeftOuts& leftOut_;
+  /// The description of <model>, for models inside models.
+  sdf::ElementPtr model_;
 };
 
 }  // namespace
 
-void checkSdfTree(const tinyxml2::XMLDocument& document, const std::string& file, const SdfSpec& spec,
-                  robotlink::Errors& errors) {
-  const XMLElement* root = document.RootElement();
+void checkSdfTree(tinyxml2::XMLDocument& document, const std::string& file, const SdfSpec& spec,
+                  robotlink::Errors& errors, LeftOuts& leftOut) {
+  XMLElement* root = document.RootElement();
   if (root == nullptr || std::string_view(root->Name()) != "sdf") {
     const int line = root != nullptr ? root->GetLineNum() : 1;
+    const std::string found = root != nullptr ? ", but <" + std::string(root->Name()) + ">" : "";
     errors.push_back(
-        {"scene.no-sdf", "this is not an SDFormat file: its root is not <sdf>", {}, {file, line, 0}});
+        {"scene.no-sdf", "this is not an SDFormat file: its root is not <sdf>" + found, {}, {file, line, 0}});
     return;
   }
-  const std::string_view version = root->Attribute("version") != nullptr ? root->Attribute("version") : "";
-  const bool current = version == "1.9";
-  if (!current && std::ranges::find(kOlderVersions, version) == std::end(kOlderVersions)) {
+  const std::string version = root->Attribute("version") != nullptr ? root->Attribute("version") : "";
+  const int minor = sdfMinorVersion(version);
+  if (minor < kOldestSdf || minor > kNewestSdf) {
     errors.push_back({"scene.version",
-                      "the version must be 1.9, or an older one down to 1.5",
+                      "the version must be 1.9, or another one from 1.2 to 1.12, not '" + version + "'",
                       {},
                       {file, root->GetLineNum(), 0}});
     return;
   }
-  Checker(file, errors).check(*root, current ? spec.description().text->Root() : nullptr);
-  checkSdfNames(*root, file, errors);
+  if (minor < 9) upgradeSdf(document, minor);
+  Checker(file, errors, leftOut).check(*root, spec.description().text->Root());
+  checkSdfNames(*root, file, errors, leftOut);
 }
 
 }  // namespace simcore

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SdfContext of SdfConversion.h: errors with line numbers, and checks of numbers.
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 #include "simcore/sdf/SdfConversion.h"
@@ -15,23 +14,35 @@ int lineOf(sdf::ElementPtr element) {
   return element ? *element->LineNumber() : 0;
 }
 
-bool isNameCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+/// Names of elements that contain one, and its own.
+std::string pathOf(sdf::ElementPtr element) {
+  std::string path;
+  for (; element; element = element->GetParent()) {
+    if (!element->HasAttribute("name")) continue;
+    const auto name = element->Get<std::string>("name");
+    if (!name.empty() && name != "__default__") path = path.empty() ? name : name + "/" + path;
+  }
+  return path;
 }
 
-/// The line of the first element that a message of libsdformat mentions; 1 if it mentions none.
-int lineNamed(const std::string& message, const std::string& source) {
-  for (auto begin = message.begin(); begin != message.end();) {
-    begin = std::find_if(begin, message.end(), isNameCharacter);
-    const auto end = std::find_if_not(begin, message.end(), isNameCharacter);
-    const std::size_t at = source.find("name=\"" + std::string(begin, end) + "\"");
-    if (begin != end && at != std::string::npos) {
-      return 1 + static_cast<int>(
-                     std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-    }
-    begin = end;
+std::string fileOf(sdf::ElementPtr element, const std::string& otherwise) {
+  while (element && element->FilePath().empty()) element = element->GetParent();
+  return element ? element->FilePath() : otherwise;
+}
+
+/// The deepest element whose name a message of libsdformat has in [brackets] or 'quotes'; null if there is
+/// none.
+sdf::ElementPtr elementNamed(const std::string& message, const sdf::ElementPtr& root, int depth = 0) {
+  constexpr int kDeepest = 50;
+  if (!root || depth > kDeepest) return nullptr;
+  for (sdf::ElementPtr child = root->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (const auto found = elementNamed(message, child, depth + 1)) return found;
   }
-  return 1;
+  if (!root->HasAttribute("name")) return nullptr;
+  const auto name = root->Get<std::string>("name");
+  const bool named = !name.empty() && (message.find("[" + name + "]") != std::string::npos ||
+                                       message.find("'" + name + "'") != std::string::npos);
+  return named ? root : nullptr;
 }
 
 /// Without trailing zeros: "0.001", not "0.001000".
@@ -44,16 +55,26 @@ std::string shortNumber(double value) {
 }  // namespace
 
 void SdfContext::fail(const sdf::ElementPtr& element, std::string id, std::string text) const {
-  errors.push_back({std::move(id), std::move(text), {}, {file, std::max(1, lineOf(element)), 0}});
+  const std::string path = pathOf(element);
+  if (!path.empty()) text = path + ": " + text;
+  errors.push_back(
+      {std::move(id), std::move(text), {}, {fileOf(element, file), std::max(1, lineOf(element)), 0}});
+}
+
+void SdfContext::omit(const sdf::ElementPtr& element, std::string what, std::string why) const {
+  leaveOut(leftOut, {{fileOf(element, file), std::max(1, lineOf(element)), 0},
+                     pathOf(element),
+                     std::move(what),
+                     std::move(why)});
 }
 
 bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) const {
   for (const sdf::Error& error : found) {
     // Some messages repeat the whole file.
     const std::string message = error.Message().substr(0, error.Message().find('\n'));
-    int line = error.LineNumber().value_or(lineOf(element));
-    if (line <= 0) line = lineNamed(message, source);
-    errors.push_back({"scene.sdf", message, {}, {file, line, 0}});
+    sdf::ElementPtr at = element;
+    if (!at || lineOf(at) <= 0) at = elementNamed(message, root);
+    fail(at ? at : root, "scene.sdf", message);
     // The enclosing elements follow, each with an error of its own.
     if (message.starts_with("Error reading element")) break;
   }
@@ -64,7 +85,8 @@ double SdfContext::within(double value, double minimum, double maximum, const st
                           const sdf::ElementPtr& element) const {
   if (value >= minimum && value <= maximum) return value;
   fail(element, "scene.range",
-       what + " must be between " + shortNumber(minimum) + " and " + shortNumber(maximum));
+       what + " must be between " + shortNumber(minimum) + " and " + shortNumber(maximum) + ", not " +
+           shortNumber(value));
   return minimum;
 }
 

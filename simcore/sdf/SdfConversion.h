@@ -2,10 +2,15 @@
 // Internal to the sources that include libsdformat, whose headers take seconds to compile.
 #pragma once
 
+#include <optional>
 #include <sdf/sdf.hh>
 #include <string>
+#include <vector>
 
 #include "robotlink/base/Error.h"
+#include "simcore/sdf/MeshFiles.h"
+#include "simcore/sdf/ModelSearch.h"
+#include "simcore/world/LeftOut.h"
 #include "simcore/world/Palette.h"
 #include "simcore/world/WorldDescription.h"
 
@@ -25,13 +30,20 @@ inline Pose3 toEigen(const ignition::math::Pose3d& pose) {
 /// The environment for converting one file, and where its errors go. A bundle of references.
 struct SdfContext {
   const std::string& file;
-  /// The file's text, for line numbers.
-  const std::string& source;
+  /// The whole tree, to find the lines of names in messages of libsdformat.
+  const sdf::ElementPtr& root;
   const Palette& palette;
   robotlink::Errors& errors;
+  LeftOuts& leftOut;
+  MeshFiles& meshes;
+  const ModelSearch& search;
+  /// Whether the model that is being converted never moves.
+  bool isStatic = false;
 
-  /// Adds an error at an element.
+  /// Adds an error at an element: its file and line, and the path of the object.
   void fail(const sdf::ElementPtr& element, std::string id, std::string text) const;
+  /// Notes what the simulator does not have, at an element.
+  void omit(const sdf::ElementPtr& element, std::string what, std::string why) const;
   /// Adds the errors of libsdformat; returns true if there are none.
   bool take(const sdf::Errors& found, const sdf::ElementPtr& element) const;
   /// Returns `value` if it is in [minimum, maximum]; otherwise adds an error and returns `minimum`. NaN is
@@ -45,6 +57,27 @@ Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
                    const sdf::ElementPtr& element, const SdfContext& context);
 /// Reads a link: its mass, solids and visuals.
 LinkDescription readLink(const sdf::Link& link, const SdfContext& context);
+/// A shape with its place in the frame of its <geometry>; there are several if a mesh has several colors.
+struct PlacedShape {
+  Shape shape;
+  Pose3 poseInGeometry = Pose3::Identity();
+  /// The color that a mesh's file gives it.
+  std::optional<Rgb> color;
+};
+/// Reads the shapes of a <geometry>; none if the simulator has none for it, which is noted, or after an
+/// error. Solids of moving models are never meshes.
+std::vector<PlacedShape> readVisibleShapes(const sdf::Geometry& geometry, const SdfContext& context);
+std::vector<PlacedShape> readSolidShapes(const sdf::Geometry& geometry, const SdfContext& context);
+
+/// Reads the joints of a model and of those in it; its links must have been read before. Their links' names
+/// in `model` begin with `prefix`. Joints are ordered from parents to children; those that close a cycle come
+/// last.
+void readJoints(const sdf::Model& source, const Pose3& sourceInModel, const std::string& prefix,
+                ModelDescription& model, const SdfContext& context);
+void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context);
+
+/// Reads the lights of a world.
+void readLamps(const sdf::World& world, WorldDescription& result, const SdfContext& context);
 /// Reads the sensors of a link; kinds that this simulator does not know are errors.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
 /// Reads a lidar: a laser or, if it has one ray, a distance sensor.

@@ -79,7 +79,8 @@ class DriveReader {
 
   /// The reason why a joint cannot drive a wheel; null if it can.
   const char* unfit(const JointDescription& joint) const {
-    if (joint.fixed || joint.servo) return "it must turn freely, without a servo";
+    if (joint.kind != JointDescription::Kind::kHinge || joint.closesCycle || joint.servo)
+      return "it must turn freely, without a servo";
     if (joint.wheel) return "it is named twice";
     if (joint.parent < 0) return "it must be fixed to a link of the model";
     const bool isLeaf =

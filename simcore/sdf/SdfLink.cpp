@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // readLink(), readSensors() and resolvedPose() of SdfConversion.h: links with their shapes and sensors.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -8,48 +9,12 @@
 namespace simcore {
 namespace {
 
-constexpr double kSmallest = 1e-5, kLargest = 1000;  // meters
-constexpr double kFarAway = 10'000;
-
-Vector3 checkedSize(const ignition::math::Vector3d& size, const sdf::ElementPtr& element,
-                    const SdfContext& context) {
-  Vector3 result = toEigen(size);
-  for (double& edge : result) edge = context.within(edge, kSmallest, kLargest, "a box's edge", element);
-  return result;
-}
-
-Shape readShape(const sdf::Geometry& geometry, const SdfContext& context) {
-  const sdf::ElementPtr element = geometry.Element();
-  const auto size = [&](double value, const char* what) {
-    return context.within(value, kSmallest, kLargest, what, element);
-  };
-  Shape shape;
-  if (const sdf::Box* box = geometry.BoxShape()) {
-    shape.kind = Shape::Kind::kBox;
-    shape.size = checkedSize(box->Size(), element, context);
-  } else if (const sdf::Sphere* sphere = geometry.SphereShape()) {
-    shape.kind = Shape::Kind::kSphere;
-    shape.radius = size(sphere->Radius(), "a sphere's radius");
-  } else if (const sdf::Cylinder* cylinder = geometry.CylinderShape()) {
-    shape.kind = Shape::Kind::kCylinder;
-    shape.radius = size(cylinder->Radius(), "a cylinder's radius");
-    shape.length = size(cylinder->Length(), "a cylinder's length");
-  } else if (const sdf::Capsule* capsule = geometry.CapsuleShape()) {
-    shape.kind = Shape::Kind::kCapsule;
-    shape.radius = size(capsule->Radius(), "a capsule's radius");
-    shape.length = size(capsule->Length(), "a capsule's length");
-  } else if (const sdf::Plane* plane = geometry.PlaneShape()) {
-    shape.kind = Shape::Kind::kPlane;
-    shape.size = {size(plane->Size().X(), "a plane's size"), size(plane->Size().Y(), "a plane's size"), 0};
-    if (plane->Normal() != ignition::math::Vector3d::UnitZ) {
-      context.fail(element, "scene.plane", "a plane's normal must be 0 0 1: turn it by its pose");
-    }
-  } else {
-    context.fail(element, "scene.geometry",
-                 "of shapes, only box, sphere, cylinder, capsule and plane are known");
-  }
-  return shape;
-}
+constexpr double kFarAway = 100'000;
+/// Visuals without a material.
+constexpr Rgb kPlain{200, 200, 200};
+/// A link without mass gets this, so that the solver can move it.
+constexpr double kLeastMass = 1e-6, kReplacementMass = 0.01;  // kg
+constexpr double kReplacementInertia = 1e-5;                  // kg m^2
 
 /// Converts a channel of SDFormat's colors, 0 to 1, to a byte.
 std::uint8_t channel(float value) {
@@ -78,14 +43,24 @@ void readColor(const sdf::Visual& visual, VisualDescription& result, const SdfCo
   }
 }
 
-VisualDescription readVisual(const sdf::Visual& visual, const SdfContext& context) {
-  VisualDescription result;
-  result.name = visual.Name();
-  result.poseInLink = resolvedPose(visual.SemanticPose(), "", visual.Element(), context);
-  result.shape = readShape(*visual.Geom(), context);
-  result.castsShadow = visual.CastShadows();
-  readColor(visual, result, context);
-  return result;
+void readVisual(const sdf::Visual& visual, std::vector<VisualDescription>& results,
+                const SdfContext& context) {
+  if (visual.Geom() == nullptr) return;
+  const Pose3 pose = resolvedPose(visual.SemanticPose(), "", visual.Element(), context);
+  const sdf::ElementPtr element = visual.Element();
+  const bool colored =
+      element->HasElement("robotcontrol:color") ||
+      (element->HasElement("material") && element->GetElement("material")->HasElement("diffuse"));
+  for (const PlacedShape& placed : readVisibleShapes(*visual.Geom(), context)) {
+    VisualDescription result;
+    result.name = visual.Name();
+    result.poseInLink = pose * placed.poseInGeometry;
+    result.shape = placed.shape;
+    result.castsShadow = visual.CastShadows();
+    result.color = placed.color.value_or(kPlain);
+    if (colored) readColor(visual, result, context);
+    results.push_back(std::move(result));
+  }
 }
 
 /// The descendant of `element` along a path of names; null if there is none.
@@ -99,41 +74,73 @@ sdf::ElementPtr descendant(sdf::ElementPtr element, std::initializer_list<const 
 
 void readSurface(const sdf::ElementPtr& surface, CollisionDescription& result, const SdfContext& context) {
   if (const auto friction = descendant(surface, {"friction", "ode", "mu"})) {
-    result.friction = context.within(friction->Get<double>(), 0, 1000, "mu", friction);
+    result.friction = context.within(friction->Get<double>(), 0, 1e12, "mu", friction);
   }
   if (const auto bounce = descendant(surface, {"bounce", "restitution_coefficient"})) {
     result.restitution = context.within(bounce->Get<double>(), 0, 1, "restitution_coefficient", bounce);
   }
 }
 
-CollisionDescription readCollision(const sdf::Collision& collision, const SdfContext& context) {
-  CollisionDescription result;
+void readCollision(const sdf::Collision& collision, std::vector<CollisionDescription>& results,
+                   const SdfContext& context) {
+  if (collision.Geom() == nullptr) return;
   const sdf::ElementPtr element = collision.Element();
-  result.name = collision.Name();
-  result.poseInLink = resolvedPose(collision.SemanticPose(), "", element, context);
-  result.shape = readShape(*collision.Geom(), context);
-  if (element->HasElement("surface")) readSurface(element->GetElement("surface"), result, context);
-  return result;
+  const Pose3 pose = resolvedPose(collision.SemanticPose(), "", element, context);
+  for (const PlacedShape& placed : readSolidShapes(*collision.Geom(), context)) {
+    CollisionDescription result;
+    result.name = collision.Name();
+    result.poseInLink = pose * placed.poseInGeometry;
+    result.shape = placed.shape;
+    if (element->HasElement("surface")) readSurface(element->GetElement("surface"), result, context);
+    results.push_back(std::move(result));
+  }
 }
 
-void readInertia(const sdf::Link& link, LinkDescription& result, const SdfContext& context) {
-  const auto& inertial = link.Inertial();
-  result.mass = context.within(inertial.MassMatrix().Mass(), 1e-6, 1e4, "a mass", link.Element());
-  const Pose3 centerInLink = toEigen(inertial.Pose());
-  result.centerOfMass = centerInLink.translation();
-  const auto moments = inertial.MassMatrix().Moi();
-  Eigen::Matrix3d inertia;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      inertia(row, column) = moments(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
-    }
+double numberIn(const sdf::ElementPtr& element, const char* name, double otherwise) {
+  return element && element->HasElement(name) ? element->GetElement(name)->Get<double>() : otherwise;
+}
+
+/// Masses and moments that the solver cannot use are raised.
+void repairInertia(const sdf::ElementPtr& element, LinkDescription& result, const SdfContext& context) {
+  if (result.mass < kLeastMass) {
+    if (!context.isStatic) context.omit(element, "mass 0", "the solver needs one: it is 0.01 kg");
+    result.mass = kReplacementMass;
+    result.inertia = Eigen::Matrix3d::Identity() * kReplacementInertia;
+    return;
   }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> moments(result.inertia);
+  const double least = std::max(1e-12, moments.eigenvalues().maxCoeff() * 1e-6);
+  if (moments.eigenvalues().minCoeff() >= least) return;
+  if (!context.isStatic)
+    context.omit(element, "<inertia>", "no body has such moments: the smallest ones are raised");
+  const Eigen::Vector3d raised = moments.eigenvalues().cwiseMax(std::max(least, result.mass * 1e-6));
+  result.inertia = moments.eigenvectors() * raised.asDiagonal() * moments.eigenvectors().transpose();
+}
+
+/// libsdformat rejects unlikely inertias, so the element is read here; it has another name for that.
+void readInertia(const sdf::Link& link, LinkDescription& result, const SdfContext& context) {
+  constexpr const char* kInertial = "robotcontrol:inertial";
+  result.mass = 1;
+  if (!link.Element()->HasElement(kInertial)) return;
+  const sdf::ElementPtr inertial = link.Element()->GetElement(kInertial);
+  result.mass = context.within(numberIn(inertial, "mass", 1), 0, 1e9, "a mass", inertial);
+  Pose3 centerInLink = Pose3::Identity();
+  if (inertial->HasElement("pose"))
+    centerInLink = toEigen(inertial->GetElement("pose")->Get<ignition::math::Pose3d>());
+  result.centerOfMass = centerInLink.translation();
+  const sdf::ElementPtr moments = inertial->HasElement("inertia") ? inertial->GetElement("inertia") : nullptr;
+  const auto moment = [&](const char* name, double otherwise) { return numberIn(moments, name, otherwise); };
+  const double xy = moment("ixy", 0), xz = moment("ixz", 0), yz = moment("iyz", 0);
+  Eigen::Matrix3d inertia;
+  inertia << moment("ixx", 1), xy, xz, xy, moment("iyy", 1), yz, xz, yz, moment("izz", 1);
   const Eigen::Matrix3d& rotation = centerInLink.linear();
   result.inertia = rotation * inertia * rotation.transpose();
   if (!result.inertia.allFinite() || !result.centerOfMass.allFinite()) {
     context.fail(link.Element(), "scene.inertia", "the inertia of '" + link.Name() + "' is not finite");
     result.inertia.setIdentity();
+    result.centerOfMass.setZero();
   }
+  repairInertia(inertial, result, context);
 }
 
 void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
@@ -175,17 +182,20 @@ void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfCont
   result.minimum = -result.maximum;
 }
 
-void readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
+/// Returns whether the link has the solid.
+bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
                  const SdfContext& context) {
   result.kind = SensorDescription::Kind::kContact;
   const sdf::ElementPtr element = sensor.Element()->GetElement("contact");
   const auto name = element->Get<std::string>("collision");
   const auto found = std::ranges::find(link.collisions, name, &CollisionDescription::name);
   if (found == link.collisions.end()) {
-    context.fail(element, "scene.contact", "the link '" + link.name + "' has no collision '" + name + "'");
-    return;
+    context.omit(element, "contact sensor '" + sensor.Name() + "'",
+                 "the link '" + link.name + "' has no solid '" + name + "'");
+    return false;
   }
   result.collision = static_cast<int>(found - link.collisions.begin());
+  return true;
 }
 
 }  // namespace
@@ -195,7 +205,7 @@ Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
   ignition::math::Pose3d pose;
   context.take(semantic.Resolve(pose, frame), element);
   if (pose.Pos().IsFinite() && pose.Pos().Length() <= kFarAway && pose.Rot().IsFinite()) return toEigen(pose);
-  context.fail(element, "scene.pose", "a pose must be finite and at most 10 km away");
+  context.fail(element, "scene.pose", "a pose must be finite and at most 100 km away");
   return Pose3::Identity();
 }
 
@@ -204,16 +214,17 @@ LinkDescription readLink(const sdf::Link& link, const SdfContext& context) {
   result.name = link.Name();
   result.poseInModel = resolvedPose(link.SemanticPose(), "__model__", link.Element(), context);
   readInertia(link, result, context);
+  if (link.Element()->HasElement("gravity")) result.weightless = !link.Element()->Get<bool>("gravity");
   if (link.Element()->HasElement("velocity_decay")) {
     const sdf::ElementPtr decay = link.Element()->GetElement("velocity_decay");
     result.linearDamping = context.within(decay->Get<double>("linear"), 0, 100, "linear", decay);
     result.angularDamping = context.within(decay->Get<double>("angular"), 0, 100, "angular", decay);
   }
   for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
-    result.collisions.push_back(readCollision(*link.CollisionByIndex(i), context));
+    readCollision(*link.CollisionByIndex(i), result.collisions, context);
   }
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
-    result.visuals.push_back(readVisual(*link.VisualByIndex(i), context));
+    readVisual(*link.VisualByIndex(i), result.visuals, context);
   }
   return result;
 }
@@ -234,11 +245,11 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     } else if (sensor.ImuSensor() != nullptr) {
       readImu(sensor, result, context);
     } else if (sensor.Type() == sdf::SensorType::CONTACT) {
-      readContact(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context);
+      if (!readContact(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context)) continue;
     } else {
-      context.fail(
-          sensor.Element(), "scene.sensor",
-          "of sensors, only camera, lidar, sonar, imu and contact are known, not '" + sensor.TypeStr() + "'");
+      context.omit(sensor.Element(), "sensor of type '" + sensor.TypeStr() + "'",
+                   "of sensors, camera, lidar, sonar, imu and contact are known");
+      continue;
     }
     model.sensors.push_back(result);
   }

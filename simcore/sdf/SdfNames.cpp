@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "simcore/sdf/SdfCheck.h"
+#include "simcore/sdf/SdfPaths.h"
 
 namespace simcore {
 namespace {
@@ -16,48 +17,51 @@ namespace {
 using tinyxml2::XMLElement;
 
 std::string textOf(const XMLElement* element) {
-  return element != nullptr && element->GetText() != nullptr ? element->GetText() : "";
-}
-
-std::string nameOf(const XMLElement& element) {
-  return element.Attribute("name") != nullptr ? element.Attribute("name") : "";
+  return trimmedText(element);
 }
 
 class NameChecker {
  public:
-  NameChecker(const std::string& file, robotlink::Errors& errors) : file_(file), errors_(errors) {}
+  NameChecker(const std::string& file, robotlink::Errors& errors, LeftOuts& leftOut)
+      : file_(file), errors_(errors), leftOut_(leftOut) {}
 
   void checkWorld(const XMLElement& world) {
     checkUnique(world, {"model", "light", "frame"});
-    for (auto* model = world.FirstChildElement("model"); model != nullptr;
-         model = model->NextSiblingElement("model")) {
-      checkModel(*model);
-    }
+    forEach(world, "model", [&](const XMLElement& model) { checkModel(model); });
   }
 
   void checkModel(const XMLElement& model) {
-    if (model.FirstChildElement("link") == nullptr) {
-      fail(model, "scene.no-link", "the model '" + nameOf(model) + "' has no <link>");
-    }
+    const bool hasParts = model.FirstChildElement("link") != nullptr ||
+                          model.FirstChildElement("model") != nullptr ||
+                          model.FirstChildElement("include") != nullptr;
+    if (!hasParts) fail(model, "scene.no-link", "the model '" + nameOf(model) + "' has no <link>");
     // In SDFormat, all of these share one scope.
     checkUnique(model, {"link", "joint", "frame", "model"});
-    std::set<std::string> links, joints;
-    for (auto* link = model.FirstChildElement("link"); link != nullptr;
-         link = link->NextSiblingElement("link")) {
-      links.insert(nameOf(*link));
-      checkLink(*link);
-    }
-    for (auto* joint = model.FirstChildElement("joint"); joint != nullptr;
-         joint = joint->NextSiblingElement("joint")) {
-      checkJoint(*joint, links);
-      joints.insert(nameOf(*joint));
-    }
+    std::set<std::string> joints;
+    forEach(model, "link", [&](const XMLElement& link) { checkLink(link); });
+    forEach(model, "joint", [&](const XMLElement& joint) {
+      checkJoint(joint, model);
+      joints.insert(nameOf(joint));
+    });
+    forEach(model, "model", [&](const XMLElement& nested) { checkModel(nested); });
     checkDrive(model.FirstChildElement("robotcontrol:drive"), joints);
   }
 
  private:
   void fail(const XMLElement& element, const char* id, const std::string& text) {
-    errors_.push_back({id, text, {nameOf(element)}, {file_, element.GetLineNum(), 0}});
+    const std::string path = objectPath(element);
+    errors_.push_back(
+        {id, path.empty() ? text : path + ": " + text, {nameOf(element)}, {file_, element.GetLineNum(), 0}});
+  }
+  void omit(const XMLElement& element, const std::string& what, const std::string& why) {
+    leaveOut(leftOut_, {{file_, element.GetLineNum(), 0}, objectPath(element), what, why});
+  }
+  template <typename Use>
+  static void forEach(const XMLElement& parent, const char* name, Use use) {
+    for (auto* child = parent.FirstChildElement(name); child != nullptr;
+         child = child->NextSiblingElement(name)) {
+      use(*child);
+    }
   }
 
   void checkUnique(const XMLElement& parent, std::initializer_list<std::string_view> elements) {
@@ -81,24 +85,32 @@ class NameChecker {
     }
   }
 
-  void checkJoint(const XMLElement& joint, const std::set<std::string>& links) {
-    const std::string type = joint.Attribute("type") != nullptr ? joint.Attribute("type") : "";
-    if (type != "revolute" && type != "continuous" && type != "fixed") {
-      fail(joint, "scene.joint-type",
-           "of joints, only revolute, continuous and fixed ones are known, not '" + type + "'");
-    }
+  /// Names of links are looked up here only where a model has no other frames and parts; otherwise
+  /// libsdformat resolves them.
+  void checkJoint(const XMLElement& joint, const XMLElement& model) {
+    const bool simple = model.FirstChildElement("model") == nullptr &&
+                        model.FirstChildElement("include") == nullptr &&
+                        model.FirstChildElement("frame") == nullptr;
     for (const char* end : {"parent", "child"}) {
       const XMLElement* element = joint.FirstChildElement(end);
-      const std::string link = textOf(element);
-      if (links.contains(link) || (link == "world" && std::string_view(end) == "parent")) continue;
       const std::string what = "the joint '" + nameOf(joint) + "' has ";
       if (element == nullptr) {
         fail(joint, "scene.joint", what + "no <" + end + ">");
-      } else {
-        fail(*element, "scene.joint",
-             what + "as its " + end + " '" + link + "', which is not a link of the model");
+        continue;
       }
+      const std::string link = textOf(element);
+      if (!simple || link == "world" || hasPart(model, link)) continue;
+      fail(*element, "scene.joint",
+           what + "as its " + end + " '" + link + "', which is not a link of the model");
     }
+  }
+
+  /// Whether a model has a link or a joint of this name.
+  static bool hasPart(const XMLElement& model, const std::string& name) {
+    bool found = name == "__model__";
+    for (const char* kind : {"link", "joint"})
+      forEach(model, kind, [&](const XMLElement& part) { found = found || nameOf(part) == name; });
+    return found;
   }
 
   void checkLink(const XMLElement& link) {
@@ -119,13 +131,14 @@ class NameChecker {
     for (double value = 0; stream >> value;) {
       if (value >= minimum && value <= maximum) continue;
       std::ostringstream text;
-      text << "<" << element.Name() << "> must be between " << minimum << " and " << maximum << " " << unit;
+      text << "<" << element.Name() << "> must be between " << minimum << " and " << maximum << " " << unit
+           << ", not " << value;
       return fail(element, "scene.range", text.str());
     }
   }
 
   void checkInertial(const XMLElement& inertial) {
-    if (const XMLElement* mass = inertial.FirstChildElement("mass")) checkRange(*mass, 1e-6, 1e4, "kg");
+    if (const XMLElement* mass = inertial.FirstChildElement("mass")) checkRange(*mass, 0, 1e9, "kg");
     const XMLElement* inertia = inertial.FirstChildElement("inertia");
     if (inertia == nullptr) return;
     double moments[3] = {1, 1, 1};
@@ -133,13 +146,14 @@ class NameChecker {
     for (int i = 0; i < 3; ++i) {
       const XMLElement* element = inertia->FirstChildElement(names[i]);
       if (element == nullptr) continue;
-      checkRange(*element, 1e-12, 1e6, "kg m^2");
+      checkRange(*element, 0, 1e12, "kg m^2");
       moments[i] = std::atof(textOf(element).c_str());
     }
     for (int i = 0; i < 3; ++i) {
       if (moments[i] <= (moments[(i + 1) % 3] + moments[(i + 2) % 3]) * 1.001) continue;
-      fail(*inertia, "scene.inertia",
-           std::string("no body has such moments: ") + names[i] + " exceeds the sum of the other two");
+      omit(*inertia, "<inertia>",
+           std::string("no body has such moments: ") + names[i] +
+               " exceeds the sum of the other two; they are used as they are");
     }
   }
 
@@ -148,19 +162,24 @@ class NameChecker {
     const XMLElement* shape = geometry != nullptr ? geometry->FirstChildElement() : nullptr;
     if (shape == nullptr)
       return fail(solid, "scene.geometry", "'" + nameOf(solid) + "' has no shape in its <geometry>");
+    // The size of a heightmap's or a mesh's texture is no edge.
+    const std::string_view kind = shape->Name();
+    if (kind == "heightmap" || kind == "mesh" || kind == "image") return;
     for (const char* size : {"size", "radius", "length", "radii"}) {
-      if (const XMLElement* element = shape->FirstChildElement(size)) checkRange(*element, 1e-5, 1000, "m");
+      if (const XMLElement* element = shape->FirstChildElement(size)) checkRange(*element, 1e-6, 1e5, "m");
     }
   }
 
   const std::string& file_;
   robotlink::Errors& errors_;
+  LeftOuts& leftOut_;
 };
 
 }  // namespace
 
-void checkSdfNames(const XMLElement& root, const std::string& file, robotlink::Errors& errors) {
-  NameChecker checker(file, errors);
+void checkSdfNames(const XMLElement& root, const std::string& file, robotlink::Errors& errors,
+                   LeftOuts& leftOut) {
+  NameChecker checker(file, errors, leftOut);
   for (auto* world = root.FirstChildElement("world"); world != nullptr;
        world = world->NextSiblingElement("world")) {
     checker.checkWorld(*world);

@@ -1,124 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/sdf/SdfReader.h"
 
+#include <tinyxml2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfConversion.h"
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfElements.h"
+#include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfSpec.h"
 
 namespace simcore {
+using tinyxml2::XMLElement;
+
 namespace {
 
-sdf::ParserConfig parserConfig() {
+/// Reports what libsdformat finds when it reads a tree; returns whether there is nothing.
+bool loadSdf(const sdf::ElementPtr& tree, const SdfContext& context, sdf::Root& root) {
   sdf::ParserConfig config;
-  // Warnings of libsdformat become errors here rather than output on the terminal.
   config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
-  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
-  return config;
-}
-
-/// Parses a text into `root`; returns false, after adding errors, if that fails.
-bool loadSdf(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
   const auto document = std::make_shared<sdf::SDF>();
-  document->Root(spec.description().text->Root()->Clone());
-  sdf::Errors found;
-  const bool readable = sdf::readString(text, parserConfig(), document, found);
-  if (!context.take(found, nullptr)) return false;
-  if (!readable) {
-    context.fail(nullptr, "scene.sdf", "libsdformat cannot read this file");
-    return false;
-  }
-  return context.take(root.Load(document, parserConfig()), nullptr);
-}
-
-int linkIndex(const ModelDescription& model, const std::string& name) {
-  const auto found = std::ranges::find(model.links, name, &LinkDescription::name);
-  return found == model.links.end() ? -1 : static_cast<int>(found - model.links.begin());
-}
-
-void readServo(const sdf::JointAxis& axis, const sdf::ElementPtr& element, JointDescription& result,
-               const SdfContext& context) {
-  const sdf::ElementPtr servo = element->GetElement("robotcontrol:servo");
-  result.servo = true;
-  // Without limits, SDFormat has infinite values, which no servo has.
-  result.maximumSpeed = context.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
-  result.maximumTorque = context.within(axis.Effort(), 1e-9, 1000, "a servo's <effort>", element);
-  const auto number = [&](const char* key) { return servo->HasElement(key) ? servo->Get<double>(key) : 0.0; };
-  result.initialAngle = context.within(number("robotcontrol:initial_position"), result.lower, result.upper,
-                                       "initial_position of '" + result.name + "'", servo);
-  result.positionNoise = context.within(number("robotcontrol:position_noise"), 0, 1, "position_noise", servo);
-}
-
-void readHinge(const sdf::Joint& joint, JointDescription& result, const SdfContext& context) {
-  const sdf::JointAxis& axis = *joint.Axis(0);
-  ignition::math::Vector3d direction;
-  context.take(axis.ResolveXyz(direction, "__model__"), joint.Element());
-  result.axisInModel = toEigen(direction).normalized();
-  if (!result.axisInModel.allFinite())
-    context.fail(joint.Element(), "scene.axis", "an axis must be a finite vector");
-  constexpr double kFullTurn = 2 * robotlink::kPi;
-  const bool limited = joint.Type() == sdf::JointType::REVOLUTE && axis.Upper() < 1e15;
-  result.lower =
-      limited ? context.within(axis.Lower(), -kFullTurn, kFullTurn, "lower", joint.Element()) : -kFullTurn;
-  result.upper =
-      limited ? context.within(axis.Upper(), result.lower, kFullTurn, "upper", joint.Element()) : kFullTurn;
-  if (joint.Element()->HasElement("robotcontrol:servo")) readServo(axis, joint.Element(), result, context);
-}
-
-JointDescription readJoint(const sdf::Joint& joint, const ModelDescription& model,
-                           const SdfContext& context) {
-  JointDescription result;
-  result.name = joint.Name();
-  std::string parent, child;
-  context.take(joint.ResolveParentLink(parent), joint.Element());
-  context.take(joint.ResolveChildLink(child), joint.Element());
-  result.parent = linkIndex(model, parent);
-  result.child = linkIndex(model, child);
-  if (result.child < 0 || (result.parent < 0 && parent != "world")) {
-    context.fail(joint.Element(), "scene.joint", "the joint '" + joint.Name() + "' does not join two links");
-    result.child = 0;
-  }
-  result.anchorInModel =
-      resolvedPose(joint.SemanticPose(), "__model__", joint.Element(), context).translation();
-  if (joint.Type() == sdf::JointType::FIXED) {
-    result.fixed = true;
-  } else if ((joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS) &&
-             joint.Axis(0) != nullptr) {
-    readHinge(joint, result, context);
-  } else {
-    context.fail(joint.Element(), "scene.joint-type",
-                 "of joints, only revolute, continuous and fixed ones are known");
-  }
-  return result;
-}
-
-/// Sorts joints from parents to children, so each link must have at most one parent, and there must be no
-/// cycles.
-void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context) {
-  std::vector<JointDescription> ordered, waiting = std::move(model.joints);
-  std::vector<bool> placed(model.links.size(), true);
-  for (const JointDescription& joint : waiting) placed[static_cast<std::size_t>(joint.child)] = false;
-  bool progress = true;
-  while (progress && !waiting.empty()) {
-    progress = false;
-    for (auto joint = waiting.begin(); joint != waiting.end(); ++joint) {
-      const bool ready = joint->parent < 0 || placed[static_cast<std::size_t>(joint->parent)];
-      if (!ready || placed[static_cast<std::size_t>(joint->child)]) continue;
-      placed[static_cast<std::size_t>(joint->child)] = true;
-      ordered.push_back(*joint);
-      waiting.erase(joint);
-      progress = true;
-      break;
-    }
-  }
-  if (!waiting.empty()) {
-    context.fail(element, "scene.joint-cycle",
-                 "the joint '" + waiting.front().name + "' closes a cycle or gives a link a second parent");
-  }
-  model.joints = std::move(ordered);
+  document->Root(tree);
+  return context.take(root.Load(document, config), nullptr);
 }
 
 /// Reads the initial positions of robots that a field defines.
@@ -135,49 +42,57 @@ void readHomes(const sdf::ElementPtr& element, ModelDescription& model, const Sd
   }
 }
 
+/// Adds the links of a model and of those in it.
+void readLinks(const sdf::Model& source, const Pose3& sourceInModel, const std::string& prefix,
+               ModelDescription& model, const SdfContext& context) {
+  for (std::uint64_t i = 0; i < source.LinkCount(); ++i) {
+    const sdf::Link& link = *source.LinkByIndex(i);
+    LinkDescription read = readLink(link, context);
+    read.name = prefix + read.name;
+    read.poseInModel = sourceInModel * read.poseInModel;
+    model.links.push_back(std::move(read));
+    const std::size_t before = model.sensors.size();
+    readSensors(link, static_cast<int>(model.links.size()) - 1, model, context);
+    for (std::size_t k = before; k < model.sensors.size(); ++k)
+      model.sensors[k].name = prefix + model.sensors[k].name;
+  }
+  for (std::uint64_t i = 0; i < source.ModelCount(); ++i) {
+    const sdf::Model& nested = *source.ModelByIndex(i);
+    const Pose3 pose = resolvedPose(nested.SemanticPose(), "__model__", nested.Element(), context);
+    readLinks(nested, sourceInModel * pose, prefix + nested.Name() + "::", model, context);
+  }
+}
+
+void readAllJoints(const sdf::Model& source, const Pose3& sourceInModel, const std::string& prefix,
+                   ModelDescription& model, const SdfContext& context) {
+  readJoints(source, sourceInModel, prefix, model, context);
+  for (std::uint64_t i = 0; i < source.ModelCount(); ++i) {
+    const sdf::Model& nested = *source.ModelByIndex(i);
+    ignition::math::Pose3d pose;
+    // Problems were reported with the links.
+    if (!nested.SemanticPose().Resolve(pose, "__model__").empty()) continue;
+    readAllJoints(nested, sourceInModel * toEigen(pose), prefix + nested.Name() + "::", model, context);
+  }
+}
+
 ModelDescription readModel(const sdf::Model& source, const SdfContext& context) {
   ModelDescription model;
   const sdf::ElementPtr element = source.Element();
-  model.file = context.file;
+  model.file = element->FilePath();
   model.name = source.Name();
-  model.isStatic = source.Static();
+  model.isStatic = context.isStatic;
   model.isBall = element->HasElement("robotcontrol:ball") && element->Get<bool>("robotcontrol:ball");
   if (element->HasElement("robotcontrol:robot"))
     model.robot = element->Get<std::string>("robotcontrol:robot");
   if (element->HasElement("robotcontrol:field"))
     model.field = element->Get<std::string>("robotcontrol:field");
   readHomes(element, model, context);
-  if (source.ModelCount() > 0) {
-    context.fail(element, "scene.nested", "models inside models are not known");
-  }
-  for (std::uint64_t i = 0; i < source.LinkCount(); ++i) {
-    model.links.push_back(readLink(*source.LinkByIndex(i), context));
-    readSensors(*source.LinkByIndex(i), static_cast<int>(i), model, context);
-  }
-  for (std::uint64_t i = 0; i < source.JointCount(); ++i) {
-    model.joints.push_back(readJoint(*source.JointByIndex(i), model, context));
-  }
+  readLinks(source, Pose3::Identity(), "", model, context);
+  if (model.links.empty()) context.fail(element, "scene.no-link", "the model has no <link>");
+  readAllJoints(source, Pose3::Identity(), "", model, context);
   if (!model.links.empty()) orderJoints(model, element, context);
   readDrive(source, model, context);
   return model;
-}
-
-void readLamps(const sdf::World& world, WorldDescription& result, const SdfContext& context) {
-  for (std::uint64_t i = 0; i < world.LightCount(); ++i) {
-    const sdf::Light& light = *world.LightByIndex(i);
-    if (light.Type() != sdf::LightType::POINT) {
-      context.fail(light.Element(), "scene.light", "of lights, only point lights are known");
-      continue;
-    }
-    const Pose3 pose = resolvedPose(light.SemanticPose(), "", light.Element(), context);
-    Lamp lamp;
-    lamp.position = pose.translation().cast<float>();
-    lamp.intensity =
-        static_cast<float>(context.within(light.Intensity(), 0, 100, "a light's intensity", light.Element()));
-    lamp.attenuation = static_cast<float>(context.within(light.QuadraticAttenuationFactor(), 0, 1000,
-                                                         "a light's attenuation", light.Element()));
-    result.lamps.push_back(lamp);
-  }
 }
 
 void readSurroundings(const sdf::World& world, WorldDescription& result, const SdfContext& context) {
@@ -196,46 +111,142 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
 
 }  // namespace
 
-Pose3 poseFromNumbers(const double (&numbers)[6]) {
+Pose3 poseFromNumbers(const std::array<double, 6>& numbers) {
   return toEigen(
       ignition::math::Pose3d(numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]));
 }
 
-std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, const std::string& file,
-                                                     const Palette& palette, const SdfSpec& spec,
-                                                     robotlink::Errors& errors) {
-  const SdfContext context{file, text, palette, errors};
-  sdf::Root root;
-  if (!loadSdf(text, spec, context, root)) return nullptr;
-  if (root.Model() == nullptr) {
-    context.fail(root.Element(), "scene.no-model", "the file describes no model");
-    return nullptr;
-  }
-  return std::make_shared<ModelDescription>(readModel(*root.Model(), context));
+namespace {
+
+bool isStaticModel(const XMLElement& model) {
+  return isTrue(childText(model, "static"));
 }
 
-WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
-                              const SdfSpec& spec, robotlink::Errors& errors) {
-  const SdfContext context{file, text, palette, errors};
-  WorldDescription result;
-  sdf::Root root;
-  if (!loadSdf(text, spec, context, root)) return result;
-  if (root.WorldCount() != 1) {
-    context.fail(root.Element(), "scene.no-world", "the file must describe one world");
-    return result;
+/// A joint in the world, or a frame to which something is relative, connects models.
+bool connectsModels(const XMLElement& world) {
+  for (auto* child = world.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    const XMLElement* pose = child->FirstChildElement("pose");
+    const std::string_view name = child->Name();
+    if (name == "joint" || child->FirstChildElement("placement_frame") != nullptr ||
+        child->Attribute("placement_frame") != nullptr || child->Attribute("attached_to") != nullptr) {
+      return true;
+    }
+    const char* frame = pose != nullptr ? pose->Attribute("relative_to") : nullptr;
+    if (frame != nullptr && *frame != '\0' && std::string_view(frame) != "world") return true;
   }
-  const sdf::World& world = *root.WorldByIndex(0);
-  result.name = world.Name();
-  readSurroundings(world, result, context);
-  readLamps(world, result, context);
+  return false;
+}
+
+ModelInstance instanceOf(const std::string& name, const XMLElement& element, const std::string& file) {
+  ModelInstance instance;
+  instance.name = name;
+  instance.where = {file, element.GetLineNum(), 0};
+  return instance;
+}
+
+Pose3 checkedPose(const Pose3& pose, const XMLElement& element, const std::string& file,
+                  robotlink::Errors& errors) {
+  if (pose.matrix().allFinite() && pose.translation().norm() <= 1e5) return pose;
+  errors.push_back({"scene.pose",
+                    objectPath(element) + ": a pose must be finite and at most 100 km away",
+                    {},
+                    {file, element.GetLineNum(), 0}});
+  return Pose3::Identity();
+}
+
+/// The models of a world whose poses do not depend on each other, one by one.
+void readSeparately(const XMLElement& world, const SdfSources& sources, WorldDescription& result) {
+  const std::string file = sources.files.file().string();
+  for (auto* model = world.FirstChildElement("model"); model != nullptr;
+       model = model->NextSiblingElement("model")) {
+    ModelInstance instance = instanceOf(nameOf(*model), *model, file);
+    instance.type = readSdfModel(*model, file, sources);
+    if (!instance.type) continue;
+    instance.poseInWorld = checkedPose(ownPoseOf(*model), *model, file, sources.errors);
+    result.models.push_back(std::move(instance));
+  }
+}
+
+/// The models of a whole world that libsdformat has read.
+void readTogether(const sdf::World& world, const SdfContext& context, WorldDescription& result) {
   for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
     const sdf::Model& model = *world.ModelByIndex(i);
+    SdfContext own = context;
+    own.isStatic = model.Static();
     ModelInstance instance;
     instance.name = model.Name();
-    instance.where = {file, model.Element()->LineNumber().value_or(1), 0};
-    instance.poseInWorld = resolvedPose(model.SemanticPose(), "", model.Element(), context);
-    instance.type = std::make_shared<ModelDescription>(readModel(model, context));
+    instance.where = {context.file, model.Element()->LineNumber().value_or(1), 0};
+    instance.poseInWorld = resolvedPose(model.SemanticPose(), "", model.Element(), own);
+    instance.type = std::make_shared<ModelDescription>(readModel(model, own));
     result.models.push_back(std::move(instance));
+  }
+}
+
+}  // namespace
+
+Pose3 ownPoseOf(const XMLElement& model) {
+  std::istringstream stream(childText(model, "pose"));
+  std::array<double, 6> numbers{};
+  for (double& number : numbers) stream >> number;
+  const XMLElement* pose = model.FirstChildElement("pose");
+  if (pose != nullptr && pose->BoolAttribute("degrees")) {
+    for (std::size_t i = 3; i < 6; ++i) numbers[i] *= robotlink::kPi / 180;
+  }
+  return poseFromNumbers(numbers);
+}
+
+std::shared_ptr<const ModelDescription> readSdfModel(const XMLElement& model, const std::string& file,
+                                                     const SdfSources& sources,
+                                                     std::optional<bool> isStatic) {
+  const std::size_t before = sources.errors.size();
+  const sdf::ElementPtr tree =
+      SdfElements(sources.files, sources.spec, sources.errors).modelRoot(model, file);
+  const SdfContext context{file,
+                           tree,
+                           sources.files.palette(),
+                           sources.errors,
+                           sources.leftOut,
+                           sources.meshes,
+                           sources.files.search(),
+                           isStatic.value_or(isStaticModel(model))};
+  sdf::Root root;
+  if (sources.errors.size() > before || !loadSdf(tree, context, root)) return nullptr;
+  if (root.Model() == nullptr) {
+    context.fail(tree, "scene.no-model", "the file describes no model");
+    return nullptr;
+  }
+  auto result = std::make_shared<ModelDescription>(readModel(*root.Model(), context));
+  return sources.errors.size() > before ? nullptr : result;
+}
+
+WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead) {
+  WorldDescription result;
+  const std::string file = sources.files.file().string();
+  const XMLElement& source = *sources.files.world();
+  includesRead = connectsModels(source);
+  const sdf::ElementPtr tree =
+      SdfElements(sources.files, sources.spec, sources.errors).worldRoot(source, file, includesRead);
+  const SdfContext context{file,
+                           tree,
+                           sources.files.palette(),
+                           sources.errors,
+                           sources.leftOut,
+                           sources.meshes,
+                           sources.files.search()};
+  sdf::Root root;
+  if (loadSdf(tree, context, root) && root.WorldCount() == 1) {
+    const sdf::World& world = *root.WorldByIndex(0);
+    result.name = world.Name();
+    readSurroundings(world, result, context);
+    readLamps(world, result, context);
+    if (includesRead) readTogether(world, context, result);
+  }
+  if (!includesRead) readSeparately(source, sources, result);
+  if (source.FirstChildElement("joint") != nullptr) {
+    leaveOut(sources.leftOut, {{file, source.FirstChildElement("joint")->GetLineNum(), 0},
+                               objectPath(source),
+                               "<joint> in <world>",
+                               "joints connect links of one model"});
   }
   return result;
 }

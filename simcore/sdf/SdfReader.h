@@ -1,29 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "robotlink/base/Error.h"
+#include "simcore/sdf/MeshFiles.h"
+#include "simcore/world/LeftOut.h"
 #include "simcore/world/Palette.h"
 #include "simcore/world/WorldDescription.h"
 
+namespace tinyxml2 {
+class XMLElement;
+}  // namespace tinyxml2
+
 namespace simcore {
 
+class SceneFiles;
 class SdfSpec;
 
-/// Converts the text of a model file to a description, with libsdformat. `file` is the name that errors
-/// carry. The text must have passed checkSdfTree(); this reader reports only problems that appear when frames
-/// and units are resolved. Returns null after adding errors.
-std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, const std::string& file,
-                                                     const Palette& palette, const SdfSpec& spec,
-                                                     robotlink::Errors& errors);
+/// What the reader needs to know and where it reports. A bundle of references; one thread at a time.
+struct SdfSources {
+  const SceneFiles& files;
+  const SdfSpec& spec;
+  MeshFiles& meshes;
+  robotlink::Errors& errors;
+  LeftOuts& leftOut;
+};
 
-/// Converts the text of a world file without its <include> elements: everything except the included models.
-/// Errors are added as by readSdfModel().
-WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
-                              const SdfSpec& spec, robotlink::Errors& errors);
+/// Converts a model of a file that passed checkSdfTree(), with libsdformat and with all models in it: their
+/// links and joints become its own, with names like "arm::hand". Only problems that appear when frames and
+/// units are resolved are reported. Null after errors. `isStatic` overrides what the model says.
+std::shared_ptr<const ModelDescription> readSdfModel(const tinyxml2::XMLElement& model,
+                                                     const std::string& file, const SdfSources& sources,
+                                                     std::optional<bool> isStatic = {});
+
+/// The pose of a model file's model in its file: its <pose>, resolved.
+Pose3 ownPoseOf(const tinyxml2::XMLElement& model);
+
+/// Converts a world: everything except the included models. If frames of the world or joints connect its
+/// models, these are among the models, too, and `includesRead` is set.
+WorldDescription readSdfWorld(const SdfSources& sources, bool& includesRead);
 
 /// Converts the six numbers of an SDFormat <pose>: x y z roll pitch yaw.
-Pose3 poseFromNumbers(const double (&numbers)[6]);
+Pose3 poseFromNumbers(const std::array<double, 6>& numbers);
 
 }  // namespace simcore

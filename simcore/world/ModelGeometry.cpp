@@ -12,6 +12,7 @@ std::vector<Pose3> linksAtStart(const ModelDescription& model) {
   std::vector<Pose3> moved(model.links.size(), Pose3::Identity());
   // Joints of parents come before those of their children.
   for (const JointDescription& joint : model.joints) {
+    if (joint.closesCycle) continue;
     const Pose3 above = joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
     const Eigen::Translation3d anchor(joint.anchorInModel);
     moved[static_cast<std::size_t>(joint.child)] =
@@ -32,8 +33,13 @@ double reach(const Shape& shape, const Eigen::Matrix3d& shapeInFrame, const Vect
       return std::abs(local.z()) * shape.length / 2 + local.head<2>().norm() * shape.radius;
     case Shape::Kind::kCapsule:
       return std::abs(local.z()) * shape.length / 2 + shape.radius;
+    case Shape::Kind::kMesh: {
+      double farthest = 0;
+      for (const Eigen::Vector3f& vertex : shape.mesh->vertices)
+        farthest = std::max(farthest, local.dot(vertex.cast<double>()));
+      return farthest;
+    }
     case Shape::Kind::kPlane:
-    case Shape::Kind::kMesh:
       break;
   }
   return 0;

@@ -11,7 +11,7 @@ namespace simcore {
 std::vector<Pose3> linksAtStart(const ModelDescription& model);
 
 /// The support function of a shape that is centered at the origin: how far it extends in a direction of unit
-/// length, m. Planes and meshes have no extent.
+/// length, m. Planes have no extent.
 double reach(const Shape& shape, const Eigen::Matrix3d& shapeInFrame, const Vector3& direction);
 
 /// The upright cylinder around a model's z-axis that contains all its solids, with all joints at their

@@ -17,7 +17,8 @@ namespace simcore {
 using robotlink::Vector3;
 
 /// A shape centered at its frame's origin; cylinders and capsules are along z. A plane's normal is the z-axis
-/// of its frame, and it is solid below. A mesh is located by its vertices and has no collisions.
+/// of its frame, and it is solid below. A mesh is located by its vertices; it is a solid of static models
+/// only.
 struct Shape {
   enum class Kind : std::uint8_t { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
   Kind kind = Kind::kBox;
@@ -27,7 +28,7 @@ struct Shape {
   double radius = 0;
   /// Length of a cylinder, or of a capsule's cylindrical part.
   double length = 0;
-  /// Only for kMesh, and only in visuals.
+  /// Only for kMesh.
   std::shared_ptr<const Mesh> mesh = {};
 };
 
@@ -67,23 +68,36 @@ struct LinkDescription {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
   /// Fraction of the velocity lost per second.
   double linearDamping = 0, angularDamping = 0;
+  /// Gravity does not pull it.
+  bool weightless = false;
   std::vector<CollisionDescription> collisions;
   std::vector<VisualDescription> visuals;
 };
 
-/// A joint of a model. Joints are ordered such that those of parents come first.
+/// A joint of a model. Joints are ordered such that those of parents come first, and those that close a cycle
+/// last.
 struct JointDescription {
+  /// Hinges turn about the axis, sliders move along it, balls turn freely; a universal joint turns about the
+  /// axis, which is fixed to the parent, and a second one, which is fixed to the child.
+  enum class Kind : std::uint8_t { kHinge, kFixed, kSlider, kBall, kUniversal };
   std::string name;
-  /// Otherwise it is a hinge.
-  bool fixed = false;
+  Kind kind = Kind::kHinge;
+  /// Its child has another joint to a parent: it does not say where the child is.
+  bool closesCycle = false;
   /// Index of a link; -1 is the world.
   int parent = -1;
   int child = 0;
   /// With all joints at 0.
   Vector3 anchorInModel = Vector3::Zero();
   Vector3 axisInModel = Vector3::UnitZ();
-  // Limits, rad.
+  // Limits, rad, or m of sliders; -kFullTurn and kFullTurn of hinges, infinite of sliders, are none.
   double lower = 0, upper = 0;
+  static constexpr double kFullTurn = 2 * robotlink::kPi;
+  /// Of a universal joint.
+  Vector3 secondAxisInModel = Vector3::UnitX();
+  double secondLower = -kFullTurn, secondUpper = kFullTurn;
+  /// Resistance: N m s or N s/m, and N m or N (also at rest); about each axis. Only joints without a servo.
+  double damping = 0, friction = 0;
   /// Driven by a servo; otherwise it turns freely.
   bool servo = false;
   // rad/s and N m, of the servo.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robotlink/config/RobotDescription.h"
+#include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 

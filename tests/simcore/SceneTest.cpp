@@ -123,16 +123,14 @@ TEST_F(SceneTest, brokenXmlHasItsLine) {
 }
 
 TEST_F(SceneTest, brokenIncludesHaveTheirLine) {
-  EXPECT_EQ(folder_.errorsOf(worldAround("<include><uri>model://smal</uri></include>")),
-            "world.sdf:3: there is no model 'model://smal'");
-  EXPECT_EQ(folder_.errorsOf(worldAround("<include><uri>http://x/small</uri></include>")),
-            "world.sdf:3: there is no model 'http://x/small'");
+  EXPECT_THAT(folder_.errorsOf(worldAround("<include><uri>model://smal</uri></include>")),
+              StartsWith("world.sdf:3: test: there is no model 'model://smal'; name the folder"));
   EXPECT_EQ(folder_.errorsOf(worldAround(include("") + "\n" + include(""))),
             "world.sdf:4: there is another model 'small'");
   EXPECT_THAT(folder_.errorsOf(worldAround(include("<pose>1 2 3</pose>"))),
-              HasSubstr("world.sdf:3: <pose> must be 6 finite numbers"));
+              HasSubstr("world.sdf:3: test: <pose> must be 6 finite numbers"));
   EXPECT_EQ(folder_.errorsOf(worldAround(include("<pose>1e9 0 0 0 0 0</pose>"))),
-            "world.sdf:3: a pose must be finite and at most 10 km away");
+            "world.sdf:3: a pose must be finite and at most 100 km away");
   EXPECT_EQ(folder_.errorsOf(worldAround(include("<robotcontrol:team>mauve</robotcontrol:team>"))),
             "world.sdf:3: no palette has the color 'mauve'");
 }
@@ -142,26 +140,63 @@ TEST_F(SceneTest, anIncludedFileWithoutAModelIsRefused) {
   EXPECT_THAT(folder_.errorsOf(worldAround(include(""))), HasSubstr("describes no model"));
 }
 
-TEST_F(SceneTest, aFileWithoutAWorldIsRefused) {
-  EXPECT_THAT(folder_.errorsOf(kSmallModel), HasSubstr("the file must describe a world"));
+TEST_F(SceneTest, aFileWithoutAWorldAndAModelIsRefused) {
+  EXPECT_THAT(folder_.errorsOf("<sdf version=\"1.9\"/>"), HasSubstr("the file must describe a world"));
+}
+
+TEST_F(SceneTest, aModelAloneStandsOnAFloor) {
+  const auto scene = Scene::load(folder_.write("small.sdf", kSmallModel));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto& models = (*scene)->contents().world.models;
+  ASSERT_EQ(models.size(), 2U);
+  EXPECT_EQ(models[0].name, "floor");
+  EXPECT_NEAR(models[1].poseInWorld.translation().z(), 0.05, 1e-9) << "half of its foot's box";
+}
+
+TEST_F(SceneTest, modelsAreFoundInTheFoldersThatAreNamed) {
+  folder_.write("library/tree/model.sdf", replaced(kSmallModel, "\"small\"", "\"tree\""));
+  const auto world =
+      folder_.write("world.sdf", worldAround("<include><uri>\n model://tree \n</uri></include>"));
+  EXPECT_FALSE(Scene::load(world));
+  const auto scene = Scene::load(world, {}, {}, {folder_.path() / "library"});
+  ASSERT_TRUE(scene) << describe(scene.error());
+  EXPECT_EQ((*scene)->contents().world.models.at(0).name, "tree");
+}
+
+TEST_F(SceneTest, aModelThatIncludesItselfIsRefused) {
+  folder_.writeModel("small", replaced(kSmallModel, "<link name=\"foot\">",
+                                       "<include><uri>model://small</uri></include><link name=\"foot\">"));
+  EXPECT_THAT(folder_.errorsOf(worldAround(include(""))), HasSubstr("the model includes itself"));
+}
+
+TEST_F(SceneTest, errorsOfAllFilesComeTogether) {
+  folder_.writeModel("other", replaced(kSmallModel, "<mass>1.5", "<mass>heavy"));
+  folder_.writeModel("small", replaced(kSmallModel, "relative_to=\"foot\"", "relative_to=\"toe\""));
+  const std::string errors = folder_.errorsOf(
+      worldAround(include("") + "<include><uri>model://other</uri></include>\n<light name='l' type='point'>"
+                                "<intensity>1000</intensity></light>"));
+  EXPECT_THAT(errors, HasSubstr("models/other/model.sdf:7: small/foot: <mass>"));
+  EXPECT_THAT(errors, HasSubstr("models/small/model.sdf:13"));
+  EXPECT_THAT(errors, HasSubstr("world.sdf:4: test/l: a light's intensity"));
 }
 
 TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   const std::string file = "models/small/model.sdf:";
   EXPECT_THAT(errorsWithModel("relative_to=\"foot\"", "relative_to=\"toe\""), StartsWith(file + "13: "));
   EXPECT_EQ(errorsWithModel("<robotcontrol:color>red", "<robotcontrol:color>gold"),
-            file + "11: no palette has the color 'gold'");
-  EXPECT_EQ(errorsWithModel("<collision>hand", "<collision>fist"),
-            file + "17: the link 'arm' has no collision 'fist'");
+            file + "11: small/foot/sole: no palette has the color 'gold'");
   EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),
-            file + "19: initial_position of 'hip' must be between -1 and 1");
-  EXPECT_EQ(errorsWithModel("<effort>2</effort>", ""),
-            file + "19: a servo's <effort> must be between 1e-09 and 1000");
+            file + "19: small/hip: initial_position of 'hip' must be between -1 and 1, not 2");
+  EXPECT_THAT(errorsWithModel("<effort>2</effort>", ""),
+              StartsWith(file + "19: small/hip: a servo's <effort> must be between 1e-09 and 1000, not "));
   EXPECT_THAT(errorsWithModel("<parent>foot</parent>", "<parent>arm</parent>"), StartsWith(file));
   EXPECT_THAT(errorsWithModel("type=\"contact\"", "type=\"sonar\""), StartsWith(file + "17: "));
 }
 
-TEST_F(SceneTest, aSceneThatStartsInsideItselfCannotBeSimulated) {
+TEST_F(SceneTest, aRobotThatStartsInsideAnotherModelCannotBeSimulated) {
+  folder_.writeModel("small",
+                     replaced(kSmallModel, "<link name=\"foot\">",
+                              "<robotcontrol:robot>ers210</robotcontrol:robot><link name=\"foot\">"));
   const auto scene = Scene::load(folder_.write(
       "world.sdf",
       worldAround(include("") + "\n" + include("<name>other</name><pose>0.05 0 0 0 0 0</pose>"))));
@@ -169,6 +204,19 @@ TEST_F(SceneTest, aSceneThatStartsInsideItselfCannotBeSimulated) {
   const auto simulation = Simulation::create(*scene, {});
   ASSERT_FALSE(simulation);
   EXPECT_THAT(simulation.error().describe(), HasSubstr("world.sdf:3: 'small' starts inside 'other'"));
+}
+
+TEST_F(SceneTest, otherModelsThatStartInsideEachOtherAreNoted) {
+  const auto scene = Scene::load(folder_.write(
+      "world.sdf",
+      worldAround(include("") + "\n" + include("<name>other</name><pose>0.05 0 0 0 0 0</pose>"))));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto simulation = Simulation::create(*scene, {});
+  ASSERT_TRUE(simulation) << simulation.error().describe();
+  ASSERT_FALSE((*simulation)->overlaps().empty());
+  EXPECT_EQ((*simulation)->overlaps()[0].what, "'small' starts inside 'other'");
+  EXPECT_EQ((*simulation)->overlaps()[0].where.line, 3);
+  EXPECT_THAT((*simulation)->modelsTouching("small"), testing::ElementsAre("other"));
 }
 
 }  // namespace

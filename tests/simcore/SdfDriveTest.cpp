@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drives in models: what is read, and what is refused.
 #include <gmock/gmock.h>
-#include <tinyxml2.h>
 
 #include "simcore/physics/DriveGeometry.h"
 #include "simcore/physics/LumpedLink.h"
-#include "simcore/sdf/SdfCheck.h"
+#include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
 #include "tests/simcore/SceneFixture.h"
@@ -51,12 +50,16 @@ struct Reading {
 
 Reading read(const std::string& text) {
   static const SdfSpec kSpec;
-  tinyxml2::XMLDocument document;
-  EXPECT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS);
+  const SceneFolder folder;
+  const std::filesystem::path file = folder.write("m.sdf", text);
   robotlink::Errors errors;
-  checkSdfTree(document, "m.sdf", kSpec, errors);
+  const SceneFiles files(file, {}, kSpec, errors);
+  LeftOuts leftOut;
+  MeshFiles meshes;
   Reading result;
-  if (errors.empty()) result.model = readSdfModel(text, "m.sdf", {}, kSpec, errors);
+  if (errors.empty())
+    result.model = readSdfModel(*files.model(file), "m.sdf", {files, kSpec, meshes, errors, leftOut});
+  for (robotlink::Error& error : errors) error.where.file = "m.sdf";
   result.errors = describe(errors);
   return result;
 }

@@ -297,6 +297,22 @@ TEST(Robotctl, simKeepsTheSpeedAndPrintsHowFarItIs) {
   EXPECT_GT(figures.at("real_seconds").get<double>(), 0.29);
 }
 
+TEST(Robotctl, sceneCheckSaysWhereModelsRestAndWhatIsLeftOut) {
+  const std::string folder = ROBOTCONTROL_SOURCE_DIR "/tests/simcore/sdf/models/";
+  const PrintedOutcome outcome = robotctl("scene check --json --seconds 1 " + folder + "surface.sdf");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto report = nlohmann::json::parse(outcome.text);
+  ASSERT_EQ(report.at("models").size(), 2U);
+  const auto& model = report.at("models").at(1);
+  EXPECT_EQ(model.at("name"), "surface");
+  EXPECT_EQ(model.at("touches"), nlohmann::json::array({"floor"}));
+  EXPECT_LT(model.at("moved").get<double>(), 0.01);
+  EXPECT_NEAR(model.at("end").at("position").at(2).get<double>(), 0.1, 0.01);
+  EXPECT_EQ(report.at("left_out").size(), 3U);
+  EXPECT_EQ(report.at("left_out").at(0).at("line"), 8);
+  EXPECT_EQ(report.at("left_out").at(0).at("object"), "surface/body/solid");
+}
+
 TEST(Robotctl, layoutsAreCheckedAndDrawn) {
   EXPECT_EQ(robotctl("layout check " + kLayout).status, 0);
   const PrintedOutcome graph = robotctl("layout graph " + kLayout);

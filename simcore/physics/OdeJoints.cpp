@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/OdeJoints.h"
+
+#include <cmath>
+
+namespace simcore {
+namespace {
+
+using Kind = JointDescription::Kind;
+
+/// The joint's bodies in the world: the child, and the parent or null.
+struct Ends {
+  dBodyID child, parent;
+};
+
+dJointID attached(dJointID id, const Ends& ends) {
+  dJointAttach(id, ends.child, ends.parent);
+  return id;
+}
+
+template <typename Set>
+void setStops(dJointID id, Set set, int low, int high, double lower, double upper) {
+  // Set twice, because ODE ignores a lower stop above the upper one.
+  set(id, low, lower);
+  set(id, high, upper);
+  set(id, low, lower);
+}
+
+dJointID addHinge(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& anchor,
+                  const Vector3& axis) {
+  const dJointID id = attached(dJointCreateHinge(ode.world, nullptr), ends);
+  dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
+  dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
+  setStops(id, dJointSetHingeParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
+  ode.hinges.push_back(id);
+  dJointSetFeedback(id, &ode.hingeForces.emplace_back());
+  return id;
+}
+
+dJointID addUniversal(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& anchor,
+                      const Eigen::Matrix3d& modelInWorld) {
+  // ODE's first axis is fixed to the first body, which is the child here; SDFormat's first one to the parent.
+  const Vector3 ofChild = modelInWorld * joint.secondAxisInModel, ofParent = modelInWorld * joint.axisInModel;
+  const dJointID id = attached(dJointCreateUniversal(ode.world, nullptr), ends);
+  dJointSetUniversalAnchor(id, anchor.x(), anchor.y(), anchor.z());
+  // ODE complains if the axes are parallel while they are set one after the other; at first, they are x and
+  // y.
+  const Vector3 between = std::abs(ofParent.z()) < 0.9 ? Vector3::UnitZ() : Vector3::UnitX();
+  dJointSetUniversalAxis1(id, between.x(), between.y(), between.z());
+  dJointSetUniversalAxis2(id, ofParent.x(), ofParent.y(), ofParent.z());
+  dJointSetUniversalAxis1(id, ofChild.x(), ofChild.y(), ofChild.z());
+  setStops(id, dJointSetUniversalParam, dParamLoStop1, dParamHiStop1, joint.secondLower, joint.secondUpper);
+  setStops(id, dJointSetUniversalParam, dParamLoStop2, dParamHiStop2, joint.lower, joint.upper);
+  return id;
+}
+
+/// Brakes one axis; `speed` is the present one.
+double brake(const OdeResistance& one, double speed) {
+  return one.friction + one.damping * std::abs(speed);
+}
+
+}  // namespace
+
+void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription& joint,
+              std::size_t firstBody) {
+  if (joint.wheel) return;
+  const auto bodyOf = [&](int link) {
+    return link < 0 ? nullptr : ode.bodies[firstBody + static_cast<std::size_t>(link)].id;
+  };
+  const Ends ends{bodyOf(joint.child), bodyOf(joint.parent)};
+  const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
+  const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
+  dJointID id = nullptr;
+  switch (joint.kind) {
+    case Kind::kFixed:
+      dJointSetFixed(attached(dJointCreateFixed(ode.world, nullptr), ends));
+      return;
+    case Kind::kHinge:
+      id = addHinge(ode, joint, ends, anchor, axis);
+      break;
+    case Kind::kSlider:
+      id = attached(dJointCreateSlider(ode.world, nullptr), ends);
+      dJointSetSliderAxis(id, axis.x(), axis.y(), axis.z());
+      setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
+      break;
+    case Kind::kBall:
+      id = attached(dJointCreateBall(ode.world, nullptr), ends);
+      dJointSetBallAnchor(id, anchor.x(), anchor.y(), anchor.z());
+      return;
+    case Kind::kUniversal:
+      id = addUniversal(ode, joint, ends, anchor, model.poseInWorld.linear());
+      break;
+  }
+  if (!joint.servo && (joint.damping > 0 || joint.friction > 0))
+    ode.resistances.push_back({id, joint.damping, joint.friction});
+}
+
+void resist(OdeWorld& ode) {
+  for (const OdeResistance& one : ode.resistances) {
+    switch (dJointGetType(one.joint)) {
+      case dJointTypeHinge:
+        dJointSetHingeParam(one.joint, dParamFMax, brake(one, dJointGetHingeAngleRate(one.joint)));
+        break;
+      case dJointTypeSlider:
+        dJointSetSliderParam(one.joint, dParamFMax, brake(one, dJointGetSliderPositionRate(one.joint)));
+        break;
+      case dJointTypeUniversal:
+        dJointSetUniversalParam(one.joint, dParamFMax1, brake(one, dJointGetUniversalAngle1Rate(one.joint)));
+        dJointSetUniversalParam(one.joint, dParamFMax2, brake(one, dJointGetUniversalAngle2Rate(one.joint)));
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace simcore

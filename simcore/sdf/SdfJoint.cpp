@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// readJoints() and orderJoints() of SdfConversion.h.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simcore/sdf/SdfConversion.h"
+
+namespace simcore {
+namespace {
+
+constexpr double kFullTurn = JointDescription::kFullTurn;
+/// Limits from this on are none.
+constexpr double kEndless = 1e15;
+using Kind = JointDescription::Kind;
+
+int linkIndex(const ModelDescription& model, const std::string& name) {
+  const auto found = std::ranges::find(model.links, name, &LinkDescription::name);
+  return found == model.links.end() ? -1 : static_cast<int>(found - model.links.begin());
+}
+
+/// Reads the joints of one model, which may be part of another one.
+class JointReader {
+ public:
+  JointReader(const Pose3& sourceInModel, const std::string& prefix, ModelDescription& model,
+              const SdfContext& context)
+      : sourceInModel_(sourceInModel), prefix_(prefix), model_(model), context_(context) {}
+
+  void read(const sdf::Joint& joint) {
+    JointDescription result;
+    result.name = prefix_ + joint.Name();
+    if (!readKind(joint, result) || !readEnds(joint, result)) return;
+    result.anchorInModel =
+        sourceInModel_ *
+        resolvedPose(joint.SemanticPose(), "__model__", joint.Element(), context_).translation();
+    if (result.kind != Kind::kFixed && result.kind != Kind::kBall) readAxes(joint, result);
+    if (turned_) {
+      // The child is the world: seen from there everything turns the other way.
+      result.axisInModel = -result.axisInModel;
+      turned_ = false;
+    }
+    model_.joints.push_back(std::move(result));
+  }
+
+ private:
+  bool readKind(const sdf::Joint& joint, JointDescription& result) {
+    const sdf::ElementPtr element = joint.Element();
+    switch (joint.Type()) {
+      case sdf::JointType::FIXED:
+        result.kind = Kind::kFixed;
+        return true;
+      case sdf::JointType::BALL:
+        result.kind = Kind::kBall;
+        return true;
+      case sdf::JointType::PRISMATIC:
+        result.kind = Kind::kSlider;
+        break;
+      case sdf::JointType::UNIVERSAL:
+        result.kind = joint.Axis(1) != nullptr ? Kind::kUniversal : Kind::kHinge;
+        break;
+      case sdf::JointType::REVOLUTE:
+      case sdf::JointType::CONTINUOUS:
+        break;
+      default:
+        context_.omit(
+            element, "joint of type '" + element->Get<std::string>("type") + "'",
+            "of joints, revolute, continuous, prismatic, ball, universal and fixed ones are known: its "
+            "links are not joined");
+        return false;
+    }
+    if (joint.Axis(0) != nullptr) return true;
+    context_.fail(element, "scene.axis", "a joint of this type needs an <axis>");
+    return false;
+  }
+
+  bool readEnds(const sdf::Joint& joint, JointDescription& result) {
+    std::string parent, child;
+    const bool sound = context_.take(joint.ResolveParentLink(parent), joint.Element()) &&
+                       context_.take(joint.ResolveChildLink(child), joint.Element());
+    if (!sound) return false;
+    if (child == "world" && parent != "world") {
+      std::swap(parent, child);
+      turned_ = true;
+    }
+    result.parent = parent == "world" ? -1 : linkIndex(model_, prefix_ + parent);
+    result.child = linkIndex(model_, prefix_ + child);
+    if (result.child >= 0 && (result.parent >= 0 || parent == "world") && result.child != result.parent)
+      return true;
+    context_.fail(joint.Element(), "scene.joint", "the joint '" + joint.Name() + "' does not join two links");
+    return false;
+  }
+
+  Vector3 direction(const sdf::Joint& joint, unsigned index) {
+    ignition::math::Vector3d axis;
+    context_.take(joint.Axis(index)->ResolveXyz(axis, "__model__"), joint.Element());
+    const Vector3 result = sourceInModel_.linear() * toEigen(axis).normalized();
+    if (result.allFinite() && result.norm() > 0.5) return result;
+    context_.fail(joint.Element(), "scene.axis", "an axis must be a finite vector that is not 0 0 0");
+    return Vector3::UnitZ();
+  }
+
+  void readAxes(const sdf::Joint& joint, JointDescription& result) {
+    const sdf::JointAxis& axis = *joint.Axis(0);
+    result.axisInModel = direction(joint, 0);
+    readLimits(joint, axis, result);
+    if (result.kind == Kind::kUniversal) {
+      result.secondAxisInModel = direction(joint, 1);
+      readTurns(joint, *joint.Axis(1), result.secondLower, result.secondUpper);
+      if (std::abs(result.axisInModel.dot(result.secondAxisInModel)) > 0.99) {
+        context_.fail(joint.Element(), "scene.axis", "the two axes of a universal joint must differ");
+      }
+    }
+    const bool servo = joint.Element()->HasElement("robotcontrol:servo");
+    if (servo && result.kind != Kind::kHinge) {
+      context_.fail(joint.Element(), "scene.servo", "only a revolute or continuous joint can have a servo");
+    } else if (servo) {
+      readServo(axis, joint.Element(), result);
+    } else {
+      result.damping = context_.within(axis.Damping(), 0, 1e6, "damping", joint.Element());
+      result.friction = context_.within(axis.Friction(), 0, 1e6, "friction", joint.Element());
+    }
+  }
+
+  void readLimits(const sdf::Joint& joint, const sdf::JointAxis& axis, JointDescription& result) {
+    if (result.kind == Kind::kSlider) {
+      const double none = std::numeric_limits<double>::infinity();
+      result.lower = axis.Lower() <= -kEndless ? -none : axis.Lower();
+      result.upper = axis.Upper() >= kEndless ? none : axis.Upper();
+      if (!(result.lower <= result.upper)) {
+        context_.fail(joint.Element(), "scene.range", "lower must not be above upper");
+        result.upper = result.lower;
+      }
+    } else if (joint.Type() == sdf::JointType::CONTINUOUS) {
+      result.lower = -kFullTurn;
+      result.upper = kFullTurn;
+    } else {
+      readTurns(joint, axis, result.lower, result.upper);
+    }
+  }
+
+  /// The solver knows angles within half a turn: a stop beyond is never reached.
+  void readTurns(const sdf::Joint& joint, const sdf::JointAxis& axis, double& lower, double& upper) {
+    lower = std::max(axis.Lower(), -kFullTurn);
+    upper = std::min(axis.Upper(), kFullTurn);
+    if (!(axis.Lower() <= axis.Upper())) {
+      // A message with the numbers.
+      upper = context_.within(axis.Upper(), axis.Lower(), std::max(axis.Lower(), kFullTurn), "upper",
+                              joint.Element());
+      return;
+    }
+    const bool endless = axis.Lower() <= -kFullTurn && axis.Upper() >= kFullTurn;
+    const bool within = axis.Lower() >= -robotlink::kPi && axis.Upper() <= robotlink::kPi;
+    const bool isServo = joint.Element()->HasElement("robotcontrol:servo");
+    if (endless || within || isServo) return;
+    context_.omit(joint.Element(), "stops beyond half a turn", "the joint turns without stops");
+    lower = -kFullTurn;
+    upper = kFullTurn;
+  }
+
+  void readServo(const sdf::JointAxis& axis, const sdf::ElementPtr& element, JointDescription& result) const {
+    const sdf::ElementPtr servo = element->GetElement("robotcontrol:servo");
+    result.servo = true;
+    // Without limits, SDFormat has infinite values, which no servo has.
+    result.maximumSpeed = context_.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
+    result.maximumTorque = context_.within(axis.Effort(), 1e-9, 1000, "a servo's <effort>", element);
+    const auto number = [&](const char* key) {
+      return servo->HasElement(key) ? servo->Get<double>(key) : 0.0;
+    };
+    result.initialAngle = context_.within(number("robotcontrol:initial_position"), result.lower, result.upper,
+                                          "initial_position of '" + result.name + "'", servo);
+    result.positionNoise =
+        context_.within(number("robotcontrol:position_noise"), 0, 1, "position_noise", servo);
+  }
+
+  const Pose3& sourceInModel_;
+  const std::string& prefix_;
+  ModelDescription& model_;
+  const SdfContext& context_;
+  /// Whether the ends of the joint that is being read were exchanged.
+  bool turned_ = false;
+};
+
+}  // namespace
+
+void readJoints(const sdf::Model& source, const Pose3& sourceInModel, const std::string& prefix,
+                ModelDescription& model, const SdfContext& context) {
+  JointReader reader(sourceInModel, prefix, model, context);
+  for (std::uint64_t i = 0; i < source.JointCount(); ++i) reader.read(*source.JointByIndex(i));
+}
+
+void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context) {
+  std::vector<JointDescription> ordered, waiting = std::move(model.joints);
+  model.joints.clear();
+  std::vector<int> parents(model.links.size(), 0);
+  // The first joint of a link says where it is; further ones close cycles.
+  for (JointDescription& joint : waiting)
+    joint.closesCycle = parents[static_cast<std::size_t>(joint.child)]++ > 0;
+  std::vector<bool> placed(model.links.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = parents[i] == 0;
+  const auto place = [&](JointDescription joint) {
+    placed[static_cast<std::size_t>(joint.child)] = true;
+    ordered.push_back(std::move(joint));
+  };
+  for (bool progress = true; progress;) {
+    progress = false;
+    for (auto joint = waiting.begin(); joint != waiting.end() && !progress;) {
+      const bool ready = joint->parent < 0 || placed[static_cast<std::size_t>(joint->parent)];
+      if (!ready || joint->closesCycle) {
+        ++joint;
+        continue;
+      }
+      place(std::move(*joint));
+      joint = waiting.erase(joint);
+      progress = true;
+    }
+    if (progress) continue;
+    // All that is left hangs on a cycle: cut it at its first joint.
+    const auto cut = std::ranges::find(waiting, false, &JointDescription::closesCycle);
+    if (cut == waiting.end()) break;
+    cut->closesCycle = true;
+    placed[static_cast<std::size_t>(cut->child)] = progress = true;
+  }
+  for (JointDescription& joint : waiting) {
+    if (joint.servo) {
+      context.fail(element, "scene.joint-cycle",
+                   "the joint '" + joint.name +
+                       "' closes a cycle or gives a link a second parent, so it can have no servo");
+    }
+    ordered.push_back(std::move(joint));
+  }
+  model.joints = std::move(ordered);
+}
+
+}  // namespace simcore

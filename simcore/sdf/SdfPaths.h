@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace tinyxml2 {
+class XMLElement;
+}  // namespace tinyxml2
+
+namespace simcore {
+
+/// The names of an element and of those that contain it, with slashes: "world/robot/arm/skin". Elements
+/// without a name are omitted; empty if none has a name.
+std::string objectPath(const tinyxml2::XMLElement& element);
+
+/// The text directly in an element, without white space around it; empty for null.
+std::string trimmedText(const tinyxml2::XMLElement* element);
+/// That of a child, empty if there is none.
+std::string childText(const tinyxml2::XMLElement& element, const char* name);
+/// The attribute `name`; empty if there is none.
+std::string nameOf(const tinyxml2::XMLElement& element);
+/// Whether the text means true.
+bool isTrue(const std::string& text);
+
+}  // namespace simcore
