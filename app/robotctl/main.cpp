@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
       "COMMAND --help' shows its options.");
   int status = kDone;
   addSimCommand(app, status);
+  addSceneCommand(app, status);
   addLayoutCommand(app, status);
   addLogCommand(app, status);
   addRunCommand(app, status);
