@@ -10,6 +10,7 @@ namespace simcore {
 namespace {
 
 constexpr double kFarAway = 100'000;
+constexpr double kUsualRate = 25;  // Hz, of cameras
 /// Visuals without a material.
 constexpr Rgb kPlain{200, 200, 200};
 /// A link without mass gets this, so that the solver can move it.
@@ -152,7 +153,9 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
       static_cast<int>(context.within(camera.ImageHeight(), 2, 8192, "an image's height", element));
   result.horizontalAngle =
       context.within(camera.HorizontalFov().Radian(), 0.01, 3, "horizontal_fov", element);
-  result.rate = context.within(sensor.UpdateRate(), 0.1, 250, "a camera's update_rate", sensor.Element());
+  // Without a rate, or with 0, cameras of other simulators are as fast as these are.
+  const double rate = sensor.UpdateRate() > 0 ? sensor.UpdateRate() : kUsualRate;
+  result.rate = context.within(rate, 0.1, 250, "a camera's update_rate", sensor.Element());
   result.noise = context.within(camera.ImageNoise().StdDev(), 0, 100, "stddev", element);
   result.verticalAngle = 2 * std::atan(std::tan(result.horizontalAngle / 2) * result.height / result.width);
   if (element->HasElement("robotcontrol:vertical_fov")) {

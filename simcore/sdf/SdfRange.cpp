@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // readLidar() and readSonar() of SdfConversion.h: range sensors.
+#include <algorithm>
 #include <cmath>
 
 #include "simcore/sdf/SdfConversion.h"
@@ -24,7 +25,11 @@ double ownNumber(const sdf::ElementPtr& sensor, const char* name, double otherwi
 
 /// The rate of measurements, Hz; 0 means on demand.
 double rateOf(const sdf::Sensor& sensor, const SdfContext& context) {
-  return context.within(sensor.UpdateRate(), 0, 250, "an update_rate", sensor.Element());
+  constexpr double kFastest = 250;
+  if (sensor.UpdateRate() > kFastest)
+    context.omit(sensor.Element(), "update_rate above 250", "the sensor has 250 Hz");
+  return context.within(std::min(sensor.UpdateRate(), kFastest), 0, kFastest, "an update_rate",
+                        sensor.Element());
 }
 
 }  // namespace
@@ -34,11 +39,11 @@ void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   const sdf::ElementPtr element = sensor.Element();
   result.kind = SensorDescription::Kind::kDistance;
   result.minimum = context.within(lidar.RangeMin(), 0, kFarthest, "a range", element);
-  result.maximum = context.within(lidar.RangeMax(), result.minimum, kFarthest, "a range", element);
+  result.maximum =
+      context.within(std::min(lidar.RangeMax(), kFarthest), result.minimum, kFarthest, "a range", element);
   result.noise = context.within(lidar.LidarNoise().StdDev(), 0, 100, "stddev", element);
   if (lidar.VerticalScanSamples() != 1) {
-    context.fail(element, "scene.lidar",
-                 "of lidars, only those that measure in one plane are known: vertical samples must be 1");
+    context.omit(element, "vertical samples of a lidar", "it measures in one plane, that of its x and y");
   }
   const unsigned samples = lidar.HorizontalScanSamples();
   if (samples == 1) return;

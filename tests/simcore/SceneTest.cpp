@@ -186,7 +186,7 @@ TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   EXPECT_EQ(errorsWithModel("<robotcontrol:color>red", "<robotcontrol:color>gold"),
             file + "11: small/foot/sole: no palette has the color 'gold'");
   EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),
-            file + "19: small/hip: initial_position of 'hip' must be between -1 and 1, not 2");
+            file + "23: small/hip: initial_position of 'hip' must be between -1 and 1, not 2");
   EXPECT_THAT(errorsWithModel("<effort>2</effort>", ""),
               StartsWith(file + "19: small/hip: a servo's <effort> must be between 1e-09 and 1000, not "));
   EXPECT_THAT(errorsWithModel("<parent>foot</parent>", "<parent>arm</parent>"), StartsWith(file));

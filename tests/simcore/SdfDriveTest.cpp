@@ -84,11 +84,13 @@ TEST(SdfDrive, aDriveHasItsWheelsAndTheLeastOfTheirLimits) {
 }
 
 TEST(SdfDrive, whatIsWrongWithADriveIsReportedWithItsLine) {
-  EXPECT_EQ(errorsWith("left>l<", "left>x<"), "m.sdf:4: the model has no joint 'x' for its drive");
-  EXPECT_EQ(errorsWith("<robotcontrol:left>l</robotcontrol:left>", ""),
-            "m.sdf:2: a drive needs a wheel on each side: <robotcontrol:left>, <robotcontrol:right>");
+  EXPECT_EQ(errorsWith("left>l<", "left>x<"),
+            "m.sdf:4: cart/motors: the model has no joint 'x' for its drive");
+  EXPECT_EQ(
+      errorsWith("<robotcontrol:left>l</robotcontrol:left>", ""),
+      "m.sdf:3: cart/motors: a drive needs a wheel on each side: <robotcontrol:left>, <robotcontrol:right>");
   EXPECT_THAT(errorsWith("right>r<", "right>l<"),
-              HasSubstr("m.sdf:2: 'l' cannot be a wheel's joint: it is named twice"));
+              HasSubstr("m.sdf:5: cart/motors: 'l' cannot be a wheel's joint: it is named twice"));
   EXPECT_THAT(errorsWith("\"r\" type=\"continuous\"", "\"r\" type=\"fixed\""),
               HasSubstr("it must turn freely, without a servo"));
   EXPECT_THAT(errorsWith("<parent>body<", "<parent>world<"),
@@ -105,9 +107,9 @@ TEST(SdfDrive, whatIsWrongWithADriveIsReportedWithItsLine) {
   EXPECT_THAT(errorsWith("<effort>2</effort>", ""), HasSubstr("a wheel's <effort> must be between"));
   EXPECT_THAT(errorsWith("<velocity>8</velocity>", ""), HasSubstr("a wheel's <velocity> must be between"));
   EXPECT_THAT(errorsWith("track>0.4<", "track>0<"),
-              HasSubstr("m.sdf:2: a drive's track must be between 0.01 and 10"));
+              HasSubstr("m.sdf:3: cart/motors: a drive's track must be between 0.01 and 10"));
   EXPECT_THAT(errorsWith("track>0.4<", "track>far<"),
-              HasSubstr("m.sdf:6: <robotcontrol:track> must be one finite number"));
+              HasSubstr("m.sdf:6: cart/motors: <robotcontrol:track> must be one finite number"));
   EXPECT_THAT(errorsWith("idle_torque>0.5<", "idle_torque>-1<"),
               HasSubstr("idle_torque must be between 0 and 1000"));
   EXPECT_THAT(errorsWith("<model name=\"cart\">", "<model name=\"cart\"><static>true</static>"),
@@ -163,7 +165,7 @@ TEST(SdfDrive, aDriveObeysAPioneersControllerUnlessItSaysThatItHasNone) {
       read(replaced(kSdfCart, drive, std::string(drive) + " controller=\"none\"")).model->drive->controller,
       "");
   EXPECT_THAT(errorsWith(drive, std::string(drive) + " controller=\"pigeon\""),
-              HasSubstr("m.sdf:2: a drive has the controller 'arcos' or 'none', not 'pigeon'"));
+              HasSubstr("m.sdf:3: cart/motors: a drive has the controller 'arcos' or 'none', not 'pigeon'"));
 }
 
 TEST(SdfDrive, wheelsAndTheirCarrierAreLumpedIntoOneBody) {

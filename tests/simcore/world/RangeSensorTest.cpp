@@ -149,17 +149,23 @@ TEST_F(RangeSensorTest, whatIsWrongIsSaid) {
       replaced(model, "</sonar></sensor>", "</sonar><robotcontrol:noise>-1</robotcontrol:noise></sensor>");
   model = replaced(model, "<max_angle>1.570796", "<max_angle>-2");
   model = replaced(model, "<samples>19", "<samples>2000000");
-  model = replaced(model, "</horizontal>",
-                   "</horizontal><vertical><samples>4</samples><min_angle>0</min_angle><max_angle>1</"
-                   "max_angle></vertical>");
   folder_.writeModel("cart", model);
   const std::string errors = folder_.errorsOf(worldAround(kCartHere));
   for (const char* expected :
-       {"model.sdf:8: a sonar's <max> must be between", "a sonar's <geometry> must be cone",
-        "noise must be between", "max_angle must be between", "vertical samples must be 1",
-        "a lidar's samples must be between"}) {
+       {"a sonar's <max> must be between", "a sonar's <geometry> must be cone", "noise must be between",
+        "max_angle must be between", "a lidar's samples must be between"}) {
     EXPECT_THAT(errors, HasSubstr(expected));
   }
+}
+
+TEST_F(RangeSensorTest, ofALidarWithSeveralPlanesOnlyItsOwnIsMeasured) {
+  folder_.writeModel("cart", replaced(kCart, "</horizontal>",
+                                      "</horizontal><vertical><samples>4</samples><min_angle>0</min_angle>"
+                                      "<max_angle>1</max_angle></vertical>"));
+  const auto scene = Scene::load(folder_.write("world.sdf", worldAround(kCartHere)));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  ASSERT_EQ((*scene)->leftOut().size(), 1U);
+  EXPECT_EQ((*scene)->leftOut()[0].what, "vertical samples of a lidar");
 }
 
 TEST_F(RangeSensorTest, aLidarOfOneRayStaysADistance) {
