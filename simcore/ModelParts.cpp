@@ -13,19 +13,25 @@ tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& 
                                                              std::optional<Rgb> team) {
   robotlink::Errors errors;
   const SdfSpec spec;
-  SceneFiles files;
   // Models are searched for beside a scene, too, so this is the one that the shipped models belong to.
-  const auto file = files.addModel(model, robotlink::resource("scenes") / "scene", spec, errors);
+  SceneFiles files(robotlink::resource("scenes") / "scene");
+  const auto file = files.addModel(model, spec, errors);
   if (!file || !errors.empty()) return tl::unexpected(std::move(errors));
-  const auto type = readSdfModel(files.models.at(*file), file->string(), files.palette, spec, errors);
+  MeshFiles meshes;
+  LeftOuts leftOut;
+  const auto type = readSdfModel(*files.model(*file), file->string(), {files, spec, meshes, errors, leftOut});
+  if (!type) return tl::unexpected(std::move(errors));
   if (errors.empty() && (type->robot.empty() || type->isStatic))
     errors.push_back({"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}});
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   ModelParts parts;
   for (const LinkDescription& link : type->links) parts.links.push_back(link.poseInModel);
-  for (const JointDescription& joint : type->joints)
+  for (const JointDescription& joint : type->joints) {
+    if (joint.closesCycle) continue;
+    const bool hinge = joint.kind == JointDescription::Kind::kHinge;
     parts.joints.push_back({joint.name, joint.parent, joint.child, joint.anchorInModel, joint.axisInModel,
-                            joint.fixed ? 0 : joint.initialAngle});
+                            hinge ? joint.initialAngle : 0});
+  }
   WorldDescription world;
   ModelInstance instance;
   instance.name = model;
