@@ -12,7 +12,7 @@ namespace simcore {
 tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& model,
                                                              std::optional<Rgb> team) {
   robotlink::Errors errors;
-  const SdfSpec spec;
+  const SdfSpec& spec = SdfSpec::shared();
   // Models are searched for beside a scene, too, so this is the one that the shipped models belong to.
   SceneFiles files(robotlink::resource("scenes") / "scene");
   const auto file = files.addModel(model, spec, errors);

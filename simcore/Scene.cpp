@@ -198,12 +198,9 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   Errors errors;
   const Progress progress(report, errors);
   if (!progress.reached(0)) return tl::unexpected(std::move(errors));
-  // It takes longer to make than a small map takes to read.
-  std::optional<SdfSpec> spec;
-  if (!isMapFile(file) || robots.count > 0) spec.emplace();
   Draft draft = isMapFile(file) ? readMapScene(file, progress, errors)
-                                : readSdfScene(file, modelFolders, *spec, errors);
-  if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
+                                : readSdfScene(file, modelFolders, SdfSpec::shared(), errors);
+  if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, SdfSpec::shared(), errors);
   if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
   SceneContents& implementation = *scene->contents_;

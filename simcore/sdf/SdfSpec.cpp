@@ -17,4 +17,9 @@ SdfSpec::SdfSpec() : description_(std::make_unique<SdfDescription>()) {
 
 SdfSpec::~SdfSpec() = default;
 
+const SdfSpec& SdfSpec::shared() {
+  static const SdfSpec kSpec;
+  return kSpec;
+}
+
 }  // namespace simcore

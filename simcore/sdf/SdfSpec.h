@@ -8,10 +8,11 @@ namespace simcore {
 struct SdfDescription;
 
 /// The definition of SDFormat 1.9 as libsdformat provides it: elements, attributes, types of values. Loading
-/// it takes libsdformat longer than reading a model, so a scene loads it once for all its files. Immutable.
+/// it takes libsdformat longer than reading a scene, so a process loads it once. Immutable; for all threads.
 class SdfSpec {
  public:
-  SdfSpec();
+  /// Loads it at the first call; lives until the process ends.
+  static const SdfSpec& shared();
   ~SdfSpec();
   SdfSpec(const SdfSpec&) = delete;
   SdfSpec& operator=(const SdfSpec&) = delete;
@@ -20,6 +21,8 @@ class SdfSpec {
   const SdfDescription& description() const { return *description_; }
 
  private:
+  SdfSpec();
+
   std::unique_ptr<SdfDescription> description_;
 };
 

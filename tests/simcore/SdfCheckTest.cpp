@@ -17,12 +17,11 @@ class SdfCheck : public testing::Test {
  protected:
   /// What is wrong with a text and what is left out of it, one per line.
   static std::string errorsOf(const std::string& text) {
-    static const SdfSpec kSpec;
     tinyxml2::XMLDocument document;
     EXPECT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS) << text;
     robotlink::Errors errors;
     LeftOuts leftOut;
-    checkSdfTree(document, "m.sdf", kSpec, errors, leftOut);
+    checkSdfTree(document, "m.sdf", SdfSpec::shared(), errors, leftOut);
     std::string found = describe(errors);
     for (const LeftOut& one : leftOut) {
       found += (found.empty() ? "" : "\n") + std::to_string(one.where.line) + " left out: " + one.object +

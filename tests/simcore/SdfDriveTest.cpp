@@ -49,16 +49,15 @@ struct Reading {
 };
 
 Reading read(const std::string& text) {
-  static const SdfSpec kSpec;
   const SceneFolder folder;
   const std::filesystem::path file = folder.write("m.sdf", text);
   robotlink::Errors errors;
-  const SceneFiles files(file, {}, kSpec, errors);
+  const SceneFiles files(file, {}, SdfSpec::shared(), errors);
   LeftOuts leftOut;
   MeshFiles meshes;
   Reading result;
   if (errors.empty())
-    result.model = readSdfModel(*files.model(file), "m.sdf", {files, kSpec, meshes, errors, leftOut});
+    result.model = readSdfModel(*files.model(file), "m.sdf", {files, SdfSpec::shared(), meshes, errors, leftOut});
   for (robotlink::Error& error : errors) error.where.file = "m.sdf";
   result.errors = describe(errors);
   return result;

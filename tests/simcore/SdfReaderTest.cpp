@@ -15,10 +15,7 @@ using testing::HasSubstr;
 
 class SdfReader : public testing::Test {
  protected:
-  static const SdfSpec& spec() {
-    static const SdfSpec kSpec;
-    return kSpec;
-  }
+  static const SdfSpec& spec() { return SdfSpec::shared(); }
   std::shared_ptr<const ModelDescription> model(const std::string& text) {
     const std::filesystem::path file = folder_.write("m.sdf", text);
     const SceneFiles files(file, {}, spec(), errors_);
