@@ -21,8 +21,9 @@ tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& 
   LeftOuts leftOut;
   const auto type = readSdfModel(*files.model(*file), file->string(), {files, spec, meshes, errors, leftOut});
   if (!type) return tl::unexpected(std::move(errors));
-  if (errors.empty() && (type->robot.empty() || type->isStatic))
-    errors.push_back({"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}});
+  // Said alone: what else is wrong with it, such as a color that only worlds have, does not matter then.
+  if (type->robot.empty() || type->isStatic)
+    errors = {{"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}}};
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   ModelParts parts;
   for (const LinkDescription& link : type->links) parts.links.push_back(link.poseInModel);
