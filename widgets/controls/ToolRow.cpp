@@ -6,6 +6,8 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QResizeEvent>
+#include <algorithm>
+#include <utility>
 
 namespace widgets {
 
@@ -14,6 +16,11 @@ RowButton::RowButton(QWidget* parent) : QToolButton(parent) {
   QSizePolicy policy = sizePolicy();
   policy.setHorizontalPolicy(QSizePolicy::Maximum);
   setSizePolicy(policy);
+}
+
+void RowButton::setInToolRow() {
+  if (std::exchange(isInToolRow_, true)) return;
+  updateGeometry();
 }
 
 int RowButton::neededWidth() const {

@@ -18,7 +18,7 @@ class RowButton final : public QToolButton {
   explicit RowButton(QWidget* parent);
 
   /// Lets the row shrink below what the button needs; until then it keeps its width.
-  void setInToolRow() { isInToolRow_ = true; }
+  void setInToolRow();
   /// Width in pixels that it needs where it is not left out.
   [[nodiscard]] int neededWidth() const;
   [[nodiscard]] bool isLeftOut() const { return isLeftOut_; }

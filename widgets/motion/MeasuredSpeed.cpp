@@ -25,6 +25,13 @@ std::optional<robotlink::Pose2> poseOf(const robotlink::StreamMessage& message, 
   return {};
 }
 
+/// Whether no robot could have moved so far in that time.
+bool isPlaced(const robotlink::Pose2& before, const robotlink::Pose2& after, robotlink::Duration elapsed) {
+  constexpr double kFastest = 10, kSlack = 0.05;  // m/s, m
+  const double distance = (after.translation() - before.translation()).norm();
+  return distance > kFastest * robotlink::seconds(elapsed) + kSlack;
+}
+
 }  // namespace
 
 Speed speedBetween(const robotlink::Pose2& before, const robotlink::Pose2& after,
@@ -48,6 +55,8 @@ std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const st
     const auto& message = *at;
     const auto pose = poseOf(message, robot);
     if (!pose) continue;
+    // Who was placed elsewhere has not driven there.
+    if (before && isPlaced(*pose, *before, beforeTime - message.time)) break;
     if (!after) {
       after = pose;
       afterTime = message.time;

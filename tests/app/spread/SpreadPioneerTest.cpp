@@ -90,7 +90,8 @@ class SpreadPioneerTest : public testing::Test {
         .options = partOf("plan"),
         .platform = [this](const robotlink::Clock& clock) -> std::unique_ptr<robotlink::Platform> {
           return std::make_unique<PioneerPlatform>(clock, "p3at1", **readRobot("p3at"),
-                                                   PioneerDriver::Options{.address = world_.url()});
+                                                   PioneerDriver::Options{.address = world_.url()},
+                                                   *PioneerAddress::parse(world_.url()));
         },
         .report =
             [this](const std::string& text) {

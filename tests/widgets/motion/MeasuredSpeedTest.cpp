@@ -44,6 +44,14 @@ TEST_F(MeasuredSpeedTest, isInTheRobotsOwnFrame) {
   EXPECT_NEAR(speed->rotation, 0, 1e-6);
 }
 
+TEST_F(MeasuredSpeedTest, beingPlacedElsewhereIsNoSpeed) {
+  for (int i = 0; i <= 20; ++i) put(0.1 * i, {i < 11 ? 2.0 : 0.01 * i, 0, 0});
+  EXPECT_FALSE(measured(1.1)) << "nothing is known yet of where it is now";
+  const auto speed = measured(2);
+  ASSERT_TRUE(speed);
+  EXPECT_NEAR(speed->x, 0.1, 1e-6);
+}
+
 TEST_F(MeasuredSpeedTest, onACircleIsThatAlongIt) {
   constexpr double kRate = 1.2, kRadius = 0.5;  // rad/s, m
   for (int i = 0; i <= 60; ++i) {

@@ -79,7 +79,8 @@ std::vector<std::string> fuzzSeeds() {
     seeds.emplace_back(bytes.begin(), bytes.end());
   };
   std::vector<std::uint8_t> all;
-  for (const std::uint8_t command : {0xA0, 0xBB, 0xF4, 0xA0, 0xF7, 0xA0, 0xA0}) {
+  for (const int code : {0xA0, 0xBB, 0xF4, 0xA0, 0xF7, 0xA0, 0xA0}) {
+    const auto command = static_cast<std::uint8_t>(code);
     SickTelegram answer{.command = command, .data = {0}, .status = 0x10};
     if (command == 0xF4) answer.data.assign(34, 0);
     if (command == 0xBB || command == 0xF7) answer.data = {1};

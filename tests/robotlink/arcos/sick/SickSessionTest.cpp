@@ -9,7 +9,6 @@
 using namespace robotlink::arcos;
 using robotlink::fromSeconds;
 using robotlink::Instant;
-using State = SickSession::State;
 
 namespace {
 
@@ -65,7 +64,7 @@ class SickSessionTest : public testing::Test {
 
 TEST_F(SickSessionTest, aLaserThatWasSwitchedOnIsFoundAndSentToItsSpeed) {
   run(5);
-  EXPECT_EQ(session_->state(), State::kRunning) << session_->describe();
+  EXPECT_EQ(session_->state(), SickSession::State::kRunning) << session_->describe();
   EXPECT_EQ(laser_.baud(), 38400);
   EXPECT_TRUE(laser_.isContinuous());
   ASSERT_GT(scans_.size(), 5U);
@@ -84,7 +83,7 @@ TEST_F(SickSessionTest, everySpeedAndVariantCanBeHad) {
       scans_.clear();
       begin({.baud = baud, .halfDegrees = half, .unit = SickSession::Unit::kMillimeters});
       run(6);
-      ASSERT_EQ(session_->state(), State::kRunning) << baud << session_->describe();
+      ASSERT_EQ(session_->state(), SickSession::State::kRunning) << baud << session_->describe();
       EXPECT_EQ(laser_.baud(), baud);
       ASSERT_FALSE(scans_.empty());
       EXPECT_EQ(scans_.back().readings.ranges.size(), half ? 361U : 181U);
@@ -102,7 +101,7 @@ TEST_F(SickSessionTest, theMemoryOfTheLaserIsWrittenOnlyWhereSomethingChanges) {
   EXPECT_EQ(laser_.written(), 1);
   begin({.unit = SickSession::Unit::kMillimeters});
   run(5);
-  EXPECT_EQ(session_->state(), State::kRunning);
+  EXPECT_EQ(session_->state(), SickSession::State::kRunning);
   EXPECT_EQ(laser_.written(), 1);
 }
 
@@ -112,7 +111,7 @@ TEST_F(SickSessionTest, lostBytesAndWrongChecksumsCostScansOnly) {
     scans_.clear();
     const std::uint64_t starts = session_->counters().starts;
     run(20, line);
-    EXPECT_EQ(session_->state(), State::kRunning);
+    EXPECT_EQ(session_->state(), SickSession::State::kRunning);
     EXPECT_EQ(session_->counters().starts, starts) << "it was not started again";
     EXPECT_GT(scans_.size(), 80U);
     EXPECT_LT(scans_.size(), 190U);
@@ -127,7 +126,7 @@ TEST_F(SickSessionTest, aLaserThatIsSwitchedOffAndOnIsFoundAgain) {
   run(1);
   EXPECT_EQ(laser_.baud(), 9600);
   run(9);
-  EXPECT_EQ(session_->state(), State::kRunning) << session_->describe();
+  EXPECT_EQ(session_->state(), SickSession::State::kRunning) << session_->describe();
   EXPECT_EQ(laser_.baud(), 38400);
   EXPECT_EQ(session_->counters().starts, 2U);
 }
@@ -136,12 +135,12 @@ TEST_F(SickSessionTest, aLineThatIsPulledOutIsOpenedAgain) {
   run(5);
   plugged_ = false;
   run(5);
-  EXPECT_NE(session_->state(), State::kRunning);
+  EXPECT_NE(session_->state(), SickSession::State::kRunning);
   EXPECT_EQ(session_->describe(), "it is not there");
   plugged_ = true;
   scans_.clear();
   run(5);
-  EXPECT_EQ(session_->state(), State::kRunning);
+  EXPECT_EQ(session_->state(), SickSession::State::kRunning);
   EXPECT_FALSE(scans_.empty());
 }
 
@@ -163,7 +162,7 @@ TEST_F(SickSessionTest, whatIsWrongIsSaid) {
 TEST_F(SickSessionTest, aLineOfAFixedSpeedKeepsIt) {
   begin({.baud = 9600, .fixedSpeed = true});
   run(5);
-  EXPECT_EQ(session_->state(), State::kRunning);
+  EXPECT_EQ(session_->state(), SickSession::State::kRunning);
   EXPECT_EQ(laser_.baud(), 9600);
 }
 
