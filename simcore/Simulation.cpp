@@ -7,34 +7,13 @@
 #include "robotlink/base/Random.h"
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
-#include "simcore/physics/Physics.h"
-#include "simcore/physics/Ports.h"
-#include "simcore/physics/Sensing.h"
-#include "simcore/ranging/RangeSensing.h"
+#include "simcore/SimulationState.h"
 
 namespace simcore {
 namespace {
 
-// The fraction of the remaining angle that a servo tries to turn in one step; with 1 it would overshoot.
-constexpr double kServoGain = 0.4;
 // Solids that rest on each other overlap a little; a deeper overlap means an impossible pose.
 constexpr double kMaxOverlap = 0.003;
-
-/// Counts touches; touches less than kMoment steps apart count as one.
-class TouchCount {
- public:
-  void afterStep(bool touches) {
-    if (touches && stepsSince_ > kMoment) ++count_;
-    stepsSince_ = touches ? 0 : stepsSince_ + 1;
-    if (touches) ++steps_;
-  }
-  std::uint64_t count() const { return count_; }
-  std::uint64_t steps() const { return steps_; }
-
- private:
-  static constexpr std::uint64_t kMoment = 25;
-  std::uint64_t stepsSince_ = kMoment + 1, count_ = 0, steps_ = 0;
-};
 
 /// Separates the solver's random numbers from those of the sensors.
 constexpr std::uint64_t kSolverStream = 0x736F6C766572;
@@ -60,117 +39,6 @@ Pose3 moveBetween(const Pose3& now, const robotlink::Pose2& pose,
 }
 
 }  // namespace
-
-struct Simulation::Implementation {
-  std::shared_ptr<const Scene> scene;
-  SimulationOptions options;
-  const WorldDescription& world;
-  Ports ports;
-  std::unique_ptr<Physics> physics;
-  std::optional<Sensing> sensing;
-  // Null if there is nothing to measure.
-  std::unique_ptr<RangeSensing> ranging;
-  std::uint64_t steps = 0;
-  // Keyed by body of the render scene.
-  std::vector<Pose3> poses;
-  // Indices of models.
-  std::vector<int> balls, robots;
-  std::uint64_t ballContacts = 0;
-  // Keyed by robot, in the last step.
-  std::vector<bool> touchedBall;
-  // Keyed by robot.
-  std::vector<TouchCount> obstacles;
-  LeftOuts overlaps;
-  // Keyed by drive.
-  std::vector<WheelState> wheelStates;
-  bool readingsValid = false, posesValid = false, rangingValid = false;
-
-  Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
-      : scene(std::move(ofScene)), options(with), world(scene->contents().world), ports(Ports::of(world)) {
-    for (std::size_t i = 0; i < world.models.size(); ++i) {
-      if (world.models[i].type->isBall) balls.push_back(static_cast<int>(i));
-      if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
-    }
-    if (!ports.ranges.empty()) {
-      ranging =
-          std::make_unique<RangeSensing>(scene->contents().renderScene, ports.ranges, ports.rangeOwners);
-    }
-    start();
-  }
-
-  void start() {
-    physics = std::make_unique<Physics>(
-        world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic);
-    sensing.emplace(*physics, ports.sources, world.gravity);
-    const Ports fresh = Ports::of(world);
-    ports.servoStates = fresh.servoStates;
-    steps = 0;
-    poses.assign(physics->bodyCount() + 1, Pose3::Identity());
-    ballContacts = 0;
-    touchedBall.assign(robots.size(), false);
-    obstacles.assign(robots.size(), {});
-    wheelStates.assign(ports.drives.size(), {});
-    invalidate();
-  }
-
-  void invalidate() { readingsValid = posesValid = rangingValid = false; }
-
-  void driveServos() {
-    for (std::size_t i = 0; i < ports.servos.size(); ++i) {
-      const ServoState& state = ports.servoStates[i];
-      const Servo& servo = ports.servos[i];
-      const double missing = state.target - physics->angle(state.hinge);
-      const double speed =
-          std::clamp(kServoGain * missing / kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
-      physics->setMotor(state.hinge, speed, servo.maximumTorque * state.torqueShare);
-    }
-  }
-
-  void countBallContacts() {
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      const bool touches =
-          std::ranges::any_of(balls, [&](int ball) { return physics->touched(robots[i], ball); });
-      if (touches && !touchedBall[i]) ++ballContacts;
-      touchedBall[i] = touches;
-    }
-  }
-
-  void readWheels() {
-    for (std::size_t i = 0; i < wheelStates.size(); ++i) {
-      const Physics::SideState left = physics->sideState(2 * i), right = physics->sideState(2 * i + 1);
-      wheelStates[i] = {left.travel, right.travel, left.speed, right.speed, left.blocked, right.blocked};
-    }
-  }
-
-  void updateReadings() {
-    sensing->read({options.noise, options.seed, steps}, ports.sensors);
-    readingsValid = true;
-  }
-
-  void updatePoses() {
-    for (std::size_t i = 0; i < physics->bodyCount(); ++i) poses[i + 1] = physics->linkInWorld(i);
-    posesValid = true;
-  }
-
-  const TouchCount* obstaclesOf(const std::string& robot) const {
-    for (std::size_t r = 0; r < robots.size(); ++r) {
-      if (world.models[static_cast<std::size_t>(robots[r])].name == robot) return &obstacles[r];
-    }
-    return nullptr;
-  }
-
-  void measure(std::size_t sensor, std::span<double> ranges) {
-    if (!posesValid) updatePoses();
-    if (!rangingValid) ranging->setPoses(poses);
-    rangingValid = true;
-    ranging->measure(sensor, {options.noise, options.seed, steps}, ranges);
-  }
-
-  int modelIndex(const std::string& name) const {
-    const auto found = std::ranges::find(world.models, name, &ModelInstance::name);
-    return found == world.models.end() ? -1 : static_cast<int>(found - world.models.begin());
-  }
-};
 
 Simulation::Simulation() = default;
 Simulation::~Simulation() = default;
@@ -201,16 +69,21 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
 
 void Simulation::step() {
   Implementation& i = *implementation_;
-  i.driveServos();
+  i.actuation->beforeStep(i.steps);
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
   ++i.steps;
-  i.sensing->afterStep();
+  i.sensing->afterStep(i.noise());
+  i.actuation->afterStep();
   i.countBallContacts();
   for (std::size_t r = 0; r < i.robots.size(); ++r) {
     i.obstacles[r].afterStep(i.physics->touchedObstacle(i.robots[r]));
   }
   i.readWheels();
+  for (std::size_t d = 0; d < i.driveUnobstructed.size(); ++d) {
+    if (i.physics->touchedObstacle(i.ports.driveModels[d])) i.driveUnobstructed[d] = false;
+  }
   i.invalidate();
+  i.recordPoses();
 }
 
 std::uint64_t Simulation::steps() const {
@@ -261,14 +134,12 @@ std::span<const Servo> Simulation::servos() const {
 }
 
 void Simulation::requestAngle(std::size_t servo, double angle) {
-  const Servo& limits = implementation_->ports.servos[servo];
-  if (std::isnan(angle)) return;
-  implementation_->ports.servoStates[servo].target = std::clamp(angle, limits.minimum, limits.maximum);
+  implementation_->actuation->command(servo, angle, implementation_->steps);
 }
 
 void Simulation::setTorqueLimit(std::size_t servo, double share) {
   if (std::isnan(share)) return;
-  implementation_->ports.servoStates[servo].torqueShare = std::clamp(share, 0.0, 1.0);
+  implementation_->actuation->setTorqueShare(servo, std::clamp(share, 0.0, 1.0));
 }
 
 double Simulation::servoTorque(std::size_t servo) const {
@@ -286,6 +157,7 @@ const WheelState& Simulation::wheelState(std::size_t drive) const {
 void Simulation::requestWheelSpeeds(std::size_t drive, double left, double right) {
   const double limit = implementation_->ports.drives[drive].maximumSpeed;
   if (std::isnan(left) || std::isnan(right)) return;
+  implementation_->driveUnobstructed[drive] = true;
   implementation_->physics->setRimSpeed(2 * drive, std::clamp(left, -limit, limit));
   implementation_->physics->setRimSpeed(2 * drive + 1, std::clamp(right, -limit, limit));
 }
@@ -320,6 +192,7 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   if (other >= 0) i.physics->setMotion(index, before);
   if (other < 0) i.sensing->forgetVelocitiesOf(index);
   i.invalidate();
+  i.recordPoses();
   if (other < 0) return {};
   const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;
   return robotlink::failure("simulation.place",

@@ -10,24 +10,17 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "simcore/world/Devices.h"
+#include "simcore/world/ImageSensor.h"
 #include "simcore/world/LeftOut.h"
+#include "simcore/world/Port.h"
 #include "simcore/world/RangeSensor.h"
 #include "simcore/world/RenderScene.h"
+#include "simcore/world/SimulationOptions.h"
 
 namespace simcore {
 
 class Scene;
-
-/// The options of a simulation.
-struct SimulationOptions {
-  /// The seed of all random numbers: noise and the order of the solver's constraints.
-  std::uint64_t seed = 1;
-  /// Whether sensors have the noise that the scene's file gives them.
-  bool noise = true;
-  /// Whether models with a drive follow their odometry, and stop in front of obstacles, instead of being
-  /// moved by forces.
-  bool kinematic = false;
-};
+struct SimulationState;
 
 /// How a placed model is tilted: turned by roll about x, then by pitch about y, then by the heading about z;
 /// rad.
@@ -79,9 +72,54 @@ class Simulation {
   /// readings. Computed on demand; repeated calls within a step, in any order of sensors, give the same
   /// values.
   void measure(std::size_t rangeSensor, std::span<double> ranges) const;
+  /// The sensors of depth, classes, facettes and radiation, addressed by their index.
+  std::span<const ImageSensor> imageSensors() const;
+  /// Measures the present image of an image sensor; `values` has ImageSensor::values() elements. Computed on
+  /// demand, and the same whenever and however often it is called within a step.
+  void measureImage(std::size_t imageSensor, std::span<float> values) const;
+  /// Sets `poses` to those of all bodies, by index, as a camera sees them: `age` seconds before the instant
+  /// of its present image, which its delay puts into the past. Ages beyond its exposure and readout are
+  /// limited to what is remembered.
+  void cameraPoses(std::size_t camera, double age, std::vector<Pose3>& poses) const;
+  /// The step of the present image of a camera, which its delay puts into the past.
+  std::uint64_t cameraStep(std::size_t camera) const;
+  /// What a camera could perceive at best, from its present image: the models of which it sees a pixel.
+  std::vector<TruePercept> truePercepts(std::size_t camera) const;
+
+  /// The errors of a sensor, camera, range or image sensor by its path ("red1/accelerometer"); null if there
+  /// is none.
+  const SensorErrors* sensorErrors(const std::string& path) const;
+  /// Replaces them from now on, even where noise is off; a reset keeps them. Of cameras the timing and the
+  /// standard deviation count. Fails, changing nothing, if there is no such sensor or a value is out of
+  /// range.
+  robotlink::Result<void> setSensorErrors(const std::string& path, const SensorErrors& errors);
+
+  /// All that can be read or commanded, by path; constant. Truth is what the oracle knows: for each model its
+  /// pose (MODEL/true_pose) and its velocity (MODEL/true_velocity).
+  std::span<const Port> ports() const;
+  /// Null if there is none.
+  const Port* port(const std::string& path) const;
+  /// The present values of a port in the order of its shape; of an actuator its last command is not known
+  /// here, so it yields {reached, unobstructed} of ActuatorState, 0 or 1. Images of cameras are not read so.
+  /// Fails if there is no such port.
+  robotlink::Result<std::vector<double>> read(const std::string& path) const;
+  /// What a sensor would read without any errors and delay. Fails if there is no such sensor.
+  robotlink::Result<std::vector<double>> readTruth(const std::string& path) const;
+  /// Commands an actuator: as many finite values as it has. Fails if there is no such actuator.
+  robotlink::Result<void> write(const std::string& path, std::span<const double> values);
+
   /// The servos, addressed by their index.
   std::span<const Servo> servos() const;
-  /// Sets the angle that a servo shall turn to, rad; clamped to its range. NaN is ignored.
+  /// What became of the last command.
+  ActuatorState servoState(std::size_t servo) const;
+  ActuatorState guideState(std::size_t guide) const;
+  ActuatorState driveState(std::size_t drive) const;
+  /// The models that move as they are commanded, addressed by their index.
+  std::span<const Guide> guides() const;
+  /// Commands a guided model: as many finite values as its port has; others are ignored.
+  void guide(std::size_t guide, std::span<const double> values);
+  /// Commands a servo: the angle that it shall turn to, rad, or the speed or torque of a motor
+  /// (Servo::control); clamped to its range. NaN is ignored.
   void requestAngle(std::size_t servo, double angle);
   /// Sets the fraction of its maximum torque that a servo may use, 0 to 1.
   void setTorqueLimit(std::size_t servo, double share);
@@ -127,7 +165,7 @@ class Simulation {
 
  private:
   Simulation();
-  struct Implementation;
+  using Implementation = SimulationState;
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -21,6 +21,8 @@ struct OdeWheelSide {
   bool on = true;
   /// Speed and travel of the rims, m/s and m.
   double speed = 0, travel = 0;
+  /// Mechanical power of its motors in the last step, W.
+  double power = 0;
   /// For how many steps it has been at its force limit and has hardly turned.
   int blockedSteps = 0;
 };

@@ -67,6 +67,7 @@ void settleSide(OdeWheelSide& side, const SideForces& forces) {
   const bool blocked = limited && side.on && std::abs(side.speed) < kHardlyTurns * std::abs(target);
   side.blockedSteps = blocked ? side.blockedSteps + 1 : 0;
   side.travel += side.speed * kStepSeconds;
+  side.power = side.on ? std::abs(forces.force * side.speed) : 0;
 }
 
 }  // namespace

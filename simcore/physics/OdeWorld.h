@@ -52,6 +52,10 @@ struct OdeModel {
   dSpaceID space = nullptr;
   // A range of OdeWorld::bodies.
   std::size_t firstBody = 0, bodyCount = 0;
+  // A range of OdeWorld::hinges.
+  std::size_t firstHinge = 0, hingeCount = 0;
+  /// The motors between the world and the first body of a guided model; null for others.
+  dJointID push = nullptr, turn = nullptr;
   /// Follows its odometry instead of forces.
   bool kinematic = false;
   /// Whether it touched anything but a floor in the last step.

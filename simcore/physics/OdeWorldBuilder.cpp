@@ -6,6 +6,7 @@
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/OdeDriveBuilder.h"
 #include "simcore/physics/OdeGeoms.h"
+#include "simcore/physics/OdeGuideBuilder.h"
 #include "simcore/physics/OdeJoints.h"
 #include "simcore/physics/Step.h"
 #include "simcore/world/ModelGeometry.h"
@@ -32,11 +33,13 @@ class WorldBuilder {
       const int index = static_cast<int>(ode_.models.size());
       OdeModel& added = ode_.models.emplace_back();
       added.firstBody = ode_.bodies.size();
+      added.firstHinge = ode_.hinges.size();
       if (model.type->isStatic)
         addStatic(model, index);
       else
         addMoving(model, index, added);
       added.bodyCount = ode_.bodies.size() - added.firstBody;
+      added.hingeCount = ode_.hinges.size() - added.firstHinge;
     }
     ode_.grid.build();
     ode_.usesGrid = ode_.grid.size() >= kGridFrom;
@@ -85,6 +88,7 @@ class WorldBuilder {
     if (type.drive) addDrive(ode_, model, index);
     for (const JointDescription& joint : type.joints) addJoint(ode_, model, joint, added.firstBody);
     pose(model, added.firstBody);
+    if (type.guided) addGuide(ode_, *type.guided, added);
     const OdeBody& first = ode_.bodies[added.firstBody];
     OdePlace place{index};
     place.radius = extentOf(type).radius + (type.links[0].poseInModel * first.centerInLink).head<2>().norm();

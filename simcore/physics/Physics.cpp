@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"
@@ -79,17 +80,38 @@ double Physics::angle(std::size_t hinge) const {
   return dJointGetHingeAngle(ode_->hinges[hinge]);
 }
 
-double Physics::torque(std::size_t hinge) const {
+double Physics::rate(std::size_t hinge) const {
+  return dJointGetHingeAngleRate(ode_->hinges[hinge]);
+}
+
+Physics::Wrench Physics::reaction(std::size_t hinge) const {
   const dJointID id = ode_->hinges[hinge];
   const dJointFeedback& exerted = ode_->hingeForces[hinge];
-  dVector3 anchor, axis;
+  dVector3 anchor;
   dJointGetHingeAnchor(id, anchor);
-  dJointGetHingeAxis(id, axis);
   const dReal* center = dBodyGetPosition(dJointGetBody(id, 0));
   const Vector3 arm(center[0] - anchor[0], center[1] - anchor[1], center[2] - anchor[2]);
   const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
-  const Vector3 moment = Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force);
-  return moment.dot(Vector3(axis[0], axis[1], axis[2]));
+  return {force, Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force)};
+}
+
+double Physics::torque(std::size_t hinge) const {
+  dVector3 axis;
+  dJointGetHingeAxis(ode_->hinges[hinge], axis);
+  return reaction(hinge).torque.dot(Vector3(axis[0], axis[1], axis[2]));
+}
+
+double Physics::motorPower(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  double power = 0;
+  for (std::size_t i = entry.firstHinge; i < entry.firstHinge + entry.hingeCount; ++i) {
+    if (dJointGetHingeParam(ode_->hinges[i], dParamFMax) > 0) power += std::abs(torque(i) * rate(i));
+  }
+  for (std::size_t i = 0; i < ode_->drives.size(); ++i) {
+    if (ode_->drives[i].model == model)
+      power += ode_->wheelSides[2 * i].power + ode_->wheelSides[2 * i + 1].power;
+  }
+  return power;
 }
 
 double Physics::anchorGap(std::size_t hinge) const {
@@ -102,6 +124,69 @@ double Physics::anchorGap(std::size_t hinge) const {
 void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
   dJointSetHingeParam(ode_->hinges[hinge], dParamVel, velocity);
   dJointSetHingeParam(ode_->hinges[hinge], dParamFMax, maximumTorque);
+}
+
+void Physics::setGuide(int model, const Vector3& velocity, const Vector3& angularVelocity, double force,
+                       double torque) {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  if (entry.push == nullptr) return;
+  constexpr int kVelocities[] = {dParamVel1, dParamVel2, dParamVel3};
+  constexpr int kLimits[] = {dParamFMax1, dParamFMax2, dParamFMax3};
+  const int axes = dJointGetLMotorNumAxes(entry.push), turns = dJointGetAMotorNumAxes(entry.turn);
+  for (int i = 0; i < axes; ++i) {
+    dJointSetLMotorParam(entry.push, kVelocities[i], velocity[i]);
+    dJointSetLMotorParam(entry.push, kLimits[i], force);
+  }
+  for (int i = 0; i < turns; ++i) {
+    dJointSetAMotorParam(entry.turn, kVelocities[i], angularVelocity[turns == 1 ? 2 : i]);
+    dJointSetAMotorParam(entry.turn, kLimits[i], torque);
+  }
+}
+
+double Physics::massOf(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  double sum = 0;
+  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    if (ode_->bodies[i].wheel >= 0) continue;
+    dMass mass;
+    dBodyGetMass(ode_->bodies[i].id, &mass);
+    sum += mass.mass;
+  }
+  return sum;
+}
+
+double Physics::inertiaOf(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  const Vector3 center = firstCenter(model);
+  double sum = 0;
+  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    if (ode_->bodies[i].wheel >= 0) continue;
+    dMass mass;
+    dBodyGetMass(ode_->bodies[i].id, &mass);
+    const dReal* at = dBodyGetPosition(ode_->bodies[i].id);
+    sum += mass.I[0] + mass.I[5] + mass.I[10] +
+           mass.mass * (Vector3(at[0], at[1], at[2]) - center).squaredNorm();
+  }
+  return sum;
+}
+
+Vector3 Physics::firstCenter(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  const dReal* at = dBodyGetPosition(ode_->bodies[entry.firstBody].id);
+  return {at[0], at[1], at[2]};
+}
+
+Vector3 Physics::velocityOfModel(int model) const {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  return velocityAt(entry.firstBody, modelInWorld(model).translation());
+}
+
+Vector3 Physics::turningRateOfModel(int model) const {
+  return angularVelocityOf(ode_->models[static_cast<std::size_t>(model)].firstBody);
+}
+
+double Physics::rimTarget(std::size_t side) const {
+  return ode_->wheelSides[side].target;
 }
 
 void Physics::setRimSpeed(std::size_t side, double speed) {

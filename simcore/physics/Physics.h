@@ -43,6 +43,15 @@ class Physics {
   /// The torque about its axis with which the hinge's motor (and its stops) turned the hinge in the last
   /// step, N m; 0 before the first.
   double torque(std::size_t hinge) const;
+  /// How fast it turns, rad/s.
+  double rate(std::size_t hinge) const;
+  /// What the joint exerted on its child in the last step, about its anchor, in the world; N and N m.
+  struct Wrench {
+    Vector3 force = Vector3::Zero(), torque = Vector3::Zero();
+  };
+  Wrench reaction(std::size_t hinge) const;
+  /// The mechanical power of all motors of a model in the last step, W; braking counts as driving.
+  double motorPower(int model) const;
   /// The distance between a hinge's two anchors, m: the drift of the solver.
   double anchorGap(std::size_t hinge) const;
   /// Makes a hinge turn at `velocity` (rad/s) with at most `maximumTorque` (N m), until it is called again.
@@ -60,6 +69,23 @@ class Physics {
     bool blocked = false;
   };
   SideState sideState(std::size_t side) const;
+  /// What setRimSpeed() set.
+  double rimTarget(std::size_t side) const;
+
+  /// Pushes a guided model (ModelDescription::guided) from the next step on so that its first body has these
+  /// velocities in the world; in the plane only the first two and the last one count. `force` and `torque`
+  /// limit the push along and about each axis, N and N m.
+  void setGuide(int model, const Vector3& velocity, const Vector3& angularVelocity, double force,
+                double torque);
+  /// The mass of all bodies of a model, kg, and an upper bound of its moments of inertia about the center of
+  /// its first body, kg m^2.
+  double massOf(int model) const;
+  double inertiaOf(int model) const;
+  /// The center of mass of a model's first body, and the velocity of the model's origin, in the world.
+  Vector3 firstCenter(int model) const;
+  Vector3 velocityOfModel(int model) const;
+  /// Of its first body, in the world, rad/s.
+  Vector3 turningRateOfModel(int model) const;
 
   /// Whether a collision shape of a body touched anything in the last step.
   bool touched(std::size_t body, int collision) const;

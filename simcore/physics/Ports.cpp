@@ -1,8 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/Ports.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "robotlink/base/Random.h"
+
 namespace simcore {
 namespace {
+
+using Kind = SensorSource::Kind;
+
+/// The random numbers of sensors that do not have those of their number.
+constexpr std::uint64_t kNamedStream = 0x6E616D6564;
+
+/// How the reading of a kind of sensor is described, and where it comes from.
+struct Reading {
+  SensorDescription::Kind kind;
+  Kind source;
+  const char* type;
+  const char* unit;
+  /// 1 for a scalar.
+  std::size_t size;
+};
+
+constexpr Reading kReadings[] = {
+    {SensorDescription::Kind::kDistance, Kind::kDistance, "distance", "m", 1},
+    {SensorDescription::Kind::kAccelerometer, Kind::kAccelerometer, "acceleration", "m/s^2", 3},
+    {SensorDescription::Kind::kGyroscope, Kind::kGyroscope, "angular_velocity", "rad/s", 3},
+    {SensorDescription::Kind::kContact, Kind::kContact, "contact", "", 1},
+    {SensorDescription::Kind::kSwitch, Kind::kContact, "contact", "", 1},
+    {SensorDescription::Kind::kWhisker, Kind::kWhisker, "contact", "", 1},
+    {SensorDescription::Kind::kMagnetometer, Kind::kMagnetometer, "magnetic_field", "T", 3},
+    {SensorDescription::Kind::kNavSat, Kind::kNavSat, "position_velocity", "m, m/s", 6},
+    {SensorDescription::Kind::kAltimeter, Kind::kAltimeter, "altitude", "m, m/s", 2},
+    {SensorDescription::Kind::kForceTorque, Kind::kForceTorque, "force_torque", "N, N m", 6},
+    {SensorDescription::Kind::kOdometry, Kind::kOdometry, "odometry", "m, m, rad", 3},
+    {SensorDescription::Kind::kBattery, Kind::kBattery, "battery", "V, share", 2},
+};
+
+/// The dimensions of a command to a guide, and their units.
+std::pair<int, const char*> commandOf(GuidedMotion::Kind kind) {
+  switch (kind) {
+    case GuidedMotion::Kind::kFree:
+      return {6, "m/s, rad/s"};
+    case GuidedMotion::Kind::kOmni:
+    case GuidedMotion::Kind::kWalk:
+      return {3, "m/s, m/s, rad/s"};
+    case GuidedMotion::Kind::kDifferential:
+    case GuidedMotion::Kind::kSkid:
+      return {2, "m/s"};
+    case GuidedMotion::Kind::kAckermann:
+      return {2, "m/s, rad"};
+  }
+  return {};
+}
 
 /// Adds the ports of one moving model after the other, numbering bodies and hinges as Physics does.
 class Collector {
@@ -13,15 +65,20 @@ class Collector {
     model_ = index;
     name_ = model.name;
     if (model.type->isStatic) return;
+    type_ = model.type.get();
+    firstHinge_ = hinge_;
     for (const JointDescription& joint : model.type->joints) {
       if (joint.kind != JointDescription::Kind::kHinge || joint.wheel) continue;
       addAngle(joint);
+      if (joint.speedSensor) addJointSensor(joint, Kind::kJointSpeed, *joint.speedSensor);
+      if (joint.loadSensor) addJointSensor(joint, Kind::kJointLoad, *joint.loadSensor);
       if (joint.servo) addServo(joint);
       ++hinge_;
     }
     bodies_ = {static_cast<int>(body_) + 1, static_cast<int>(body_ + model.type->links.size()) + 1};
     for (const SensorDescription& sensor : model.type->sensors) addSensor(sensor);
     if (model.type->drive) addDrive(*model.type->drive);
+    if (model.type->guided) addGuide(*model.type->guided);
     body_ += model.type->links.size();
   }
 
@@ -30,30 +87,85 @@ class Collector {
     return {name_ + "/" + path, name_, type, std::move(shape), unit};
   }
 
-  SensorSource source(SensorSource::Kind kind) const {
+  SensorSource source(Kind kind) const {
     SensorSource result;
     result.kind = kind;
     result.model = model_;
     return result;
   }
 
+  /// Adds a sensor with its random numbers. Sensors of the first kinds count through the scene, as they
+  /// always have.
+  void add(PortInfo info, SensorSource from, std::vector<double> values) {
+    from.size = values.size();
+    if (from.kind <= Kind::kContact && from.collision >= 0) {
+      from.stream = {0, numbered_++};
+    } else {
+      from.stream = {kNamedStream, hashOfPath(info.path)};
+    }
+    info.minimum = from.minimum;
+    info.maximum = from.maximum;
+    ports_.sensors.push_back({std::move(info), std::move(values)});
+    ports_.sources.push_back(std::move(from));
+  }
+
   void addAngle(const JointDescription& joint) {
-    SensorSource from = source(SensorSource::Kind::kAngle);
+    SensorSource from = source(Kind::kAngle);
     from.hinge = hinge_;
-    from.noise = joint.positionNoise;
-    ports_.sensors.push_back({port(joint.name + "/position", "angle", {}, "rad"), {joint.initialAngle}});
-    ports_.sources.push_back(from);
+    from.errors = joint.positionErrors;
+    PortInfo info = port(joint.name + "/position", "angle", {}, "rad");
+    add(std::move(info), from, {joint.initialAngle});
+  }
+
+  void addJointSensor(const JointDescription& joint, Kind kind, const SensorErrors& errors) {
+    SensorSource from = source(kind);
+    from.hinge = hinge_;
+    from.errors = errors;
+    const bool isSpeed = kind == Kind::kJointSpeed;
+    add(port(joint.name + (isSpeed ? "/speed" : "/load"), isSpeed ? "angular_velocity" : "torque", {},
+             isSpeed ? "rad/s" : "N m"),
+        from, {0});
   }
 
   void addServo(const JointDescription& joint) {
-    ports_.servos.push_back({port(joint.name + "/request", "angle", {}, "rad"), joint.lower, joint.upper,
-                             joint.maximumSpeed, joint.maximumTorque});
-    ports_.servoStates.push_back({hinge_, joint.initialAngle, 1});
+    struct Command {
+      const char* name;
+      const char* type;
+      const char* unit;
+      double limit;
+    };
+    const Command commands[] = {{"/request", "angle", "rad", 0},
+                                {"/speed_request", "angular_velocity", "rad/s", joint.maximumSpeed},
+                                {"/torque_request", "torque", "N m", joint.maximumTorque}};
+    const Command& command = commands[static_cast<std::size_t>(joint.control.kind)];
+    const bool isPosition = joint.control.kind == MotorControl::Kind::kPosition;
+    Servo servo{port(joint.name + command.name, command.type, {}, command.unit),
+                isPosition ? joint.lower : -command.limit,
+                isPosition ? joint.upper : command.limit,
+                joint.maximumSpeed,
+                joint.maximumTorque,
+                joint.control};
+    servo.info.minimum = servo.minimum;
+    servo.info.maximum = servo.maximum;
+    ports_.servos.push_back(std::move(servo));
+    ports_.servoStates.push_back({hinge_, isPosition ? joint.initialAngle : 0, 1});
+    ports_.servoModels.push_back(model_);
+  }
+
+  void addGuide(const GuidedMotion& motion) {
+    const auto [size, unit] = commandOf(motion.kind);
+    Guide guide{port(motion.name, "motion", {size}, unit), motion};
+    guide.info.minimum = -std::max(motion.maximumSpeed, motion.maximumRate);
+    guide.info.maximum = -guide.info.minimum;
+    ports_.guides.push_back(std::move(guide));
+    ports_.guideModels.push_back(model_);
   }
 
   void addDrive(const DriveDescription& drive) {
     ports_.drives.push_back({port(drive.name, "wheel_speeds", {2}, "m/s"), drive.controller,
                              drive.wheelRadius, drive.track, drive.maximumSpeed});
+    ports_.drives.back().info.minimum = -drive.maximumSpeed;
+    ports_.drives.back().info.maximum = drive.maximumSpeed;
     ports_.driveModels.push_back(model_);
   }
 
@@ -61,45 +173,87 @@ class Collector {
     switch (sensor.kind) {
       case SensorDescription::Kind::kCamera:
         return addCamera(sensor);
-      case SensorDescription::Kind::kDistance:
-        return addReading(sensor, SensorSource::Kind::kDistance, port(sensor.name, "distance", {}, "m"), 1);
-      case SensorDescription::Kind::kAccelerometer:
-        return addReading(sensor, SensorSource::Kind::kAccelerometer,
-                          port(sensor.name, "acceleration", {3}, "m/s^2"), 3);
-      case SensorDescription::Kind::kGyroscope:
-        return addReading(sensor, SensorSource::Kind::kGyroscope,
-                          port(sensor.name, "angular_velocity", {3}, "rad/s"), 3);
-      case SensorDescription::Kind::kContact:
-        return addReading(sensor, SensorSource::Kind::kContact, port(sensor.name, "contact", {}, ""), 1);
       case SensorDescription::Kind::kSonar:
         return addRange(sensor, RangeSensor::Kind::kSonar);
       case SensorDescription::Kind::kLaser:
         return addRange(sensor, RangeSensor::Kind::kLaser);
+      case SensorDescription::Kind::kImage:
+        return addImage(sensor);
+      default:
+        return addReading(sensor);
     }
   }
 
-  void addReading(const SensorDescription& sensor, SensorSource::Kind kind, PortInfo info, std::size_t size) {
-    SensorSource from = source(kind);
+  void addReading(const SensorDescription& sensor) {
+    const Reading& reading = *std::ranges::find(kReadings, sensor.kind, &Reading::kind);
+    SensorSource from = source(reading.source);
     from.body = body_ + static_cast<std::size_t>(sensor.link);
     from.poseInLink = sensor.poseInLink;
-    from.collision = sensor.collision;
-    from.noise = sensor.noise;
-    from.minimum = sensor.minimum;
-    from.maximum = sensor.maximum;
-    ports_.sensors.push_back({std::move(info), std::vector<double>(size)});
-    ports_.sources.push_back(from);
+    const bool isSwitch = sensor.kind == SensorDescription::Kind::kSwitch;
+    from.collision = isSwitch ? -1 : sensor.collision;
+    from.collisions = static_cast<int>(type_->links[static_cast<std::size_t>(sensor.link)].collisions.size());
+    from.errors = sensor.errors;
+    const bool isWhisker = sensor.kind == SensorDescription::Kind::kWhisker;
+    from.length = isWhisker ? sensor.maximum : 0;
+    from.minimum = isWhisker ? 0 : sensor.minimum;
+    from.maximum = isWhisker ? 0 : sensor.maximum;
+    from.battery = sensor.battery;
+    from.sign = sensor.towardsParent ? -1 : 1;
+    if (type_->drive) {
+      from.drive = static_cast<int>(ports_.drives.size());
+      from.track = type_->drive->track;
+    }
+    if (sensor.kind == SensorDescription::Kind::kForceTorque) from.hinge = hingeOf(sensor.joint);
+    const int size = static_cast<int>(reading.size);
+    add(port(sensor.name, reading.type, size > 1 ? std::vector{size} : std::vector<int>{}, reading.unit),
+        from, std::vector<double>(reading.size));
+  }
+
+  /// The number of a joint's hinge; the joint is one and not a wheel's.
+  std::size_t hingeOf(int joint) const {
+    std::size_t hinge = firstHinge_;
+    for (int i = 0; i < joint; ++i) {
+      const JointDescription& other = type_->joints[static_cast<std::size_t>(i)];
+      if (other.kind == JointDescription::Kind::kHinge && !other.wheel) ++hinge;
+    }
+    return hinge;
+  }
+
+  void addImage(const SensorDescription& sensor) {
+    constexpr const char* kTypes[] = {"depth", "labels", "radiation", "facettes"};
+    ImageSensor image;
+    image.geometry = sensor.image;
+    const bool senses = !sensor.image.classes.empty();
+    const int channels = senses ? static_cast<int>(sensor.image.classes.size()) : 1;
+    const bool isDepth = sensor.image.kind == ImageGeometry::Kind::kDepth;
+    image.info = port(sensor.name + (senses    ? "/image"
+                                     : isDepth ? "/depth"
+                                               : "/labels"),
+                      kTypes[static_cast<std::size_t>(sensor.image.kind)],
+                      {sensor.image.camera.height, sensor.image.camera.width, channels}, isDepth ? "m" : "");
+    image.info.minimum = isDepth ? sensor.image.nearest : 0;
+    image.info.maximum = isDepth ? sensor.image.farthest : 0;
+    image.errors = sensor.errors;
+    if (sensor.rate > 0) image.period = robotlink::fromSeconds(1 / sensor.rate);
+    image.body = bodies_.first + sensor.link;
+    image.sensorInBody = sensor.poseInLink;
+    ports_.images.push_back(std::move(image));
+    ports_.imageOwners.push_back(bodies_);
   }
 
   void addCamera(const SensorDescription& sensor) {
     CameraSensor camera;
     camera.info = port(sensor.name + "/image", "image", {sensor.height, sensor.width, 3}, "");
-    camera.model = {sensor.width, sensor.height, sensor.horizontalAngle, sensor.verticalAngle,
-                    sensor.vignetting};
+    camera.model = {sensor.width,         sensor.height,     sensor.horizontalAngle,
+                    sensor.verticalAngle, sensor.vignetting, sensor.distortion};
     // Body 0 of a RenderScene is the world.
     camera.body = static_cast<int>(body_) + sensor.link + 1;
     camera.cameraInBody = sensor.poseInLink;
     camera.period = robotlink::fromSeconds(1 / sensor.rate);
-    camera.noise = sensor.noise;
+    camera.noise = sensor.errors.of(0).stddev;
+    camera.shutter = sensor.shutter;
+    camera.errors = sensor.errors;
+    camera.info.maximum = 255;
     ports_.cameras.push_back(std::move(camera));
   }
 
@@ -111,7 +265,9 @@ class Collector {
     range.kind = kind;
     range.minimum = sensor.minimum;
     range.maximum = sensor.maximum;
-    range.noise = sensor.noise;
+    range.errors = sensor.errors;
+    range.info.minimum = sensor.minimum;
+    range.info.maximum = sensor.maximum;
     range.readings = isLaser ? sensor.range.readings : 1;
     range.startAngle = sensor.range.startAngle;
     range.endAngle = sensor.range.endAngle;
@@ -128,11 +284,19 @@ class Collector {
   // The bodies of the model; body 0 of a RenderScene is the world.
   RayCaster::BodyRange bodies_;
   std::string name_;
+  const ModelDescription* type_ = nullptr;
   int model_ = 0;
-  std::size_t body_ = 0, hinge_ = 0;
+  std::size_t body_ = 0, hinge_ = 0, firstHinge_ = 0;
+  std::uint64_t numbered_ = 0;
 };
 
 }  // namespace
+
+std::uint64_t hashOfPath(const std::string& path) {
+  std::uint64_t hash = path.size();
+  for (const char c : path) hash = robotlink::mixBits(hash ^ static_cast<std::uint8_t>(c));
+  return hash;
+}
 
 Ports Ports::of(const WorldDescription& world) {
   Ports ports;

@@ -3,41 +3,75 @@
 
 #include <vector>
 
+#include "simcore/noise/NoiseProcess.h"
 #include "simcore/rendering/RayCaster.h"
 #include "simcore/world/Devices.h"
+#include "simcore/world/ImageSensor.h"
 #include "simcore/world/RangeSensor.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 
+/// A hash of a path, which gives a sensor the same random numbers whatever else is in the scene.
+std::uint64_t hashOfPath(const std::string& path);
+
 /// The source of a sensor's reading, in the numbering of Physics.
 struct SensorSource {
-  enum class Kind : std::uint8_t { kAngle, kDistance, kAccelerometer, kGyroscope, kContact };
+  enum class Kind : std::uint8_t {
+    kAngle,
+    kDistance,
+    kAccelerometer,
+    kGyroscope,
+    kContact,
+    kJointSpeed,
+    kJointLoad,
+    kForceTorque,
+    kWhisker,
+    kMagnetometer,
+    kNavSat,
+    kAltimeter,
+    kOdometry,
+    kBattery,
+  };
   Kind kind = Kind::kAngle;
   int model = 0;
-  /// Only for kAngle.
+  /// Only for joints.
   std::size_t hinge = 0;
-  /// For all other kinds.
+  /// For all other kinds, and for kForceTorque the child of the joint.
   std::size_t body = 0;
   Pose3 poseInLink = Pose3::Identity();
-  /// Only for kContact: index in the body's collisions.
-  int collision = 0;
-  // Standard deviation, and limits of the reading; no limits if maximum <= minimum.
-  double noise = 0, minimum = 0, maximum = 0;
+  /// Only for kContact: index in the body's collisions, of which there are `collisions`; -1 for all of them.
+  int collision = 0, collisions = 0;
+  /// The number of its values.
+  std::size_t size = 1;
+  /// The sensor's errors, and which random numbers it has.
+  SensorErrors errors;
+  NoiseProcess::Stream stream;
+  // Limits of the reading; there are none if maximum <= minimum.
+  double minimum = 0, maximum = 0;
+  /// Only for kWhisker, m.
+  double length = 0;
+  /// Only for kOdometry: the drive and its track; -1 if the model has none.
+  int drive = -1;
+  double track = 1;
+  /// Only for kForceTorque: 1 for what the parent exerts on the child, -1 for the reverse.
+  double sign = 1;
+  BatteryDescription battery = {};
 };
 
 /// A servo with its commands.
 struct ServoState {
   std::size_t hinge = 0;
-  /// Radians.
+  /// The command that counts: position, speed or torque.
   double target = 0;
   /// Fraction of the maximum torque, 0 to 1.
   double torqueShare = 1;
 };
 
-/// All sensors, cameras, range sensors, servos and drives of a world, in the order of its models; for each
-/// model, its joints come before its sensors. sources[i] belongs to sensors[i], servoStates[i] to servos[i],
-/// driveModels[i] to drives[i]. Wheels of drives are not joints here; their drive reports how they turn.
+/// All sensors, cameras, range and image sensors, servos, drives and guides of a world, in the order of its
+/// models; for each model, its joints come before its sensors. sources[i] belongs to sensors[i],
+/// servoStates[i] to servos[i], driveModels[i] to drives[i]. Wheels of drives are not joints here; their
+/// drive reports how they turn.
 struct Ports {
   std::vector<Sensor> sensors;
   std::vector<SensorSource> sources;
@@ -49,6 +83,12 @@ struct Ports {
   std::vector<ServoState> servoStates;
   std::vector<WheelDrive> drives;
   std::vector<int> driveModels;
+  std::vector<ImageSensor> images;
+  /// For each image sensor the bodies of its own model.
+  std::vector<RayCaster::BodyRange> imageOwners;
+  std::vector<Guide> guides;
+  /// For each servo and each guide the index of its model.
+  std::vector<int> servoModels, guideModels;
 
   /// Collects the ports of a world.
   static Ports of(const WorldDescription& world);

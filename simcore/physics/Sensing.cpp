@@ -4,73 +4,82 @@
 #include <algorithm>
 
 #include "robotlink/base/Random.h"
+#include "simcore/physics/Step.h"
 
 namespace simcore {
 
-Sensing::Sensing(const Physics& physics, const std::vector<SensorSource>& sources, const Vector3& gravity)
-    : physics_(physics),
-      sources_(sources),
-      gravity_(gravity),
-      velocities_(sources.size(), Vector3::Zero()),
-      specificForces_(sources.size(), -gravity) {}
-
-void Sensing::afterStep() {
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const SensorSource& source = sources_[i];
-    if (source.kind != SensorSource::Kind::kAccelerometer) continue;
-    const Vector3 point = physics_.linkInWorld(source.body) * source.poseInLink.translation();
-    const Vector3 velocity = physics_.velocityAt(source.body, point);
-    specificForces_[i] = (velocity - velocities_[i]) / kStepSeconds - gravity_;
-    velocities_[i] = velocity;
+Sensing::Sensing(const Physics& physics, const std::vector<SensorSource>& sources,
+                 const WorldDescription& world)
+    : sources_(sources), exact_(physics, sources, world) {
+  for (const SensorSource& source : sources_) {
+    State& state = states_.emplace_back(
+        State{source.errors,
+              NoiseProcess(source.stream, source.size, kStepSeconds, source.errors.noise),
+              std::nullopt,
+              {},
+              false});
+    if (source.errors.hasTiming()) state.clock = clockOf(source, source.errors);
   }
 }
 
-void Sensing::forgetVelocitiesOf(int model) {
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    if (sources_[i].model != model) continue;
-    velocities_[i] = Vector3::Zero();
-    specificForces_[i] = -gravity_;
+SampleClock Sensing::clockOf(const SensorSource& source, const SensorErrors& errors) {
+  return {errors, robotlink::hashBits(source.stream.domain, source.stream.index, 0), kStepSeconds};
+}
+
+void Sensing::afterStep(const Noise& noise) {
+  if (noise.step > 0) exact_.afterStep();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i].clock) takeSample(i, noise);
   }
 }
 
-void Sensing::readExactly(std::size_t index, std::vector<double>& values) const {
+void Sensing::takeSample(std::size_t index, const Noise& noise) {
+  State& state = states_[index];
+  const bool due =
+      state.samples.empty() || !state.isOn(noise) || state.clock->sampleAt(noise.seed, noise.step);
+  if (due) {
+    Sample& sample =
+        state.samples.emplace_back(Sample{noise.step, std::vector<double>(sources_[index].size)});
+    measure(index, noise, sample.values);
+  }
+  const std::uint64_t delay = state.isOn(noise) ? state.clock->delay() : 0;
+  while (state.samples.size() > 1 && state.samples[1].step + delay <= noise.step) state.samples.pop_front();
+}
+
+void Sensing::measure(std::size_t index, const Noise& noise, std::vector<double>& values) {
   const SensorSource& source = sources_[index];
-  switch (source.kind) {
-    case SensorSource::Kind::kAngle:
-      values[0] = physics_.angle(source.hinge);
-      break;
-    case SensorSource::Kind::kContact:
-      values[0] = physics_.touched(source.body, source.collision) ? 1 : 0;
-      break;
-    case SensorSource::Kind::kDistance: {
-      const Pose3 pose = physics_.linkInWorld(source.body) * source.poseInLink;
-      values[0] = physics_.castRay(pose.translation(), pose.linear().col(0), source.maximum, source.model);
-      break;
-    }
-    case SensorSource::Kind::kGyroscope: {
-      const Pose3 pose = physics_.linkInWorld(source.body) * source.poseInLink;
-      Eigen::Map<Vector3>(values.data()) =
-          pose.linear().transpose() * physics_.angularVelocityOf(source.body);
-      break;
-    }
-    case SensorSource::Kind::kAccelerometer: {
-      const Pose3 pose = physics_.linkInWorld(source.body) * source.poseInLink;
-      Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * specificForces_[index];
-      break;
-    }
-  }
+  exact_.read(index, values);
+  if (states_[index].isOn(noise)) states_[index].noise.apply(noise.seed, noise.step, values);
+  if (source.maximum <= source.minimum) return;
+  for (double& value : values) value = std::clamp(value, source.minimum, source.maximum);
 }
 
-void Sensing::read(const Noise& noise, std::vector<Sensor>& sensors) const {
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    const SensorSource& source = sources_[i];
-    std::vector<double>& values = sensors[i].values;
-    readExactly(i, values);
-    robotlink::Random random(noise.seed, robotlink::hashBits(0, i, noise.step));
-    for (double& value : values) {
-      if (noise.on && source.noise > 0) value += source.noise * random.normal();
-      if (source.maximum > source.minimum) value = std::clamp(value, source.minimum, source.maximum);
-    }
+void Sensing::read(const Noise& noise, std::size_t index, Sensor& sensor) {
+  const State& state = states_[index];
+  if (state.clock && !state.samples.empty()) {
+    sensor.values = state.samples.front().values;
+    sensor.step = state.samples.front().step;
+    return;
+  }
+  measure(index, noise, sensor.values);
+  sensor.step = noise.step;
+}
+
+void Sensing::read(const Noise& noise, std::vector<Sensor>& sensors) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) read(noise, i, sensors[i]);
+}
+
+void Sensing::setErrors(std::size_t index, const SensorErrors& errors, const Noise& noise) {
+  State& state = states_[index];
+  state.errors = errors;
+  state.chosen = true;
+  state.noise.change(errors.noise, noise.seed, noise.step);
+  state.clock.reset();
+  if (errors.hasTiming()) {
+    state.clock = clockOf(sources_[index], errors);
+    if (state.samples.empty()) takeSample(index, noise);
+  } else {
+    state.samples.clear();
   }
 }
 

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
+#include <optional>
 #include <vector>
 
+#include "simcore/noise/NoiseProcess.h"
+#include "simcore/noise/SampleClock.h"
+#include "simcore/physics/ExactSensing.h"
 #include "simcore/physics/Physics.h"
 #include "simcore/physics/Ports.h"
 
 namespace simcore {
 
-/// Computes the readings of sensors from the state of the world. The noise depends only on seed, sensor and
-/// step, so it does not matter how often, or whether, readings are requested. Accelerometers need the
-/// velocities of two steps, so afterStep() must be called after every step. One thread at a time.
+/// Computes the readings of sensors from the state of the world, with their errors. The errors depend only on
+/// seed, sensor and step, so it does not matter how often, or whether, readings are requested. afterStep()
+/// must be called after every step. One thread at a time.
 class Sensing {
  public:
   /// All arguments must outlive it.
-  Sensing(const Physics& physics, const std::vector<SensorSource>& sources, const Vector3& gravity);
-
-  /// Updates the velocities of accelerometers.
-  void afterStep();
-  /// A model was put elsewhere by hand and is at rest: its velocity before that means nothing.
-  void forgetVelocitiesOf(int model);
+  Sensing(const Physics& physics, const std::vector<SensorSource>& sources, const WorldDescription& world);
 
   /// Selects the random numbers of a reading.
   struct Noise {
@@ -27,20 +27,48 @@ class Sensing {
     std::uint64_t seed = 0;
     std::uint64_t step = 0;
   };
+  /// Updates what is measured over time, and takes the samples that are due of sensors that have a timing.
+  /// Also to be called before the first step, with `step` 0.
+  void afterStep(const Noise& noise);
+  /// A model was put elsewhere by hand and is at rest: its velocity before that means nothing.
+  void forgetVelocitiesOf(int model) { exact_.forgetVelocitiesOf(model); }
+
   /// Computes all readings; sensors[i] is measured by sources[i].
-  void read(const Noise& noise, std::vector<Sensor>& sensors) const;
+  void read(const Noise& noise, std::vector<Sensor>& sensors);
+  /// Computes one reading.
+  void read(const Noise& noise, std::size_t index, Sensor& sensor);
+  /// The reading without errors and delay; `values` has its size.
+  void readExactly(std::size_t index, std::vector<double>& values) const { exact_.read(index, values); }
+
+  /// Replaces the errors of a sensor from this step on, and applies them even where noise is off; samples
+  /// that were taken before remain as they are.
+  void setErrors(std::size_t index, const SensorErrors& errors, const Noise& noise);
+  const SensorErrors& errors(std::size_t index) const { return states_[index].errors; }
 
  private:
-  /// A reading without noise and limits.
-  void readExactly(std::size_t index, std::vector<double>& values) const;
+  struct Sample {
+    std::uint64_t step = 0;
+    std::vector<double> values;
+  };
+  /// The errors of one sensor.
+  struct State {
+    SensorErrors errors;
+    NoiseProcess noise;
+    /// Only if it has a timing; then its samples, in the order of time, of which the first can be read.
+    std::optional<SampleClock> clock;
+    std::deque<Sample> samples;
+    /// Whether somebody chose the errors, instead of the scene.
+    bool chosen = false;
+    bool isOn(const Noise& of) const { return of.on || chosen; }
+  };
+  /// A sample of this step, with noise, in the range of the sensor.
+  void measure(std::size_t index, const Noise& noise, std::vector<double>& values);
+  void takeSample(std::size_t index, const Noise& noise);
+  static SampleClock clockOf(const SensorSource& source, const SensorErrors& errors);
 
-  const Physics& physics_;
   const std::vector<SensorSource>& sources_;
-  const Vector3 gravity_;
-  /// Velocity of each accelerometer in the last step, by sensor.
-  std::vector<Vector3> velocities_;
-  /// Acceleration minus gravity in the world's frame, by sensor.
-  std::vector<Vector3> specificForces_;
+  ExactSensing exact_;
+  std::vector<State> states_;
 };
 
 }  // namespace simcore

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robotlink/base/Random.h"
+#include "simcore/physics/Step.h"
 
 namespace simcore {
 namespace {
@@ -33,12 +33,14 @@ bool isSame(const RayFan& a, const RayFan& b) {
 
 RangeSensing::RangeSensing(const std::shared_ptr<const RenderScene>& scene,
                            const std::vector<RangeSensor>& sensors, std::vector<RayCaster::BodyRange> own)
-    : sensors_(sensors), own_(std::move(own)), caster_(scene) {
+    : sensors_(sensors), own_(std::move(own)), chosen_(sensors.size()), caster_(scene) {
   for (const RangeSensor& sensor : sensors_) {
     RayFan fan = fanOf(sensor);
     const auto found = std::ranges::find_if(fans_, [&](const RayFan& other) { return isSame(fan, other); });
     fanOf_.push_back(static_cast<std::size_t>(found - fans_.begin()));
     if (found == fans_.end()) fans_.push_back(std::move(fan));
+    noise_.emplace_back(NoiseProcess::Stream{kRangeStream, noise_.size()}, 1, kStepSeconds,
+                        sensor.errors.noise);
   }
 }
 
@@ -67,12 +69,17 @@ void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<doub
   } else {
     std::ranges::transform(hits_, ranges.begin(), &FanHit::distance);
   }
-  robotlink::Random random(noise.seed, robotlink::hashBits(kRangeStream, index, noise.step));
-  for (double& range : ranges) {
-    // A number is drawn in any case, so that the noise of a reading does not depend on the others.
-    const double error = noise.on && sensor.noise > 0 ? sensor.noise * random.normal() : 0;
-    if (range < sensor.maximum) range = std::clamp(range + error, sensor.minimum, sensor.maximum);
+  if (noise.on || chosen_[index]) {
+    // Nothing is added where there is no echo.
+    noise_[index].apply(noise.seed, noise.step, ranges.data(), ranges.size(),
+                        [&](double range) { return range < sensor.maximum; });
   }
+  for (double& range : ranges) range = std::clamp(range, sensor.minimum, sensor.maximum);
+}
+
+void RangeSensing::setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise) {
+  noise_[sensor].change(errors.noise, noise.seed, noise.step);
+  chosen_[sensor] = true;
 }
 
 }  // namespace simcore

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "simcore/noise/NoiseProcess.h"
 #include "simcore/rendering/RayCaster.h"
 #include "simcore/world/RangeSensor.h"
 
@@ -27,7 +28,9 @@ class RangeSensing {
     std::uint64_t seed = 0;
     std::uint64_t step = 0;
   };
-  /// Writes the readings of a sensor, m; ranges.size() must be their number.
+  /// Replaces the noise of a sensor from this step on, and applies it even where noise is off.
+  void setErrors(std::size_t sensor, const SensorErrors& errors, const Noise& noise);
+  /// Writes the readings of a sensor at the poses that were set, m; ranges.size() must be their number.
   void measure(std::size_t sensor, const Noise& noise, std::span<double> ranges);
 
  private:
@@ -39,6 +42,9 @@ class RangeSensing {
   std::vector<RayFan> fans_;
   /// Index in fans_; identical sensors share a fan.
   std::vector<std::size_t> fanOf_;
+  /// By sensor; and whether somebody chose its errors, instead of the scene.
+  std::vector<NoiseProcess> noise_;
+  std::vector<bool> chosen_;
   RayCaster caster_;
   std::span<const Pose3> poses_;
   /// A buffer for the rays of one sensor.

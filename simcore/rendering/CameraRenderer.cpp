@@ -82,6 +82,35 @@ int largest(const std::vector<DrawableMesh>& meshes, Count count) {
   return result;
 }
 
+/// A mesh of the same triangles whose vertices have the triangle's normal.
+Mesh withFlatNormals(const Mesh& mesh) {
+  Mesh result;
+  for (const auto& triangle : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(result.vertices.size());
+    // DrawableMesh would drop it.
+    if (std::ranges::any_of(triangle, [&](std::uint32_t i) { return i >= mesh.vertices.size(); })) continue;
+    for (const std::uint32_t vertex : triangle) result.vertices.push_back(mesh.vertices[vertex]);
+    const Eigen::Vector3f* const corner = &result.vertices[first];
+    const Eigen::Vector3f normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
+    result.normals.insert(result.normals.end(), 3, normal);
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
+std::vector<DrawableMesh> drawable(const std::vector<Mesh>& meshes, bool flat) {
+  std::vector<DrawableMesh> result;
+  result.reserve(meshes.size());
+  for (const Mesh& mesh : meshes) {
+    if (flat) {
+      result.emplace_back(withFlatNormals(mesh));
+    } else {
+      result.emplace_back(mesh);
+    }
+  }
+  return result;
+}
+
 /// The four side planes of a camera's field of view.
 struct Frustum {
   double sinX, cosX, sinY, cosY;
@@ -115,7 +144,7 @@ class CameraRenderer::Implementation {
   Implementation(std::shared_ptr<const RenderScene> scene, Options options)
       : scene_(std::move(scene)),
         kernels_(kernelsFor(options.arithmetic)),
-        meshes_(scene_->meshes.begin(), scene_->meshes.end()),
+        meshes_(drawable(scene_->meshes, options.flat)),
         memory_(largest(meshes_, [](const MeshStreams& mesh) { return mesh.vertexGroups; }),
                 largest(meshes_, [](const MeshStreams& mesh) { return mesh.triangleGroups; }),
                 sum(scene_->instances, meshes_), scene_->lamps.size()),
@@ -135,6 +164,9 @@ class CameraRenderer::Implementation {
   void render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
   void setLighting(const LightAdjustment& lighting) { lighting_ = lighting; }
+  void renderDepth(const Pose3& cameraInWorld, const CameraModel& camera, std::span<float> depth);
+  void labelValues(std::span<const float> labels, float background, std::span<float> image) const;
+  void addNoise(const ImageNoise& noise, robotlink::Image& image) const;
   void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:
@@ -148,7 +180,6 @@ class CameraRenderer::Implementation {
                      VisibilityBuffer& buffer);
   void placeLamps(const Pose3& worldInCamera);
   void lightStrip(Strip& strip, const VisibilityBuffer& buffer);
-  void addNoise(const ImageNoise& noise, robotlink::Image& image) const;
 
   std::shared_ptr<const RenderScene> scene_;
   const Kernels& kernels_;
@@ -310,6 +341,39 @@ void CameraRenderer::Implementation::label(std::span<const std::uint8_t> labels,
   }
 }
 
+void CameraRenderer::Implementation::renderDepth(const Pose3& cameraInWorld, const CameraModel& camera,
+                                                 std::span<float> depth) {
+  width_ = camera.width;
+  height_ = camera.height;
+  if (moved_) placeInstances();
+  const float black[3] = {};
+  VisibilityBuffer& buffer = memory_.begin(camera, black);
+  drawInstances(cameraInWorld, camera, PixelFormat::kRgb8, buffer);
+  auto out = depth.begin();
+  for (int y = 0; y < camera.height; ++y) {
+    const float* const row = buffer.inverseDepth + static_cast<std::ptrdiff_t>(y) * buffer.stride;
+    // What is not there has an inverse depth of 0.
+    for (int x = 0; x < camera.width; ++x) *out++ = 1 / row[x];
+  }
+}
+
+void CameraRenderer::Implementation::labelValues(std::span<const float> labels, float background,
+                                                 std::span<float> image) const {
+  const VisibilityBuffer& buffer = memory_.last();
+  std::vector<float> ofRecords(static_cast<std::size_t>(buffer.recordCount), background);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    const std::int32_t end = i + 1 < drawn_.size() ? drawn_[i + 1].firstRecord : buffer.recordCount;
+    const std::size_t instance = drawn_[i].instance;
+    std::fill(ofRecords.begin() + drawn_[i].firstRecord, ofRecords.begin() + end,
+              instance < labels.size() ? labels[instance] : background);
+  }
+  auto out = image.begin();
+  for (int y = 0; y < height_; ++y) {
+    const std::int32_t* const row = buffer.triangle + static_cast<std::ptrdiff_t>(y) * buffer.stride;
+    for (int x = 0; x < width_; ++x) *out++ = ofRecords[static_cast<std::size_t>(row[x])];
+  }
+}
+
 CameraRenderer::CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options)
     : implementation_(std::make_unique<Implementation>(std::move(scene), options)) {}
 CameraRenderer::~CameraRenderer() = default;
@@ -325,6 +389,19 @@ void CameraRenderer::render(const Pose3& cameraInWorld, const CameraModel& camer
 
 void CameraRenderer::setLighting(const LightAdjustment& lighting) {
   implementation_->setLighting(lighting);
+}
+
+void CameraRenderer::renderDepth(const Pose3& cameraInWorld, const CameraModel& camera,
+                                 std::span<float> depth) {
+  implementation_->renderDepth(cameraInWorld, camera, depth);
+}
+
+void CameraRenderer::labelValues(std::span<const float> labels, float background, std::span<float> image) {
+  implementation_->labelValues(labels, background, image);
+}
+
+void CameraRenderer::addNoise(const ImageNoise& noise, robotlink::Image& image) const {
+  implementation_->addNoise(noise, image);
 }
 
 void CameraRenderer::label(std::span<const std::uint8_t> labels, std::uint8_t background,

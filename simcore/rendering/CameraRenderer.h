@@ -37,6 +37,8 @@ class CameraRenderer {
     /// Without shadows, rendering is faster.
     bool shadows = true;
     Arithmetic arithmetic = Arithmetic::kFastest;
+    /// Round shapes are lit triangle by triangle instead of smoothly.
+    bool flat = false;
   };
   CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options);
   ~CameraRenderer();
@@ -55,6 +57,15 @@ class CameraRenderer {
   /// because its width must be even.
   void render(const Pose3& cameraInWorld, const CameraModel& camera, robotlink::PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
+
+  /// Draws without light: sets depth[y * width + x] to the depth of what the center of a pixel sees along the
+  /// optical axis, m, infinity if there is nothing; `depth` has width * height elements. The lens has no
+  /// influence. Afterwards label() and labelValues() label this image.
+  void renderDepth(const Pose3& cameraInWorld, const CameraModel& camera, std::span<float> depth);
+  /// As label(), but with any numbers, into an array like that of renderDepth().
+  void labelValues(std::span<const float> labels, float background, std::span<float> image);
+  /// Adds noise to an image that was made of rendered ones, as render() does.
+  void addNoise(const ImageNoise& noise, robotlink::Image& image) const;
 
   /// Labels the last image: a kMono8 image of its size with labels[i] where the center of a pixel sees
   /// instance i of the scene, otherwise `background`; also `background` for instances beyond the end of

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simcore/rendering/BodyTree.h"
+#include "simcore/rendering/BundleTracing.h"
 #include "simcore/rendering/DrawableMesh.h"
 #include "simcore/rendering/FanTracing.h"
 
@@ -21,7 +22,20 @@ struct Target {
   Pose3 pose = Pose3::Identity();
   // Center of the bound in the world.
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  // The instance of each geometry of the tree.
+  std::vector<std::int32_t> instances;
 };
+
+/// The instances of a body that are in its tree, in the order of its geometries.
+std::vector<std::int32_t> instancesOf(const RenderScene& scene, int body) {
+  std::vector<std::int32_t> result;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const RenderInstance& instance = scene.instances[i];
+    const bool drawn = !scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.empty();
+    if (instance.body == body && drawn) result.push_back(static_cast<std::int32_t>(i));
+  }
+  return result;
+}
 
 rendering::Sphere boundOf(RTCScene tree) {
   RTCBounds box;
@@ -72,7 +86,7 @@ class RayCaster::Implementation {
       const RTCScene tree = trees.treeOf(body);
       if (tree == nullptr) continue;
       const rendering::Sphere bound = boundOf(tree);
-      targets_.push_back({body, tree, bound, Pose3::Identity(), bound.center});
+      targets_.push_back({body, tree, bound, Pose3::Identity(), bound.center, instancesOf(scene, body)});
     }
     rememberReaches();
   }
@@ -122,6 +136,23 @@ class RayCaster::Implementation {
     }
   }
 
+  void castBundle(const RayBundle& bundle, const Pose3& frameInWorld, double maximum, BodyRange excluded,
+                  std::span<BundleHit> hits) const {
+    std::vector<rendering::BundleTarget> targets;
+    targets.reserve(targets_.size());
+    const Eigen::Vector3d origin = frameInWorld.translation();
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      const Target& target = targets_[i];
+      const Eigen::Vector3d away = reaches_[i].center - origin;
+      const double farthest = maximum + reaches_[i].radius;
+      if (away.squaredNorm() > farthest * farthest) continue;
+      if (target.body >= excluded.first && target.body < excluded.last) continue;
+      targets.emplace_back(target.tree, frameInWorld.linear().transpose() * away, reaches_[i].radius,
+                           target.pose.inverse(Eigen::Isometry) * frameInWorld, target.instances);
+    }
+    rendering::traceBundle(bundle, targets, static_cast<float>(maximum), hits);
+  }
+
  private:
   void rememberReaches() {
     reaches_.clear();
@@ -151,6 +182,11 @@ std::optional<RayCaster::Hit> RayCaster::firstHit(const Eigen::Vector3d& origin,
 void RayCaster::castFan(const RayFan& fan, const Pose3& frameInWorld, double maximum, BodyRange excluded,
                         std::span<FanHit> hits) const {
   implementation_->castFan(fan, frameInWorld, maximum, excluded, hits);
+}
+
+void RayCaster::castBundle(const RayBundle& bundle, const Pose3& frameInWorld, double maximum,
+                           BodyRange excluded, std::span<BundleHit> hits) const {
+  implementation_->castBundle(bundle, frameInWorld, maximum, excluded, hits);
 }
 
 }  // namespace simcore

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "simcore/rendering/RayBundle.h"
 #include "simcore/rendering/RayFan.h"
 #include "simcore/world/RenderScene.h"
 
@@ -48,6 +49,10 @@ class RayCaster {
   /// hits.size() must be fan.size(). Rays pass through the `excluded` bodies. Some 0.1 microseconds per ray.
   void castFan(const RayFan& fan, const Pose3& frameInWorld, double maximum, BodyRange excluded,
                std::span<FanHit> hits) const;
+  /// Computes the first hits of all rays of a bundle from the origin of `frameInWorld`; hits.size() must be
+  /// bundle.size(). Rays pass through the `excluded` bodies. Some 0.1 microseconds per ray.
+  void castBundle(const RayBundle& bundle, const Pose3& frameInWorld, double maximum, BodyRange excluded,
+                  std::span<BundleHit> hits) const;
 
  private:
   class Implementation;

@@ -29,9 +29,13 @@ constexpr std::string_view kOwnPrefix = "robotcontrol:";
 /// One of our own elements: where it is allowed, and how many numbers it contains (0: text or elements).
 struct OwnElement {
   std::string_view name;
-  std::array<std::string_view, 2> parents;
+  std::array<std::string_view, 6> parents;
   int numbers = 0;
 };
+
+// Where errors of a sensor may be described.
+constexpr std::array<std::string_view, 6> kWithErrors = {
+    "sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor"};
 
 constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:robot", {"model", ""}, 0},
@@ -47,13 +51,66 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:vignetting", {"camera", ""}, 1},
     {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
     {"robotcontrol:range", {"sensor", ""}, 1},
-    {"robotcontrol:noise", {"sensor", ""}, 1},
+    {"robotcontrol:noise", kWithErrors, 1},
+    {"robotcontrol:mean", kWithErrors, 1},
+    {"robotcontrol:bias_mean", kWithErrors, 1},
+    {"robotcontrol:bias_stddev", kWithErrors, 1},
+    {"robotcontrol:drift_stddev", kWithErrors, 1},
+    {"robotcontrol:drift_time", kWithErrors, 1},
+    {"robotcontrol:precision", kWithErrors, 1},
+    {"robotcontrol:delay",
+     {"sensor", "robotcontrol:speed_sensor", "robotcontrol:load_sensor", "robotcontrol:position_sensor",
+      "robotcontrol:servo"},
+     1},
+    {"robotcontrol:rate", kWithErrors, 1},
+    {"robotcontrol:dropout", kWithErrors, 1},
+    {"robotcontrol:speed_sensor", {"joint"}, 0},
+    {"robotcontrol:load_sensor", {"joint"}, 0},
+    {"robotcontrol:position_sensor", {"joint"}, 0},
+    {"robotcontrol:control", {"robotcontrol:servo"}, 0},
+    {"robotcontrol:p", {"robotcontrol:servo"}, 1},
+    {"robotcontrol:i", {"robotcontrol:servo"}, 1},
+    {"robotcontrol:d", {"robotcontrol:servo"}, 1},
+    {"robotcontrol:exposure", {"camera"}, 1},
+    {"robotcontrol:readout", {"camera"}, 1},
+    {"robotcontrol:class", {"camera", "robotcontrol:facette"}, 0},
+    {"robotcontrol:whisker", {"sensor"}, 1},
+    {"robotcontrol:switch", {"sensor"}, 0},
+    {"robotcontrol:odometry", {"sensor"}, 0},
+    {"robotcontrol:battery", {"sensor"}, 0},
+    {"robotcontrol:capacity", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:charge", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:full_voltage", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:empty_voltage", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:idle_power", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:efficiency", {"robotcontrol:battery"}, 1},
+    {"robotcontrol:facette", {"sensor"}, 0},
+    {"robotcontrol:azimuth", {"robotcontrol:facette"}, 3},
+    {"robotcontrol:elevation", {"robotcontrol:facette"}, 3},
+    {"robotcontrol:far", {"robotcontrol:facette"}, 1},
+    {"robotcontrol:radiation", {"world"}, 0},
+    {"robotcontrol:ambient", {"robotcontrol:radiation"}, 1},
+    {"robotcontrol:surface", {"visual"}, 0},
+    {"robotcontrol:reflects", {"robotcontrol:surface"}, 1},
+    {"robotcontrol:emits", {"robotcontrol:surface"}, 1},
+    {"robotcontrol:emitter", {"link"}, 0},
+    {"robotcontrol:position", {"robotcontrol:emitter"}, 3},
+    {"robotcontrol:attenuation", {"robotcontrol:emitter"}, 1},
+    {"robotcontrol:intensity", {"robotcontrol:emitter", "light"}, 1},
+    {"robotcontrol:guided", {"model"}, 0},
+    {"robotcontrol:maximum_speed", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:maximum_rate", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:acceleration", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:angular_acceleration", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:wheelbase", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:skid", {"robotcontrol:guided"}, 1},
+    {"robotcontrol:maximum_steering", {"robotcontrol:guided"}, 1},
     {"robotcontrol:most_incidence", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
     {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},
-    {"robotcontrol:track", {"robotcontrol:drive", ""}, 1},
+    {"robotcontrol:track", {"robotcontrol:drive", "robotcontrol:guided"}, 1},
     {"robotcontrol:idle_torque", {"robotcontrol:drive", ""}, 1},
 };
 

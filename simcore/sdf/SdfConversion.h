@@ -78,7 +78,7 @@ void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const 
 
 /// Reads the lights of a world.
 void readLamps(const sdf::World& world, WorldDescription& result, const SdfContext& context);
-/// Reads the sensors of a link; kinds that this simulator does not know are errors.
+/// Reads the sensors of a link; kinds that this simulator does not know are left out.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
 /// Reads a lidar: a laser or, if it has one ray, a distance sensor.
 void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);

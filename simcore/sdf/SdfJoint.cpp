@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
 namespace {
@@ -119,6 +119,7 @@ class JointReader {
       result.damping = context_.within(axis.Damping(), 0, 1e6, "damping", joint.Element());
       result.friction = context_.within(axis.Friction(), 0, 1e6, "friction", joint.Element());
     }
+    readMotor(joint.Element(), result, context_);
   }
 
   void readLimits(const sdf::Joint& joint, const sdf::JointAxis& axis, JointDescription& result) {
@@ -168,8 +169,9 @@ class JointReader {
     };
     result.initialAngle = context_.within(number("robotcontrol:initial_position"), result.lower, result.upper,
                                           "initial_position of '" + result.name + "'", servo);
-    result.positionNoise =
+    const double noise =
         context_.within(number("robotcontrol:position_noise"), 0, 1, "position_noise", servo);
+    if (noise > 0) result.positionErrors.noise = {{.stddev = noise}};
   }
 
   const Pose3& sourceInModel_;

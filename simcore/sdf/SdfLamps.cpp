@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
 namespace {
@@ -47,6 +47,7 @@ void readLamps(const sdf::World& world, WorldDescription& result, const SdfConte
     const sdf::Light& light = *world.LightByIndex(i);
     if (light.Element()->HasElement("light_on") && !light.Element()->Get<bool>("light_on")) continue;
     result.lamps.push_back(readLamp(light, context));
+    result.lampRadiation.push_back(readIntensities(light.Element(), context));
   }
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// readLink(), readSensors() and resolvedPose() of SdfConversion.h: links with their shapes and sensors.
+// readLink() and resolvedPose() of SdfConversion.h: links with their shapes.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
 namespace {
 
 constexpr double kFarAway = 100'000;
-constexpr double kUsualRate = 25;  // Hz, of cameras
 /// Visuals without a material.
 constexpr Rgb kPlain{200, 200, 200};
 /// A link without mass gets this, so that the solver can move it.
@@ -52,6 +51,7 @@ void readVisual(const sdf::Visual& visual, std::vector<VisualDescription>& resul
   const bool colored =
       element->HasElement("robotcontrol:color") ||
       (element->HasElement("material") && element->GetElement("material")->HasElement("diffuse"));
+  const std::vector<SurfaceRadiation> radiation = readSurface(element, context);
   for (const PlacedShape& placed : readVisibleShapes(*visual.Geom(), context)) {
     VisualDescription result;
     result.name = visual.Name();
@@ -59,21 +59,14 @@ void readVisual(const sdf::Visual& visual, std::vector<VisualDescription>& resul
     result.shape = placed.shape;
     result.castsShadow = visual.CastShadows();
     result.color = placed.color.value_or(kPlain);
+    result.radiation = radiation;
     if (colored) readColor(visual, result, context);
     results.push_back(std::move(result));
   }
 }
 
-/// The descendant of `element` along a path of names; null if there is none.
-sdf::ElementPtr descendant(sdf::ElementPtr element, std::initializer_list<const char*> path) {
-  for (const char* name : path) {
-    if (!element || !element->HasElement(name)) return nullptr;
-    element = element->GetElement(name);
-  }
-  return element;
-}
-
-void readSurface(const sdf::ElementPtr& surface, CollisionDescription& result, const SdfContext& context) {
+void readContactSurface(const sdf::ElementPtr& surface, CollisionDescription& result,
+                        const SdfContext& context) {
   if (const auto friction = descendant(surface, {"friction", "ode", "mu"})) {
     result.friction = context.within(friction->Get<double>(), 0, 1e12, "mu", friction);
   }
@@ -92,7 +85,7 @@ void readCollision(const sdf::Collision& collision, std::vector<CollisionDescrip
     result.name = collision.Name();
     result.poseInLink = pose * placed.poseInGeometry;
     result.shape = placed.shape;
-    if (element->HasElement("surface")) readSurface(element->GetElement("surface"), result, context);
+    if (element->HasElement("surface")) readContactSurface(element->GetElement("surface"), result, context);
     results.push_back(std::move(result));
   }
 }
@@ -144,63 +137,6 @@ void readInertia(const sdf::Link& link, LinkDescription& result, const SdfContex
   repairInertia(inertial, result, context);
 }
 
-void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
-  const sdf::Camera& camera = *sensor.CameraSensor();
-  const sdf::ElementPtr element = sensor.Element()->GetElement("camera");
-  result.kind = SensorDescription::Kind::kCamera;
-  result.width = static_cast<int>(context.within(camera.ImageWidth(), 2, 8192, "an image's width", element));
-  result.height =
-      static_cast<int>(context.within(camera.ImageHeight(), 2, 8192, "an image's height", element));
-  result.horizontalAngle =
-      context.within(camera.HorizontalFov().Radian(), 0.01, 3, "horizontal_fov", element);
-  // Without a rate, or with 0, cameras of other simulators are as fast as these are.
-  const double rate = sensor.UpdateRate() > 0 ? sensor.UpdateRate() : kUsualRate;
-  result.rate = context.within(rate, 0.1, 250, "a camera's update_rate", sensor.Element());
-  result.noise = context.within(camera.ImageNoise().StdDev(), 0, 100, "stddev", element);
-  result.verticalAngle = 2 * std::atan(std::tan(result.horizontalAngle / 2) * result.height / result.width);
-  if (element->HasElement("robotcontrol:vertical_fov")) {
-    result.verticalAngle =
-        context.within(element->Get<double>("robotcontrol:vertical_fov"), 0.01, 3, "vertical_fov", element);
-  }
-  const auto share = [&](const char* name) {
-    const std::string key = std::string("robotcontrol:") + name;
-    return element->HasElement(key) ? context.within(element->Get<double>(key), 0, 1, name, element) : 0.0;
-  };
-  result.vignetting = {share("vignetting"), share("vignetting_tint")};
-}
-
-/// An accelerometer, or a gyroscope if only <angular_velocity> is described.
-void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
-  const sdf::Imu& imu = *sensor.ImuSensor();
-  const bool turns = descendant(sensor.Element(), {"imu", "angular_velocity"}) != nullptr &&
-                     descendant(sensor.Element(), {"imu", "linear_acceleration"}) == nullptr;
-  result.kind = turns ? SensorDescription::Kind::kGyroscope : SensorDescription::Kind::kAccelerometer;
-  const sdf::Noise& noise = turns ? imu.AngularVelocityXNoise() : imu.LinearAccelerationXNoise();
-  result.noise = context.within(noise.StdDev(), 0, 1000, "stddev", sensor.Element());
-  result.maximum = 1e6;
-  if (sensor.Element()->HasElement("robotcontrol:range")) {
-    result.maximum = context.within(sensor.Element()->Get<double>("robotcontrol:range"), 0.01, 1e6, "range",
-                                    sensor.Element());
-  }
-  result.minimum = -result.maximum;
-}
-
-/// Returns whether the link has the solid.
-bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
-                 const SdfContext& context) {
-  result.kind = SensorDescription::Kind::kContact;
-  const sdf::ElementPtr element = sensor.Element()->GetElement("contact");
-  const auto name = element->Get<std::string>("collision");
-  const auto found = std::ranges::find(link.collisions, name, &CollisionDescription::name);
-  if (found == link.collisions.end()) {
-    context.omit(element, "contact sensor '" + sensor.Name() + "'",
-                 "the link '" + link.name + "' has no solid '" + name + "'");
-    return false;
-  }
-  result.collision = static_cast<int>(found - link.collisions.begin());
-  return true;
-}
-
 }  // namespace
 
 Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
@@ -229,33 +165,8 @@ LinkDescription readLink(const sdf::Link& link, const SdfContext& context) {
   for (std::uint64_t i = 0; i < link.VisualCount(); ++i) {
     readVisual(*link.VisualByIndex(i), result.visuals, context);
   }
+  result.emitters = readEmitters(link.Element(), context);
   return result;
-}
-
-void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context) {
-  for (std::uint64_t i = 0; i < link.SensorCount(); ++i) {
-    const sdf::Sensor& sensor = *link.SensorByIndex(i);
-    SensorDescription result;
-    result.name = sensor.Name();
-    result.link = linkIndex;
-    result.poseInLink = resolvedPose(sensor.SemanticPose(), "", sensor.Element(), context);
-    if (sensor.CameraSensor() != nullptr) {
-      readCamera(sensor, result, context);
-    } else if (sensor.LidarSensor() != nullptr) {
-      readLidar(sensor, result, context);
-    } else if (sensor.Type() == sdf::SensorType::SONAR) {
-      readSonar(sensor, result, context);
-    } else if (sensor.ImuSensor() != nullptr) {
-      readImu(sensor, result, context);
-    } else if (sensor.Type() == sdf::SensorType::CONTACT) {
-      if (!readContact(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context)) continue;
-    } else {
-      context.omit(sensor.Element(), "sensor of type '" + sensor.TypeStr() + "'",
-                   "of sensors, camera, lidar, sonar, imu and contact are known");
-      continue;
-    }
-    model.sensors.push_back(result);
-  }
 }
 
 }  // namespace simcore

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfDevices.h"
 
 namespace simcore {
 namespace {
@@ -14,14 +14,6 @@ constexpr int kMaxReadings = 10'000;
 // With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller
 // angle.
 constexpr double kDefaultIncidence = robotlink::radians(55);
-
-/// A number in one of our own elements of a sensor, or `otherwise`.
-double ownNumber(const sdf::ElementPtr& sensor, const char* name, double otherwise, double minimum,
-                 double maximum, const SdfContext& context) {
-  const std::string key = std::string("robotcontrol:") + name;
-  if (!sensor->HasElement(key)) return otherwise;
-  return context.within(sensor->Get<double>(key), minimum, maximum, name, sensor);
-}
 
 /// The rate of measurements, Hz; 0 means on demand.
 double rateOf(const sdf::Sensor& sensor, const SdfContext& context) {
@@ -41,7 +33,7 @@ void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   result.minimum = context.within(lidar.RangeMin(), 0, kFarthest, "a range", element);
   result.maximum =
       context.within(std::min(lidar.RangeMax(), kFarthest), result.minimum, kFarthest, "a range", element);
-  result.noise = context.within(lidar.LidarNoise().StdDev(), 0, 100, "stddev", element);
+  result.errors.noise = {readNoise(lidar.LidarNoise(), 100, element, context)};
   if (lidar.VerticalScanSamples() != 1) {
     context.omit(element, "vertical samples of a lidar", "it measures in one plane, that of its x and y");
   }
@@ -73,7 +65,6 @@ void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   const double radius =
       context.within(sonar->Get<double>("radius"), 1e-3, kFarthest, "a sonar's <radius>", sonar);
   result.range.openingAngle = 2 * std::atan(radius / std::max(result.maximum, 1e-3));
-  result.noise = ownNumber(element, "noise", 0, 0, 100, context);
   // Slightly more than a right angle, because such angles are rounded in files.
   result.range.mostIncidence = ownNumber(element, "most_incidence", kDefaultIncidence, 0, 1.6, context);
   result.rate = rateOf(sensor, context);

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "simcore/sdf/SceneFiles.h"
-#include "simcore/sdf/SdfConversion.h"
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfDevices.h"
 #include "simcore/sdf/SdfElements.h"
 #include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfSpec.h"
@@ -92,6 +92,8 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   readAllJoints(source, Pose3::Identity(), "", model, context);
   if (!model.links.empty()) orderJoints(model, element, context);
   readDrive(source, model, context);
+  readJointSensors(source, model, context);
+  readGuided(element, model, context);
   return model;
 }
 
@@ -99,6 +101,10 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
   result.gravity = toEigen(world.Gravity());
   if (!(result.gravity.norm() <= 1000))
     context.fail(world.Element(), "scene.gravity", "gravity must be below 1000 m/s^2");
+  result.magneticField = toEigen(world.MagneticField());
+  if (!(result.magneticField.norm() <= 100))
+    context.fail(world.Element(), "scene.magnetic-field", "magnetic_field must be below 100 T");
+  result.radiationClasses = readClasses(world.Element(), context);
   const auto byte = [](float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255.F));
   };

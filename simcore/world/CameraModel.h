@@ -18,7 +18,28 @@ struct LensVignetting {
   bool operator==(const LensVignetting&) const = default;
 };
 
-/// A pinhole camera without distortion. It looks along the x-axis of its frame; y points to the left, z up.
+/// The distortion of a lens after Brown and Conrady, as in SDFormat and OpenCV. A point that a pinhole camera
+/// shows at (x, y) = (tan of its angles), x to the right and y down, appears at (x, y) * (1 + k1 r^2 + k2 r^4
+/// + k3 r^6) + (2 p1 x y + p2 (r^2 + 2 x^2), p1 (r^2 + 2 y^2) + 2 p2 x y), r^2 = x^2 + y^2.
+struct LensDistortion {
+  double k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0;
+  bool any() const { return k1 != 0 || k2 != 0 || k3 != 0 || p1 != 0 || p2 != 0; }
+  bool operator==(const LensDistortion&) const = default;
+};
+
+/// When the rows of an image are exposed. The instant of the image is the end of the exposure of its last
+/// row.
+struct ShutterModel {
+  /// For how long each row is exposed, s: what moves meanwhile is blurred.
+  double exposure = 0;
+  /// The time from the end of the first row to that of the last one, s; 0 is a global shutter.
+  double readout = 0;
+  static constexpr double kMaxTime = 0.1;
+  bool any() const { return exposure > 0 || readout > 0; }
+  bool operator==(const ShutterModel&) const = default;
+};
+
+/// A pinhole camera with a lens. It looks along the x-axis of its frame; y points to the left, z up.
 /// The optical axis meets the image at its center (width / 2, height / 2); pixel (0, 0) covers [0, 1) x [0,
 /// 1).
 struct CameraModel {
@@ -29,6 +50,7 @@ struct CameraModel {
   double horizontalAngle = robotlink::radians(57.6);
   double verticalAngle = robotlink::radians(47.8);
   LensVignetting vignetting = {};
+  LensDistortion distortion = {};
 };
 
 /// The noise added to every channel of every pixel. It is computed from counters, so the same (seed, stream,

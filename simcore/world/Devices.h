@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "robotlink/base/Clock.h"
+#include "simcore/world/ActuatorDescription.h"
 #include "simcore/world/CameraModel.h"
 #include "simcore/world/PortInfo.h"
 #include "simcore/world/RenderScene.h"
+#include "simcore/world/SensorErrors.h"
 
 namespace simcore {
 
@@ -16,6 +18,8 @@ struct Sensor {
   PortInfo info;
   /// In the unit and shape of `info`.
   std::vector<double> values;
+  /// The step of the simulation in which it was measured.
+  std::uint64_t step = 0;
 };
 
 /// A camera on a robot; its images are rendered by a CameraRenderer.
@@ -30,6 +34,10 @@ struct CameraSensor {
   /// Standard deviation of each channel in gray values; to be applied only if the simulation's options ask
   /// for noise.
   double noise = 0;
+  /// Exposure and readout of the rows.
+  ShutterModel shutter = {};
+  /// Only its timing counts: delay, rate and drop-outs.
+  SensorErrors errors = {};
 };
 
 /// The servo of a joint: it turns to a requested angle with limited speed and torque.
@@ -42,6 +50,23 @@ struct Servo {
   double maximumSpeed = 0;
   /// Newton meters.
   double maximumTorque = 0;
+  /// What its command is, and how it follows it.
+  MotorControl control = {};
+};
+
+/// A model that moves as it is commanded.
+struct Guide {
+  /// "ball/motion": shape {6}, {3} or {2}; see GuidedMotion.
+  PortInfo info;
+  GuidedMotion motion;
+};
+
+/// What became of an actuator's last command.
+struct ActuatorState {
+  /// Its position (servos), speed or torque is that of the command, but for 1 % of its range.
+  bool reached = false;
+  /// Since the command, its model has touched nothing but floors.
+  bool unobstructed = true;
 };
 
 /// Driven wheels on the two sides of a robot ("skid steering"). The wheels of a side have one speed.

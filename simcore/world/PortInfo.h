@@ -18,6 +18,8 @@ struct PortInfo {
   std::vector<int> shape;
   /// Such as "rad", "m", "m/s^2"; empty if there is none.
   std::string unit;
+  /// The range of its numbers, in the unit; unknown if maximum <= minimum.
+  double minimum = 0, maximum = 0;
 };
 
 }  // namespace simcore

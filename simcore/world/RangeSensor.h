@@ -4,6 +4,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
 #include "simcore/world/PortInfo.h"
+#include "simcore/world/SensorErrors.h"
 
 namespace simcore {
 
@@ -20,8 +21,9 @@ struct RangeSensor {
   Kind kind = Kind::kSonar;
   double minimum = 0;  ///< m; smaller distances are reported as this
   double maximum = 0;  ///< m; the reading if there is nothing
-  /// Standard deviation, m.
-  double noise = 0;
+  /// Of distances, m, where there is an echo. White noise and rounding are for each reading of its own, bias
+  /// and drift for all together.
+  SensorErrors errors;
   /// 1 for a sonar.
   int readings = 1;
   /// Laser only: angles of the first and the last reading, rad, counter-clockwise from the x-axis.

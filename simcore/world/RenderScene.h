@@ -9,6 +9,7 @@
 
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Image.h"
+#include "simcore/world/Radiation.h"
 
 namespace simcore {
 
@@ -71,6 +72,12 @@ struct RenderScene {
   float ambient = 0.4F;
   /// The color where there is nothing.
   Rgb background;
+  /// What image sensors see beside colors.
+  SceneRadiation radiation = {};
+  /// The true class of each instance: 0 if it has none, otherwise the index of its color's name in
+  /// `labelNames` plus 1. The names are sorted.
+  std::vector<std::uint16_t> labels = {};
+  std::vector<std::string> labelNames = {};
 };
 
 /// Meshes of basic shapes, centered at the origin of their frame; cylinders and capsules are along z. Round

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/world/RenderSceneBuilder.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -50,7 +51,9 @@ class SceneBuilder {
     scene_->background = world.background;
     scene_->lamps = world.lamps;
     scene_->bodies = {"world"};
+    addClasses(world);
     for (const ModelInstance& model : world.models) add(model);
+    label();
   }
   std::shared_ptr<const RenderScene> scene() const { return scene_; }
 
@@ -66,12 +69,90 @@ class SceneBuilder {
         body = static_cast<int>(scene_->bodies.size());
         scene_->bodies.push_back(name);
       }
+      for (const Emitter& emitter : link.emitters) {
+        scene_->radiation.emitters.push_back(
+            {body, linkInBody * emitter.positionInLink, emitter.attenuation, byClass(emitter.classes)});
+      }
       for (const VisualDescription& visual : link.visuals) {
+        addSurface(visual);
         const bool ofTeam = visual.teamColor && model.teamColor;
         scene_->instances.push_back({meshIndex(visual.shape), body, linkInBody * visual.poseInLink,
                                      ofTeam ? *model.teamColor : visual.color, name + "/" + visual.name,
                                      visual.castsShadow, ofTeam ? model.teamColorName : visual.colorName});
       }
+    }
+  }
+
+  void addClasses(const WorldDescription& world) {
+    SceneRadiation& radiation = scene_->radiation;
+    for (const RadiationClass& each : world.radiationClasses) {
+      radiation.classes.push_back(each.name);
+      radiation.ambient.push_back(static_cast<float>(each.ambient));
+    }
+    addNamedClasses(world);
+    for (std::size_t i = 0; i < world.lamps.size() && i < world.lampRadiation.size(); ++i) {
+      const Lamp& lamp = world.lamps[i];
+      if (world.lampRadiation[i].empty()) continue;
+      radiation.emitters.push_back(
+          {0, lamp.position.cast<double>(), lamp.attenuation, byClass(world.lampRadiation[i])});
+    }
+  }
+
+  /// Adds the classes that something emits or reflects, but that are not declared.
+  void addNamedClasses(const WorldDescription& world) {
+    SceneRadiation& radiation = scene_->radiation;
+    const auto addAll = [&](const auto& named) {
+      for (const auto& each : named) {
+        if (std::ranges::find(radiation.classes, each.name) == radiation.classes.end())
+          radiation.classes.push_back(each.name);
+      }
+    };
+    for (const auto& lamp : world.lampRadiation) addAll(lamp);
+    for (const ModelInstance& model : world.models) {
+      for (const LinkDescription& link : model.type->links) {
+        for (const Emitter& emitter : link.emitters) addAll(emitter.classes);
+        for (const VisualDescription& visual : link.visuals) addAll(visual.radiation);
+      }
+    }
+    radiation.ambient.resize(radiation.classes.size());
+  }
+
+  std::ptrdiff_t classOf(const std::string& name) const {
+    const auto& names = scene_->radiation.classes;
+    return std::ranges::find(names, name) - names.begin();
+  }
+
+  std::vector<float> byClass(const std::vector<ClassIntensity>& intensities) const {
+    std::vector<float> result(scene_->radiation.classes.size());
+    for (const ClassIntensity& each : intensities) {
+      const auto index = static_cast<std::size_t>(classOf(each.name));
+      if (index < result.size()) result[index] = static_cast<float>(each.intensity);
+    }
+    return result;
+  }
+
+  void addSurface(const VisualDescription& visual) {
+    std::vector<SceneRadiation::Surface> surface(scene_->radiation.classes.size());
+    for (const SurfaceRadiation& each : visual.radiation) {
+      const auto index = static_cast<std::size_t>(classOf(each.name));
+      if (index >= surface.size()) continue;
+      surface[index] = {static_cast<float>(each.reflects), static_cast<float>(each.emits), true};
+    }
+    scene_->radiation.surfaces.push_back(std::move(surface));
+  }
+
+  /// Numbers the names of colors.
+  void label() {
+    auto& names = scene_->labelNames;
+    for (const RenderInstance& instance : scene_->instances) {
+      if (!instance.colorName.empty()) names.push_back(instance.colorName);
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    for (const RenderInstance& instance : scene_->instances) {
+      const auto found = std::ranges::find(names, instance.colorName);
+      scene_->labels.push_back(found == names.end() ? 0
+                                                    : static_cast<std::uint16_t>(found - names.begin() + 1));
     }
   }
 

@@ -9,8 +9,11 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Image.h"
+#include "simcore/world/ActuatorDescription.h"
 #include "simcore/world/CameraModel.h"
+#include "simcore/world/Radiation.h"
 #include "simcore/world/RenderScene.h"
+#include "simcore/world/SensorDescription.h"
 
 namespace simcore {
 
@@ -53,6 +56,8 @@ struct VisualDescription {
   std::string colorName;
   bool teamColor = false;
   bool castsShadow = true;
+  /// What it reflects and emits of radiation classes.
+  std::vector<SurfaceRadiation> radiation;
 };
 
 /// A rigid body of a model.
@@ -72,6 +77,7 @@ struct LinkDescription {
   bool weightless = false;
   std::vector<CollisionDescription> collisions;
   std::vector<VisualDescription> visuals;
+  std::vector<Emitter> emitters;
 };
 
 /// A joint of a model. Joints are ordered such that those of parents come first, and those that close a cycle
@@ -103,10 +109,14 @@ struct JointDescription {
   // rad/s and N m, of the servo.
   double maximumSpeed = 0, maximumTorque = 0;
   double initialAngle = 0;
-  /// Standard deviation of its sensor, rad.
-  double positionNoise = 0;
+  /// Of its sensor, rad.
+  SensorErrors positionErrors;
   /// Driven by the model's drive.
   bool wheel = false;
+  /// How its motor is controlled, if it has one (`servo`).
+  MotorControl control;
+  /// Sensors of its speed (rad/s) and of the torque that turns it (N m).
+  std::optional<SensorErrors> speedSensor, loadSensor;
 };
 
 /// Wheels on the two sides of a model. Each wheel is a joint whose child link has one solid, a cylinder about
@@ -124,36 +134,6 @@ struct DriveDescription {
   double maximumForce = 0;
   /// Resistance at the rim of each wheel without power, N.
   double idleForce = 0;
-};
-
-/// The directions in which a sonar or a laser measures; see RangeSensor.
-struct RangeGeometry {
-  int readings = 1;
-  double startAngle = 0, endAngle = 0;
-  double openingAngle = 0, mostIncidence = 0;
-};
-
-/// A sensor of a link.
-struct SensorDescription {
-  enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kGyroscope, kContact, kSonar, kLaser };
-  Kind kind = Kind::kCamera;
-  std::string name;
-  int link = 0;
-  Pose3 poseInLink = Pose3::Identity();
-  /// Standard deviation in the unit of the reading; for cameras in gray values.
-  double noise = 0;
-  /// Distance and ranges: m; accelerometers and gyroscopes: range of each axis, m/s^2 or rad/s.
-  double minimum = 0, maximum = 0;
-  /// Contact only: index in the link's collisions.
-  int collision = 0;
-  /// Camera only.
-  int width = 0, height = 0;
-  /// Camera only (rate also for range sensors): rad, and Hz.
-  double horizontalAngle = 0, verticalAngle = 0, rate = 0;
-  /// Camera only.
-  LensVignetting vignetting;
-  /// Sonar and laser only.
-  RangeGeometry range;
 };
 
 /// An initial position of a team's robots on a field.
@@ -180,6 +160,7 @@ struct ModelDescription {
   std::vector<JointDescription> joints;
   std::vector<SensorDescription> sensors;
   std::optional<DriveDescription> drive;
+  std::optional<GuidedMotion> guided;
   std::vector<HomeDescription> homes;
 };
 
@@ -203,6 +184,11 @@ struct WorldDescription {
   float ambient = 0.4F;
   Rgb background;
   std::vector<Lamp> lamps;
+  /// In the world's frame, T.
+  Vector3 magneticField = {5.5645e-6, 22.8758e-6, -42.3884e-6};
+  std::vector<RadiationClass> radiationClasses;
+  /// What the lamps emit of radiation classes, by lamp.
+  std::vector<std::vector<ClassIntensity>> lampRadiation;
   std::vector<ModelInstance> models;
 };
 

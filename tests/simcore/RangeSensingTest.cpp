@@ -41,7 +41,7 @@ class Ranging {
     laser.readings = 19;
     laser.startAngle = -kQuarter;
     laser.endAngle = kQuarter;
-    laser.noise = 0.005;
+    laser.errors.noise = {{.stddev = 0.005}};
     sensors = {sonar, laser};
   }
 

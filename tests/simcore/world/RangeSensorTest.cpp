@@ -98,7 +98,7 @@ TEST_F(RangeSensorTest, sensorsAreDescribed) {
   EXPECT_EQ(laser.readings, 19);
   EXPECT_NEAR(laser.startAngle, -robotlink::kPi / 2, 1e-5);
   EXPECT_NEAR(laser.endAngle, robotlink::kPi / 2, 1e-5);
-  EXPECT_EQ(laser.noise, 0.005);
+  EXPECT_EQ(laser.errors.of(0).stddev, 0.005);
 }
 
 TEST_F(RangeSensorTest, otherRobotsAreSeenWhereTheyAreAndTheOwnNever) {

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a Simulation consists of; only for its sources.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simcore/Scene.h"
+#include "simcore/SceneContents.h"
+#include "simcore/noise/SampleClock.h"
+#include "simcore/physics/Actuation.h"
+#include "simcore/physics/Physics.h"
+#include "simcore/physics/Ports.h"
+#include "simcore/physics/PoseHistory.h"
+#include "simcore/physics/Sensing.h"
+#include "simcore/physics/Step.h"
+#include "simcore/ranging/ImageSensing.h"
+#include "simcore/ranging/RangeSensing.h"
+#include "simcore/rendering/CameraRenderer.h"
+#include "simcore/world/LeftOut.h"
+#include "simcore/world/Port.h"
+#include "simcore/world/SimulationOptions.h"
+
+namespace simcore {
+
+/// Counts touches; touches less than kMoment steps apart count as one.
+class TouchCount {
+ public:
+  void afterStep(bool touches) {
+    if (touches && stepsSince_ > kMoment) ++count_;
+    stepsSince_ = touches ? 0 : stepsSince_ + 1;
+    if (touches) ++steps_;
+  }
+  std::uint64_t count() const { return count_; }
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  static constexpr std::uint64_t kMoment = 25;
+  std::uint64_t stepsSince_ = kMoment + 1, count_ = 0, steps_ = 0;
+};
+
+/// The timing of a sensor that measures on demand.
+struct TimedSensor {
+  SensorErrors errors;
+  std::optional<SampleClock> clock;
+  std::uint64_t stream = 0;
+  /// Whether somebody chose the errors, instead of the scene.
+  bool chosen = false;
+
+  TimedSensor(const SensorErrors& of, const std::string& path) : stream(hashOfPath(path)) { set(of); }
+  void set(const SensorErrors& of) {
+    errors = of;
+    // The poses of the last second are remembered, so that it cannot measure less often.
+    if (of.rate > 0) errors.rate = std::max(of.rate, 1.0);
+    clock.reset();
+    if (of.hasTiming()) clock.emplace(errors, stream, kStepSeconds);
+  }
+};
+
+/// All ports, first those of devices, then the truth about each model.
+std::vector<Port> portsOf(const Ports& ports, const WorldDescription& world);
+
+/// Everything that a simulation consists of. One thread at a time.
+struct SimulationState {
+  std::shared_ptr<const Scene> scene;
+  SimulationOptions options;
+  const WorldDescription& world;
+  Ports ports;
+  std::unique_ptr<Physics> physics;
+  std::optional<Sensing> sensing;
+  std::optional<Actuation> actuation;
+  // Null if there is nothing to measure.
+  std::unique_ptr<RangeSensing> ranging;
+  std::unique_ptr<ImageSensing> imaging;
+  /// Renders what cameras truly see; made when it is needed first.
+  std::unique_ptr<CameraRenderer> truth;
+  // By range sensor, image sensor and camera.
+  std::vector<TimedSensor> rangeTiming, imageTiming, cameraTiming;
+  PoseHistory history;
+  // Perfect sensors, made when they are needed first; and what they measure.
+  std::vector<RangeSensor> trueRangeSensors;
+  std::unique_ptr<RangeSensing> trueRanging;
+  std::unique_ptr<ImageSensing> trueImaging;
+  // Of devices and truth; the index of each path.
+  std::vector<Port> allPorts;
+  std::map<std::string, std::size_t> portsByPath;
+  // By drive: whether nothing was touched since the last command.
+  std::vector<bool> driveUnobstructed;
+  std::uint64_t steps = 0;
+  // Keyed by body of the render scene.
+  std::vector<Pose3> poses;
+  // Indices of models.
+  std::vector<int> balls, robots;
+  std::uint64_t ballContacts = 0;
+  // Keyed by robot, in the last step.
+  std::vector<bool> touchedBall;
+  // Keyed by robot.
+  std::vector<TouchCount> obstacles;
+  // What overlapped at the start.
+  LeftOuts overlaps;
+  // Keyed by drive.
+  std::vector<WheelState> wheelStates;
+  bool readingsValid = false, posesValid = false, rangingValid = false, imagingValid = false;
+  // The steps whose poses ranging and imaging have.
+  std::uint64_t rangingStep = 0, imagingStep = 0;
+  // Errors of sensors, by their index, that somebody chose.
+  std::map<std::size_t, SensorErrors> chosenErrors;
+
+  SimulationState(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
+      : scene(std::move(ofScene)), options(with), world(scene->contents().world), ports(Ports::of(world)) {
+    for (std::size_t i = 0; i < world.models.size(); ++i) {
+      if (world.models[i].type->isBall) balls.push_back(static_cast<int>(i));
+      if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
+    }
+    if (!ports.ranges.empty()) {
+      ranging =
+          std::make_unique<RangeSensing>(scene->contents().renderScene, ports.ranges, ports.rangeOwners);
+    }
+    if (!ports.images.empty()) {
+      imaging =
+          std::make_unique<ImageSensing>(scene->contents().renderScene, ports.images, ports.imageOwners);
+    }
+    for (const RangeSensor& sensor : ports.ranges) rangeTiming.emplace_back(sensor.errors, sensor.info.path);
+    for (const ImageSensor& sensor : ports.images) imageTiming.emplace_back(sensor.errors, sensor.info.path);
+    for (const CameraSensor& camera : ports.cameras)
+      cameraTiming.emplace_back(camera.errors, camera.info.path);
+    for (const auto* sensors : {&rangeTiming, &imageTiming, &cameraTiming}) {
+      for (const TimedSensor& sensor : *sensors) remember(sensor.errors);
+    }
+    for (const CameraSensor& camera : ports.cameras) remember(camera.errors, camera.shutter);
+    allPorts = portsOf(ports, world);
+    for (std::size_t i = 0; i < allPorts.size(); ++i) portsByPath.emplace(allPorts[i].info.path, i);
+    start();
+  }
+
+  // What the oracle knows.
+  std::vector<double> truthOf(const Port& port) const;
+  std::vector<double> trueRanges(std::size_t sensor);
+  std::vector<double> trueImage(std::size_t sensor);
+
+  /// Has the history reach back as far as a sensor needs it.
+  void remember(const SensorErrors& errors, const ShutterModel& shutter = {}) {
+    if (!errors.hasTiming() && !shutter.any()) return;
+    // So many samples in a row may be lost before an older one than the newest remembered counts.
+    const double samples = 1 + 20 * errors.dropout;
+    const double period = std::max(kStepSeconds, errors.rate > 0 ? 1 / errors.rate : 0);
+    const double back = errors.delay + samples * period + shutter.exposure + shutter.readout;
+    history.reachBack(static_cast<std::size_t>(
+        std::min<double>(back / kStepSeconds + 2, static_cast<double>(PoseHistory::kMaxSteps))));
+  }
+
+  void start() {
+    physics = std::make_unique<Physics>(
+        world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic);
+    sensing.emplace(*physics, ports.sources, world);
+    actuation.emplace(*physics, ports);
+    steps = 0;
+    history.clear();
+    driveUnobstructed.assign(ports.drives.size(), true);
+    poses.assign(physics->bodyCount() + 1, Pose3::Identity());
+    ballContacts = 0;
+    touchedBall.assign(robots.size(), false);
+    obstacles.assign(robots.size(), {});
+    wheelStates.assign(ports.drives.size(), {});
+    // Errors that somebody chose outlive a reset.
+    for (const auto& [sensor, errors] : chosenErrors) sensing->setErrors(sensor, errors, noise());
+    sensing->afterStep(noise());
+    invalidate();
+    recordPoses();
+  }
+
+  Sensing::Noise noise() const { return {options.noise, options.seed, steps}; }
+
+  void invalidate() { readingsValid = posesValid = rangingValid = imagingValid = false; }
+
+  void recordPoses() {
+    if (!history.isWanted()) return;
+    if (!posesValid) updatePoses();
+    history.add(steps, poses);
+  }
+
+  /// The step whose state a sensor shows now.
+  std::uint64_t stepOf(const TimedSensor& sensor) const {
+    if (!sensor.clock || !(options.noise || sensor.chosen)) return steps;
+    return sensor.clock->readable(options.seed, steps, history.oldest(steps));
+  }
+  std::span<const Pose3> posesAt(std::uint64_t step) {
+    if (!posesValid) updatePoses();
+    if (step >= steps || !history.isWanted()) return poses;
+    const auto past = history.at(step);
+    return past.empty() ? std::span<const Pose3>(poses) : past;
+  }
+
+  void countBallContacts() {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const bool touches =
+          std::ranges::any_of(balls, [&](int ball) { return physics->touched(robots[i], ball); });
+      if (touches && !touchedBall[i]) ++ballContacts;
+      touchedBall[i] = touches;
+    }
+  }
+
+  void readWheels() {
+    for (std::size_t i = 0; i < wheelStates.size(); ++i) {
+      const Physics::SideState left = physics->sideState(2 * i), right = physics->sideState(2 * i + 1);
+      wheelStates[i] = {left.travel, right.travel, left.speed, right.speed, left.blocked, right.blocked};
+    }
+  }
+
+  void updateReadings() {
+    sensing->read(noise(), ports.sensors);
+    readingsValid = true;
+  }
+
+  void updatePoses() {
+    for (std::size_t i = 0; i < physics->bodyCount(); ++i) poses[i + 1] = physics->linkInWorld(i);
+    posesValid = true;
+  }
+
+  const TouchCount* obstaclesOf(const std::string& robot) const {
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+      if (world.models[static_cast<std::size_t>(robots[r])].name == robot) return &obstacles[r];
+    }
+    return nullptr;
+  }
+
+  void measure(std::size_t sensor, std::span<double> ranges) {
+    const std::uint64_t step = stepOf(rangeTiming[sensor]);
+    if (!rangingValid || rangingStep != step) ranging->setPoses(posesAt(step));
+    rangingValid = true;
+    rangingStep = step;
+    ranging->measure(sensor, {options.noise, options.seed, step}, ranges);
+  }
+
+  void measureImage(std::size_t sensor, std::span<float> values) {
+    const std::uint64_t step = stepOf(imageTiming[sensor]);
+    if (!imagingValid || imagingStep != step) imaging->setPoses(posesAt(step));
+    imagingValid = true;
+    imagingStep = step;
+    imaging->measure(sensor, {options.noise, options.seed, step}, values);
+  }
+
+  int modelIndex(const std::string& name) const {
+    const auto found = std::ranges::find(world.models, name, &ModelInstance::name);
+    return found == world.models.end() ? -1 : static_cast<int>(found - world.models.begin());
+  }
+};
+
+}  // namespace simcore

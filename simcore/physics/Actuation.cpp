@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/Actuation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/physics/Step.h"
+
+namespace simcore {
+namespace {
+
+// The fraction of the remaining angle that a servo tries to turn in one step; with 1 it would overshoot.
+constexpr double kServoGain = 0.4;
+// A command is reached within this share of the range of the actuator.
+constexpr double kReached = 0.01;
+// How many commands of a servo may wait: one in each step of the longest delay.
+constexpr std::size_t kMaxWaiting = 256;
+/// A guided model is pushed with at most this multiple of the force that its acceleration needs; the rest is
+/// for friction and slopes.
+constexpr double kPushReserve = 3;
+
+double towards(double from, double to, double most) {
+  return from + std::clamp(to - from, -most, most);
+}
+
+}  // namespace
+
+Actuation::Actuation(Physics& physics, const Ports& ports)
+    : physics_(physics), ports_(ports), guides_(ports.guides.size()) {
+  for (const ServoState& state : ports.servoStates) servos_.push_back({state, {}, 0, true});
+}
+
+void Actuation::command(std::size_t servo, double value, std::uint64_t step) {
+  if (std::isnan(value)) return;
+  const Servo& limits = ports_.servos[servo];
+  ServoMotor& motor = servos_[servo];
+  motor.unobstructed = true;
+  const double clamped = std::clamp(value, limits.minimum, limits.maximum);
+  const auto delay = static_cast<std::uint64_t>(std::ceil(limits.control.delay / kStepSeconds - 1e-6));
+  if (delay == 0) {
+    motor.state.target = clamped;
+    return;
+  }
+  if (!motor.waiting.empty() && motor.waiting.back().step == step + delay) motor.waiting.pop_back();
+  if (motor.waiting.size() < kMaxWaiting) motor.waiting.push_back({step + delay, clamped});
+}
+
+void Actuation::guide(std::size_t guide, std::span<const double> values) {
+  const bool fits = values.size() == static_cast<std::size_t>(ports_.guides[guide].info.shape[0]);
+  if (!fits || !std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) return;
+  std::ranges::copy(values, guides_[guide].wanted.begin());
+  guides_[guide].unobstructed = true;
+}
+
+void Actuation::beforeStep(std::uint64_t step) {
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    ServoMotor& motor = servos_[i];
+    while (!motor.waiting.empty() && motor.waiting.front().step <= step) {
+      motor.state.target = motor.waiting.front().value;
+      motor.waiting.pop_front();
+    }
+    drive(i);
+  }
+  for (std::size_t i = 0; i < guides_.size(); ++i) push(i);
+}
+
+void Actuation::drive(std::size_t index) {
+  const Servo& servo = ports_.servos[index];
+  ServoMotor& motor = servos_[index];
+  const ServoState& state = motor.state;
+  const double limit = servo.maximumTorque * state.torqueShare;
+  switch (servo.control.kind) {
+    case MotorControl::Kind::kPosition:
+      return servo.control.usesGains() ? driveByGains(servo, motor) : drivePosition(servo, motor);
+    case MotorControl::Kind::kVelocity:
+      return physics_.setMotor(state.hinge, state.target, limit);
+    case MotorControl::Kind::kTorque:
+      return exert(servo, state.hinge, std::clamp(state.target, -limit, limit));
+  }
+}
+
+void Actuation::exert(const Servo& servo, std::size_t hinge, double torque) const {
+  // A motor that is far from its speed exerts all of its torque.
+  physics_.setMotor(hinge, std::copysign(servo.maximumSpeed, torque), std::abs(torque));
+}
+
+void Actuation::drivePosition(const Servo& servo, ServoMotor& motor) const {
+  const ServoState& state = motor.state;
+  const double missing = state.target - physics_.angle(state.hinge);
+  const double speed =
+      std::clamp(kServoGain * missing / kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
+  physics_.setMotor(state.hinge, speed, servo.maximumTorque * state.torqueShare);
+}
+
+void Actuation::driveByGains(const Servo& servo, ServoMotor& motor) const {
+  const ServoState& state = motor.state;
+  const MotorControl& control = servo.control;
+  const double limit = servo.maximumTorque * state.torqueShare;
+  const double missing = state.target - physics_.angle(state.hinge);
+  const double rate = physics_.rate(state.hinge);
+  const double more = motor.integral + missing * kStepSeconds;
+  const double torque = control.p * missing + control.i * more - control.d * rate;
+  // The integral does not grow while the motor is at its limit (anti-windup).
+  if (std::abs(torque) < limit || torque * missing < 0) motor.integral = more;
+  exert(servo, state.hinge, std::clamp(torque, -limit, limit));
+}
+
+void Actuation::wantedMotion(const GuidedMotion& motion, const std::array<double, 6>& wanted,
+                             Vector3& velocity, Vector3& rate) {
+  velocity.setZero();
+  rate.setZero();
+  switch (motion.kind) {
+    case GuidedMotion::Kind::kFree:
+      velocity = {wanted[0], wanted[1], wanted[2]};
+      rate = {wanted[3], wanted[4], wanted[5]};
+      break;
+    case GuidedMotion::Kind::kOmni:
+    case GuidedMotion::Kind::kWalk:
+      velocity = {wanted[0], wanted[1], 0};
+      rate.z() = wanted[2];
+      break;
+    case GuidedMotion::Kind::kDifferential:
+    case GuidedMotion::Kind::kSkid: {
+      const double left = std::clamp(wanted[0], -motion.maximumSpeed, motion.maximumSpeed);
+      const double right = std::clamp(wanted[1], -motion.maximumSpeed, motion.maximumSpeed);
+      velocity.x() = (left + right) / 2;
+      rate.z() = (right - left) / motion.track;
+      if (motion.kind == GuidedMotion::Kind::kSkid) rate.z() *= motion.skid;
+      break;
+    }
+    case GuidedMotion::Kind::kAckermann: {
+      const double steering = std::clamp(wanted[1], -motion.maximumSteering, motion.maximumSteering);
+      velocity.x() = std::clamp(wanted[0], -motion.maximumSpeed, motion.maximumSpeed);
+      rate.z() = velocity.x() * std::tan(steering) / motion.wheelbase;
+      break;
+    }
+  }
+  if (velocity.norm() > motion.maximumSpeed) velocity *= motion.maximumSpeed / velocity.norm();
+  if (rate.norm() > motion.maximumRate) rate *= motion.maximumRate / rate.norm();
+}
+
+void Actuation::push(std::size_t index) {
+  const GuidedMotion& motion = ports_.guides[index].motion;
+  GuideMotor& motor = guides_[index];
+  const int model = ports_.guideModels[index];
+  Vector3 velocity, rate;
+  wantedMotion(motion, motor.wanted, velocity, rate);
+  for (int k = 0; k < 3; ++k) {
+    motor.velocity[k] = towards(motor.velocity[k], velocity[k], motion.acceleration * kStepSeconds);
+    motor.rate[k] = towards(motor.rate[k], rate[k], motion.angularAcceleration * kStepSeconds);
+  }
+  const Pose3 pose = physics_.modelInWorld(model);
+  Eigen::Matrix3d axes = pose.linear();
+  if (motion.kind != GuidedMotion::Kind::kFree) {
+    axes = Eigen::AngleAxisd(robotlink::groundPose(pose).heading, Vector3::UnitZ()).toRotationMatrix();
+  }
+  const Vector3 turning = axes * motor.rate;
+  // The velocity is that of the model's origin; the motor pushes its first body's center.
+  const Vector3 arm = physics_.firstCenter(model) - pose.translation();
+  const double mass = physics_.massOf(model);
+  const double force = kPushReserve * mass * (motion.acceleration + 9.81);
+  physics_.setGuide(model, axes * motor.velocity + turning.cross(arm), turning, force,
+                    kPushReserve * physics_.inertiaOf(model) * motion.angularAcceleration);
+}
+
+void Actuation::afterStep() {
+  for (std::size_t i = 0; i < servos_.size(); ++i) {
+    if (physics_.touchedObstacle(ports_.servoModels[i])) servos_[i].unobstructed = false;
+  }
+  for (std::size_t i = 0; i < guides_.size(); ++i) {
+    if (physics_.touchedObstacle(ports_.guideModels[i])) guides_[i].unobstructed = false;
+  }
+}
+
+ActuatorState Actuation::servoState(std::size_t index) const {
+  const Servo& servo = ports_.servos[index];
+  const ServoMotor& motor = servos_[index];
+  double present = 0;
+  if (servo.control.kind == MotorControl::Kind::kPosition) present = physics_.angle(motor.state.hinge);
+  if (servo.control.kind == MotorControl::Kind::kVelocity) present = physics_.rate(motor.state.hinge);
+  if (servo.control.kind == MotorControl::Kind::kTorque) present = physics_.torque(motor.state.hinge);
+  const double target = motor.waiting.empty() ? motor.state.target : motor.waiting.back().value;
+  return {std::abs(present - target) <= kReached * (servo.maximum - servo.minimum), motor.unobstructed};
+}
+
+ActuatorState Actuation::guideState(std::size_t index) const {
+  const GuidedMotion& motion = ports_.guides[index].motion;
+  Vector3 velocity, rate;
+  wantedMotion(motion, guides_[index].wanted, velocity, rate);
+  const int model = ports_.guideModels[index];
+  const Pose3 pose = physics_.modelInWorld(model);
+  const Vector3 present = pose.linear().transpose() * physics_.velocityOfModel(model);
+  return {(present - velocity).norm() <= kReached * 2 * motion.maximumSpeed, guides_[index].unobstructed};
+}
+
+}  // namespace simcore

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "simcore/physics/Physics.h"
+#include "simcore/physics/Ports.h"
+
+namespace simcore {
+
+/// Executes the commands of servos, motors and guided models, and knows what became of them. One thread at a
+/// time.
+class Actuation {
+ public:
+  /// All arguments must outlive it.
+  Actuation(Physics& physics, const Ports& ports);
+
+  /// The command of a servo from a step on, limited to its range; NaN is ignored.
+  void command(std::size_t servo, double value, std::uint64_t step);
+  void setTorqueShare(std::size_t servo, double share) { servos_[servo].state.torqueShare = share; }
+  /// The command of a guide: as many finite values as its port has, which are limited; others are ignored.
+  void guide(std::size_t guide, std::span<const double> values);
+
+  /// To be called before and after each step of the physics.
+  void beforeStep(std::uint64_t step);
+  void afterStep();
+
+  ActuatorState servoState(std::size_t servo) const;
+  ActuatorState guideState(std::size_t guide) const;
+
+ private:
+  struct Command {
+    std::uint64_t step = 0;
+    double value = 0;
+  };
+  struct ServoMotor {
+    ServoState state;
+    /// Commands that do not count yet, in the order of their steps.
+    std::deque<Command> waiting;
+    /// Of a servo with gains: the integral of its error.
+    double integral = 0;
+    bool unobstructed = true;
+  };
+  struct GuideMotor {
+    std::array<double, 6> wanted{};
+    /// Velocities that were reached so far, in the model's frame.
+    Vector3 velocity = Vector3::Zero(), rate = Vector3::Zero();
+    bool unobstructed = true;
+  };
+  void drive(std::size_t index);
+  void drivePosition(const Servo& servo, ServoMotor& motor) const;
+  void driveByGains(const Servo& servo, ServoMotor& motor) const;
+  /// Turns a hinge by a torque, up to the speed of the motor, N m.
+  void exert(const Servo& servo, std::size_t hinge, double torque) const;
+  void push(std::size_t index);
+  /// What a guide should do: velocity and turning rate in the model's frame.
+  static void wantedMotion(const GuidedMotion& motion, const std::array<double, 6>& wanted, Vector3& velocity,
+                           Vector3& rate);
+
+  Physics& physics_;
+  const Ports& ports_;
+  std::vector<ServoMotor> servos_;
+  std::vector<GuideMotor> guides_;
+};
+
+}  // namespace simcore

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/PoseHistory.h"
+
+#include <algorithm>
+
+namespace simcore {
+
+void PoseHistory::reachBack(std::size_t steps) {
+  steps_ = std::max(steps_, std::min(steps, kMaxSteps));
+}
+
+void PoseHistory::add(std::uint64_t step, std::span<const Pose3> poses) {
+  if (!isWanted()) return;
+  if (!records_.empty() && records_.back().step >= step) records_.pop_back();
+  Record record;
+  // The memory of the oldest one is used again.
+  if (records_.size() > steps_) {
+    record = std::move(records_.front());
+    records_.pop_front();
+  }
+  record.step = step;
+  record.poses.assign(poses.begin(), poses.end());
+  records_.push_back(std::move(record));
+}
+
+std::uint64_t PoseHistory::oldest(std::uint64_t step) const {
+  return records_.empty() ? step : records_.front().step;
+}
+
+std::span<const Pose3> PoseHistory::at(std::uint64_t step) const {
+  const auto found = std::ranges::lower_bound(records_, step, {}, &Record::step);
+  if (found == records_.end()) return {};
+  return found->poses;
+}
+
+Pose3 poseBetween(const Pose3& from, const Pose3& to, double share) {
+  const Eigen::Quaterniond rotation =
+      Eigen::Quaterniond(from.linear()).slerp(share, Eigen::Quaterniond(to.linear()));
+  return Eigen::Translation3d((1 - share) * from.translation() + share * to.translation()) * rotation;
+}
+
+}  // namespace simcore

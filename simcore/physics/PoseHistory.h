@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "simcore/world/RenderScene.h"
+
+namespace simcore {
+
+/// The poses of all bodies in the last steps, for sensors that measure what was. It holds nothing until it is
+/// told how far back it has to reach. One thread at a time.
+class PoseHistory {
+ public:
+  /// The longest that it reaches back, in steps; a delay of a second and the exposure of an image.
+  static constexpr std::size_t kMaxSteps = 300;
+
+  /// Reaches back at least so many steps from now on.
+  void reachBack(std::size_t steps);
+  bool isWanted() const { return steps_ > 0; }
+  /// Forgets everything.
+  void clear() { records_.clear(); }
+  /// Appends the poses after a step; steps come in order. Poses of the same step replace the former ones.
+  void add(std::uint64_t step, std::span<const Pose3> poses);
+  /// The oldest step that it has; `step` if it has none.
+  std::uint64_t oldest(std::uint64_t step) const;
+  /// The poses after a step, or after the next one that it has; empty if there is none.
+  std::span<const Pose3> at(std::uint64_t step) const;
+
+ private:
+  struct Record {
+    std::uint64_t step = 0;
+    std::vector<Pose3> poses;
+  };
+  std::deque<Record> records_;
+  std::size_t steps_ = 0;
+};
+
+/// The pose between two, `share` of the way from the first to the second.
+Pose3 poseBetween(const Pose3& from, const Pose3& to, double share);
+
+}  // namespace simcore

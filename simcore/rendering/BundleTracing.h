@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <span>
+#include <vector>
+
+#include "robotlink/base/Geometry.h"
+#include "simcore/rendering/RayBundle.h"
+
+namespace simcore::rendering {
+
+/// A tree of triangles at its place, for bundles of rays.
+struct BundleTarget {
+  RTCScene tree = nullptr;
+  /// In the bundle's frame: the center of its bounding sphere.
+  Eigen::Vector3f center;
+  float radius = 0;
+  /// The least distance at which a ray may meet it, and the angle under which its sphere is seen; all
+  /// directions meet it if it is around the origin.
+  float nearest = 0, cosSeen = 0, sinSeen = 1;
+  bool around = false;
+  /// From the bundle's frame to that of the tree.
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f origin;
+  /// The instance of each geometry of the tree.
+  const std::vector<std::int32_t>* instances = nullptr;
+
+  BundleTarget(RTCScene of, const Eigen::Vector3d& centerInBundle, double radiusOf,
+               const robotlink::Pose3& bundleInTree, const std::vector<std::int32_t>& instancesOf);
+};
+
+/// Sets hits[i] to the first hit of ray i before `maximum`. Targets are sorted by this. The packets are
+/// pruned by the cones around groups of rays, so that few of them meet each tree.
+void traceBundle(const RayBundle& bundle, std::vector<BundleTarget>& targets, float maximum,
+                 std::span<BundleHit> hits);
+
+}  // namespace simcore::rendering

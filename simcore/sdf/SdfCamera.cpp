@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// readCamera(), readFacettes() and depthOfColorCamera() of SdfDevices.h: sensors that yield images.
+#include <cmath>
+#include <sstream>
+
+#include "simcore/sdf/SdfDevices.h"
+
+namespace simcore {
+namespace {
+
+using ImageKind = ImageGeometry::Kind;
+
+// Facettes of a sensor in each direction.
+constexpr int kMaxFacettes = 4096;
+constexpr double kUsualRate = 25;  // Hz, of cameras
+
+void readLens(const sdf::Camera& camera, const sdf::ElementPtr& element, SensorDescription& result,
+              const SdfContext& context) {
+  const auto share = [&](const char* name) { return ownNumber(element, name, 0, 0, 1, context); };
+  result.vignetting = {share("vignetting"), share("vignetting_tint")};
+  const auto coefficient = [&](double value, const char* name) {
+    return context.within(value, -10, 10, name, element);
+  };
+  result.distortion = {coefficient(camera.DistortionK1(), "k1"), coefficient(camera.DistortionK2(), "k2"),
+                       coefficient(camera.DistortionK3(), "k3"), coefficient(camera.DistortionP1(), "p1"),
+                       coefficient(camera.DistortionP2(), "p2")};
+  const ignition::math::Vector2d center = camera.DistortionCenter();
+  if (result.distortion.any() && (center - ignition::math::Vector2d(0.5, 0.5)).Length() > 1e-6) {
+    context.omit(element, "<center> of <distortion>", "it is the image's center");
+  }
+  result.shutter = {ownNumber(element, "exposure", 0, 0, ShutterModel::kMaxTime, context),
+                    ownNumber(element, "readout", 0, 0, ShutterModel::kMaxTime, context)};
+}
+
+/// Makes an image sensor of a camera that was read.
+void becomeImage(ImageKind kind, const sdf::Camera& camera, SensorDescription& result) {
+  result.kind = SensorDescription::Kind::kImage;
+  result.image.kind = kind;
+  result.image.camera = {result.width, result.height, result.horizontalAngle, result.verticalAngle, {}, {}};
+  if (kind != ImageKind::kDepth) return;
+  result.image.nearest = camera.HasDepthNearClip() ? camera.DepthNearClip() : camera.NearClip();
+  result.image.farthest = camera.HasDepthFarClip() ? camera.DepthFarClip() : camera.FarClip();
+}
+
+}  // namespace
+
+void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Camera& camera = *sensor.CameraSensor();
+  const sdf::ElementPtr element = sensor.Element()->GetElement("camera");
+  result.kind = SensorDescription::Kind::kCamera;
+  result.width = static_cast<int>(context.within(camera.ImageWidth(), 2, 8192, "an image's width", element));
+  result.height =
+      static_cast<int>(context.within(camera.ImageHeight(), 2, 8192, "an image's height", element));
+  result.horizontalAngle =
+      context.within(camera.HorizontalFov().Radian(), 0.01, 3, "horizontal_fov", element);
+  // Without a rate, or with 0, cameras of other simulators are as fast as these are.
+  const double rate = sensor.UpdateRate() > 0 ? sensor.UpdateRate() : kUsualRate;
+  result.rate = context.within(rate, 0.1, 250, "a camera's update_rate", sensor.Element());
+  result.errors.noise = {readNoise(camera.ImageNoise(), 100, element, context)};
+  result.verticalAngle = 2 * std::atan(std::tan(result.horizontalAngle / 2) * result.height / result.width);
+  result.verticalAngle = ownNumber(element, "vertical_fov", result.verticalAngle, 0.01, 3, context);
+  readLens(camera, element, result, context);
+  result.image.classes = ownTexts(element, "class");
+  if (sensor.Type() == sdf::SensorType::DEPTH_CAMERA) becomeImage(ImageKind::kDepth, camera, result);
+  if (sensor.Type() == sdf::SensorType::SEGMENTATION_CAMERA) becomeImage(ImageKind::kLabels, camera, result);
+  if (sensor.Type() == sdf::SensorType::CAMERA && !result.image.classes.empty()) {
+    becomeImage(ImageKind::kRadiation, camera, result);
+  }
+  const bool takesClasses =
+      result.kind == SensorDescription::Kind::kImage && result.image.kind == ImageKind::kRadiation;
+  if (!takesClasses) result.image.classes.clear();
+  if (result.kind == SensorDescription::Kind::kImage && (result.distortion.any() || result.shutter.any())) {
+    context.fail(element, "scene.camera",
+                 "only cameras of color have a distortion, an exposure and a readout");
+  }
+}
+
+std::vector<SensorDescription> depthOfColorCamera(const sdf::Sensor& sensor, const SensorDescription& color) {
+  if (sensor.Type() != sdf::SensorType::RGBD_CAMERA) return {};
+  SensorDescription depth = color;
+  // The noise that SDFormat describes is that of colors.
+  depth.errors.noise.clear();
+  becomeImage(ImageKind::kDepth, *sensor.CameraSensor(), depth);
+  return {depth};
+}
+
+void readFacettes(const sdf::ElementPtr& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::ElementPtr element = sensor->GetElement("robotcontrol:facette");
+  ImageGeometry& image = result.image;
+  result.kind = SensorDescription::Kind::kImage;
+  image.kind = ImageKind::kFacette;
+  const auto range = [&](const char* name, double most, double& start, double& end) {
+    double count = 0;
+    std::istringstream(element->Get<std::string>(std::string("robotcontrol:") + name)) >> start >> end >>
+        count;
+    start = context.within(start, -most, most, name, element);
+    end = context.within(end, -most, most, name, element);
+    return static_cast<int>(
+        context.within(count, 1, kMaxFacettes, std::string("the number of facettes of ") + name, element));
+  };
+  for (const char* name : {"robotcontrol:azimuth", "robotcontrol:elevation"}) {
+    if (element->HasElement(name)) continue;
+    return context.fail(element, "scene.facette",
+                        "a facette camera needs <robotcontrol:azimuth> and <robotcontrol:elevation>: the "
+                        "first and the last angle, and the number of facettes");
+  }
+  image.camera.width = range("azimuth", robotlink::kPi, image.azimuthStart, image.azimuthEnd);
+  image.camera.height = range("elevation", robotlink::kPi / 2, image.elevationStart, image.elevationEnd);
+  image.farthest = ownNumber(element, "far", 1000, 1e-3, 10'000, context);
+  image.classes = ownTexts(element, "class");
+  if (image.classes.empty()) image.classes = {"Y", "Cb", "Cr"};
+}
+
+}  // namespace simcore

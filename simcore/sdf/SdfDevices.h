@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of SdfConversion.h that read sensors, motors and radiation. Internal to the sources that include
+// libsdformat.
+#pragma once
+
+#include "simcore/sdf/SdfConversion.h"
+
+namespace simcore {
+
+/// The number in one of our own elements, or `otherwise` if it is missing; `name` is without the namespace.
+double ownNumber(const sdf::ElementPtr& parent, const char* name, double otherwise, double minimum,
+                 double maximum, const SdfContext& context);
+/// The texts of all our own elements of a name.
+std::vector<std::string> ownTexts(const sdf::ElementPtr& parent, const char* name);
+/// The descendant of `element` along a path of names; null if there is none.
+sdf::ElementPtr descendant(sdf::ElementPtr element, std::initializer_list<const char*> path);
+
+/// Reads a <noise> of SDFormat; its standard deviation must be at most `most`.
+NoiseModel readNoise(const sdf::Noise& noise, double most, const sdf::ElementPtr& element,
+                     const SdfContext& context);
+/// Reads our own elements of noise and timing, which count for all channels, into `errors`.
+void readOwnErrors(const sdf::ElementPtr& element, SensorErrors& errors, const SdfContext& context);
+
+/// Reads a camera of any type.
+void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
+/// Reads <robotcontrol:facette>.
+void readFacettes(const sdf::ElementPtr& sensor, SensorDescription& result, const SdfContext& context);
+/// The image sensors that belong to a camera that was read: the depth of an rgbd_camera.
+std::vector<SensorDescription> depthOfColorCamera(const sdf::Sensor& sensor, const SensorDescription& color);
+
+/// Reads the sensors of the joints; joints must be in their final order.
+void readJointSensors(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
+/// Reads how a <robotcontrol:servo> is controlled, and the sensors of its joint.
+void readMotor(const sdf::ElementPtr& joint, JointDescription& result, const SdfContext& context);
+/// Reads <robotcontrol:guided> of a model, if it has one.
+void readGuided(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
+
+/// Reads what a visual reflects and emits, the emitters of a link, what a lamp emits, and the classes of a
+/// world.
+std::vector<SurfaceRadiation> readSurface(const sdf::ElementPtr& visual, const SdfContext& context);
+std::vector<Emitter> readEmitters(const sdf::ElementPtr& link, const SdfContext& context);
+std::vector<ClassIntensity> readIntensities(const sdf::ElementPtr& element, const SdfContext& context);
+std::vector<RadiationClass> readClasses(const sdf::ElementPtr& world, const SdfContext& context);
+
+}  // namespace simcore

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// readSensors() of SdfConversion.h and readJointSensors() of SdfDevices.h.
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/sdf/SdfDevices.h"
+
+namespace simcore {
+namespace {
+
+using Kind = SensorDescription::Kind;
+
+/// The noise of three axes; where only that of x is described, it counts for all.
+std::vector<NoiseModel> noiseOfAxes(const sdf::Noise& x, const sdf::Noise& y, const sdf::Noise& z,
+                                    const sdf::ElementPtr& axes, const SdfContext& context) {
+  constexpr double kMost = 1000;
+  const NoiseModel first = readNoise(x, kMost, axes, context);
+  if (!axes || (!axes->HasElement("y") && !axes->HasElement("z"))) return {first};
+  return {first, readNoise(y, kMost, axes, context), readNoise(z, kMost, axes, context)};
+}
+
+/// An accelerometer, or a gyroscope if only <angular_velocity> is described.
+void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Imu& imu = *sensor.ImuSensor();
+  const sdf::ElementPtr turning = descendant(sensor.Element(), {"imu", "angular_velocity"}),
+                        moving = descendant(sensor.Element(), {"imu", "linear_acceleration"});
+  const bool turns = turning != nullptr && moving == nullptr;
+  result.kind = turns ? Kind::kGyroscope : Kind::kAccelerometer;
+  const sdf::ElementPtr axes = turns ? turning : moving;
+  result.errors.noise = turns ? noiseOfAxes(imu.AngularVelocityXNoise(), imu.AngularVelocityYNoise(),
+                                            imu.AngularVelocityZNoise(), axes, context)
+                              : noiseOfAxes(imu.LinearAccelerationXNoise(), imu.LinearAccelerationYNoise(),
+                                            imu.LinearAccelerationZNoise(), axes, context);
+  result.maximum = ownNumber(sensor.Element(), "range", 1e6, 0.01, 1e6, context);
+  result.minimum = -result.maximum;
+}
+
+/// Returns whether the link has the solid.
+bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
+                 const SdfContext& context) {
+  result.kind = Kind::kContact;
+  const sdf::ElementPtr element = sensor.Element()->GetElement("contact");
+  const auto name = element->Get<std::string>("collision");
+  const auto found = std::ranges::find(link.collisions, name, &CollisionDescription::name);
+  if (found == link.collisions.end()) {
+    context.omit(element, "contact sensor '" + sensor.Name() + "'",
+                 "the link '" + link.name + "' has no solid '" + name + "'");
+    return false;
+  }
+  result.collision = static_cast<int>(found - link.collisions.begin());
+  return true;
+}
+
+void readMagnetometer(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Magnetometer& magnetometer = *sensor.MagnetometerSensor();
+  result.kind = Kind::kMagnetometer;
+  result.errors.noise = noiseOfAxes(magnetometer.XNoise(), magnetometer.YNoise(), magnetometer.ZNoise(),
+                                    descendant(sensor.Element(), {"magnetometer"}), context);
+}
+
+void readNavSat(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::NavSat& navSat = *sensor.NavSatSensor();
+  const auto noise = [&](const sdf::Noise& of) { return readNoise(of, 1000, sensor.Element(), context); };
+  const NoiseModel position = noise(navSat.HorizontalPositionNoise()),
+                   velocity = noise(navSat.HorizontalVelocityNoise());
+  result.kind = Kind::kNavSat;
+  result.errors.noise = {position, position, noise(navSat.VerticalPositionNoise()),
+                         velocity, velocity, noise(navSat.VerticalVelocityNoise())};
+}
+
+void readAltimeter(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Altimeter& altimeter = *sensor.AltimeterSensor();
+  result.kind = Kind::kAltimeter;
+  result.errors.noise = {readNoise(altimeter.VerticalPositionNoise(), 1000, sensor.Element(), context),
+                         readNoise(altimeter.VerticalVelocityNoise(), 1000, sensor.Element(), context)};
+}
+
+void readBattery(const sdf::ElementPtr& element, SensorDescription& result, const SdfContext& context) {
+  const auto number = [&](const char* name, double otherwise, double minimum, double maximum) {
+    return ownNumber(element, name, otherwise, minimum, maximum, context);
+  };
+  result.kind = Kind::kBattery;
+  BatteryDescription& battery = result.battery;
+  battery.capacity = number("capacity", battery.capacity, 1e-3, 1e12);
+  battery.charge = number("charge", battery.charge, 0, 1);
+  battery.fullVoltage = number("full_voltage", battery.fullVoltage, 0, 1e5);
+  battery.emptyVoltage = number("empty_voltage", battery.emptyVoltage, 0, battery.fullVoltage);
+  battery.idlePower = number("idle_power", battery.idlePower, 0, 1e6);
+  battery.efficiency = number("efficiency", battery.efficiency, 0.01, 1);
+}
+
+/// Reads one of our own sensors; returns false if it is none.
+bool readOwnSensor(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::ElementPtr element = sensor.Element();
+  if (element->HasElement("robotcontrol:facette")) {
+    readFacettes(element, result, context);
+  } else if (element->HasElement("robotcontrol:whisker")) {
+    result.kind = Kind::kWhisker;
+    result.maximum = context.within(element->Get<double>("robotcontrol:whisker"), 1e-3, 100,
+                                    "the length of a whisker", element);
+  } else if (element->HasElement("robotcontrol:battery")) {
+    readBattery(element->GetElement("robotcontrol:battery"), result, context);
+  } else if (element->HasElement("robotcontrol:odometry")) {
+    result.kind = Kind::kOdometry;
+  } else if (element->HasElement("robotcontrol:switch")) {
+    result.kind = Kind::kSwitch;
+  } else {
+    return false;
+  }
+  result.rate = context.within(sensor.UpdateRate(), 0, 250, "an update_rate", element);
+  return true;
+}
+
+/// Reads what only a sensor of its type has; returns false if there is no such sensor, which was noted.
+bool readByType(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
+                const SdfContext& context) {
+  if (sensor.CameraSensor() != nullptr) {
+    readCamera(sensor, result, context);
+  } else if (sensor.LidarSensor() != nullptr) {
+    readLidar(sensor, result, context);
+  } else if (sensor.Type() == sdf::SensorType::SONAR) {
+    readSonar(sensor, result, context);
+  } else if (sensor.ImuSensor() != nullptr) {
+    readImu(sensor, result, context);
+  } else if (sensor.Type() == sdf::SensorType::CONTACT) {
+    return readContact(sensor, link, result, context);
+  } else if (sensor.MagnetometerSensor() != nullptr) {
+    readMagnetometer(sensor, result, context);
+  } else if (sensor.NavSatSensor() != nullptr) {
+    readNavSat(sensor, result, context);
+  } else if (sensor.AltimeterSensor() != nullptr) {
+    readAltimeter(sensor, result, context);
+  } else if (sensor.Type() != sdf::SensorType::CUSTOM || !readOwnSensor(sensor, result, context)) {
+    context.omit(sensor.Element(), "sensor of type '" + sensor.TypeStr() + "'",
+                 "of sensors, camera, depth_camera, rgbd_camera, segmentation_camera, lidar, sonar, imu, "
+                 "contact, magnetometer, navsat, altimeter, in joints force_torque, and custom ones of the "
+                 "namespace urn:robotcontrol:sdf are known");
+    return false;
+  }
+  return true;
+}
+
+void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& model,
+                     const SdfContext& context) {
+  const sdf::ElementPtr element = sensor.Element();
+  const JointDescription& of = model.joints[static_cast<std::size_t>(joint)];
+  if (sensor.ForceTorqueSensor() == nullptr) {
+    return context.omit(element, "sensor of type '" + sensor.TypeStr() + "'",
+                        "of sensors of joints, only force_torque is known");
+  }
+  if (of.kind != JointDescription::Kind::kHinge || of.wheel) {
+    return context.omit(element, "force_torque sensor '" + sensor.Name() + "'",
+                        "only joints that turn about one axis, and are not wheels of a drive, have one");
+  }
+  const sdf::ForceTorque& meter = *sensor.ForceTorqueSensor();
+  if (meter.Frame() != sdf::ForceTorqueFrame::CHILD) {
+    context.omit(element, "<frame> of a force_torque sensor", "it measures in the frame of the child");
+  }
+  SensorDescription result;
+  result.kind = Kind::kForceTorque;
+  // Parts of models in models have names like "arm::hand".
+  const std::size_t nested = of.name.rfind("::");
+  result.name = (nested == std::string::npos ? "" : of.name.substr(0, nested + 2)) + sensor.Name();
+  result.joint = joint;
+  result.link = of.child;
+  result.towardsParent = meter.MeasureDirection() != sdf::ForceTorqueMeasureDirection::PARENT_TO_CHILD;
+  for (const sdf::Noise* noise : {&meter.ForceXNoise(), &meter.ForceYNoise(), &meter.ForceZNoise(),
+                                  &meter.TorqueXNoise(), &meter.TorqueYNoise(), &meter.TorqueZNoise()}) {
+    result.errors.noise.push_back(readNoise(*noise, 1e5, element, context));
+  }
+  readOwnErrors(element, result.errors, context);
+  model.sensors.push_back(result);
+}
+
+}  // namespace
+
+void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context) {
+  for (std::uint64_t i = 0; i < link.SensorCount(); ++i) {
+    const sdf::Sensor& sensor = *link.SensorByIndex(i);
+    SensorDescription result;
+    result.name = sensor.Name();
+    result.link = linkIndex;
+    result.poseInLink = resolvedPose(sensor.SemanticPose(), "", sensor.Element(), context);
+    if (!readByType(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context)) continue;
+    readOwnErrors(sensor.Element(), result.errors, context);
+    model.sensors.push_back(result);
+    for (SensorDescription& depth : depthOfColorCamera(sensor, result)) model.sensors.push_back(depth);
+  }
+}
+
+void readJointSensors(const sdf::Model& source, ModelDescription& model, const SdfContext& context) {
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const sdf::Joint* joint = source.JointByName(model.joints[i].name);
+    for (std::uint64_t s = 0; joint != nullptr && s < joint->SensorCount(); ++s)
+      readForceTorque(*joint->SensorByIndex(s), static_cast<int>(i), model, context);
+  }
+}
+
+}  // namespace simcore

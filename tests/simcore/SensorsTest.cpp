@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sensors of numbers, their errors, and ports, in whole simulations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/simcore/SensorScenes.h"
+
+namespace simcore {
+namespace {
+
+void run(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) simulation.step();
+}
+
+std::vector<double> reading(const Simulation& simulation, const std::string& path) {
+  auto values = simulation.read(path);
+  EXPECT_TRUE(values) << path;
+  return values ? *values : std::vector<double>(6);
+}
+
+std::vector<double> truth(const Simulation& simulation, const std::string& path) {
+  auto values = simulation.readTruth(path);
+  EXPECT_TRUE(values) << path;
+  return values ? *values : std::vector<double>(6);
+}
+
+std::string custom(const std::string& name, const std::string& contents) {
+  return "<sensor name='" + name + "' type='custom'>" + contents + "</sensor>";
+}
+
+constexpr const char* kGuided =
+    "<robotcontrol:guided kind='omni'><robotcontrol:acceleration>20</robotcontrol:acceleration>"
+    "</robotcontrol:guided>";
+
+/// An arm on the cart that turns about y, 0.2 kg at 0.3 m.
+std::string armWith(const std::string& inJoint,
+                    const std::string& limit = "<effort>5</effort><velocity>4</velocity>") {
+  return R"(<link name="arm"><pose>0 0 0.5 0 0 0</pose>
+      <inertial><pose>0.3 0 0 0 0 0</pose><mass>0.2</mass><inertia><ixx>0.001</ixx><iyy>0.001</iyy><izz>0.001</izz>
+      <ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia></inertial></link>
+    <joint name="shoulder" type="revolute"><parent>base</parent><child>arm</child>
+      <axis><xyz>0 -1 0</xyz><limit><lower>-1.5</lower><upper>1.5</upper>)" +
+         limit + "</limit></axis>" + inJoint + "</joint>";
+}
+
+TEST(SensorsTest, magnetometersTurnWithTheRobot) {
+  const auto simulation =
+      cartWith("<sensor name='compass' type='magnetometer'><pose>0 0 0 0 0 1.5707963</pose></sensor>", "",
+               "<magnetic_field>2e-5 0 -4e-5</magnetic_field>");
+  ASSERT_TRUE(simulation);
+  const auto field = reading(*simulation, "cart/compass");
+  EXPECT_NEAR(field[0], 0, 1e-10);
+  EXPECT_NEAR(field[1], -2e-5, 1e-10);
+  EXPECT_NEAR(field[2], -4e-5, 1e-10);
+}
+
+TEST(SensorsTest, navSatMeasuresInTheWorldWithTheNoiseOfItsAxes) {
+  const auto simulation = cartWith(R"(<sensor name="gps" type="navsat"><navsat><position_sensing>
+      <horizontal><noise type="gaussian"><mean>0</mean><stddev>0.5</stddev></noise></horizontal>
+      <vertical><noise type="gaussian"><mean>2</mean><stddev>0</stddev></noise></vertical>
+    </position_sensing></navsat></sensor>)");
+  ASSERT_TRUE(simulation);
+  run(*simulation, 50);
+  const auto measured = reading(*simulation, "cart/gps"), exact = truth(*simulation, "cart/gps");
+  EXPECT_NEAR(exact[2], 0.05, 0.002);
+  EXPECT_NE(measured[0], exact[0]);
+  EXPECT_NE(measured[0] - exact[0], measured[1] - exact[1]);
+  EXPECT_NEAR(measured[2], exact[2] + 2, 1e-12);
+  EXPECT_EQ(measured[3], exact[3]);
+}
+
+TEST(SensorsTest, odometryOfAGuidedModelAddsUpItsSteps) {
+  const auto simulation = cartWith(
+      custom("odometry", "<robotcontrol:odometry/>") + "<sensor name='height' type='altimeter'/>", kGuided);
+  ASSERT_TRUE(simulation);
+  ASSERT_TRUE(simulation->placeModel("cart", {1, 2, 1.5707963}));
+  const std::vector<double> forwards{0.5, 0, 0};
+  ASSERT_TRUE(simulation->write("cart/motion", forwards));
+  run(*simulation, 250);
+  const auto odometry = reading(*simulation, "cart/odometry");
+  const Eigen::Vector3d pose = simulation->modelPose("cart")->translation();
+  EXPECT_NEAR(pose.y() - 2, 0.49, 0.02);
+  EXPECT_NEAR(odometry[0], pose.y() - 2, 0.005) << "it went forwards, wherever it was put";
+  EXPECT_NEAR(odometry[1], 0, 0.01);
+  EXPECT_NEAR(reading(*simulation, "cart/height")[0], 0, 0.002);
+}
+
+TEST(SensorsTest, aWhiskerAndASwitchTouch) {
+  const auto simulation = cartWith(
+      custom("whisker", "<pose>0.2 0 0 0 0 0</pose><robotcontrol:whisker>0.15</robotcontrol:whisker>") +
+          custom("foot", "<robotcontrol:switch/>"),
+      kGuided, solidAt("wall", "1 0 0.25 0 0 0", "0.2 2 0.5"));
+  ASSERT_TRUE(simulation);
+  run(*simulation, 25);
+  EXPECT_EQ(reading(*simulation, "cart/whisker")[0], 0);
+  EXPECT_EQ(reading(*simulation, "cart/foot")[0], 1) << "it stands on the ground";
+  ASSERT_TRUE(simulation->placeModel("cart", {0.6, 0, 0}));
+  EXPECT_EQ(reading(*simulation, "cart/whisker")[0], 1);
+}
+
+TEST(SensorsTest, aJointFeelsItsSpeedAndTheWeightThatItHolds) {
+  const auto simulation = cartWith("", armWith(R"(<robotcontrol:servo/>
+      <robotcontrol:speed_sensor/>
+      <robotcontrol:load_sensor><robotcontrol:precision>0.01</robotcontrol:precision></robotcontrol:load_sensor>
+      <sensor name="wrist" type="force_torque"/>)"));
+  ASSERT_TRUE(simulation);
+  run(*simulation, 250);
+  const double weight = 0.2 * 9.81;
+  EXPECT_NEAR(std::abs(truth(*simulation, "cart/shoulder/load")[0]), 0.3 * weight, 0.02);
+  const double load = reading(*simulation, "cart/shoulder/load")[0] * 100;
+  EXPECT_NEAR(load, std::round(load), 1e-9);
+  EXPECT_NEAR(reading(*simulation, "cart/wrist")[2], -weight, 0.05) << "the arm pulls the cart down";
+  simulation->requestAngle(0, 1);
+  run(*simulation, 20);
+  EXPECT_NEAR(reading(*simulation, "cart/shoulder/speed")[0], 4, 0.5);
+}
+
+TEST(SensorsTest, aBatteryIsDrainedByTimeAndByWork) {
+  const std::string battery = custom(
+      "battery",
+      "<robotcontrol:battery><robotcontrol:capacity>100"
+      "</robotcontrol:capacity><robotcontrol:idle_power>10</robotcontrol:idle_power></robotcontrol:battery>");
+  const auto resting = cartWith(battery, armWith("<robotcontrol:servo/>"));
+  const auto working = cartWith(battery, armWith("<robotcontrol:servo/>"));
+  ASSERT_TRUE(resting && working);
+  EXPECT_EQ(reading(*resting, "cart/battery")[1], 1);
+  for (int i = 0; i < 250; ++i) {
+    if (i % 50 == 0) working->requestAngle(0, i % 100 == 0 ? 1.4 : -1.4);
+    resting->step();
+    working->step();
+  }
+  EXPECT_NEAR(reading(*resting, "cart/battery")[1], 0.9, 0.005);
+  EXPECT_LT(reading(*working, "cart/battery")[1], 0.89);
+  EXPECT_NEAR(reading(*resting, "cart/battery")[0], 11.8, 0.02);
+  run(*resting, 2500);
+  EXPECT_EQ(reading(*resting, "cart/battery")[1], 0) << "it is empty, not less";
+}
+
+TEST(SensorsTest, delayRateAndNoiseOfTheSceneAreThoseOfTheReadings) {
+  const auto simulation = cartWith(custom("odometry", R"(<robotcontrol:odometry/>
+      <robotcontrol:delay>0.04</robotcontrol:delay><robotcontrol:rate>25</robotcontrol:rate>)"),
+                                   kGuided);
+  ASSERT_TRUE(simulation);
+  ASSERT_TRUE(simulation->write("cart/motion", std::vector<double>{0.5, 0, 0}));
+  std::vector<double> exact{truth(*simulation, "cart/odometry")[0]};
+  for (int step = 1; step <= 100; ++step) {
+    simulation->step();
+    exact.push_back(truth(*simulation, "cart/odometry")[0]);
+    const int shown = std::max(0, (step - 10) / 10 * 10);
+    ASSERT_EQ(reading(*simulation, "cart/odometry")[0], exact[static_cast<std::size_t>(shown)]) << step;
+  }
+}
+
+TEST(SensorsTest, aReadingDoesNotDependOnWhatElseIsReadOrHowOften) {
+  const std::string sensors =
+      custom("odometry",
+             "<robotcontrol:odometry/><robotcontrol:noise>0.1</robotcontrol:noise>"
+             "<robotcontrol:drift_stddev>1</robotcontrol:drift_stddev><robotcontrol:drift_time>2</"
+             "robotcontrol:drift_time>"
+             "<robotcontrol:dropout>0.2</robotcontrol:dropout>");
+  const auto often = cartWith(sensors, kGuided);
+  const auto seldom = cartWith("<sensor name='compass' type='magnetometer'/>" + sensors, kGuided);
+  ASSERT_TRUE(often && seldom);
+  for (int step = 0; step < 200; ++step) {
+    often->step();
+    seldom->step();
+    reading(*often, "cart/odometry");
+    truth(*often, "cart/odometry");
+  }
+  EXPECT_EQ(reading(*often, "cart/odometry"), reading(*seldom, "cart/odometry"));
+}
+
+TEST(SensorsTest, noiseCanBeChosenWhileTheSimulationRuns) {
+  const auto simulation = cartWith("<sensor name='height' type='altimeter'/>", "", "", {.noise = false});
+  ASSERT_TRUE(simulation);
+  run(*simulation, 10);
+  EXPECT_EQ(reading(*simulation, "cart/height"), truth(*simulation, "cart/height"));
+  ASSERT_TRUE(simulation->setSensorErrors("cart/height", {.noise = {{.mean = 3}}}));
+  EXPECT_NEAR(reading(*simulation, "cart/height")[0], truth(*simulation, "cart/height")[0] + 3, 1e-12);
+  EXPECT_EQ(simulation->sensorErrors("cart/height")->of(1).mean, 3);
+  simulation->reset(2);
+  EXPECT_NEAR(reading(*simulation, "cart/height")[0], 3, 1e-12) << "a reset keeps it";
+  const auto unknown = simulation->setSensorErrors("cart/depth", {});
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().id, "simulation.unknown-port");
+  const auto wrong = simulation->setSensorErrors("cart/height", {{}, -1, 0, 0});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().id, "simulation.noise");
+}
+
+TEST(SensorsTest, everythingIsAPortThatIsFoundByItsPath) {
+  const auto simulation = cartWith("<sensor name='height' type='altimeter'/>",
+                                   armWith("<robotcontrol:servo/>") + std::string(kGuided));
+  ASSERT_TRUE(simulation);
+  for (const Port& port : simulation->ports()) {
+    ASSERT_EQ(simulation->port(port.info.path), &port);
+    const auto values = simulation->read(port.info.path);
+    ASSERT_TRUE(values) << port.info.path;
+    std::size_t size = 1;
+    for (const int dimension : port.info.shape) size *= static_cast<std::size_t>(dimension);
+    EXPECT_EQ(values->size(), port.isActuator() ? 2 : size) << port.info.path;
+  }
+  EXPECT_EQ(simulation->port("cart/shoulder/request")->info.unit, "rad");
+  EXPECT_EQ(simulation->port("cart/shoulder/request")->info.maximum, 1.5);
+  EXPECT_EQ(simulation->port("cart/motion")->info.shape, std::vector{3});
+  EXPECT_NEAR(truth(*simulation, "cart/true_pose")[2], 0.05, 1e-6);
+  EXPECT_FALSE(simulation->read("cart/nothing"));
+  EXPECT_FALSE(simulation->write("cart/height", std::vector<double>{1}));
+  EXPECT_FALSE(simulation->write("cart/motion", std::vector<double>{1}));
+}
+
+TEST(SensorsTest, wrongDescriptionsAreErrorsWithTheirLines) {
+  const SceneFolder folder;
+  const auto errorsOf = [&](const std::string& sensor) {
+    return folder.errorsOf(worldAround("<model name='m'><link name='l'>\n" + sensor + "</link></model>"));
+  };
+  EXPECT_NE(errorsOf("<sensor name='s' type='custom'/>").find("world.sdf:4"), std::string::npos);
+  EXPECT_NE(errorsOf("<sensor name='s' type='custom'><robotcontrol:odometry/><robotcontrol:dropout>2"
+                     "</robotcontrol:dropout></sensor>")
+                .find("dropout must be between 0 and 1"),
+            std::string::npos);
+  EXPECT_NE(errorsOf("<sensor name='s' type='custom'><robotcontrol:facette/></sensor>").find("azimuth"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace simcore
