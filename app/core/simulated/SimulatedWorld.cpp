@@ -94,6 +94,7 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
   renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
                                                         simcore::CameraRenderer::Options{options.shadows});
   cameraSettings_.resize(simulation_->cameras().size());
+  optics_.resize(simulation_->cameras().size());
 }
 
 robotlink::Result<void> SimulatedWorld::makePioneers() {
@@ -164,30 +165,47 @@ const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   const CostMeter meter(costs_.rendering);
   ++costs_.images;
   const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
-  const auto poses = simulation_->bodyPoses();
-  if (posesRendered_ != simulation_->steps()) {
-    renderer_->setPoses(poses);
-    posesRendered_ = simulation_->steps();
-  }
   simcore::ImageNoise noise;
   noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
   noise.sigma *= cameraSettings_[camera].gain;
   noise.seed = options_.seed;
   noise.stream = camera;
-  noise.frame = simulation_->steps();
+  noise.frame = simulation_->cameraStep(camera);
   simcore::CameraModel model = sensor.model;
   model.vignetting = options_.vignetting.value_or(model.vignetting);
   renderer_->setLighting(lightingOf(camera));
-  renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
-                    robotlink::PixelFormat::kYuyv, noise, image_);
+  take(camera, model, noise);
   if (options_.blackout) blacken(image_);
   mixIntoDigest(hashOf(image_.data));
   return image_;
 }
 
+void SimulatedWorld::take(std::size_t camera, const simcore::CameraModel& model,
+                          const simcore::ImageNoise& noise) {
+  const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
+  lastCamera_ = camera;
+  const simcore::SensorErrors* errors = simulation_->sensorErrors(sensor.info.path);
+  if (!model.distortion.any() && !sensor.shutter.any() && !errors->hasTiming()) {
+    const auto poses = simulation_->bodyPoses();
+    // All such cameras share the poses of a step.
+    if (posesRendered_ != simulation_->steps()) renderer_->setPoses(poses);
+    posesRendered_ = simulation_->steps();
+    renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
+                      robotlink::PixelFormat::kYuyv, noise, image_);
+    return;
+  }
+  const auto posesAt = [&](double age, std::vector<simcore::Pose3>& poses) {
+    simulation_->cameraPoses(camera, age, poses);
+  };
+  posesRendered_ = ~std::uint64_t{0};
+  optics_[camera].render(*renderer_, posesAt, {sensor.body, sensor.cameraInBody}, model, sensor.shutter,
+                         robotlink::PixelFormat::kYuyv, noise, image_);
+}
+
 const robotlink::Image& SimulatedWorld::trueClasses() {
   const CostMeter meter(costs_.rendering);
   renderer_->label(trueClasses_.ofInstances(), TrueClasses::kBackground, classes_);
+  optics_[lastCamera_].distortLabels(TrueClasses::kBackground, image_.width, classes_);
   TrueClasses::ignoreMixedPairs(classes_);
   return classes_;
 }

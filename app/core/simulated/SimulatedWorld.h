@@ -14,6 +14,7 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
 #include "simcore/Simulation.h"
+#include "simcore/rendering/CameraOptics.h"
 #include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/LightAdjustment.h"
 
@@ -108,6 +109,8 @@ class SimulatedWorld {
   SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
   /// The light as a camera sees it by its settings.
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
+  /// Takes the image of a camera into image_.
+  void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
   /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
   void mixIntoDigest(std::uint64_t value);
@@ -119,6 +122,10 @@ class SimulatedWorld {
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;
+  /// By camera.
+  std::vector<simcore::CameraOptics> optics_;
+  /// Whose image was rendered last.
+  std::size_t lastCamera_ = 0;
   TrueClasses trueClasses_;
   /// The memory of render() and trueClasses().
   robotlink::Image image_, classes_;
