@@ -22,6 +22,8 @@ constexpr DerivedClass kDerived[] = {{"Y", 0.299F, 0.587F, 0.114F, 0},
 
 // A shadow ray ends that much of its length before the surface, as those of CameraRenderer do.
 constexpr float kShadowEnd = 0.9998F;
+// Those of directional lamps are longer.
+constexpr float kFarShadowEnd = 0.99999F;
 
 Eigen::Vector3f vectorOf(Rgb color) {
   return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
@@ -42,11 +44,12 @@ void RadiationLight::setPoses(std::span<const Pose3> bodyInWorld) {
   shadows_ = tree_.scene();
   sources_.clear();
   for (const Lamp& lamp : scene_->lamps)
-    sources_.push_back({lamp.position, lamp.attenuation, lamp.intensity, nullptr});
+    sources_.push_back({placeOf(lamp), lamp.attenuation, lamp.intensity, nullptr, &lamp});
   for (const PlacedEmitter& emitter : scene_->radiation.emitters) {
     const Eigen::Vector3d position = poses_[static_cast<std::size_t>(emitter.body)] * emitter.positionInBody;
+    const Lamp* lamp = emitter.lamp < 0 ? nullptr : &scene_->lamps[static_cast<std::size_t>(emitter.lamp)];
     sources_.push_back(
-        {position.cast<float>(), static_cast<float>(emitter.attenuation), 0, &emitter.intensities});
+        {position.cast<float>(), static_cast<float>(emitter.attenuation), 0, &emitter.intensities, lamp});
   }
   arriving_.resize(sources_.size());
 }
@@ -81,16 +84,18 @@ RadiationLight::Point RadiationLight::pointOf(const BundleHit& hit, const Eigen:
           outward.cast<float>()};
 }
 
-bool RadiationLight::isVisible(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const {
+bool RadiationLight::isVisible(const Source& source, const Eigen::Vector3f& point) const {
+  const Eigen::Vector3f& from = source.position;
   RTCRay ray{};
-  const Eigen::Vector3f way = to - from;
+  const Eigen::Vector3f way = point - from;
   ray.org_x = from.x();
   ray.org_y = from.y();
   ray.org_z = from.z();
   ray.dir_x = way.x();
   ray.dir_y = way.y();
   ray.dir_z = way.z();
-  ray.tfar = kShadowEnd;
+  const bool isFar = source.lamp != nullptr && source.lamp->kind == Lamp::Kind::kDirectional;
+  ray.tfar = isFar ? kFarShadowEnd : kShadowEnd;
   ray.mask = ~0U;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -106,8 +111,9 @@ void RadiationLight::light(const Point& point) {
     const Eigen::Vector3f toSource = source.position - point.position;
     const float squared = toSource.squaredNorm();
     const float cosine = toSource.dot(point.normal) / std::sqrt(std::max(squared, 1e-12F));
-    if (cosine <= 0 || !isVisible(source.position, point.position)) continue;
-    arriving_[i] = cosine / (1 + squared * source.attenuation);
+    const float share = source.lamp == nullptr ? 1 : shareTowards(*source.lamp, -toSource);
+    if (cosine <= 0 || share <= 0 || !isVisible(source, point.position)) continue;
+    arriving_[i] = share * cosine / (1 + squared * source.attenuation);
     brightness_ += arriving_[i] * source.intensity;
   }
   brightness_ = std::min(brightness_, 1.F);

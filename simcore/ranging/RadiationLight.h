@@ -47,12 +47,14 @@ class RadiationLight {
     Eigen::Vector3f position;
     float attenuation = 0, intensity = 0;
     const std::vector<float>* intensities = nullptr;
+    /// Null if it emits in all directions.
+    const Lamp* lamp = nullptr;
   };
   Sensed sensedClass(const std::string& name) const;
   Point pointOf(const BundleHit& hit, const Eigen::Vector3d& direction, const Pose3& frame) const;
   /// What arrives of each source, as a factor of its intensity.
   void light(const Point& point);
-  bool isVisible(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
+  bool isVisible(const Source& source, const Eigen::Vector3f& point) const;
   float valueOf(const Sensed& sensed, const RenderInstance* instance, std::size_t index) const;
 
   std::shared_ptr<const RenderScene> scene_;

@@ -11,18 +11,12 @@ constexpr int kWidth = 8;
 constexpr float kEnd = 1 - 2e-4F;
 /// Of directional lamps: their rays are longer.
 constexpr float kFarEnd = 1 - 1e-5F;
-constexpr float kSunDistance = 1000;  // m
 
 float endOf(const Lamp& lamp) {
   return lamp.kind == Lamp::Kind::kDirectional ? kFarEnd : kEnd;
 }
 
 }  // namespace
-
-Eigen::Vector3f placeOf(const Lamp& lamp) {
-  return lamp.kind == Lamp::Kind::kDirectional ? Eigen::Vector3f(lamp.direction * -kSunDistance)
-                                               : lamp.position;
-}
 
 /// Collects rays from a lamp and traces them whenever there are eight.
 class ShadowCaster::Packet {

@@ -12,10 +12,6 @@
 
 namespace simcore::rendering {
 
-/// Where a lamp's light comes from: a directional one is far away against its direction, so that its rays are
-/// nearly parallel, and near enough for floats.
-Eigen::Vector3f placeOf(const Lamp& lamp);
-
 /// Decides which pixels a lamp's light reaches: it has the tree for shadow rays and, for each lamp, the grid
 /// that makes most of them unnecessary. One thread at a time; the scene and its drawable meshes must outlive
 /// it.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
-#include "simcore/sdf/MeshFiles.h"
+#include "simcore/meshes/MeshFiles.h"
 #include "simcore/sdf/ModelSearch.h"
 #include "simcore/world/LeftOut.h"
 #include "simcore/world/Palette.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "robotlink/base/Error.h"
-#include "simcore/sdf/MeshFiles.h"
+#include "simcore/meshes/MeshFiles.h"
 #include "simcore/world/LeftOut.h"
 #include "simcore/world/Palette.h"
 #include "simcore/world/WorldDescription.h"

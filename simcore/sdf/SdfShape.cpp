@@ -2,7 +2,7 @@
 // readVisibleShapes() and readSolidShapes() of SdfConversion.h: what a <geometry> describes.
 #include <algorithm>
 
-#include "simcore/sdf/PolylineMesh.h"
+#include "simcore/meshes/PolylineMesh.h"
 #include "simcore/sdf/SdfConversion.h"
 
 namespace simcore {

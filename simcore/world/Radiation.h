@@ -47,6 +47,8 @@ struct PlacedEmitter {
   double attenuation = 0;
   /// By class.
   std::vector<float> intensities;
+  /// Index in RenderScene::lamps, whose cone and direction it has; -1 if it emits in all directions.
+  int lamp = -1;
 };
 
 /// The radiation classes of a scene that is drawn, with the built-in ones that are declared there.

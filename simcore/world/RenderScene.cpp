@@ -133,4 +133,18 @@ Mesh capsuleMesh(float radius, float length, int sides) {
   return lathe.take();
 }
 
+Eigen::Vector3f placeOf(const Lamp& lamp) {
+  constexpr float kSunDistance = 1000;  // m
+  return lamp.kind == Lamp::Kind::kDirectional ? Eigen::Vector3f(lamp.direction * -kSunDistance)
+                                               : lamp.position;
+}
+
+float shareTowards(const Lamp& lamp, const Eigen::Vector3f& direction) {
+  if (lamp.kind != Lamp::Kind::kSpot) return 1;
+  constexpr float kSharpest = 1e-4F, kTiny = 1e-12F;
+  const float cosine = direction.dot(lamp.direction) / std::max(direction.norm(), kTiny);
+  const float outer = std::cos(lamp.outerAngle / 2);
+  return std::clamp((cosine - outer) / std::max(kSharpest, std::cos(lamp.innerAngle / 2) - outer), 0.F, 1.F);
+}
+
 }  // namespace simcore

@@ -57,6 +57,13 @@ struct Lamp {
   float innerAngle = 0, outerAngle = 0;
 };
 
+/// Where a lamp's light comes from: a directional one is far away against its direction, so that its rays are
+/// nearly parallel, and near enough for floats.
+Eigen::Vector3f placeOf(const Lamp& lamp);
+/// The share of a lamp's light, 0 to 1, that goes in a direction of any length: all of it unless it is a
+/// spot.
+float shareTowards(const Lamp& lamp, const Eigen::Vector3f& direction);
+
 /// Everything that a camera or a viewer needs to draw a world, except for the poses of the bodies. Built once
 /// per scene, then immutable and shared between threads.
 ///

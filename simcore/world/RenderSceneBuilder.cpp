@@ -93,8 +93,8 @@ class SceneBuilder {
     for (std::size_t i = 0; i < world.lamps.size() && i < world.lampRadiation.size(); ++i) {
       const Lamp& lamp = world.lamps[i];
       if (world.lampRadiation[i].empty()) continue;
-      radiation.emitters.push_back(
-          {0, lamp.position.cast<double>(), lamp.attenuation, byClass(world.lampRadiation[i])});
+      radiation.emitters.push_back({0, placeOf(lamp).cast<double>(), lamp.attenuation,
+                                    byClass(world.lampRadiation[i]), static_cast<int>(i)});
     }
   }
 

@@ -10,8 +10,8 @@
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
+#include "simcore/devices/Ports.h"
 #include "simcore/physics/OdeWorldBuilder.h"
-#include "simcore/physics/Ports.h"
 #include "tests/simcore/SceneFixture.h"
 
 // A step of the field with one robot through simcore, against the same world stepped by bare ODE calls in

@@ -11,14 +11,14 @@ namespace {
 using robotlink::Image;
 using robotlink::PixelFormat;
 
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kColumns = 64, kRows = 48;
 
 CameraModel cameraModel(const LensDistortion& lens = {}) {
   CameraModel camera;
-  camera.width = kWidth;
-  camera.height = kHeight;
+  camera.width = kColumns;
+  camera.height = kRows;
   camera.horizontalAngle = 1.2;
-  camera.verticalAngle = 2 * std::atan(std::tan(0.6) * kHeight / kWidth);
+  camera.verticalAngle = 2 * std::atan(std::tan(0.6) * kRows / kColumns);
   camera.distortion = lens;
   return camera;
 }
@@ -61,7 +61,7 @@ std::pair<double, double> middleOf(const Image& image, int y) {
 }
 
 double focalLength() {
-  return kWidth / 2.0 / std::tan(0.6);
+  return kColumns / 2.0 / std::tan(0.6);
 }
 
 TEST(CameraOpticsTest, undistortingIsTheReverseOfDistorting) {
@@ -97,15 +97,15 @@ TEST(CameraOpticsTest, aBarrelBendsLinesAsItsFormulaSays) {
   };
   Image image;
   optics.render(renderer, posesAt, {}, cameraModel(lens), {}, PixelFormat::kRgb8, {}, image);
-  for (const int y : {4, kHeight / 2, kHeight - 5}) {
+  for (const int y : {4, kRows / 2, kRows - 5}) {
     // The point of the bar's near face that appears in the middle of the row, found by trying.
-    const double wanted = (y + 0.5 - kHeight / 2.0) / focalLength();
+    const double wanted = (y + 0.5 - kRows / 2.0) / focalLength();
     Eigen::Vector2d best(0, 10);
     for (double v = -1; v <= 1; v += 1e-4) {
       const Eigen::Vector2d seen = CameraOptics::distorted(lens, {0.9 / 1.995, v});
       if (std::abs(seen.y() - wanted) < std::abs(best.y() - wanted)) best = seen;
     }
-    EXPECT_NEAR(middleOf(image, y).first, best.x() * focalLength() + kWidth / 2.0, 0.7) << y;
+    EXPECT_NEAR(middleOf(image, y).first, best.x() * focalLength() + kColumns / 2.0, 0.7) << y;
   }
 }
 
@@ -113,13 +113,13 @@ TEST(CameraOpticsTest, whatMovesDuringTheExposureIsBlurred) {
   const double speed = 16, exposure = 0.05;
   const Image sharp = imageOf(cameraModel(), {}, speed),
               blurred = imageOf(cameraModel(), {exposure, 0}, speed);
-  const auto [sharpMiddle, sharpSum] = middleOf(sharp, kHeight / 2);
-  const auto [middle, sum] = middleOf(blurred, kHeight / 2);
+  const auto [sharpMiddle, sharpSum] = middleOf(sharp, kRows / 2);
+  const auto [middle, sum] = middleOf(blurred, kRows / 2);
   // It was to the left on average, at half of the exposure; its light is spread, not lost.
   EXPECT_NEAR(sharpMiddle - middle, speed * exposure / 2 / 1.995 * focalLength(), 0.6);
   EXPECT_NEAR(sum, sharpSum, 0.1 * sharpSum);
   int brightest = 0;
-  for (int x = 0; x < kWidth; ++x) brightest = std::max(brightest, red(blurred, x, kHeight / 2));
+  for (int x = 0; x < kColumns; ++x) brightest = std::max(brightest, red(blurred, x, kRows / 2));
   EXPECT_LT(brightest, 120);
   EXPECT_EQ(imageOf(cameraModel(), {exposure, 0}, 0).data, sharp.data) << "what stands stays sharp";
 }
@@ -127,10 +127,10 @@ TEST(CameraOpticsTest, whatMovesDuringTheExposureIsBlurred) {
 TEST(CameraOpticsTest, aRollingShutterShowsUpperRowsEarlier) {
   const double speed = 8, readout = 0.04;
   const Image image = imageOf(cameraModel(), {0, readout}, speed);
-  const double top = middleOf(image, 2).first, bottom = middleOf(image, kHeight - 3).first;
-  const double rows = (kHeight - 5.0) / (kHeight - 1);
+  const double top = middleOf(image, 2).first, bottom = middleOf(image, kRows - 3).first;
+  const double rows = (kRows - 5.0) / (kRows - 1);
   EXPECT_NEAR(bottom - top, speed * readout * rows / 1.995 * focalLength(), 1.2);
-  EXPECT_NEAR(bottom, middleOf(imageOf(cameraModel(), {}, speed), kHeight - 3).first, 1);
+  EXPECT_NEAR(bottom, middleOf(imageOf(cameraModel(), {}, speed), kRows - 3).first, 1);
 }
 
 TEST(CameraOpticsTest, facesOfRoundShapesAreFlatIfWanted) {
@@ -145,8 +145,8 @@ TEST(CameraOpticsTest, facesOfRoundShapesAreFlatIfWanted) {
     Image image;
     renderer.render(Pose3::Identity(), cameraModel(), PixelFormat::kRgb8, {}, image);
     int changes = 0;
-    for (int x = 1; x < kWidth; ++x)
-      changes += red(image, x, kHeight / 2 - 3) != red(image, x - 1, kHeight / 2 - 3);
+    for (int x = 1; x < kColumns; ++x)
+      changes += red(image, x, kRows / 2 - 3) != red(image, x - 1, kRows / 2 - 3);
     return changes;
   };
   EXPECT_LT(colorsOf(true), colorsOf(false));
@@ -168,7 +168,7 @@ TEST(CameraOpticsTest, severalLampsCastShadowsOfTheirOwn) {
                         Pose3(Eigen::AngleAxisd(robotlink::kPi / 2, Eigen::Vector3d::UnitY()));
     Image image;
     renderer.render(above, cameraModel(), PixelFormat::kRgb8, {}, image);
-    return red(image, kWidth / 2, kHeight / 2);
+    return red(image, kColumns / 2, kRows / 2);
   };
   const Lamp left{{-2, 0, 1}, 0.4F, 0}, right{{2, 0, 1}, 0.4F, 0};
   EXPECT_EQ(floorLight({left}), 0) << "in the shadow of the post";

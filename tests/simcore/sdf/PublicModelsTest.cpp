@@ -209,7 +209,14 @@ TEST(PublicModelsContents, whatIsLeftOutIsNamed) {
   EXPECT_THAT(leftOutOf("world_of_lights.sdf"), Contains("<include> of https://models.example.org/tree"));
   const auto sensors = leftOutOf("sensors.sdf");
   EXPECT_THAT(sensors, Contains("<gz_frame_id> in <sensor>"));
-  EXPECT_THAT(sensors, Contains("sensor of type 'magnetometer'"));
+  EXPECT_THAT(sensors, Contains("sensor of type 'wireless_transmitter'"));
+  EXPECT_THAT(sensors, Not(Contains(HasSubstr("magnetometer"))));
+  const auto scene = opened("sensors.sdf");
+  ASSERT_TRUE(scene);
+  std::vector<std::string> names;
+  for (const SensorDescription& sensor : modelOf(*scene, "sensors").type->sensors)
+    names.push_back(sensor.name);
+  EXPECT_THAT(names, ElementsAre("gps", "field", "color"));
 }
 
 TEST(PublicModelsContents, whatIsLeftOutHasItsPlace) {

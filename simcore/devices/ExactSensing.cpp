@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/ExactSensing.h"
+#include "simcore/devices/ExactSensing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "simcore/devices/Ports.h"
 #include "simcore/physics/Physics.h"
-#include "simcore/physics/Ports.h"
 
 namespace simcore {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "simcore/devices/Ports.h"
 #include "simcore/physics/Physics.h"
-#include "simcore/physics/Ports.h"
 
 namespace simcore {
 

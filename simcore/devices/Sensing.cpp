@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/Sensing.h"
+#include "simcore/devices/Sensing.h"
 
 #include <algorithm>
 

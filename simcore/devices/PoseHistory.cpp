@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/PoseHistory.h"
+#include "simcore/devices/PoseHistory.h"
 
 #include <algorithm>
 

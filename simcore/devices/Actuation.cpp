@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/Actuation.h"
+#include "simcore/devices/Actuation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "simcore/devices/ExactSensing.h"
+#include "simcore/devices/Ports.h"
 #include "simcore/noise/NoiseProcess.h"
 #include "simcore/noise/SampleClock.h"
-#include "simcore/physics/ExactSensing.h"
 #include "simcore/physics/Physics.h"
-#include "simcore/physics/Ports.h"
 
 namespace simcore {
 

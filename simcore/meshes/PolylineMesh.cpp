@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/sdf/PolylineMesh.h"
+#include "simcore/meshes/PolylineMesh.h"
 
 #include <algorithm>
 #include <array>

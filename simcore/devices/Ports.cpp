@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/physics/Ports.h"
+#include "simcore/devices/Ports.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/sdf/MeshFiles.h"
+#include "simcore/meshes/MeshFiles.h"
 
 #include <assimp/config.h>
 #include <assimp/material.h>
