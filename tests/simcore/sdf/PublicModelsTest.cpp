@@ -72,8 +72,8 @@ std::vector<std::string> allFiles() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheFolder, PublicModels, testing::ValuesIn(allFiles()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(OfTheFolder, PublicModels, testing::ValuesIn(allFiles()), [](const auto& each) {
+  std::string name = each.param;
   std::ranges::replace_if(
       name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
