@@ -62,7 +62,7 @@ def first_declared(head):
     if not re.match(r"[A-Za-z_\[:]", head) or head.startswith("using namespace"):
         return None
     if match := ALIAS.match(head):
-        return match[1], ("alias", match[2].split("::")[-1])
+        return match[1], ("alias", "::".join(match[2].split("::")[-2:]))
     if head.startswith("using"):
         return None
     if match := TYPE.match(head):

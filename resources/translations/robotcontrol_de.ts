@@ -790,6 +790,18 @@
         <source>Saves what is chosen now as a preset: debug keys, solutions, parameters, views and settings of the camera</source>
         <translation>Speichert, was jetzt gewählt ist, als Voreinstellung: Debug-Schlüssel, Lösungen, Parameter, Ansichten und Einstellungen der Kamera</translation>
     </message>
+    <message>
+        <source>Moves the gripper of the selected Pioneer, if it has one</source>
+        <translation>Bewegt den Greifer des gewählten Pioneers, wenn er einen hat</translation>
+    </message>
+    <message>
+        <source>Saves what the selected robot has mapped as a map for localization and planning; its home is where the robot is</source>
+        <translation>Speichert, was der gewählte Roboter kartiert hat, als Karte für Lokalisierung und Planung; ihr Startplatz ist, wo der Roboter ist</translation>
+    </message>
+    <message>
+        <source>Switches a digital output of the selected Pioneer&apos;s user port</source>
+        <translation>Schaltet einen digitalen Ausgang des Benutzeranschlusses des gewählten Pioneers</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -1527,6 +1539,22 @@
     <message>
         <source>Sensors, cameras and odometry have errors, as the scene says; without, they measure what is true</source>
         <translation>Sensoren, Kameras und Odometrie haben Fehler, wie die Szene sie angibt; ohne messen sie, was wahr ist</translation>
+    </message>
+    <message>
+        <source>&amp;Kind:</source>
+        <translation>&amp;Art:</translation>
+    </message>
+    <message>
+        <source>La&amp;ser:</source>
+        <translation>La&amp;ser:</translation>
+    </message>
+    <message>
+        <source>Line of a SICK LMS 200, such as /dev/ttyUSB1; empty: the robot has none</source>
+        <translation>Leitung eines SICK LMS 200, etwa /dev/ttyUSB1; leer: Der Roboter hat keinen</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s description: p3at, p3dx, peoplebot or one of your own</source>
+        <translation>Die Beschreibung des Roboters: p3at, p3dx, peoplebot oder eine eigene</translation>
     </message>
 </context>
 <context>

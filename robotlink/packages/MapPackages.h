@@ -5,7 +5,6 @@
 
 namespace foxglove {
 class Grid;
-class LocationFix;
 }  // namespace foxglove
 
 namespace robotcontrol {
@@ -18,7 +17,5 @@ namespace robotlink {
 inline constexpr Package<foxglove::Grid> kGridMap{"models/map"};
 /// The state of a gripper that the robot carries, from its platform.
 inline constexpr Package<robotcontrol::GripperState> kGripper{"body/gripper"};
-/// The position of a GPS receiver that the robot carries, from its platform.
-inline constexpr Package<foxglove::LocationFix> kGlobalFix{"position/gps"};
 
 }  // namespace robotlink

@@ -50,7 +50,6 @@ constexpr std::array kTitles{
     Title{kBehaviorState.name, "the behavior's state"},
     Title{kGridMap.name, "the map that it made"},
     Title{kGripper.name, "the state of a gripper"},
-    Title{kGlobalFix.name, "a position by GPS"},
 };
 
 }  // namespace

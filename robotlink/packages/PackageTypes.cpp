@@ -3,7 +3,6 @@
 
 #include "foxglove/Grid.pb.h"
 #include "foxglove/Image.pb.h"
-#include "foxglove/LocationFix.pb.h"
 #include "foxglove/Ranging.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "robotcontrol/Accessories.pb.h"
@@ -37,7 +36,7 @@ const Types& ownPackageTypes() {
       kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest, kRemoteMotion,
       kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept, kLandmarkPercepts,
       kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest, kHeadMode, kHeadRequest,
-      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper, kGlobalFix);
+      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper);
   return kTypes;
 }
 

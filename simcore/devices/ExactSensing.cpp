@@ -9,7 +9,7 @@
 namespace simcore {
 namespace {
 
-using Kind = SensorSource::Kind;
+using SourceKind = SensorSource::Kind;
 
 /// Where a body is on the ground that moves with constant speeds along a circle.
 robotlink::Pose2 alongArc(const robotlink::Pose2& from, double way, double turn) {
@@ -31,17 +31,17 @@ void ExactSensing::start(std::size_t index) {
   const SensorSource& source = sources_[index];
   Memory& memory = memories_[index];
   memory.specificForce = -world_.gravity;
-  if (source.kind == Kind::kAltimeter) memory.height = poseOf(source).translation().z();
-  if (source.kind == Kind::kOdometry) memory.before = robotlink::groundPose(poseOf(source));
-  if (source.kind == Kind::kBattery) memory.energy = source.battery.capacity * source.battery.charge;
+  if (source.kind == SourceKind::kAltimeter) memory.height = poseOf(source).translation().z();
+  if (source.kind == SourceKind::kOdometry) memory.before = robotlink::groundPose(poseOf(source));
+  if (source.kind == SourceKind::kBattery) memory.energy = source.battery.capacity * source.battery.charge;
 }
 
 void ExactSensing::afterStep() {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const SensorSource& source = sources_[i];
-    if (source.kind == Kind::kAccelerometer) accelerate(source, memories_[i]);
-    if (source.kind == Kind::kOdometry) drive(source, memories_[i]);
-    if (source.kind == Kind::kBattery) discharge(source, memories_[i]);
+    if (source.kind == SourceKind::kAccelerometer) accelerate(source, memories_[i]);
+    if (source.kind == SourceKind::kOdometry) drive(source, memories_[i]);
+    if (source.kind == SourceKind::kBattery) discharge(source, memories_[i]);
   }
 }
 
@@ -85,7 +85,8 @@ void ExactSensing::forgetVelocitiesOf(int model) {
     if (sources_[i].model != model) continue;
     memories_[i].velocity = Vector3::Zero();
     memories_[i].specificForce = -world_.gravity;
-    if (sources_[i].kind == Kind::kOdometry) memories_[i].before = robotlink::groundPose(poseOf(sources_[i]));
+    if (sources_[i].kind == SourceKind::kOdometry)
+      memories_[i].before = robotlink::groundPose(poseOf(sources_[i]));
   }
 }
 
@@ -98,10 +99,10 @@ double ExactSensing::contactOf(const SensorSource& source) const {
 }
 
 void ExactSensing::readJoint(const SensorSource& source, std::vector<double>& values) const {
-  if (source.kind == Kind::kAngle) values[0] = physics_.angle(source.hinge);
-  if (source.kind == Kind::kJointSpeed) values[0] = physics_.rate(source.hinge);
-  if (source.kind == Kind::kJointLoad) values[0] = physics_.torque(source.hinge);
-  if (source.kind != Kind::kForceTorque) return;
+  if (source.kind == SourceKind::kAngle) values[0] = physics_.angle(source.hinge);
+  if (source.kind == SourceKind::kJointSpeed) values[0] = physics_.rate(source.hinge);
+  if (source.kind == SourceKind::kJointLoad) values[0] = physics_.torque(source.hinge);
+  if (source.kind != SourceKind::kForceTorque) return;
   const Physics::Wrench wrench = physics_.reaction(source.hinge);
   const Eigen::Matrix3d worldInLink = physics_.linkInWorld(source.body).linear().transpose();
   Eigen::Map<Vector3>(values.data()) = source.sign * (worldInLink * wrench.force);
@@ -112,19 +113,19 @@ void ExactSensing::readPlace(const SensorSource& source, const Memory& memory,
                              std::vector<double>& values) const {
   const Pose3 pose = poseOf(source);
   switch (source.kind) {
-    case Kind::kDistance:
+    case SourceKind::kDistance:
       values[0] = physics_.castRay(pose.translation(), pose.linear().col(0), source.maximum, source.model);
       break;
-    case Kind::kWhisker: {
+    case SourceKind::kWhisker: {
       const double distance =
           physics_.castRay(pose.translation(), pose.linear().col(0), source.length, source.model);
       values[0] = distance < source.length ? 1 : 0;
       break;
     }
-    case Kind::kMagnetometer:
+    case SourceKind::kMagnetometer:
       Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * world_.magneticField;
       break;
-    case Kind::kOdometry:
+    case SourceKind::kOdometry:
       values[0] = memory.odometry.x;
       values[1] = memory.odometry.y;
       values[2] = memory.odometry.heading;
@@ -139,18 +140,18 @@ void ExactSensing::readMotion(const SensorSource& source, const Memory& memory,
   const Pose3 pose = poseOf(source);
   const Vector3 velocity = physics_.velocityAt(source.body, pose.translation());
   switch (source.kind) {
-    case Kind::kGyroscope:
+    case SourceKind::kGyroscope:
       Eigen::Map<Vector3>(values.data()) =
           pose.linear().transpose() * physics_.angularVelocityOf(source.body);
       break;
-    case Kind::kAccelerometer:
+    case SourceKind::kAccelerometer:
       Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * memory.specificForce;
       break;
-    case Kind::kNavSat:
+    case SourceKind::kNavSat:
       Eigen::Map<Vector3>(values.data()) = pose.translation();
       Eigen::Map<Vector3>(values.data() + 3) = velocity;
       break;
-    case Kind::kAltimeter:
+    case SourceKind::kAltimeter:
       values[0] = pose.translation().z() - memory.height;
       values[1] = velocity.z();
       break;
@@ -163,30 +164,30 @@ void ExactSensing::read(std::size_t index, std::vector<double>& values) const {
   const SensorSource& source = sources_[index];
   const Memory& memory = memories_[index];
   switch (source.kind) {
-    case Kind::kAngle:
-    case Kind::kJointSpeed:
-    case Kind::kJointLoad:
-    case Kind::kForceTorque:
+    case SourceKind::kAngle:
+    case SourceKind::kJointSpeed:
+    case SourceKind::kJointLoad:
+    case SourceKind::kForceTorque:
       return readJoint(source, values);
-    case Kind::kContact:
+    case SourceKind::kContact:
       values[0] = contactOf(source);
       return;
-    case Kind::kBattery: {
+    case SourceKind::kBattery: {
       const BatteryDescription& battery = source.battery;
       const double charge = memory.energy / battery.capacity;
       values[0] = battery.emptyVoltage + charge * (battery.fullVoltage - battery.emptyVoltage);
       values[1] = charge;
       return;
     }
-    case Kind::kDistance:
-    case Kind::kWhisker:
-    case Kind::kMagnetometer:
-    case Kind::kOdometry:
+    case SourceKind::kDistance:
+    case SourceKind::kWhisker:
+    case SourceKind::kMagnetometer:
+    case SourceKind::kOdometry:
       return readPlace(source, memory, values);
-    case Kind::kGyroscope:
-    case Kind::kAccelerometer:
-    case Kind::kNavSat:
-    case Kind::kAltimeter:
+    case SourceKind::kGyroscope:
+    case SourceKind::kAccelerometer:
+    case SourceKind::kNavSat:
+    case SourceKind::kAltimeter:
       return readMotion(source, memory, values);
   }
 }

@@ -9,7 +9,7 @@
 namespace simcore {
 namespace {
 
-using Kind = SensorSource::Kind;
+using SourceKind = SensorSource::Kind;
 
 /// The random numbers of sensors that do not have those of their number.
 constexpr std::uint64_t kNamedStream = 0x6E616D6564;
@@ -17,7 +17,7 @@ constexpr std::uint64_t kNamedStream = 0x6E616D6564;
 /// How the reading of a kind of sensor is described, and where it comes from.
 struct Reading {
   SensorDescription::Kind kind;
-  Kind source;
+  SourceKind source;
   const char* type;
   const char* unit;
   /// 1 for a scalar.
@@ -25,18 +25,18 @@ struct Reading {
 };
 
 constexpr Reading kReadings[] = {
-    {SensorDescription::Kind::kDistance, Kind::kDistance, "distance", "m", 1},
-    {SensorDescription::Kind::kAccelerometer, Kind::kAccelerometer, "acceleration", "m/s^2", 3},
-    {SensorDescription::Kind::kGyroscope, Kind::kGyroscope, "angular_velocity", "rad/s", 3},
-    {SensorDescription::Kind::kContact, Kind::kContact, "contact", "", 1},
-    {SensorDescription::Kind::kSwitch, Kind::kContact, "contact", "", 1},
-    {SensorDescription::Kind::kWhisker, Kind::kWhisker, "contact", "", 1},
-    {SensorDescription::Kind::kMagnetometer, Kind::kMagnetometer, "magnetic_field", "T", 3},
-    {SensorDescription::Kind::kNavSat, Kind::kNavSat, "position_velocity", "m, m/s", 6},
-    {SensorDescription::Kind::kAltimeter, Kind::kAltimeter, "altitude", "m, m/s", 2},
-    {SensorDescription::Kind::kForceTorque, Kind::kForceTorque, "force_torque", "N, N m", 6},
-    {SensorDescription::Kind::kOdometry, Kind::kOdometry, "odometry", "m, m, rad", 3},
-    {SensorDescription::Kind::kBattery, Kind::kBattery, "battery", "V, share", 2},
+    {SensorDescription::Kind::kDistance, SourceKind::kDistance, "distance", "m", 1},
+    {SensorDescription::Kind::kAccelerometer, SourceKind::kAccelerometer, "acceleration", "m/s^2", 3},
+    {SensorDescription::Kind::kGyroscope, SourceKind::kGyroscope, "angular_velocity", "rad/s", 3},
+    {SensorDescription::Kind::kContact, SourceKind::kContact, "contact", "", 1},
+    {SensorDescription::Kind::kSwitch, SourceKind::kContact, "contact", "", 1},
+    {SensorDescription::Kind::kWhisker, SourceKind::kWhisker, "contact", "", 1},
+    {SensorDescription::Kind::kMagnetometer, SourceKind::kMagnetometer, "magnetic_field", "T", 3},
+    {SensorDescription::Kind::kNavSat, SourceKind::kNavSat, "position_velocity", "m, m/s", 6},
+    {SensorDescription::Kind::kAltimeter, SourceKind::kAltimeter, "altitude", "m, m/s", 2},
+    {SensorDescription::Kind::kForceTorque, SourceKind::kForceTorque, "force_torque", "N, N m", 6},
+    {SensorDescription::Kind::kOdometry, SourceKind::kOdometry, "odometry", "m, m, rad", 3},
+    {SensorDescription::Kind::kBattery, SourceKind::kBattery, "battery", "V, share", 2},
 };
 
 /// The dimensions of a command to a guide, and their units.
@@ -70,8 +70,8 @@ class Collector {
     for (const JointDescription& joint : model.type->joints) {
       if (joint.kind != JointDescription::Kind::kHinge || joint.wheel) continue;
       addAngle(joint);
-      if (joint.speedSensor) addJointSensor(joint, Kind::kJointSpeed, *joint.speedSensor);
-      if (joint.loadSensor) addJointSensor(joint, Kind::kJointLoad, *joint.loadSensor);
+      if (joint.speedSensor) addJointSensor(joint, SourceKind::kJointSpeed, *joint.speedSensor);
+      if (joint.loadSensor) addJointSensor(joint, SourceKind::kJointLoad, *joint.loadSensor);
       if (joint.servo) addServo(joint);
       ++hinge_;
     }
@@ -87,7 +87,7 @@ class Collector {
     return {name_ + "/" + path, name_, type, std::move(shape), unit};
   }
 
-  SensorSource source(Kind kind) const {
+  SensorSource source(SourceKind kind) const {
     SensorSource result;
     result.kind = kind;
     result.model = model_;
@@ -98,7 +98,7 @@ class Collector {
   /// always have.
   void add(PortInfo info, SensorSource from, std::vector<double> values) {
     from.size = values.size();
-    if (from.kind <= Kind::kContact && from.collision >= 0) {
+    if (from.kind <= SourceKind::kContact && from.collision >= 0) {
       from.stream = {0, numbered_++};
     } else {
       from.stream = {kNamedStream, hashOfPath(info.path)};
@@ -110,18 +110,18 @@ class Collector {
   }
 
   void addAngle(const JointDescription& joint) {
-    SensorSource from = source(Kind::kAngle);
+    SensorSource from = source(SourceKind::kAngle);
     from.hinge = hinge_;
     from.errors = joint.positionErrors;
     PortInfo info = port(joint.name + "/position", "angle", {}, "rad");
     add(std::move(info), from, {joint.initialAngle});
   }
 
-  void addJointSensor(const JointDescription& joint, Kind kind, const SensorErrors& errors) {
+  void addJointSensor(const JointDescription& joint, SourceKind kind, const SensorErrors& errors) {
     SensorSource from = source(kind);
     from.hinge = hinge_;
     from.errors = errors;
-    const bool isSpeed = kind == Kind::kJointSpeed;
+    const bool isSpeed = kind == SourceKind::kJointSpeed;
     add(port(joint.name + (isSpeed ? "/speed" : "/load"), isSpeed ? "angular_velocity" : "torque", {},
              isSpeed ? "rad/s" : "N m"),
         from, {0});

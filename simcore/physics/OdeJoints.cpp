@@ -6,7 +6,7 @@
 namespace simcore {
 namespace {
 
-using Kind = JointDescription::Kind;
+using JointKind = JointDescription::Kind;
 
 /// The joint's bodies in the world: the child, and the parent or null.
 struct Ends {
@@ -72,22 +72,22 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
   const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
   dJointID id = nullptr;
   switch (joint.kind) {
-    case Kind::kFixed:
+    case JointKind::kFixed:
       dJointSetFixed(attached(dJointCreateFixed(ode.world, nullptr), ends));
       return;
-    case Kind::kHinge:
+    case JointKind::kHinge:
       id = addHinge(ode, joint, ends, anchor, axis);
       break;
-    case Kind::kSlider:
+    case JointKind::kSlider:
       id = attached(dJointCreateSlider(ode.world, nullptr), ends);
       dJointSetSliderAxis(id, axis.x(), axis.y(), axis.z());
       setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
       break;
-    case Kind::kBall:
+    case JointKind::kBall:
       id = attached(dJointCreateBall(ode.world, nullptr), ends);
       dJointSetBallAnchor(id, anchor.x(), anchor.y(), anchor.z());
       return;
-    case Kind::kUniversal:
+    case JointKind::kUniversal:
       id = addUniversal(ode, joint, ends, anchor, model.poseInWorld.linear());
       break;
   }

@@ -12,7 +12,7 @@ namespace {
 /// Separates these random numbers from those of other sensors.
 constexpr std::uint64_t kImageStream = 0x696D616765;
 
-using Kind = ImageGeometry::Kind;
+using ImageKind = ImageGeometry::Kind;
 
 Eigen::Vector3d facette(const ImageGeometry& geometry, int row, int column) {
   const auto between = [](double start, double end, int i, int count) {
@@ -38,8 +38,8 @@ RayBundle bundleOf(const ImageGeometry& geometry) {
   directions.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   for (int row = 0; row < camera.height; ++row) {
     for (int column = 0; column < camera.width; ++column) {
-      directions.push_back(geometry.kind == Kind::kFacette ? facette(geometry, row, column)
-                                                           : pixel(camera, row, column));
+      directions.push_back(geometry.kind == ImageKind::kFacette ? facette(geometry, row, column)
+                                                                : pixel(camera, row, column));
     }
   }
   return {camera.height, camera.width, directions};
@@ -103,8 +103,8 @@ void ImageSensing::setErrors(std::size_t sensor, const SensorErrors& errors, con
 void ImageSensing::measure(std::size_t index, const Noise& noise, std::span<float> values) {
   const ImageSensor& sensor = sensors_[index];
   const Pose3 pose = poses_[static_cast<std::size_t>(sensor.body)] * sensor.sensorInBody;
-  if (sensor.geometry.kind == Kind::kLabels) return measureLabels(sensor, pose, values);
-  if (sensor.geometry.kind == Kind::kDepth) {
+  if (sensor.geometry.kind == ImageKind::kLabels) return measureLabels(sensor, pose, values);
+  if (sensor.geometry.kind == ImageKind::kDepth) {
     measureDepth(sensor, pose, values);
   } else {
     measureRadiation(index, pose, values);
@@ -136,7 +136,7 @@ void ImageSensing::measureRadiation(std::size_t index, const Pose3& pose, std::s
   hits_.resize(rays.size());
   // A pinhole camera sees its own robot, as other cameras do.
   const RayCaster::BodyRange excluded =
-      sensor.geometry.kind == Kind::kFacette ? own_[index] : RayCaster::BodyRange{};
+      sensor.geometry.kind == ImageKind::kFacette ? own_[index] : RayCaster::BodyRange{};
   caster().castBundle(rays, pose, sensor.geometry.farthest, excluded, hits_);
   light().shade(rays, hits_, pose, sensor.geometry.classes, values);
 }

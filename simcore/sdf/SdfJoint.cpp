@@ -12,7 +12,7 @@ namespace {
 constexpr double kFullTurn = JointDescription::kFullTurn;
 /// Limits from this on are none.
 constexpr double kEndless = 1e15;
-using Kind = JointDescription::Kind;
+using JointKind = JointDescription::Kind;
 
 int linkIndex(const ModelDescription& model, const std::string& name) {
   const auto found = std::ranges::find(model.links, name, &LinkDescription::name);
@@ -33,7 +33,7 @@ class JointReader {
     result.anchorInModel =
         sourceInModel_ *
         resolvedPose(joint.SemanticPose(), "__model__", joint.Element(), context_).translation();
-    if (result.kind != Kind::kFixed && result.kind != Kind::kBall) readAxes(joint, result);
+    if (result.kind != JointKind::kFixed && result.kind != JointKind::kBall) readAxes(joint, result);
     if (turned_) {
       // The child is the world: seen from there everything turns the other way.
       result.axisInModel = -result.axisInModel;
@@ -47,16 +47,16 @@ class JointReader {
     const sdf::ElementPtr element = joint.Element();
     switch (joint.Type()) {
       case sdf::JointType::FIXED:
-        result.kind = Kind::kFixed;
+        result.kind = JointKind::kFixed;
         return true;
       case sdf::JointType::BALL:
-        result.kind = Kind::kBall;
+        result.kind = JointKind::kBall;
         return true;
       case sdf::JointType::PRISMATIC:
-        result.kind = Kind::kSlider;
+        result.kind = JointKind::kSlider;
         break;
       case sdf::JointType::UNIVERSAL:
-        result.kind = joint.Axis(1) != nullptr ? Kind::kUniversal : Kind::kHinge;
+        result.kind = joint.Axis(1) != nullptr ? JointKind::kUniversal : JointKind::kHinge;
         break;
       case sdf::JointType::REVOLUTE:
       case sdf::JointType::CONTINUOUS:
@@ -103,7 +103,7 @@ class JointReader {
     const sdf::JointAxis& axis = *joint.Axis(0);
     result.axisInModel = direction(joint, 0);
     readLimits(joint, axis, result);
-    if (result.kind == Kind::kUniversal) {
+    if (result.kind == JointKind::kUniversal) {
       result.secondAxisInModel = direction(joint, 1);
       readTurns(joint, *joint.Axis(1), result.secondLower, result.secondUpper);
       if (std::abs(result.axisInModel.dot(result.secondAxisInModel)) > 0.99) {
@@ -111,7 +111,7 @@ class JointReader {
       }
     }
     const bool servo = joint.Element()->HasElement("robotcontrol:servo");
-    if (servo && result.kind != Kind::kHinge) {
+    if (servo && result.kind != JointKind::kHinge) {
       context_.fail(joint.Element(), "scene.servo", "only a revolute or continuous joint can have a servo");
     } else if (servo) {
       readServo(axis, joint.Element(), result);
@@ -123,7 +123,7 @@ class JointReader {
   }
 
   void readLimits(const sdf::Joint& joint, const sdf::JointAxis& axis, JointDescription& result) {
-    if (result.kind == Kind::kSlider) {
+    if (result.kind == JointKind::kSlider) {
       const double none = std::numeric_limits<double>::infinity();
       result.lower = axis.Lower() <= -kEndless ? -none : axis.Lower();
       result.upper = axis.Upper() >= kEndless ? none : axis.Upper();

@@ -8,7 +8,7 @@
 namespace simcore {
 namespace {
 
-using Kind = SensorDescription::Kind;
+using SensorKind = SensorDescription::Kind;
 
 /// The noise of three axes; where only that of x is described, it counts for all.
 std::vector<NoiseModel> noiseOfAxes(const sdf::Noise& x, const sdf::Noise& y, const sdf::Noise& z,
@@ -25,7 +25,7 @@ void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfCont
   const sdf::ElementPtr turning = descendant(sensor.Element(), {"imu", "angular_velocity"}),
                         moving = descendant(sensor.Element(), {"imu", "linear_acceleration"});
   const bool turns = turning != nullptr && moving == nullptr;
-  result.kind = turns ? Kind::kGyroscope : Kind::kAccelerometer;
+  result.kind = turns ? SensorKind::kGyroscope : SensorKind::kAccelerometer;
   const sdf::ElementPtr axes = turns ? turning : moving;
   result.errors.noise = turns ? noiseOfAxes(imu.AngularVelocityXNoise(), imu.AngularVelocityYNoise(),
                                             imu.AngularVelocityZNoise(), axes, context)
@@ -38,7 +38,7 @@ void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfCont
 /// Returns whether the link has the solid.
 bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorDescription& result,
                  const SdfContext& context) {
-  result.kind = Kind::kContact;
+  result.kind = SensorKind::kContact;
   const sdf::ElementPtr element = sensor.Element()->GetElement("contact");
   const auto name = element->Get<std::string>("collision");
   const auto found = std::ranges::find(link.collisions, name, &CollisionDescription::name);
@@ -53,7 +53,7 @@ bool readContact(const sdf::Sensor& sensor, const LinkDescription& link, SensorD
 
 void readMagnetometer(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
   const sdf::Magnetometer& magnetometer = *sensor.MagnetometerSensor();
-  result.kind = Kind::kMagnetometer;
+  result.kind = SensorKind::kMagnetometer;
   result.errors.noise = noiseOfAxes(magnetometer.XNoise(), magnetometer.YNoise(), magnetometer.ZNoise(),
                                     descendant(sensor.Element(), {"magnetometer"}), context);
 }
@@ -63,14 +63,14 @@ void readNavSat(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   const auto noise = [&](const sdf::Noise& of) { return readNoise(of, 1000, sensor.Element(), context); };
   const NoiseModel position = noise(navSat.HorizontalPositionNoise()),
                    velocity = noise(navSat.HorizontalVelocityNoise());
-  result.kind = Kind::kNavSat;
+  result.kind = SensorKind::kNavSat;
   result.errors.noise = {position, position, noise(navSat.VerticalPositionNoise()),
                          velocity, velocity, noise(navSat.VerticalVelocityNoise())};
 }
 
 void readAltimeter(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
   const sdf::Altimeter& altimeter = *sensor.AltimeterSensor();
-  result.kind = Kind::kAltimeter;
+  result.kind = SensorKind::kAltimeter;
   result.errors.noise = {readNoise(altimeter.VerticalPositionNoise(), 1000, sensor.Element(), context),
                          readNoise(altimeter.VerticalVelocityNoise(), 1000, sensor.Element(), context)};
 }
@@ -79,7 +79,7 @@ void readBattery(const sdf::ElementPtr& element, SensorDescription& result, cons
   const auto number = [&](const char* name, double otherwise, double minimum, double maximum) {
     return ownNumber(element, name, otherwise, minimum, maximum, context);
   };
-  result.kind = Kind::kBattery;
+  result.kind = SensorKind::kBattery;
   BatteryDescription& battery = result.battery;
   battery.capacity = number("capacity", battery.capacity, 1e-3, 1e12);
   battery.charge = number("charge", battery.charge, 0, 1);
@@ -95,15 +95,15 @@ bool readOwnSensor(const sdf::Sensor& sensor, SensorDescription& result, const S
   if (element->HasElement("robotcontrol:facette")) {
     readFacettes(element, result, context);
   } else if (element->HasElement("robotcontrol:whisker")) {
-    result.kind = Kind::kWhisker;
+    result.kind = SensorKind::kWhisker;
     result.maximum = context.within(element->Get<double>("robotcontrol:whisker"), 1e-3, 100,
                                     "the length of a whisker", element);
   } else if (element->HasElement("robotcontrol:battery")) {
     readBattery(element->GetElement("robotcontrol:battery"), result, context);
   } else if (element->HasElement("robotcontrol:odometry")) {
-    result.kind = Kind::kOdometry;
+    result.kind = SensorKind::kOdometry;
   } else if (element->HasElement("robotcontrol:switch")) {
-    result.kind = Kind::kSwitch;
+    result.kind = SensorKind::kSwitch;
   } else {
     return false;
   }
@@ -157,7 +157,7 @@ void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& mod
     context.omit(element, "<frame> of a force_torque sensor", "it measures in the frame of the child");
   }
   SensorDescription result;
-  result.kind = Kind::kForceTorque;
+  result.kind = SensorKind::kForceTorque;
   // Parts of models in models have names like "arm::hand".
   const std::size_t nested = of.name.rfind("::");
   result.name = (nested == std::string::npos ? "" : of.name.substr(0, nested + 2)) + sensor.Name();

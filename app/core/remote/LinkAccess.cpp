@@ -13,20 +13,20 @@ namespace {
 
 namespace websocket = robotlink::websocket;
 using Objection = websocket::ServerObjection;
-using Kind = Objection::Kind;
+using ObjectionKind = Objection::Kind;
 
 constexpr char kRefused[] = "link.refused", kWantsToken[] = "link.token",
                kNewCertificate[] = "link.certificate.new", kOtherCertificate[] = "link.certificate.other";
 
-std::string idOf(Kind kind) {
+std::string idOf(ObjectionKind kind) {
   switch (kind) {
-    case Kind::kNone:
+    case ObjectionKind::kNone:
       break;
-    case Kind::kToken:
+    case ObjectionKind::kToken:
       return kWantsToken;
-    case Kind::kNewCertificate:
+    case ObjectionKind::kNewCertificate:
       return kNewCertificate;
-    case Kind::kOtherCertificate:
+    case ObjectionKind::kOtherCertificate:
       return kOtherCertificate;
   }
   return kRefused;
@@ -89,7 +89,8 @@ robotlink::Error refusalOf(const std::string& url, const websocket::ConnectionSt
 
 std::optional<LinkQuestion> questionIn(const robotlink::Errors& errors) {
   for (const robotlink::Error& error : errors) {
-    for (const Kind kind : {Kind::kToken, Kind::kNewCertificate, Kind::kOtherCertificate}) {
+    for (const ObjectionKind kind :
+         {ObjectionKind::kToken, ObjectionKind::kNewCertificate, ObjectionKind::kOtherCertificate}) {
       if (error.id != idOf(kind) || error.arguments.size() != 4) continue;
       return LinkQuestion{error.arguments[0],
                           {kind, error.arguments[1], error.arguments[2], error.arguments[3]}};

@@ -9,7 +9,6 @@ namespace robotlink::arcos {
 namespace {
 
 using namespace std::chrono_literals;
-using State = ClientSession::State;
 
 /// A session whose robot is the test: it sees what is said, and answers when it likes.
 class ClientSessionTest : public ::testing::Test {
@@ -93,7 +92,7 @@ TEST_F(ClientSessionTest, aConnectionIsMadeStepByStep) {
   answer({1, {}});
   EXPECT_EQ(said(), "CLOSE");
   answer(toPacket(Identity{"Robbie", "Pioneer", "p3at-sh", {}}));
-  EXPECT_EQ(session.state(), State::kOpening);
+  EXPECT_EQ(session.state(), ClientSession::State::kOpening);
   ASSERT_TRUE(session.identity());
   EXPECT_EQ(session.identity()->name, "Robbie");
   EXPECT_EQ(pass(90ms), "");
@@ -118,10 +117,10 @@ TEST_F(ClientSessionTest, everySyncIsRepeatedAndAtLastTheLineIsGivenUp) {
   EXPECT_EQ(pass(1s), "CLOSE=1");
   EXPECT_EQ(pass(300ms), "PULSE");
   EXPECT_EQ(pass(2300ms), "PULSE CLOSE=1 PULSE");
-  EXPECT_EQ(session.state(), State::kSynchronizing);
+  EXPECT_EQ(session.state(), ClientSession::State::kSynchronizing);
   EXPECT_EQ(problem(), "arcos.no-answer");
   EXPECT_EQ(pass(1s), "");
-  EXPECT_EQ(session.state(), State::kPausing);
+  EXPECT_EQ(session.state(), ClientSession::State::kPausing);
   EXPECT_FALSE(session.wantsLink());
   EXPECT_NE(session.describe().find("waits 1 s before it connects again (no answer to SYNC0"),
             std::string::npos)
@@ -146,7 +145,7 @@ TEST_F(ClientSessionTest, anEchoThatIsLostOrLateDoesNoHarm) {
   EXPECT_EQ(said(), "CLOSE");
   EXPECT_EQ(pass(1s), "CLOSE");
   answer(toPacket(Identity{}));
-  EXPECT_EQ(session.state(), State::kOpening);
+  EXPECT_EQ(session.state(), ClientSession::State::kOpening);
 }
 
 TEST_F(ClientSessionTest, aRobotThatNeverAnswersAllIsGivenUp) {
@@ -155,7 +154,7 @@ TEST_F(ClientSessionTest, aRobotThatNeverAnswersAllIsGivenUp) {
     pass(500ms);
     answer({0, {}});
   }
-  EXPECT_EQ(session.state(), State::kPausing);
+  EXPECT_EQ(session.state(), ClientSession::State::kPausing);
   EXPECT_EQ(problem(), "arcos.no-answer");
 }
 
@@ -164,7 +163,7 @@ TEST_F(ClientSessionTest, aRobotThatIsConnectedAlreadyIsSentClose) {
   said();
   answerInformation();
   EXPECT_EQ(said(), "CLOSE=1");
-  EXPECT_EQ(session.state(), State::kResynchronizing);
+  EXPECT_EQ(session.state(), ClientSession::State::kResynchronizing);
   EXPECT_EQ(problem(), "arcos.busy");
   answerInformation();  // was on its way
   EXPECT_EQ(pass(290ms), "");
@@ -180,7 +179,7 @@ TEST_F(ClientSessionTest, aRobotThatDoesNotCloseIsGivenUp) {
     answerInformation();
     pass(100ms);
   }
-  EXPECT_EQ(session.state(), State::kPausing);
+  EXPECT_EQ(session.state(), ClientSession::State::kPausing);
   EXPECT_EQ(problem(), "arcos.busy");
 }
 
@@ -190,7 +189,7 @@ TEST_F(ClientSessionTest, aControllerThatRestartsIsConnectedAnew) {
   for (int i = 0; i < 20; ++i) answer({0xFF, {}});  // what it says until it is silent does not count
   EXPECT_EQ(problem(), "arcos.controller-reset");
   EXPECT_EQ(pass(300ms), "PULSE");
-  EXPECT_EQ(session.state(), State::kSynchronizing);
+  EXPECT_EQ(session.state(), ClientSession::State::kSynchronizing);
 
   session = {};
   connect();
@@ -226,7 +225,7 @@ TEST_F(ClientSessionTest, openIsRepeatedUntilInformationComes) {
   EXPECT_EQ(pass(1s), "OPEN=1");
   EXPECT_EQ(pass(1s), "CLOSE=1");
   EXPECT_EQ(problem(), "arcos.no-information");
-  EXPECT_EQ(session.state(), State::kResynchronizing);
+  EXPECT_EQ(session.state(), ClientSession::State::kResynchronizing);
 }
 
 TEST_F(ClientSessionTest, aSilentProgramIsKeptAlive) {
@@ -244,11 +243,11 @@ TEST_F(ClientSessionTest, silenceOfEightSecondsIsALoss) {
   pass(7990ms);
   EXPECT_TRUE(session.isConnected());
   pass(10ms);
-  EXPECT_EQ(session.state(), State::kPausing);
+  EXPECT_EQ(session.state(), ClientSession::State::kPausing);
   EXPECT_EQ(session.problem()->text, "nothing came from the robot for 8 s");
   EXPECT_EQ(session.statistics().losses, 1U);
   pass(1s);
-  EXPECT_EQ(session.state(), State::kWaitingForLink);
+  EXPECT_EQ(session.state(), ClientSession::State::kWaitingForLink);
   session.linkOpened(now);
   EXPECT_EQ(said(), "PULSE");
 }
@@ -269,13 +268,13 @@ TEST_F(ClientSessionTest, closingStopsTheMotorsFirst) {
   said();
   session.close(now);
   EXPECT_EQ(said(), "ENABLE=0 CLOSE=1");
-  EXPECT_EQ(session.state(), State::kClosed);
+  EXPECT_EQ(session.state(), ClientSession::State::kClosed);
   EXPECT_FALSE(session.wantsLink());
   EXPECT_EQ(problem(), "none");
   EXPECT_EQ(pass(20s), "");
   answerInformation();
   session.linkClosed({"x", "gone", {}, {}}, now);
-  EXPECT_EQ(session.state(), State::kClosed);
+  EXPECT_EQ(session.state(), ClientSession::State::kClosed);
 
   handshake();  // and again
   session.close(now);
@@ -309,7 +308,7 @@ TEST_F(ClientSessionTest, withoutReconnectingItFailsOnce) {
   session = ClientSession(options);
   openLine();
   session.linkClosed({"stream.closed", "the robot closed the line", {}, {}}, now);
-  EXPECT_EQ(session.state(), State::kFailed);
+  EXPECT_EQ(session.state(), ClientSession::State::kFailed);
   EXPECT_EQ(session.describe(), "has given up (the robot closed the line)");
   pass(60s);
   EXPECT_FALSE(session.wantsLink());

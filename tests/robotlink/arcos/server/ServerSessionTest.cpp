@@ -14,7 +14,6 @@ using namespace robotlink::arcos;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-using State = ServerSession::State;
 using Sip = StandardInformation;
 
 class ServerSessionTest : public testing::Test {
@@ -48,7 +47,7 @@ TEST_F(ServerSessionTest, aCloseBeforeTheHandshakeIsNotTakenForItsThirdStep) {
   robot.send(CommandId::kSync1);
   EXPECT_THAT(robot.received, SizeIs(1)) << "the handshake begins with SYNC0";
   robot.connect();
-  EXPECT_EQ(robot.session.state(), State::kOpen);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kOpen);
 }
 
 TEST_F(ServerSessionTest, handshakesMayRepeatAndBeginAnew) {
@@ -57,9 +56,9 @@ TEST_F(ServerSessionTest, handshakesMayRepeatAndBeginAnew) {
     robot.send(id);
   }
   EXPECT_THAT(robot.received, SizeIs(6));
-  EXPECT_EQ(robot.session.state(), State::kIdentified);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kIdentified);
   robot.connect();
-  EXPECT_EQ(robot.session.state(), State::kOpen);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kOpen);
 }
 
 TEST_F(ServerSessionTest, otherCommandsBeforeTheHandshakeDoNothing) {
@@ -144,7 +143,7 @@ TEST_F(ServerSessionTest, aClientThatGoesLeavesARobotThatStands) {
   robot.forget();
   robot.step();
   EXPECT_FALSE(robot.wheels.command.motorsOn);
-  EXPECT_EQ(robot.session.state(), State::kWaiting);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kWaiting);
   robot.run(3);
   EXPECT_THAT(robot.received, IsEmpty());
   robot.connect();
@@ -285,7 +284,7 @@ TEST_F(ServerSessionTest, resetAndMaintenanceAreHarmless) {
   robot.send(CommandId::kMaintenance);
   robot.send({254, {}});
   robot.run(0.5);
-  EXPECT_EQ(robot.session.state(), State::kOpen);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kOpen);
   EXPECT_TRUE(latest().motorsOn());
   for (const Packet& packet : robot.received) EXPECT_LT(packet.id, 0xFE);
 }
@@ -301,7 +300,7 @@ TEST_F(ServerSessionTest, everyCommandNumberIsTakenWithAnyArgument) {
     robot.run(0.1);
   }
   robot.session.takeRequests();
-  EXPECT_EQ(robot.session.state(), State::kOpen);
+  EXPECT_EQ(robot.session.state(), ServerSession::State::kOpen);
   for (const Packet& packet : robot.received) {
     EXPECT_LT(packet.id, 0xFE);
     EXPECT_LE(packet.count(), kMaxSentCount);
