@@ -244,6 +244,9 @@ const std::vector<std::string>& Scene::balls() const {
 const LeftOuts& Scene::leftOut() const {
   return contents_->leftOut;
 }
+const WorldDescription& Scene::world() const {
+  return contents_->world;
+}
 std::shared_ptr<const robotlink::GroundMap> Scene::groundMap() const {
   return contents_->groundMap;
 }

@@ -19,6 +19,7 @@ struct GroundMap;
 namespace simcore {
 
 struct SceneContents;
+struct WorldDescription;
 
 /// A model of a scene.
 struct SceneModel {
@@ -65,6 +66,8 @@ class Scene {
   const std::vector<std::string>& balls() const;
   /// What the files describe and the simulation does not have.
   const LeftOuts& leftOut() const;
+  /// The world as its files describe it.
+  const WorldDescription& world() const;
   /// The map from which the world was built; null if the file is not a map.
   std::shared_ptr<const robotlink::GroundMap> groundMap() const;
 

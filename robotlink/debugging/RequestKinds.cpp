@@ -102,6 +102,25 @@ std::string wrongPlace(const Request& request) {
              : "the place's pose has values that are not numbers";
 }
 
+std::string wrongActuator(const Request& request) {
+  const auto& set = request.set_actuator();
+  if (set.released()) return "";
+  if (set.port().empty()) return "the actuator is not named";
+  if (set.values().empty()) return "the actuator " + set.port() + " is set to no value";
+  const auto isFiniteNumber = [](double value) { return std::isfinite(value); };
+  return std::ranges::all_of(set.values(), isFiniteNumber)
+             ? ""
+             : "the values of the actuator " + set.port() + " are not all numbers";
+}
+
+std::string wrongPorts(const Request& request) {
+  constexpr int kMaxPorts = 10'000;
+  const auto& read = request.read_ports();
+  if (read.ports().empty() && !read.ended()) return "no port is named that is to be read";
+  return read.ports_size() <= kMaxPorts ? ""
+                                        : "a request names at most " + std::to_string(kMaxPorts) + " ports";
+}
+
 /// A negative speed leaves the speed as it is, as does one that is left out.
 std::string wrongSimulationSpeed(const Request& request) {
   const auto& control = request.control_simulation();
@@ -237,7 +256,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 20> kKinds{{
+constexpr std::array<RequestKind, 22> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -331,6 +350,11 @@ constexpr std::array<RequestKind, 20> kKinds{{
      .doer = Doer::kSimulation,
      .words = "set lighting",
      .subject = theOnlyOne},
+    {.what = Request::kSetActuator,
+     .doer = Doer::kSimulation,
+     .words = "set actuator",
+     .wrong = wrongActuator},
+    {.what = Request::kReadPorts, .doer = Doer::kSimulation, .words = "read ports", .wrong = wrongPorts},
     {.what = Request::kHostProgram,
      .doer = Doer::kSimulation,
      .words = "host program",

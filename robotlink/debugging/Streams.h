@@ -37,6 +37,8 @@ inline constexpr char kLogged[] = "logged/";
 // Streams of the whole world, without a robot's name.
 inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
 inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
+inline constexpr char kObjects[] = "objects";        ///< WorldObjects
+inline constexpr char kPorts[] = "ports";            ///< PortReadings
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
 inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
 inline constexpr char kReplay[] = "replay";          ///< ReplayStatus

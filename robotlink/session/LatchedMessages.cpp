@@ -16,7 +16,7 @@ bool isLatched(std::string_view path, std::string_view type) {
       "robotcontrol.KeySubscribers",  "robotcontrol.KeyTable",      "robotcontrol.MotionTable",
       "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",  "robotcontrol.ProgramSetup",
       "robotcontrol.SolutionTable",   "robotcontrol.SteeringStatus"};
-  return path == streams::kScene || path == streams::kMap ||
+  return path == streams::kScene || path == streams::kMap || path == streams::kObjects ||
          std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 

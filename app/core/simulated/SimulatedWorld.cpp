@@ -128,6 +128,7 @@ void SimulatedWorld::advance() {
   for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
     {
       const CostMeter meter(costs_.physics);
+      held_.apply(*simulation_);
       simulation_->step();
       ++costs_.steps;
     }
@@ -142,6 +143,7 @@ void SimulatedWorld::advance() {
 
 void SimulatedWorld::reset(std::uint64_t seed) {
   options_.seed = seed;
+  held_.forget();
   simulation_->reset(seed);
   posesRendered_ = ~std::uint64_t{0};
   digest_ = 0;
@@ -164,6 +166,17 @@ simcore::LightAdjustment SimulatedWorld::lightingOf(std::size_t camera) const {
 const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   const CostMeter meter(costs_.rendering);
   ++costs_.images;
+  draw(camera);
+  mixIntoDigest(hashOf(image_.data));
+  return image_;
+}
+
+const robotlink::Image& SimulatedWorld::preview(std::size_t camera) {
+  draw(camera);
+  return image_;
+}
+
+void SimulatedWorld::draw(std::size_t camera) {
   const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
   simcore::ImageNoise noise;
   noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
@@ -176,8 +189,6 @@ const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   renderer_->setLighting(lightingOf(camera));
   take(camera, model, noise);
   if (options_.blackout) blacken(image_);
-  mixIntoDigest(hashOf(image_.data));
-  return image_;
 }
 
 void SimulatedWorld::take(std::size_t camera, const simcore::CameraModel& model,

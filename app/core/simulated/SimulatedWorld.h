@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/simulated/HeldActuators.h"
 #include "app/core/simulated/SimulatedPioneer.h"
 #include "app/core/simulated/TrueClasses.h"
 #include "robotlink/base/Clock.h"
@@ -78,6 +79,9 @@ class SimulatedWorld {
   /// The microcontrollers of all robots whose drive names SimulatedPioneer::kController, in the order of the
   /// scene.
   std::span<const std::unique_ptr<SimulatedPioneer>> pioneers() const { return pioneers_; }
+  /// The actuators that a person holds; a reset forgets them.
+  HeldActuators& held() { return held_; }
+
   /// Returns null if the robot has none.
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
@@ -85,6 +89,9 @@ class SimulatedWorld {
   bool imageDue(std::size_t camera) const;
   /// Renders the image of a camera, YCbCr 4:2:2. Valid until the next call.
   const robotlink::Image& render(std::size_t camera);
+  /// Renders what a camera sees for a person, as render() does; costs() and digest() do not count it. Valid
+  /// until the next call of either.
+  const robotlink::Image& preview(std::size_t camera);
   /// The true classes of the image that was rendered last; see TrueClasses. Valid until the next call.
   const robotlink::Image& trueClasses();
 
@@ -113,12 +120,15 @@ class SimulatedWorld {
   void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
   /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
+  /// Renders a camera's image into image_.
+  void draw(std::size_t camera);
   void mixIntoDigest(std::uint64_t value);
 
   Options options_;
   robotlink::ManualClock clock_;
   std::unique_ptr<simcore::Simulation> simulation_;
   std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
+  HeldActuators held_;
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;

@@ -3,12 +3,14 @@
 
 #include "app/core/platform/HostingMemory.h"
 #include "app/core/program/SceneMessages.h"
+#include "app/core/simulated/WorldObjects.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "logplayer/record/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
@@ -17,7 +19,7 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kTransformsPeriod{15};
+constexpr std::chrono::milliseconds kTransformsPeriod{15}, kPortsPeriod{33};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
 /// The options of the last simulation, as the adapter's memory keeps them; at first, programs run where they
@@ -72,6 +74,7 @@ tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed:
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
+  feed->ports_ = std::make_unique<WorldPorts>(feed->run_->world());
   return feed;
 }
 
@@ -81,7 +84,7 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
             gate_.publishTrouble(robot, process, text);
           },
           {},
-          [this](const std::string& text) { publishPorts(text, foxglove::Log::INFO); },
+          [this](const std::string& text) { publishPortText(text, foxglove::Log::INFO); },
           [this](robotlink::Instant, const std::string& text) { publishGame(text); },
           [this](const std::string& robot, robotlink::Instant time, const std::string& text) {
             gate_.publishPlatform(robot, time, text);
@@ -90,7 +93,7 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
                  const robotcontrol::HostingStatus& status) { gate_.publishHosting(robot, time, status); }};
 }
 
-void SimulationFeed::publishPorts(const std::string& text, int level) {
+void SimulationFeed::publishPortText(const std::string& text, int level) {
   if (run_ && !run_->robots().empty()) gate_.publishText(run_->robots().front(), "ports", now(), level, text);
 }
 
@@ -116,6 +119,7 @@ void SimulationFeed::inheritPlayback(const Going& before) {
 std::vector<std::string> SimulationFeed::end() {
   gate_.keepReports();
   run_->end();
+  ports_.reset();
   if (run_->hasEnded()) run_.reset();
   return gate_.keptReports();
 }
@@ -134,9 +138,10 @@ void SimulationFeed::begin() {
   }
   if (const ArcosPorts* ports = run_->ports()) {
     const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
-    publishPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
-                 foxglove::Log::INFO);
-    if (!ports->warning().empty()) publishPorts(ports->warning(), foxglove::Log::WARNING);
+    publishPortText(
+        "programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
+        foxglove::Log::INFO);
+    if (!ports->warning().empty()) publishPortText(ports->warning(), foxglove::Log::WARNING);
   }
   publishAnswers();
 }
@@ -154,6 +159,7 @@ std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
 
 void SimulationFeed::step() {
   pace_.forgetLag(Clock::now(), now());
+  if (ports_->holdsAny()) ports_->release(run_->stoppedRobots());
   run_->step();
   if (stepsWanted_ > 0) --stepsWanted_;
   const auto real = Clock::now();
@@ -162,6 +168,7 @@ void SimulationFeed::step() {
     lastTransforms_ = real;
     publishTransforms();
   }
+  if (!ports_->isEmpty()) stepPorts(real);
   const bool isRead = demand_.anything || recorder_.active();
   if (isRead && (single || real - lastStatus_ >= kSimulationStatusEvery)) publishStatus();
   publishAnswers();
@@ -201,7 +208,9 @@ struct SimulationFeed::Handlers {
       {Request::kControlSimulation, &SimulationFeed::controlSimulation},
       {Request::kPlaceModel, &SimulationFeed::placeModel},
       {Request::kSetLighting, &SimulationFeed::setLighting},
-      {Request::kHostProgram, &SimulationFeed::hostProgram}};
+      {Request::kHostProgram, &SimulationFeed::hostProgram},
+      {Request::kSetActuator, &SimulationFeed::setActuator},
+      {Request::kReadPorts, &SimulationFeed::readPorts}};
 };
 
 bool SimulationFeed::fulfills(const robotcontrol::Request& request) {
@@ -244,6 +253,20 @@ robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request&
   if (choices_) choices_(run_->options());
   publishLostOverrides();
   return {};
+}
+
+robotlink::Result<void> SimulationFeed::setActuator(const robotcontrol::Request& request) {
+  const auto done = ports_->set(request.robot(), request.set_actuator(), run_->stoppedRobots());
+  publishPorts();
+  return done;
+}
+
+robotlink::Result<void> SimulationFeed::readPorts(const robotcontrol::Request& request) {
+  const auto done = ports_->read(request.read_ports());
+  if (!done || request.read_ports().ended()) return done;
+  publishPorts();
+  for (auto& image : ports_->images(true)) gate_.publish(std::move(image));
+  return done;
 }
 
 robotlink::Result<void> SimulationFeed::controlSimulation(const robotcontrol::Request& request) {
@@ -300,6 +323,9 @@ void SimulationFeed::publishScene() {
   lastStatus_ = Clock::now();
   if (const auto map = run_->map()) gate_.publish({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   gate_.publish({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
+  gate_.publish({robotlink::streams::kObjects, now(), worldObjects(run_->world().simulation())});
+  // After a reset nothing is held any more.
+  if (lastPorts_ != Clock::time_point()) publishPorts();
   publishTransforms();
   publishStatus();
 }
@@ -314,6 +340,19 @@ void SimulationFeed::setDemand(const Demand& demand) {
 void SimulationFeed::publishTransforms() {
   if (!demand_.transforms) return;
   gate_.publish({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+}
+
+void SimulationFeed::publishPorts() {
+  lastPorts_ = Clock::now();
+  const robotlink::StreamMessage message{robotlink::streams::kPorts, now(), ports_->readings()};
+  if (recorder_.active() && !ports_->isEmpty()) recorder_.add({message});
+  gate_.publish(message);
+}
+
+void SimulationFeed::stepPorts(Clock::time_point real) {
+  for (auto& image : ports_->images(false)) gate_.publish(std::move(image));
+  if (running_ && real - lastPorts_ < kPortsPeriod) return;
+  publishPorts();
 }
 
 void SimulationFeed::publishStatus() {

@@ -8,6 +8,7 @@
 #include "app/core/platform/PlatformFeed.h"
 #include "app/core/platform/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
+#include "app/core/simulated/WorldPorts.h"
 
 namespace app {
 
@@ -67,8 +68,8 @@ class SimulationFeed final : public PlatformFeed {
       : gate_(session), recorder_(recorder) {}
   /// Listeners that publish.
   SimulatedRun::Listeners listeners();
-  /// Publishes a text about the ports in the log of the first robot.
-  void publishPorts(const std::string& text, int level);
+  /// Publishes a text about the ports of programs in the log of the first robot.
+  void publishPortText(const std::string& text, int level);
   /// Publishes a text about the game in the log of the first robot.
   void publishGame(const std::string& text);
   /// The simulation's time.
@@ -81,6 +82,8 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> placeModel(const robotcontrol::Request& request);
   robotlink::Result<void> setLighting(const robotcontrol::Request& request);
   robotlink::Result<void> hostProgram(const robotcontrol::Request& request);
+  robotlink::Result<void> setActuator(const robotcontrol::Request& request);
+  robotlink::Result<void> readPorts(const robotcontrol::Request& request);
   struct Handlers;
 
   /// Resets the run with the same seed, and publishes the scene again.
@@ -94,6 +97,10 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   /// Unless nobody reads them.
   void publishTransforms();
+  /// What is read or held of ports, if there is something.
+  void publishPorts();
+  /// Publishes that at its rate, with the images that are due, and lets go what must not move.
+  void stepPorts(Clock::time_point real);
 
   /// Publishes to the session from begin() on.
   PublishGate gate_;
@@ -101,12 +108,14 @@ class SimulationFeed final : public PlatformFeed {
   logplayer::Recorder& recorder_;
   Choices choices_;
   std::unique_ptr<SimulatedRun> run_;
+  /// Null before the run is made.
+  std::unique_ptr<WorldPorts> ports_;
   bool running_ = false;
   /// Single steps that were requested and not made yet.
   int stepsWanted_ = 0;
   Pace pace_;
-  /// When transforms and status were last published.
-  Clock::time_point lastTransforms_, lastStatus_;
+  /// When transforms, status and ports were last published.
+  Clock::time_point lastTransforms_, lastStatus_, lastPorts_;
   /// The simulation's time at lastStatus_, for measuring the speed.
   robotlink::Instant lastStatusTime_;
   /// Times real time, since the status before.

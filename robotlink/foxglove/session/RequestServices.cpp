@@ -21,13 +21,19 @@ namespace util = google::protobuf::util;
 
 constexpr char kJson[] = "json", kProtobuf[] = "protobuf";
 
-bool isOfRobot(const RequestKind& kind) {
-  return kind.isOfProgram() || kind.doer == RequestDoer::kPlatform || kind.what == Request::kHostProgram;
+/// Where programs run is chosen for one robot, or for all at once; ports are those of a robot or of any
+/// model.
+bool isOfBoth(const RequestKind& kind) {
+  return kind.what == Request::kHostProgram || kind.what == Request::kSetActuator ||
+         kind.what == Request::kReadPorts;
 }
 
-/// Where programs run is chosen for one robot, or for all at once.
+bool isOfRobot(const RequestKind& kind) {
+  return kind.isOfProgram() || kind.doer == RequestDoer::kPlatform || isOfBoth(kind);
+}
+
 bool isOfWorld(const RequestKind& kind) {
-  return !isOfRobot(kind) || kind.what == Request::kHostProgram;
+  return !isOfRobot(kind) || isOfBoth(kind);
 }
 
 /// The field of a Request that has the message of a kind.

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/WorldObjects.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+#include "app/core/program/SceneMessages.h"
+#include "robotcontrol/World.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+#include "simcore/world/WorldDescription.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::WorldObject;
+using robotlink::Pose3;
+using simcore::ModelDescription;
+using Steps = std::vector<std::string>;
+
+const simcore::ModelInstance* modelNamed(const simcore::Simulation& simulation, const std::string& name) {
+  const auto& models = simulation.scene().world().models;
+  const auto found = std::ranges::find(models, name, &simcore::ModelInstance::name);
+  return found == models.end() ? nullptr : &*found;
+}
+
+WorldObject::Kind kindOfModel(const ModelDescription& type) {
+  if (!type.robot.empty()) return WorldObject::ROBOT;
+  if (type.isBall) return WorldObject::BALL;
+  return type.field.empty() ? WorldObject::MODEL : WorldObject::FIELD;
+}
+
+std::size_t shapesOf(const ModelDescription& type) {
+  std::size_t count = 0;
+  for (const auto& link : type.links) count += link.visuals.size() + link.collisions.size();
+  return count;
+}
+
+robotcontrol::WorldProperty& addNumbers(WorldObject& to, const char* name,
+                                        std::initializer_list<double> values, const char* unit = "") {
+  auto& property = *to.add_properties();
+  property.set_name(name);
+  property.set_unit(unit);
+  for (const double value : values) property.add_values(value);
+  return property;
+}
+
+void addText(WorldObject& to, const char* name, const std::string& text) {
+  if (text.empty()) return;
+  auto& property = *to.add_properties();
+  property.set_name(name);
+  property.set_text(text);
+}
+
+void addShape(WorldObject& to, const simcore::Shape& shape) {
+  using Kind = simcore::Shape::Kind;
+  switch (shape.kind) {
+    case Kind::kBox:
+      addText(to, "shape", "box");
+      addNumbers(to, "size", {shape.size.x(), shape.size.y(), shape.size.z()}, "m");
+      break;
+    case Kind::kPlane:
+      addText(to, "shape", "plane");
+      addNumbers(to, "size", {shape.size.x(), shape.size.y()}, "m");
+      break;
+    case Kind::kSphere:
+      addText(to, "shape", "sphere");
+      addNumbers(to, "radius", {shape.radius}, "m");
+      break;
+    case Kind::kCylinder:
+    case Kind::kCapsule:
+      addText(to, "shape", shape.kind == Kind::kCylinder ? "cylinder" : "capsule");
+      addNumbers(to, "radius", {shape.radius}, "m");
+      addNumbers(to, "length", {shape.length}, "m");
+      break;
+    case Kind::kMesh:
+      addText(to, "shape", "mesh");
+      break;
+  }
+}
+
+/// Adds the objects of one model.
+class ModelWriter {
+ public:
+  ModelWriter(const simcore::ModelInstance& model, const std::string& sceneFile, bool isMovable,
+              robotcontrol::WorldObjects& to)
+      : model_(model), type_(*model.type), sceneFile_(sceneFile), to_(to) {
+    addModel(isMovable);
+    hasShapes_ = shapesOf(type_) <= kMaxShapes;
+    for (std::size_t i = 0; i < type_.links.size(); ++i) addLink(i);
+    for (const auto& joint : type_.joints) addJoint(joint);
+  }
+
+ private:
+  std::string linkPath(std::size_t link) const { return model_.name + "/link:" + type_.links[link].name; }
+
+  /// Where an object is that is fixed to a link.
+  void place(WorldObject& object, std::size_t link, const Pose3& inLink) const {
+    if (type_.isStatic) {
+      object.set_frame("field");
+      robotlink::assign(*object.mutable_pose_in_frame(),
+                        Pose3(model_.poseInWorld * type_.links[link].poseInModel * inLink));
+      return;
+    }
+    object.set_frame("body:" + model_.name + "/" + type_.links[link].name);
+    robotlink::assign(*object.mutable_pose_in_frame(), inLink);
+  }
+
+  /// Says where a file has a property; nothing if the model is from none.
+  void locate(robotcontrol::WorldProperty& property, const Steps& steps) const {
+    if (type_.file.empty()) return;
+    property.set_file(type_.file);
+    property.add_element(type_.file == sceneFile_ ? "instance[" + model_.name + "]" : "model");
+    for (const std::string& step : steps) property.add_element(step);
+  }
+
+  WorldObject& add(WorldObject::Kind kind, const std::string& path, const std::string& name,
+                   const std::string& parent) {
+    WorldObject& object = *to_.add_objects();
+    object.set_kind(kind);
+    object.set_path(path);
+    object.set_name(name);
+    object.set_parent(parent);
+    object.set_model(model_.name);
+    return object;
+  }
+
+  void addModel(bool isMovable) {
+    WorldObject& object = add(kindOfModel(type_), model_.name, model_.name, {});
+    object.set_is_movable(isMovable);
+    if (!type_.links.empty()) place(object, 0, type_.links[0].poseInModel.inverse());
+    double mass = 0;
+    for (const auto& link : type_.links) mass += link.mass;
+    if (!type_.isStatic) addNumbers(object, "mass", {mass}, "kg");
+    addText(object, "type", type_.name);
+    addText(object, "file", type_.file);
+    // Its numbers are those of its pose at the start.
+    const robotlink::Vector3 place = model_.poseInWorld.translation();
+    auto& pose = addNumbers(object, "initial_pose", {place.x(), place.y(), place.z()}, "m");
+    if (model_.where.line == 0) return;
+    pose.set_file(sceneFile_);
+    pose.add_element("instance[" + model_.name + "]");
+    pose.add_element("pose");
+  }
+
+  void addLink(std::size_t index) {
+    const auto& link = type_.links[index];
+    std::string parent = model_.name;
+    for (const auto& joint : type_.joints)
+      if (joint.child == static_cast<int>(index)) parent = model_.name + "/joint:" + joint.name;
+    WorldObject& object = add(WorldObject::LINK, linkPath(index), link.name, parent);
+    place(object, index, Pose3::Identity());
+    if (!type_.isStatic) {
+      locate(addNumbers(object, "mass", {link.mass}, "kg"), {"link[" + link.name + "]", "inertial", "mass"});
+      const auto& center = link.centerOfMass;
+      addNumbers(object, "center_of_mass", {center.x(), center.y(), center.z()}, "m");
+      const auto& inertia = link.inertia;
+      addNumbers(object, "inertia", {inertia(0, 0), inertia(1, 1), inertia(2, 2)}, "kg m^2");
+    }
+    if (!hasShapes_) return;
+    for (const auto& visual : link.visuals) addVisual(index, visual);
+    for (const auto& solid : link.collisions) addSolid(index, solid);
+  }
+
+  void addVisual(std::size_t link, const simcore::VisualDescription& visual) {
+    WorldObject& object =
+        add(WorldObject::SHAPE, linkPath(link) + "/visual:" + visual.name, visual.name, linkPath(link));
+    place(object, link, visual.poseInLink);
+    addShape(object, visual.shape);
+    const robotlink::Rgb color = visual.teamColor && model_.teamColor ? *model_.teamColor : visual.color;
+    auto& property = addNumbers(object, "color", {double(color.r), double(color.g), double(color.b)});
+    property.set_text(visual.teamColor ? "team" : visual.colorName);
+  }
+
+  void addSolid(std::size_t link, const simcore::CollisionDescription& solid) {
+    WorldObject& object =
+        add(WorldObject::SOLID, linkPath(link) + "/solid:" + solid.name, solid.name, linkPath(link));
+    place(object, link, solid.poseInLink);
+    addShape(object, solid.shape);
+    const Steps start{"link[" + type_.links[link].name + "]", "collision[" + solid.name + "]", "surface"};
+    const auto below = [&](std::initializer_list<const char*> names) {
+      Steps steps = start;
+      steps.insert(steps.end(), names.begin(), names.end());
+      return steps;
+    };
+    locate(addNumbers(object, "friction", {solid.friction}), below({"friction", "ode", "mu"}));
+    locate(addNumbers(object, "restitution", {solid.restitution}),
+           below({"bounce", "restitution_coefficient"}));
+  }
+
+  void addJoint(const simcore::JointDescription& joint) {
+    const std::string parent =
+        joint.parent < 0 ? model_.name : linkPath(static_cast<std::size_t>(joint.parent));
+    WorldObject& object = add(WorldObject::JOINT, model_.name + "/joint:" + joint.name, joint.name, parent);
+    const auto child = static_cast<std::size_t>(joint.child);
+    Pose3 anchor = Pose3::Identity();
+    anchor.translate(type_.links[child].poseInModel.inverse() * joint.anchorInModel);
+    place(object, child, anchor);
+    if (joint.fixed) return addText(object, "type", "fixed");
+    const auto& axis = joint.axisInModel;
+    addNumbers(object, "axis", {axis.x(), axis.y(), axis.z()});
+    if (joint.upper > joint.lower) addNumbers(object, "range", {joint.lower, joint.upper}, "rad");
+    if (!joint.servo) return;
+    addNumbers(object, "maximum_speed", {joint.maximumSpeed}, "rad/s");
+    addNumbers(object, "maximum_torque", {joint.maximumTorque}, "N m");
+    addNumbers(object, "noise", {joint.positionNoise}, "rad");
+  }
+
+  const simcore::ModelInstance& model_;
+  const ModelDescription& type_;
+  const std::string& sceneFile_;
+  robotcontrol::WorldObjects& to_;
+  bool hasShapes_ = true;
+};
+
+/// Adds all ports, each below the joint or the link that it belongs to.
+class PortWriter {
+ public:
+  PortWriter(const simcore::Simulation& simulation, robotcontrol::WorldObjects& to)
+      : simulation_(simulation), to_(to) {
+    for (const auto& object : to.objects()) known_.insert(object.path());
+    for (const auto& sensor : simulation.sensors()) add(sensor.info);
+    for (const auto& sensor : simulation.rangeSensors())
+      setRange(*add(sensor.info).mutable_port(), sensor.minimum, sensor.maximum);
+    for (const auto& camera : simulation.cameras())
+      add(camera.info).mutable_port()->set_image_stream(imageStreamOf(simulation, camera));
+    for (const auto& servo : simulation.servos()) {
+      WorldObject& object = addActuator(servo.info, servo.minimum, servo.maximum);
+      addNumbers(object, "maximum_speed", {servo.maximumSpeed}, "rad/s");
+      addNumbers(object, "maximum_torque", {servo.maximumTorque}, "N m");
+    }
+    for (const auto& drive : simulation.drives()) {
+      WorldObject& object = addActuator(drive.info, -drive.maximumSpeed, drive.maximumSpeed);
+      addNumbers(object, "track", {drive.track}, "m");
+      addNumbers(object, "wheel_radius", {drive.wheelRadius}, "m");
+    }
+  }
+
+ private:
+  static void setRange(robotcontrol::WorldPort& port, double minimum, double maximum) {
+    port.set_minimum(minimum);
+    port.set_maximum(maximum);
+  }
+
+  WorldObject& addActuator(const simcore::PortInfo& info, double minimum, double maximum) {
+    WorldObject& object = add(info);
+    object.set_kind(WorldObject::ACTUATOR);
+    object.mutable_port()->set_is_actuator(true);
+    setRange(*object.mutable_port(), minimum, maximum);
+    return object;
+  }
+
+  WorldObject& add(const simcore::PortInfo& info) {
+    WorldObject& object = *to_.add_objects();
+    object.set_kind(WorldObject::SENSOR);
+    object.set_path(info.path);
+    object.set_name(info.path.substr(std::min(info.path.size(), info.robot.size() + 1)));
+    object.set_model(info.robot);
+    object.set_parent(info.robot);
+    auto& port = *object.mutable_port();
+    port.set_path(info.path);
+    port.set_robot(info.robot);
+    port.set_type(info.type);
+    port.set_unit(info.unit);
+    for (const int size : info.shape) port.add_shape(size);
+    const std::string first = object.name().substr(0, object.name().find('/'));
+    if (const std::string joint = info.robot + "/joint:" + first; known_.contains(joint)) {
+      object.set_parent(joint);
+    } else {
+      describeSensor(object, first);
+    }
+    return object;
+  }
+
+  /// What the model's file says of the sensor: where it is, and its noise.
+  void describeSensor(WorldObject& object, const std::string& name) const {
+    const auto* model = modelNamed(simulation_, object.model());
+    if (model == nullptr) return;
+    const auto& sensors = model->type->sensors;
+    const auto sensor = std::ranges::find(sensors, name, &simcore::SensorDescription::name);
+    if (sensor == sensors.end()) return;
+    const std::string& link = model->type->links[static_cast<std::size_t>(sensor->link)].name;
+    object.set_parent(object.model() + "/link:" + link);
+    if (!model->type->isStatic) {
+      object.set_frame("body:" + object.model() + "/" + link);
+      robotlink::assign(*object.mutable_pose_in_frame(), sensor->poseInLink);
+    }
+    using Kind = simcore::SensorDescription::Kind;
+    const bool isCamera = sensor->kind == Kind::kCamera;
+    if (isCamera) {
+      addNumbers(object, "size", {double(sensor->width), double(sensor->height)}, "px");
+      addNumbers(object, "opening_angles", {sensor->horizontalAngle, sensor->verticalAngle}, "rad");
+    }
+    if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
+    if (sensor->kind == Kind::kContact) return;
+    auto& noise = addNumbers(object, "noise", {sensor->noise}, isCamera ? "" : object.port().unit().c_str());
+    Steps steps = noiseSteps(sensor->kind);
+    if (steps.empty() || model->type->file.empty()) return;
+    const bool isInScene = model->type->file == simulation_.scene().file().string();
+    noise.set_file(model->type->file);
+    noise.add_element(isInScene ? "instance[" + object.model() + "]" : "model");
+    noise.add_element("link[" + link + "]");
+    noise.add_element("sensor[" + name + "]");
+    for (const std::string& step : steps) noise.add_element(step);
+  }
+
+  /// Empty for those that describe the noise of several axes.
+  static Steps noiseSteps(simcore::SensorDescription::Kind kind) {
+    using Kind = simcore::SensorDescription::Kind;
+    if (kind == Kind::kCamera) return {"camera", "noise", "stddev"};
+    if (kind == Kind::kDistance || kind == Kind::kLaser) return {"lidar|ray", "noise", "stddev"};
+    if (kind == Kind::kSonar) return {"robotcontrol:noise"};
+    return {};
+  }
+
+  const simcore::Simulation& simulation_;
+  robotcontrol::WorldObjects& to_;
+  std::set<std::string> known_;
+};
+
+void addLamps(const simcore::WorldDescription& world, robotcontrol::WorldObjects& to) {
+  for (std::size_t i = 0; i < world.lamps.size(); ++i) {
+    const simcore::Lamp& lamp = world.lamps[i];
+    WorldObject& object = *to.add_objects();
+    object.set_kind(WorldObject::LIGHT);
+    object.set_name("light " + std::to_string(i + 1));
+    object.set_path(object.name());
+    object.set_frame("field");
+    Pose3 pose = Pose3::Identity();
+    pose.translate(lamp.position.cast<double>());
+    robotlink::assign(*object.mutable_pose_in_frame(), pose);
+    addNumbers(object, "intensity", {static_cast<double>(lamp.intensity)});
+    addNumbers(object, "attenuation", {static_cast<double>(lamp.attenuation)}, "1/m^2");
+  }
+}
+
+}  // namespace
+
+std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
+  const auto* model = modelNamed(simulation, camera.info.robot);
+  const bool isSent = model != nullptr && !model->type->robot.empty() && !model->type->drive;
+  return isSent ? camera.info.robot + "/" + robotlink::kCameraImage.name : camera.info.path;
+}
+
+std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Simulation& simulation) {
+  auto message = std::make_shared<robotcontrol::WorldObjects>();
+  robotlink::assign(*message->mutable_timestamp(), robotlink::Instant(simulation.time()));
+  const std::string file = simulation.scene().file().string();
+  message->set_file(file);
+  const auto movable = movableModels(simulation);
+  for (const auto& model : simulation.scene().world().models) {
+    const bool isMovable = std::ranges::find(movable, model.name) != movable.end();
+    const ModelWriter writer(model, file, isMovable, *message);
+  }
+  const PortWriter ports(simulation, *message);
+  addLamps(simulation.scene().world(), *message);
+  return message;
+}
+
+}  // namespace app
