@@ -8,6 +8,8 @@
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
+#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -49,9 +51,67 @@ Result<void> place(OpenPlatform& open, const Values& values) {
   return {};
 }
 
+const robotcontrol::WorldObjects* objects(OpenPlatform& open) {
+  return open.session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                     open.session().timeline().newest());
+}
+
+/// The ports of all actuators; empty without a simulation.
+std::vector<std::string> actuators(OpenPlatform& open) {
+  std::vector<std::string> ports;
+  if (const auto* all = objects(open)) {
+    for (const auto& object : all->objects())
+      if (object.port().is_actuator()) ports.push_back(object.port().path());
+  }
+  return ports;
+}
+
+Result<void> setActuator(OpenPlatform& open, robotcontrol::SetActuator set) {
+  const std::string port = set.port();
+  robotcontrol::Request request;
+  if (!port.empty()) {
+    const auto known = actuators(open);
+    if (std::ranges::find(known, port) == known.end())
+      return failure("scene.actuator", "there is no actuator " + port + robotlink::suggestion(port, known),
+                     {}, {port});
+    const std::string robot = port.substr(0, port.find('/'));
+    const auto& robots = open.session().robots();
+    if (std::ranges::find(robots, robot) != robots.end()) request.set_robot(robot);
+  }
+  *request.mutable_set_actuator() = std::move(set);
+  open.ask(std::move(request));
+  return {};
+}
+
+Result<void> hold(OpenPlatform& open, const Values& values) {
+  robotcontrol::SetActuator set;
+  set.set_port(text(values, 0));
+  set.add_values(number(values, 1));
+  if (const auto* all = objects(open)) {
+    const auto object = std::ranges::find(all->objects(), set.port(), &robotcontrol::WorldObject::path);
+    const bool hasTwo = object != all->objects().end() && object->port().shape_size() > 0;
+    if (hasTwo) set.add_values(number(values, 2));
+  }
+  return setActuator(open, std::move(set));
+}
+
+Result<void> release(OpenPlatform& open, const Values& values) {
+  robotcontrol::SetActuator set;
+  set.set_port(text(values, 0));
+  set.set_released(true);
+  return setActuator(open, std::move(set));
+}
+
 }  // namespace
 
 void addSceneCommands(CommandTable& commands, OpenPlatform& open) {
+  const auto ports = [&open](const auto& before) {
+    return before.empty() ? actuators(open) : std::vector<std::string>();
+  };
+  commands.attach(
+      "scene.hold", [&open](const Values& values) { return hold(open, values); }, ports);
+  commands.attach(
+      "scene.release", [&open](const Values& values) { return release(open, values); }, ports);
   commands.attach(
       "scene.place", [&open](const Values& values) { return place(open, values); },
       [&open](const auto& before) { return before.empty() ? models(open) : std::vector<std::string>(); });

@@ -29,6 +29,23 @@ Rows simulationRows() {
        "Changes the light that cameras see; 1 0 is the scene's own",
        {{"brightness", Type::kNumber, "times the scene's, 0 to 10"},
         {"warmth", Type::kNumber, "-1 (bluish) to 1 (reddish)", 0.0}}},
+      {"layout.open",
+       "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
+       "one",
+       {{"layout", Type::kText, "a layout file"}}},
+  };
+}
+
+Rows sceneRows() {
+  return {
+      {"scene.hold",
+       "Holds an actuator of the simulation at a value, whatever the robot's program asks for",
+       {{"actuator", Type::kText, "its port, as in the view Scene tree: red1/headPan/request"},
+        {"value", Type::kNumber, "rad, or m/s of the left wheels"},
+        {"second", Type::kNumber, "of actuators with two: m/s of the right wheels", 0.0}}},
+      {"scene.release",
+       "Lets programs set an actuator again",
+       {{"actuator", Type::kText, "its port; '': all", std::string()}}},
       {"scene.place",
        "Places a robot or the ball of the simulation; with a height, roll or pitch also tilted, such as "
        "lying",
@@ -39,10 +56,6 @@ Rows simulationRows() {
         {"height", Type::kNumber, "m, of the middle of its body; 0: as it is", 0.0},
         {"roll", Type::kNumber, "rad, about its x axis, before pitch and heading", 0.0},
         {"pitch", Type::kNumber, "rad, about its y axis; all three 0: it stays as it stands", 0.0}}},
-      {"layout.open",
-       "Restarts the robots' programs in another process layout, given by its path or the name of a shipped "
-       "one",
-       {{"layout", Type::kText, "a layout file"}}},
   };
 }
 
@@ -327,9 +340,9 @@ Rows recordingRows() {
 
 Rows commandCatalog() {
   Rows all;
-  for (Rows& rows : std::vector<Rows>{simulationRows(), robotRows(), remoteRows(), openedLogRows(),
-                                      writtenLogRows(), playedLogRows(), timelineRows(), recordingRows(),
-                                      windowCatalog(), controlCatalog(), colorCatalog()})
+  for (Rows& rows : std::vector<Rows>{simulationRows(), sceneRows(), robotRows(), remoteRows(),
+                                      openedLogRows(), writtenLogRows(), playedLogRows(), timelineRows(),
+                                      recordingRows(), windowCatalog(), controlCatalog(), colorCatalog()})
     std::ranges::move(rows, std::back_inserter(all));
   return all;
 }

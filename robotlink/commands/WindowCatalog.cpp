@@ -98,6 +98,9 @@ Rows pictureRows() {
          .help = "how both are shown",
          .initial = std::string("side-by-side"),
          .choices = {"side-by-side", "blend", "difference"}}}},
+      {"image.show",
+       "Chooses how an Image view shows its images",
+       {image, {"mode", Type::kText, "stereogram: only of depths", {}, {"color", "gray", "stereogram"}}}},
       {"view.drawing",
        "Checks or unchecks a drawing in the list of a view; one that is off at the robot is switched on "
        "there",
@@ -113,6 +116,10 @@ Rows pictureRows() {
 
 Rows dataRows() {
   return {
+      {"columns.show",
+       "Shows the values of a list as columns",
+       {{"list", Type::kText, "a sensor of the scene, such as p3at1/laser, or 'red1/range/laser: ranges'"},
+        {"view", Type::kText, "columns; the second one is columns#2", std::string("columns")}}},
       {"data.compare",
        "Compares the values in a Data view with others",
        {{"with", Type::kText, "none, now (these values, from now on), remembered, logged, or a robot"},
@@ -143,6 +150,14 @@ Rows windowCatalog() {
       {"view.screenshot",
        "Saves a picture of a view, which is opened if needed, or of the whole window",
        {{"view", Type::kText, "its name, or window"}, {"file", Type::kFile, "a PNG file"}}},
+      {"view.copy",
+       "Copies what a view shows to the clipboard",
+       {{"view", Type::kText, "its name: plots, joints, ...; the second one is plots#2"},
+        {"as",
+         Type::kText,
+         "numbers: its table, with tabs between the columns",
+         {},
+         {"picture", "numbers"}}}},
       {"log.bookmark",
        "Adds a bookmark to the log",
        {{"seconds", Type::kNumber, "since the start"}, {"text", Type::kText, "text of the bookmark"}}},

@@ -95,6 +95,14 @@ TEST_F(WorldPortsTest, onlyWhatIsReadIsPublished) {
   EXPECT_TRUE(ports_.isEmpty());
 }
 
+TEST_F(WorldPortsTest, imagesThatARobotSendsAreNotSentTwice) {
+  robotcontrol::ReadPorts read;
+  read.add_ports("red1/camera/image");
+  ASSERT_TRUE(ports_.read(read));
+  EXPECT_TRUE(ports_.isEmpty());
+  EXPECT_TRUE(ports_.images(true).empty());
+}
+
 TEST_F(WorldPortsTest, anUnknownPortIsRefusedByName) {
   robotcontrol::ReadPorts read;
   read.add_ports("red1/acelerometer");

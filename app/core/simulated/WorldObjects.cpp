@@ -339,10 +339,14 @@ void addLamps(const simcore::WorldDescription& world, robotcontrol::WorldObjects
 
 }  // namespace
 
-std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
+bool isSentByRobot(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
   const auto* model = modelNamed(simulation, camera.info.robot);
-  const bool isSent = model != nullptr && !model->type->robot.empty() && !model->type->drive;
-  return isSent ? camera.info.robot + "/" + robotlink::kCameraImage.name : camera.info.path;
+  return model != nullptr && !model->type->robot.empty() && !model->type->drive;
+}
+
+std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera) {
+  return isSentByRobot(simulation, camera) ? camera.info.robot + "/" + robotlink::kCameraImage.name
+                                           : camera.info.path;
 }
 
 std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Simulation& simulation) {

@@ -20,8 +20,10 @@ namespace app {
 std::shared_ptr<const robotcontrol::WorldObjects> worldObjects(const simcore::Simulation& simulation);
 inline constexpr std::size_t kMaxShapes = 500;
 
-/// The stream that has a camera's images: that of its robot's first package of images, or, where the robot
-/// sends none, that of the port.
+/// Whether a camera's robot sends its images.
+bool isSentByRobot(const simcore::Simulation& simulation, const simcore::CameraSensor& camera);
+/// The stream that has a camera's images: that of its robot, or, where the robot sends none, that of the
+/// port.
 std::string imageStreamOf(const simcore::Simulation& simulation, const simcore::CameraSensor& camera);
 
 }  // namespace app

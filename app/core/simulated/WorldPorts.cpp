@@ -45,6 +45,9 @@ robotlink::Result<void> WorldPorts::read(const robotcontrol::ReadPorts& request)
     }
   }
   read_.insert(request.ports().begin(), request.ports().end());
+  // What robots send anyway is not sent twice.
+  for (const auto& camera : world_.simulation().cameras())
+    if (isSentByRobot(world_.simulation(), camera)) read_.erase(camera.info.path);
   return {};
 }
 
@@ -103,7 +106,6 @@ std::vector<robotlink::StreamMessage> WorldPorts::images(bool all) {
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const std::string& path = cameras[i].info.path;
     if (!read_.contains(path) || !(all || world_.imageDue(i))) continue;
-    if (imageStreamOf(world_.simulation(), cameras[i]) != path) continue;
     auto image = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*image, world_.preview(i).view(), world_.clock().now(), path);
     images.push_back({path, world_.clock().now(), std::move(image)});
