@@ -112,6 +112,34 @@ std::optional<QString> shownTable(const QWidget& view) {
   return tableOf(view, QLatin1Char(','));
 }
 
+std::optional<QString> shownNumbers(const QWidget& view) {
+  return tableOf(view, QLatin1Char('\t'));
+}
+
+QString tabsOfCsv(const QString& csv) {
+  QString text;
+  bool isQuoted = false;
+  for (int i = 0; i < csv.size(); ++i) {
+    const QChar c = csv[i];
+    if (c == QLatin1Char('"')) {
+      // Two quotes in a quoted cell are one.
+      const bool isDouble = isQuoted && i + 1 < csv.size() && csv[i + 1] == c;
+      if (isDouble) {
+        text += c;
+        ++i;
+      } else {
+        isQuoted = !isQuoted;
+      }
+    } else if (isQuoted) {
+      const bool isBreak = c == QLatin1Char('\n') || c == QLatin1Char('\r') || c == QLatin1Char('\t');
+      text += isBreak ? QLatin1Char(' ') : c;
+    } else {
+      text += c == QLatin1Char(',') ? QLatin1Char('\t') : c;
+    }
+  }
+  return text;
+}
+
 std::optional<QString> shownText(const QWidget& view) {
   if (const auto* text = largest<QPlainTextEdit>(view)) return text->toPlainText() + QLatin1Char('\n');
   if (const auto* text = largest<QTextEdit>(view)) return text->toPlainText() + QLatin1Char('\n');

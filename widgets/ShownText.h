@@ -14,6 +14,13 @@ namespace widgets {
 /// Unset if there is neither. GUI thread.
 std::optional<QString> shownTable(const QWidget& view);
 
+/// The same table with tabs between the columns. Unset if there is none.
+std::optional<QString> shownNumbers(const QWidget& view);
+
+/// A table as CSV with tabs instead of commas, and without quotes; tabs and line breaks in cells become
+/// spaces.
+QString tabsOfCsv(const QString& csv);
+
 /// The text of the largest text that a view shows, such as a console's; else its table with tabs between the
 /// columns. Unset if there is neither.
 std::optional<QString> shownText(const QWidget& view);

@@ -54,6 +54,10 @@ robotlink::Result<void> View::saveTo(const QString& file) {
   return robotlink::writeFileAtomically(path, shown->toStdString());
 }
 
+std::optional<QString> View::numbers() {
+  return shownNumbers(*this);
+}
+
 QImage View::shownPicture() {
   return grab().toImage();
 }

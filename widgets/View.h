@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,9 @@ class GamepadSettings;
 class ManualSteering;
 class MotionBench;
 class OpenLogs;
+class SceneSelection;
 struct RobotBody;
+struct SceneFileEdit;
 
 /// What a view may use. All of it outlives the view.
 struct ViewContext {
@@ -56,11 +59,16 @@ struct ViewContext {
   std::shared_ptr<MotionBench> motions = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
+  /// The selected object of the scene; created on first use by sceneSelection().
+  std::shared_ptr<SceneSelection> selection = {};
   /// What gamepads do; null: as shipped.
   std::shared_ptr<GamepadSettings> gamepad = {};
   /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
   /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
   std::function<std::shared_ptr<const RobotBody>(const std::string& kind, const QColor& team)> bodyOf = {};
+  /// Writes changes into the files of the open scene, and nothing else of them; fails, naming the file and the
+  /// reason, if that is impossible. Empty: nothing can be written.
+  std::function<robotlink::Result<void>(const std::vector<SceneFileEdit>& edits)> writeScene = {};
 };
 
 /// A dockable view of a session. Everything it shows comes from the session's streams, everything it does is
@@ -88,6 +96,10 @@ class View : public QWidget {
   /// Writes what the view shows to a file, after its suffix: .png, a picture; .csv, its table; .txt, its
   /// text, or its table with tabs. Others are refused, unless the view has more. Opens no dialog.
   virtual robotlink::Result<void> saveTo(const QString& file);
+
+  /// What the view shows as numbers: a table with tabs between the columns and the titles first. Unset if it
+  /// shows none; by default shownNumbers().
+  virtual std::optional<QString> numbers();
 
   /// What a video of the view shows: by default all of it.
   virtual QImage shownPicture();

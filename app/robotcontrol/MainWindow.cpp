@@ -85,6 +85,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
       perspectives_(userFolder / "window.json") {
   context_.gamepad = std::make_shared<widgets::GamepadSettings>(userFolder / "gamepad.json");
   if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
+  offerSceneFiles();
   context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));

@@ -160,6 +160,13 @@ class MainWindow : public QMainWindow {
   void attachPoseCommand();
   void attachDataCommands();
   void attachToolCommands();
+  /// What the views of a scene show, copies of views, and the scene's files (MainWindowScene.cpp).
+  void attachSceneCommands();
+  /// Copies what a view shows, which is opened if need be; an empty name is the view in focus.
+  robotlink::Result<void> copyView(const std::string& id, bool asNumbers);
+  void addCopying(QMenu& menu);
+  /// Lets views write changes into the files of the open scene.
+  void offerSceneFiles();
   /// The view of the name that commands use, opened if need be. Fails if it is not of this class.
   template <typename V>
   robotlink::Result<V*> openAs(const std::string& name);

@@ -98,6 +98,7 @@ void MainWindow::attachCommands() {
   attachPoseCommand();
   attachDataCommands();
   attachToolCommands();
+  attachSceneCommands();
 }
 
 void MainWindow::createPresets(widgets::ParameterEdits& parameters) {

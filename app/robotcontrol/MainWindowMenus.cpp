@@ -69,6 +69,7 @@ void MainWindow::createFileMenu() {
   menu->addSeparator();
   menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture)
       ->setObjectName(QStringLiteral("file.savePicture"));
+  addCopying(*menu);
   menu->addAction(widgets::icon("video"), tr("Export a &view as video or images…"), this,
                   [this] { showExport({}); })
       ->setObjectName(QStringLiteral("file.export"));

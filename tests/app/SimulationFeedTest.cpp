@@ -8,6 +8,7 @@
 #include "app/core/simulated/SimulatedRun.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "tests/app/TickUntil.h"
 
 using namespace app;
@@ -112,6 +113,31 @@ TEST_F(SimulationFeedTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
   EXPECT_NE(robotlink::describe(errors).find("/no/such/scene.sdf"), std::string::npos);
   const double time = status()->time();
   EXPECT_TRUE(waitFor([&] { return status()->time() > time; }));
+}
+
+TEST_F(SimulationFeedTest, portsAreReadAndHeldWhileTheSimulationIsPaused) {
+  const auto readings = [this] {
+    return workbench.session().store().latestAs<robotcontrol::PortReadings>(
+        "ports", workbench.session().timeline().newest());
+  };
+  EXPECT_EQ(readings(), nullptr) << "nobody has asked";
+  robotcontrol::Request request;
+  request.mutable_read_ports()->add_ports("red1/accelerometer");
+  workbench.session().request(request);
+  ASSERT_TRUE(waitFor([&] { return readings() != nullptr && readings()->readings_size() == 1; }));
+  EXPECT_EQ(readings()->readings(0).values_size(), 3);
+  run("scene.hold red1/headPan/request 0.25");
+  ASSERT_TRUE(waitFor([&] { return readings()->held_size() == 1; }));
+  EXPECT_EQ(readings()->held(0).values(0), 0.25);
+  run("simulation.reset");
+  EXPECT_TRUE(waitFor([&] { return readings() != nullptr && readings()->held_size() == 0; }));
+}
+
+TEST_F(SimulationFeedTest, anActuatorThatIsNotThereIsNamed) {
+  ASSERT_TRUE(waitFor([this] {
+    return workbench.session().store().latest("objects", workbench.session().timeline().newest()) != nullptr;
+  }));
+  EXPECT_FALSE(workbench.commands().runLine("scene.hold red1/headPam/request 0.25"));
 }
 
 TEST_F(SimulationFeedTest, aModelIsPlacedWhileTheSimulationIsPaused) {

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <cmath>
 
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Modeling.pb.h"
@@ -148,6 +149,30 @@ void RadarView::updateStatus() {
   nearest_->setText(nearest.isEmpty() ? QString()
                                       : tr("nearest: %1").arg(nearest.join(QStringLiteral(", "))));
   range_->setText(tr("%1 m around").arg(canvas_->look().range, 0, 'f', canvas_->look().range < 10 ? 1 : 0));
+}
+
+std::optional<QString> RadarView::numbers() {
+  const RadarReadings& readings = canvas_->readings();
+  QString text = tr("sensor") + QStringLiteral("\t") + tr("number") + QStringLiteral("\t") +
+                 tr("distance, m") + QStringLiteral("\tx, m\ty, m\n");
+  const auto add = [&text](const QString& sensor, int number, double distance, const robotlink::Vector2& at) {
+    text += QStringLiteral("%1\t%2\t%3\t%4\t%5\n")
+                .arg(sensor)
+                .arg(number)
+                .arg(distance, 0, 'f', 4)
+                .arg(at.x(), 0, 'f', 4)
+                .arg(at.y(), 0, 'f', 4);
+  };
+  for (const RadarReadings::Echo& echo : readings.echoes) {
+    if (!echo.newest || echo.nothing) continue;
+    const robotlink::Pose2& from = echo.sensorInRobot;
+    add(tr("sonar"), echo.number, echo.range,
+        {from.x + echo.range * std::cos(from.heading), from.y + echo.range * std::sin(from.heading)});
+  }
+  int number = 0;
+  for (const robotlink::Vector2& hit : readings.laser)
+    add(tr("laser"), number++, (hit - readings.laserInRobot).norm(), hit);
+  return text;
 }
 
 }  // namespace widgets

@@ -25,6 +25,9 @@ class RadarView final : public PictureView {
 
   /// Shows the readings and drawings at the shown instant.
   void tick() override;
+  /// A line for each newest echo of a sonar and each hit of the laser: what measured it, its number, its
+  /// distance and its place in the robot's frame in m.
+  std::optional<QString> numbers() override;
 
  private:
   void createViews();

@@ -44,6 +44,8 @@ ImageStreamView::ImageStreamView(ViewContext& context, QWidget* parent)
       "second", [this] { return second_->save(); },
       [this](const QJsonValue& value) { second_->restore(value); });
   keep("compare", compare_);
+  keep("gray", gray_);
+  keep("stereogram", stereogram_);
   tick();
 }
 
@@ -59,6 +61,7 @@ void ImageStreamView::createActions() {
       {"imageCompare", tr("Compare"),
        tr("Compares with a second image: another camera or robot, the logged one, or another time"),
        Qt::Key_C});
+  createModes();
   copyImage_ = makeAction(
       this, "copy",
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
@@ -75,7 +78,8 @@ void ImageStreamView::createViews() {
   streams_ = new StreamSelector("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
-  addButtons(row, {fit_, oneToOne_, zoomOut(), zoomIn(), freeze_, compare_, measure_->toggle(), side.toggle});
+  addButtons(row, {fit_, oneToOne_, zoomOut(), zoomIn(), freeze_, compare_, gray_, stereogram_,
+                   measure_->toggle(), side.toggle});
   second_ = new CompareRow(this);
   second_->hide();
   assemble({row->parentWidget(), second_}, canvas_, side, {measure_->bar(), createFooter()});
@@ -120,6 +124,7 @@ void ImageStreamView::tick() {
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
   drawings()->refresh(session(), robotOfStream());
   if (measure_->isOn()) subscription_.want(session(), robotOfStream(), {robotlink::kCameraPose.name});
+  ports_.want(session(), {streams_->path(session())});
   const auto* message = session().store().latest(streams_->path(session()), instant());
   // A frozen image stays, even if the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {

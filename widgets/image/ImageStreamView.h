@@ -13,6 +13,7 @@
 #include "widgets/PackageSubscription.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/picture/PictureView.h"
+#include "widgets/ports/PortSubscription.h"
 
 class QAction;
 class QLabel;
@@ -48,6 +49,8 @@ class ImageStreamView final : public PictureView {
   /// Compares with such a stream; `mode`: "side-by-side", "blend" or "difference". Fails as showStream().
   robotlink::Result<void> compareWith(const std::string& stream, const std::string& mode);
   void endComparison();
+  /// How images are shown: "color", "gray", or "stereogram", which only depths are.
+  void setMode(const std::string& mode);
   /// What these functions take as a stream.
   std::vector<std::string> streamChoices() const;
   QJsonObject saveState() const override;
@@ -61,7 +64,10 @@ class ImageStreamView final : public PictureView {
   QWidget* createFooter();
   void connectSignals();
 
-  /// ImageStreamViewTools.cpp: comparing and measuring.
+  /// ImageStreamViewTools.cpp: modes, comparing and measuring.
+  void createModes();
+  /// Converts an image again that is shown already.
+  void showAgain();
   void createMeasure();
   /// Fails if there are no such images, and names those that there are.
   robotlink::Result<void> requireStream(const std::string& stream) const;
@@ -106,6 +112,7 @@ class ImageStreamView final : public PictureView {
   MeasureTool* measure_ = nullptr;
   QLabel *time_ = nullptr, *pixel_ = nullptr, *state_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *freeze_ = nullptr, *compare_ = nullptr;
+  QAction *gray_ = nullptr, *stereogram_ = nullptr;
   QAction *copyImage_ = nullptr, *saveImage_ = nullptr;
 
   /// The message that is shown, and the same as an image.
@@ -122,6 +129,8 @@ class ImageStreamView final : public PictureView {
   QImage firstPixels_, secondPixels_;
   /// Requests the camera's pose while something is measured.
   PackageSubscription subscription_;
+  /// Requests the images of cameras of the scene that no robot sends.
+  PortSubscription ports_;
 };
 
 }  // namespace widgets

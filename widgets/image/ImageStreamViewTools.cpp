@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of ImageStreamView that compares two images and measures in them.
+// The part of ImageStreamView that shows images in other ways, compares two images and measures in them.
 #include <QAction>
 #include <QColor>
 #include <algorithm>
@@ -7,9 +7,12 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
 #include "widgets/drawings/DrawingsModel.h"
 #include "widgets/image/CompareRow.h"
 #include "widgets/image/FloorPoint.h"
@@ -18,6 +21,7 @@
 #include "widgets/image/ImageComparison.h"
 #include "widgets/image/ImageStreamView.h"
 #include "widgets/image/RawPicture.h"
+#include "widgets/image/Stereogram.h"
 #include "widgets/image/StreamSelector.h"
 #include "widgets/picture/MeasureTool.h"
 
@@ -29,6 +33,11 @@ constexpr int kDifferenceTolerance = 4;
 
 QString lettersOf(std::size_t index) {
   return QString(QLatin1Char(static_cast<char>('A' + index)));
+}
+
+/// Whether an image has distances.
+bool isDepth(const foxglove::RawImage& image) {
+  return image.encoding() == "32FC1" || image.encoding() == "16UC1";
 }
 
 QString degreesText(double degrees) {
@@ -51,6 +60,8 @@ ImagePicture ImageStreamView::pictureOf(const foxglove::RawImage* image, const s
   if (image == nullptr) return picture;
   picture.pixels = rawPicture(
       *image, classColors(classNames(session().store(), path, *image, time), context().field.get()));
+  if (gray_->isChecked()) picture.pixels = inGray(picture.pixels);
+  if (stereogram_->isChecked() && isDepth(*image)) picture.pixels = stereogram(picture.pixels);
   for (const CurrentDrawing& drawing : drawings) {
     const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
     if (annotations == nullptr) continue;
@@ -63,6 +74,13 @@ ImagePicture ImageStreamView::pictureOf(const foxglove::RawImage* image, const s
 std::vector<std::string> ImageStreamView::streamChoices() const {
   std::vector<std::string> choices;
   const std::string folder = session().selectedRobot() + "/";
+  const auto* objects = session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                               session().timeline().newest());
+  if (objects != nullptr) {
+    // Images that come once they are asked for.
+    for (const auto& object : objects->objects())
+      if (!object.port().image_stream().empty()) choices.push_back(object.port().image_stream());
+  }
   for (const auto* stream : session().store().streams()) {
     if (stream->type != "foxglove.RawImage") continue;
     choices.push_back(stream->path);
@@ -70,6 +88,29 @@ std::vector<std::string> ImageStreamView::streamChoices() const {
       choices.push_back("*/" + stream->path.substr(folder.size()));
   }
   return choices;
+}
+
+void ImageStreamView::createModes() {
+  gray_ = makeToggle(this, "color-pixels",
+                     {"imageGray", tr("Monochrome"), tr("Shows the brightness of the pixels"), Qt::Key_G});
+  stereogram_ = makeToggle(
+      this, "eye",
+      {"imageStereogram", tr("Stereogram"),
+       tr("Shows distances as random dots: look through the picture to see them in depth"), Qt::Key_S});
+  for (QAction* mode : {gray_, stereogram_})
+    connect(mode, &QAction::toggled, this, &ImageStreamView::showAgain);
+}
+
+void ImageStreamView::setMode(const std::string& mode) {
+  gray_->setChecked(mode == "gray");
+  stereogram_->setChecked(mode == "stereogram");
+}
+
+void ImageStreamView::showAgain() {
+  shownDrawings_.clear();
+  secondPixels_ = {};
+  image_.reset();
+  tick();
 }
 
 robotlink::Result<void> ImageStreamView::requireStream(const std::string& stream) const {

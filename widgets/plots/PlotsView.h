@@ -8,6 +8,7 @@
 #include "widgets/plots/CursorModel.h"
 #include "widgets/plots/CurveModel.h"
 #include "widgets/plots/PlotTreeModel.h"
+#include "widgets/ports/PortSubscription.h"
 
 class QAction;
 class QComboBox;
@@ -55,6 +56,8 @@ class PlotsView final : public View {
   /// All points of all curves as a table (.csv), the spectra that are shown as one (.spectrum.csv), or the
   /// picture of the plots (.png, .svg).
   robotlink::Result<void> saveTo(const QString& file) override;
+  /// All points of all curves, as saveTo() writes them.
+  std::optional<QString> numbers() override;
   /// removeCurve() and clear() remove one or all curves; removeCurve() returns false if there is none by this
   /// text, which is completed as by addCurve().
   bool removeCurve(const QString& source);
@@ -157,6 +160,8 @@ class PlotsView final : public View {
   void showCursor(std::optional<double> time);
 
   PlotTreeModel sources_;
+  /// Requests the sensors of a scene that curves show.
+  PortSubscription ports_;
   CurveModel curves_;
   CursorModel between_{curves_};
   /// The tree's model filtered by the search field.

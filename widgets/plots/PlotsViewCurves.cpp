@@ -240,6 +240,8 @@ void PlotsView::removeSelected() {
 void PlotsView::requestMissing() {
   for (auto& curve : curves_.curves()) {
     for (CurveModel::Curve* part : curve->parts()) {
+      const PlotSource& source = part->reader.source();
+      ports_.want(session(), portsNamedIn(source.field.empty() ? source.expression : source.field));
       for (const std::string& stream : part->reader.streams()) requestStream(*part, stream);
     }
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "robotlink/base/AtomicFile.h"
+#include "widgets/ShownText.h"
 #include "widgets/SplitterState.h"
 #include "widgets/log/TimeMarks.h"
 #include "widgets/plots/PlotPicture.h"
@@ -33,6 +34,10 @@ robotlink::Result<void> PlotsView::saveTo(const QString& file) {
     return robotlink::writeFileAtomically(path, curves_.csv().toStdString());
   if (savePlots(*area_, file)) return {};
   return robotlink::failure("plots.save", "the picture cannot be written", {path, 0, 0});
+}
+
+std::optional<QString> PlotsView::numbers() {
+  return tabsOfCsv(curves_.csv());
 }
 
 QJsonObject PlotsView::saveState() const {

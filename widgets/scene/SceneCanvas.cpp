@@ -127,7 +127,7 @@ void SceneCanvas::request(bool smooth) {
   frame->wireFrame = wireFrame_;
   frame->grid = grid_;
   frame->contents = contents_;
-  frame->highlighted = highlighted_;
+  frame->highlighted = highlighted_.empty() ? selected_ : highlighted_;
   frame->hurry = mode_ != Mode::kIdle;
   frame->smooth = smooth;
   requested_ = frame;
@@ -261,6 +261,12 @@ void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   }
   highlighted_.clear();
   highlight(movableAt(event->localPos(), event->modifiers()));
+  request();
+}
+
+void SceneCanvas::setSelected(const std::string& model) {
+  if (model == selected_) return;
+  selected_ = model;
   request();
 }
 

@@ -31,6 +31,8 @@ class SceneCanvas final : public QWidget {
   void setContents(VisibleScene contents);
   /// The models that can be dragged; without `always` only while Control is held.
   void setMovable(std::vector<std::string> models, bool always);
+  /// Highlights a model while no other one is under the cursor; empty: none.
+  void setSelected(const std::string& model);
   /// A sentence at the upper edge; empty: none.
   void setNotice(const QString& text);
   /// A sentence in the middle while the scene is empty.
@@ -117,7 +119,7 @@ class SceneCanvas final : public QWidget {
   SceneCamera camera_;
   /// Unset: the camera was moved.
   std::optional<SceneBox> overview_;
-  std::string highlighted_;
+  std::string highlighted_, selected_;
   Mode mode_ = Mode::kIdle;
   /// Whether the mouse has moved since the press by more than a hand does during a click.
   bool moved_ = false;

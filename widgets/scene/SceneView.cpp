@@ -11,10 +11,12 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
@@ -23,6 +25,7 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/picture/PoseMenu.h"
 #include "widgets/scene/SceneCanvas.h"
+#include "widgets/world/SceneSelection.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
 
@@ -125,6 +128,7 @@ void SceneView::connectSignals() {
     tick();
   });
   connect(canvas_, &SceneCanvas::modelClicked, this, [this](const QString& model) {
+    sceneSelection(this->context()).select(model.toStdString());
     const auto& robots = session().robots();
     if (std::ranges::find(robots, model.toStdString()) != robots.end())
       session().selectRobot(model.toStdString());
@@ -207,6 +211,7 @@ VisibleScene SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.refused = !drag_.refusal().isEmpty();
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);
+  showSelection(contents.labels);
   std::ranges::copy(ownModels_.names(), std::back_inserter(contents.labels));
   return contents;
 }
@@ -228,6 +233,23 @@ std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) c
     if (body.model == drag_.model()) ghosts.push_back({body.shape, move * body.inField, {}});
   }
   return ghosts;
+}
+
+void SceneView::showSelection(std::vector<SceneLabel>& labels) {
+  const std::string& selected = sceneSelection(context()).object();
+  const auto* objects = session().store().latestAs<robotcontrol::WorldObjects>(robotlink::streams::kObjects,
+                                                                               session().timeline().newest());
+  const robotcontrol::WorldObject* found = nullptr;
+  if (objects != nullptr && !selected.empty()) {
+    for (const auto& object : objects->objects())
+      if (object.path() == selected) found = &object;
+  }
+  canvas_->setSelected(found == nullptr ? std::string() : found->model());
+  if (found == nullptr || !found->has_pose_in_frame() || found->path() == found->model()) return;
+  const auto frame = scene_.framePose(found->frame());
+  if (!frame) return;
+  const robotlink::Pose3 pose = *frame * robotlink::pose3(found->pose_in_frame());
+  labels.push_back({pose.translation(), QString::fromStdString(found->name()), Qt::white, 11, true});
 }
 
 void SceneView::addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const {

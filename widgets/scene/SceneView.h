@@ -61,6 +61,8 @@ class SceneView final : public PictureView {
   /// The dragged model at the pose to which it is dragged.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   void showState(bool faded);
+  /// Highlights the selected object of the scene tree, and adds its name where it is.
+  void showSelection(std::vector<SceneLabel>& labels);
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
   /// Moves the camera along with the robot.
   void follow();

@@ -20,12 +20,13 @@ struct Group {
 std::vector<Group> groups() {
   std::vector<Group> groups = {
       {ViewMenu::tr("The robot and its world"),
-       {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"),
+       {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("scene-tree"),
+        QStringLiteral("scene-properties"), QStringLiteral("field"), QStringLiteral("image"),
         QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
         QStringLiteral("joints"), QStringLiteral("motion-editor")}},
       {ViewMenu::tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
-        QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("timing"),
+        QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("columns"), QStringLiteral("timing"),
         QStringLiteral("processes"), QStringLiteral("packets"), QStringLiteral("console")}},
       {ViewMenu::tr("Logs"),
        {QStringLiteral("time-line"), QStringLiteral("search"), QStringLiteral("replay-packages"),

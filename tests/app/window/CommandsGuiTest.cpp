@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The commands about the window: that they do what its menus and buttons do.
 #include <qtadvanceddocking/DockWidget.h>
+#include <QApplication>
+#include <QClipboard>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
@@ -119,6 +121,26 @@ class CommandsGuiTest : public WindowTest {
     QVERIFY(!desk.run(QStringLiteral("view.save field /no/such/folder/field.png")).isEmpty());
     QVERIFY(!desk.run(QStringLiteral("view.save plots /no/such/folder/plots.png")).isEmpty());
     QCOMPARE(desk.run(QStringLiteral("view.save nothing x.png")), QStringLiteral("view.unknown"));
+  }
+
+  void aViewIsCopiedAsAPictureAndAsNumbers() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("view.copy field picture")), QString());
+    QVERIFY(QApplication::clipboard()->image().width() > 50);
+    QCOMPARE(desk.run(QStringLiteral("view.copy scene-tree numbers")), QString());
+    QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Object\tKind\tValue\n")));
+    QCOMPARE(desk.run(QStringLiteral("view.copy plots numbers")), QString());
+    QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("time_s")));
+    QCOMPARE(desk.run(QStringLiteral("view.copy nothing numbers")), QStringLiteral("view.unknown"));
+    QVERIFY(!desk.run(QStringLiteral("view.copy plots song")).isEmpty());
+  }
+
+  void aListIsShownAsColumns() {
+    CommandDesk desk(home_);
+    QCOMPARE(desk.run(QStringLiteral("columns.show 'range/laser: ranges'")), QString());
+    QVERIFY(desk.isOpen("columns"));
+    QCOMPARE(desk.run(QStringLiteral("columns.show red1/accelerometer field")), QStringLiteral("view.kind"));
+    QCOMPARE(desk.run(QStringLiteral("image.show image gray")), QString());
   }
 
   void plotsGetAndLoseCurvesAndAreWrittenAsATable() {

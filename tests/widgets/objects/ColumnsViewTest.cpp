@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/ColumnsView.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <cmath>
+
+#include "foxglove/Ranging.pb.h"
+#include "tests/widgets/objects/ObjectsBench.h"
+
+namespace widgets::test {
+
+class ColumnsViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aSensorOfTheSceneIsReadAndShown() {
+    ObjectsBench bench;
+    auto view = bench.open<ColumnsView>();
+    QVERIFY(view->showSource("red1/laser"));
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t(1));
+    QCOMPARE(bench.requests.back().read_ports().ports(0), std::string("red1/laser"));
+    bench.publishReadings(0);
+    bench.tick(*view);
+    const auto& canvas = child<ColumnsCanvas>(*view, "columnsCanvas");
+    QCOMPARE(canvas.graph().values, (std::vector<double>{1, 2, 4, 8}));
+    QCOMPARE(canvas.graph().high, 8.0);
+    keepPicture(*view, "columns");
+  }
+
+  void aListOfAnyStreamIsShown() {
+    Bench bench;
+    foxglove::LaserScan scan;
+    for (const double range : {3.0, 2.0}) scan.add_ranges(range);
+    bench.push("red1/range/laser", scan, 1);
+    auto view = bench.open<ColumnsView>();
+    QVERIFY(view->showSource("range/laser: ranges"));
+    bench.tick(*view);
+    QCOMPARE(child<ColumnsCanvas>(*view, "columnsCanvas").graph().values, (std::vector<double>{3, 2}));
+    QCOMPARE(*view->numbers(), QStringLiteral("index\tvalue\n0\t3\n1\t2\n"));
+  }
+
+  void theValueUnderTheCursorIsShown() {
+    ObjectsBench bench;
+    auto view = bench.open<ColumnsView>();
+    QVERIFY(view->showSource("red1/laser"));
+    bench.publishReadings(0);
+    bench.tick(*view);
+    auto& canvas = child<ColumnsCanvas>(*view, "columnsCanvas");
+    moveMouse(canvas, {canvas.width() - 20, canvas.height() / 2});
+    QVERIFY(child<QLabel>(*view, "columnsValue").text().startsWith(QStringLiteral("[3]")));
+    canvas.setFocus();
+    QTest::keyClick(&canvas, Qt::Key_Left);
+    QVERIFY(child<QLabel>(*view, "columnsValue").text().startsWith(QStringLiteral("[2]")));
+  }
+
+  void theSourceComesBackWithThePerspective() {
+    ObjectsBench bench;
+    auto view = bench.open<ColumnsView>();
+    QVERIFY(view->showSource("red1/laser"));
+    bench.requests.clear();
+    ColumnsView other(bench.context);
+    other.restoreState(view->saveState());
+    QCOMPARE(child<QComboBox>(other, "columnsSource").currentText(), QStringLiteral("red1/laser"));
+    other.tick();
+    QCOMPARE(bench.requests.size(), std::size_t(1));  // the simulation is asked for it again
+  }
+
+  void columnsReachFromZeroToTheirValue() {
+    ColumnGraph graph;
+    graph.values = {-1, 3, std::nan("")};
+    graph.fit(0, 0);
+    QCOMPARE(graph.low, -1.0);
+    QCOMPARE(graph.high, 5.0);
+    graph.fit(-2, 2);
+    QCOMPARE(graph.high, 2.0);
+  }
+};
+
+const GuiTest<ColumnsViewTest> kColumnsViewTest;
+
+}  // namespace widgets::test
+
+#include "ColumnsViewTest.moc"

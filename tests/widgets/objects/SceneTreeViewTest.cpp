@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/SceneTreeView.h"
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTreeView>
+
+#include "tests/widgets/objects/ObjectsBench.h"
+#include "widgets/world/SceneSelection.h"
+
+namespace widgets::test {
+
+using robotcontrol::Request;
+
+class SceneTreeViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void objectsLieBelowWhatTheyBelongTo() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    const QAbstractItemModelTester tester(tree.model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    tree.expandAll();
+    QCOMPARE(tree.model()->rowCount(), 2);
+    const QModelIndex servo = find(tree, QStringLiteral("red1/pan/request"));
+    QVERIFY(servo.isValid());
+    QCOMPARE(servo.parent().data().toString(), QStringLiteral("pan"));
+    QCOMPARE(servo.sibling(servo.row(), SceneTreeModel::kKind).data().toString(), QStringLiteral("actuator"));
+  }
+
+  void searchShowsWhatMatchesWithItsParents() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    child<QLineEdit>(*view, "sceneTreeSearch").setText(QStringLiteral("LASER"));
+    QCOMPARE(tree.model()->rowCount(), 1);
+    QVERIFY(find(tree, QStringLiteral("red1/laser")).isValid());
+    QVERIFY(!find(tree, QStringLiteral("red1/pan/request")).isValid());
+  }
+
+  void sensorsInViewAreReadOnce() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    QVERIFY(bench.requests.empty());
+    child<QTreeView>(*view, "sceneTree").expandAll();
+    bench.tick(*view);
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t(1));
+    const Request& request = bench.requests.front();
+    QCOMPARE(request.robot(), std::string("red1"));
+    QCOMPARE(request.read_ports().ports_size(), 2);  // images are not rendered for the tree
+  }
+
+  void valuesAreShownAtTheShownInstant() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    tree.expandAll();
+    bench.publishReadings(0.25);
+    bench.tick(*view);
+    const QModelIndex sensor = find(tree, QStringLiteral("red1/pan/position"));
+    QCOMPARE(sensor.sibling(sensor.row(), SceneTreeModel::kValue).data().toString(),
+             QStringLiteral("0.25 rad"));
+  }
+
+  void aSliderHoldsItsActuatorUntilItIsReleased() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    auto& tree = child<QTreeView>(*view, "sceneTree");
+    tree.expandAll();
+    clickCell(tree, find(tree, QStringLiteral("red1/pan/request")));
+    bench.requests.clear();
+    auto& slider = child<QSlider>(*view, "actuator-red1/pan/request-0");
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_End);
+    QCOMPARE(bench.requests.size(), std::size_t(1));
+    QCOMPARE(bench.requests.back().set_actuator().port(), std::string("red1/pan/request"));
+    QCOMPARE(bench.requests.back().set_actuator().values(0), 1.0);
+    bench.publishReadings(0, 1.0);
+    bench.tick(*view);
+    click(child<QPushButton>(*view, "actuatorsRelease"));
+    QVERIFY(bench.requests.back().set_actuator().released());
+  }
+
+  void aModelHasTheSlidersOfAllItsActuators() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    sceneSelection(bench.context).select("red1");
+    bench.tick(*view);
+    QVERIFY(view->findChild<QDoubleSpinBox*>(QStringLiteral("actuatorValue-red1/pan/request-0")) != nullptr);
+    sceneSelection(bench.context).select("light 1");
+    QVERIFY(!child<QWidget>(*view, "actuatorPanel").isVisible());
+  }
+
+  void aSensorIsPlottedShownAsColumnsOrAsAnImage() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    sceneSelection(bench.context).select("red1/pan/position");
+    child<QAction>(*view, "sceneTreePlot").trigger();
+    QCOMPARE(bench.lines.back(),
+             std::string("plots.add ports: readings[port=\"red1/pan/position\"].values[0]"));
+    sceneSelection(bench.context).select("red1/laser");
+    child<QAction>(*view, "sceneTreeColumns").trigger();
+    QCOMPARE(bench.lines.back(), std::string("columns.show red1/laser"));
+    sceneSelection(bench.context).select("red1/cam/image");
+    child<QAction>(*view, "sceneTreeStereogram").trigger();
+    QCOMPARE(bench.lines.at(bench.lines.size() - 2), std::string("image.stream image red1/cam/image"));
+    QCOMPARE(bench.lines.back(), std::string("image.show image stereogram"));
+    QVERIFY(!child<QAction>(*view, "sceneTreePlot").isEnabled());
+  }
+
+  void whatIsUnfoldedIsKept() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    child<QTreeView>(*view, "sceneTree").expandAll();
+    SceneTreeView other(bench.context);
+    other.restoreState(view->saveState());
+    const auto& tree = child<QTreeView>(other, "sceneTree");
+    QVERIFY(tree.isExpanded(find(tree, QStringLiteral("pan"))));
+  }
+
+  void numbersHaveATabBetweenColumns() {
+    ObjectsBench bench;
+    auto view = bench.open<SceneTreeView>();
+    QVERIFY(view->numbers()->startsWith(QStringLiteral("Object\tKind\tValue\n")));
+  }
+};
+
+const GuiTest<SceneTreeViewTest> kSceneTreeViewTest;
+
+}  // namespace widgets::test
+
+#include "SceneTreeViewTest.moc"

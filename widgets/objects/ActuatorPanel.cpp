@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/ActuatorPanel.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "robotcontrol/World.pb.h"
+#include "widgets/Controls.h"
+#include "widgets/Requests.h"
+#include "widgets/objects/SceneTreeModel.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kSliderSteps = 1000;
+/// The range of an actuator that names none.
+constexpr double kUnknownRange = 1000;
+constexpr int kMaxPanelHeight = 220;
+
+}  // namespace
+
+ActuatorPanel::ActuatorPanel(robotlink::Session& session, const SceneTreeModel& model, QWidget* parent)
+    : QWidget(parent), session_(session), model_(model) {
+  setObjectName(QStringLiteral("actuatorPanel"));
+  release_ = new QPushButton(tr("Release"), this);
+  describe(*release_,
+           {"actuatorsRelease", tr("Release"), tr("Lets the robots' programs set these actuators again")});
+  outcome_ = makeNote(this, "actuatorsOutcome", tr("Whether the actuators could be set"));
+  area_ = new QScrollArea(this);
+  area_->setWidgetResizable(true);
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setMaximumHeight(kMaxPanelHeight);
+  auto* row = new QHBoxLayout;
+  row->addWidget(outcome_, 1);
+  row->addWidget(release_);
+  auto* layout = makeColumn(this, {4, 4, 4, 4}, 4);
+  layout->addWidget(area_);
+  layout->addLayout(row);
+  connect(release_, &QPushButton::clicked, this, &ActuatorPanel::release);
+  hide();
+}
+
+ActuatorPanel::~ActuatorPanel() = default;
+
+void ActuatorPanel::show(std::vector<std::string> actuators) {
+  if (actuators.size() > kMax) actuators.resize(kMax);
+  if (actuators == shown_ && !rows_.empty()) return;
+  shown_ = std::move(actuators);
+  rows_.clear();
+  outcome_->clear();
+  contents_ = new QWidget;
+  grid_ = new QGridLayout(contents_);
+  grid_->setContentsMargins({});
+  grid_->setColumnStretch(1, 1);
+  for (const std::string& path : shown_)
+    if (const auto* object = model_.object(path); object != nullptr && object->has_port())
+      addActuator(object->port());
+  area_->setWidget(contents_);  // deletes the one before
+  setVisible(!rows_.empty());
+  refresh();
+}
+
+void ActuatorPanel::addActuator(const robotcontrol::WorldPort& port) {
+  constexpr int kMaxValues = 16;
+  int values = 1;
+  for (const int size : port.shape()) values = std::clamp(values * size, 1, kMaxValues);
+  for (int i = 0; i < values; ++i) addRow(port, i, values);
+}
+
+void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int values) {
+  const bool isKnown = port.maximum() > port.minimum();
+  Row row{port.path(), port.robot(), value, isKnown ? port.minimum() : -kUnknownRange,
+          isKnown ? port.maximum() : kUnknownRange};
+  const QString path = QString::fromStdString(port.path());
+  const QString name = values == 1 ? path : QStringLiteral("%1 [%2]").arg(path).arg(value);
+  const QString unit = QString::fromStdString(port.unit());
+  const QByteArray suffix = (path + QLatin1Char('-') + QString::number(value)).toUtf8();
+  row.slider = new QSlider(Qt::Horizontal, contents_);
+  row.slider->setRange(0, kSliderSteps);
+  row.slider->setPageStep(kSliderSteps / 20);
+  describe(*row.slider, {QByteArray("actuator-" + suffix).constData(), name,
+                         tr("Holds %1 between %2 and %3 %4")
+                             .arg(name)
+                             .arg(row.minimum, 0, 'g', 4)
+                             .arg(row.maximum, 0, 'g', 4)
+                             .arg(unit)});
+  row.field = new QDoubleSpinBox(contents_);
+  row.field->setDecimals(3);
+  row.field->setRange(row.minimum, row.maximum);
+  row.field->setSingleStep((row.maximum - row.minimum) / 100);
+  row.field->setKeyboardTracking(false);
+  if (!unit.isEmpty()) row.field->setSuffix(QLatin1Char(' ') + unit);
+  describe(*row.field, {QByteArray("actuatorValue-" + suffix).constData(), name, tr("The value to hold")});
+  const int line = grid_->rowCount();
+  grid_->addWidget(new QLabel(name, contents_), line, 0);
+  grid_->addWidget(row.slider, line, 1);
+  grid_->addWidget(row.field, line, 2);
+  connect(row.slider, &QSlider::valueChanged, this, [this, row](int step) {
+    if (isRefreshing_) return;
+    const QSignalBlocker blocker(row.field);
+    row.field->setValue(row.minimum + (row.maximum - row.minimum) * step / kSliderSteps);
+    hold(row.port);
+  });
+  connect(row.field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, row](double wanted) {
+    if (isRefreshing_) return;
+    const QSignalBlocker blocker(row.slider);
+    row.slider->setValue(stepOf(row, wanted));
+    hold(row.port);
+  });
+  rows_.push_back(row);
+}
+
+int ActuatorPanel::stepOf(const Row& row, double value) {
+  return static_cast<int>(std::lround(kSliderSteps * (value - row.minimum) / (row.maximum - row.minimum)));
+}
+
+void ActuatorPanel::refresh() {
+  isRefreshing_ = true;
+  bool isAnyHeld = false;
+  for (const Row& row : rows_) {
+    const auto* held = model_.reading(row.port);
+    isAnyHeld = isAnyHeld || held != nullptr;
+    QFont font = row.field->font();
+    font.setBold(held != nullptr);
+    row.field->setFont(font);
+    if (row.slider->isSliderDown() || row.field->hasFocus() || row.slider->hasFocus()) continue;
+    const bool hasValue = held != nullptr && row.value < held->values_size();
+    const double value = hasValue ? held->values(row.value) : std::clamp(0.0, row.minimum, row.maximum);
+    row.slider->setValue(stepOf(row, value));
+    row.field->setValue(value);
+  }
+  release_->setEnabled(isAnyHeld);
+  isRefreshing_ = false;
+}
+
+void ActuatorPanel::hold(const std::string& port) {
+  robotcontrol::Request request;
+  std::string robot;
+  request.mutable_set_actuator()->set_port(port);
+  for (const Row& row : rows_) {
+    if (row.port != port) continue;
+    robot = row.robot;
+    request.mutable_set_actuator()->add_values(row.field->value());
+  }
+  send(robot, std::move(request));
+}
+
+void ActuatorPanel::release() {
+  std::set<std::string> done;
+  for (const Row& row : rows_) {
+    if (!done.insert(row.port).second) continue;
+    robotcontrol::Request request;
+    request.mutable_set_actuator()->set_port(row.port);
+    request.mutable_set_actuator()->set_released(true);
+    send(row.robot, std::move(request));
+  }
+}
+
+void ActuatorPanel::send(const std::string& robot, robotcontrol::Request request) {
+  // Models that are no robots, such as doors, belong to the simulation.
+  const auto& robots = session_.robots();
+  const bool isRobot = std::ranges::find(robots, robot) != robots.end();
+  ask(session_, isRobot ? robot : std::string(), std::move(request), this,
+      [this](bool accepted, const QString& reason) {
+        showOutcome(*outcome_, accepted ? QString() : reason, !accepted);
+      });
+}
+
+}  // namespace widgets

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QSlider;
+
+namespace robotcontrol {
+class Request;
+class WorldPort;
+}  // namespace robotcontrol
+namespace robotlink {
+class Session;
+}
+
+namespace widgets {
+
+class SceneTreeModel;
+
+/// Sliders of actuators of a simulation, with their ranges and units: what is set is held, whatever the
+/// robot's program asks for, until it is released. An actuator with several values has one slider for each.
+/// Hidden while it shows none. Object names: "actuator-PATH-NUMBER" (slider), "actuatorValue-PATH-NUMBER"
+/// (field), "actuatorsRelease". GUI thread.
+class ActuatorPanel final : public QWidget {
+  Q_OBJECT
+ public:
+  /// More actuators than these are not shown.
+  static constexpr std::size_t kMax = 40;
+
+  /// Both must outlive it.
+  ActuatorPanel(robotlink::Session& session, const SceneTreeModel& model, QWidget* parent);
+  ~ActuatorPanel() override;
+
+  /// Shows the actuators of these paths.
+  void show(std::vector<std::string> actuators);
+  /// Shows what is held now; sliders that the user moves stay as they are.
+  void refresh();
+  /// Releases everything that is shown.
+  void release();
+
+ private:
+  /// The controls of one value of an actuator.
+  struct Row {
+    std::string port, robot;
+    int value = 0;
+    double minimum = 0, maximum = 1;
+    QSlider* slider = nullptr;
+    QDoubleSpinBox* field = nullptr;
+  };
+  void addActuator(const robotcontrol::WorldPort& port);
+  void addRow(const robotcontrol::WorldPort& port, int value, int values);
+  /// Holds an actuator at what its sliders say.
+  void hold(const std::string& port);
+  void send(const std::string& robot, robotcontrol::Request request);
+  static int stepOf(const Row& row, double value);
+
+  robotlink::Session& session_;
+  const SceneTreeModel& model_;
+  std::vector<std::string> shown_;
+  std::vector<Row> rows_;
+  QScrollArea* area_ = nullptr;
+  QWidget* contents_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+  QPushButton* release_ = nullptr;
+  QLabel* outcome_ = nullptr;
+  /// Whether controls are being set here and not by the user.
+  bool isRefreshing_ = false;
+};
+
+}  // namespace widgets

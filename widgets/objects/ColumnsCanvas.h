@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace widgets {
+
+/// The values of a list as columns, and the limits of their axis.
+struct ColumnGraph {
+  std::vector<double> values;
+  double low = 0, high = 1;
+  QString unit;
+
+  /// The limits of the axis: those of the sensor where it has some, else 0 and all values, rounded up to 1, 2
+  /// or 5 times a power of ten. Values that are not finite count as none.
+  void fit(double minimum, double maximum);
+};
+
+/// Paints the columns into a rectangle of this size at the painter's origin, with the axis at the left.
+/// Values that are not finite have no column. Pure.
+void paintColumns(QPainter& painter, const QSize& size, const ColumnGraph& graph, const QPalette& palette,
+                  std::optional<int> marked = {});
+
+/// Shows a column graph; a tool tip has the value under the cursor. GUI thread.
+class ColumnsCanvas final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ColumnsCanvas(QWidget* parent = nullptr);
+  void show(ColumnGraph graph);
+  const ColumnGraph& graph() const { return graph_; }
+  /// The index of the column at a place; unset beside them.
+  std::optional<int> columnAt(const QPoint& at) const;
+  QSize sizeHint() const override { return {400, 240}; }
+
+ Q_SIGNALS:
+  /// The cursor is over a column; -1: over none.
+  void pointedAt(int column);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  /// Left and right choose the column that is marked.
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void mark(std::optional<int> column);
+
+  ColumnGraph graph_;
+  std::optional<int> marked_;
+};
+
+}  // namespace widgets

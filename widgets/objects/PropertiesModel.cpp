@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/PropertiesModel.h"
+
+#include <QFont>
+#include <QStringList>
+#include <cmath>
+
+#include "robotcontrol/World.pb.h"
+
+namespace widgets {
+namespace {
+
+constexpr std::array kPoseNames{"x", "y", "z", "roll", "pitch", "heading"};
+constexpr int kPositions = 3;
+
+QString textOf(const robotcontrol::WorldProperty& property) {
+  QStringList parts;
+  if (!property.text().empty()) parts << QString::fromStdString(property.text());
+  for (const double value : property.values()) parts << QString::number(value, 'g', 6);
+  return parts.join(QLatin1Char(' '));
+}
+
+}  // namespace
+
+PropertiesModel::PropertiesModel(QObject* parent)
+    : RowModel({tr("Property"), tr("Value"), tr("Unit")}, parent) {}
+
+QString PropertiesModel::titleOf(const std::string& name) {
+  static const std::map<std::string, const char*> kTitles{
+      {"x", QT_TR_NOOP("x")},
+      {"y", QT_TR_NOOP("y")},
+      {"z", QT_TR_NOOP("z")},
+      {"roll", QT_TR_NOOP("roll")},
+      {"pitch", QT_TR_NOOP("pitch")},
+      {"heading", QT_TR_NOOP("heading")},
+      {"attenuation", QT_TR_NOOP("attenuation")},
+      {"axis", QT_TR_NOOP("axis")},
+      {"center_of_mass", QT_TR_NOOP("center of mass")},
+      {"color", QT_TR_NOOP("color")},
+      {"file", QT_TR_NOOP("file")},
+      {"friction", QT_TR_NOOP("friction")},
+      {"inertia", QT_TR_NOOP("inertia")},
+      {"initial_pose", QT_TR_NOOP("place at the start")},
+      {"intensity", QT_TR_NOOP("intensity")},
+      {"length", QT_TR_NOOP("length")},
+      {"mass", QT_TR_NOOP("mass")},
+      {"maximum_speed", QT_TR_NOOP("maximum speed")},
+      {"maximum_torque", QT_TR_NOOP("maximum torque")},
+      {"noise", QT_TR_NOOP("noise")},
+      {"opening_angles", QT_TR_NOOP("opening angles")},
+      {"radius", QT_TR_NOOP("radius")},
+      {"range", QT_TR_NOOP("range")},
+      {"rate", QT_TR_NOOP("rate")},
+      {"restitution", QT_TR_NOOP("restitution")},
+      {"shape", QT_TR_NOOP("shape")},
+      {"size", QT_TR_NOOP("size")},
+      {"track", QT_TR_NOOP("track")},
+      {"type", QT_TR_NOOP("type")},
+      {"wheel_radius", QT_TR_NOOP("wheel radius")},
+  };
+  const auto found = kTitles.find(name);
+  return found == kTitles.end() ? QString::fromStdString(name) : tr(found->second);
+}
+
+void PropertiesModel::show(const robotcontrol::WorldObject* object, const std::optional<ObjectPose>& pose,
+                           bool isWritable) {
+  std::vector<PropertyRow> rows;
+  for (int i = 0; pose && i < static_cast<int>(pose->size()); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    PropertyRow row{kPoseNames[at], QString::number((*pose)[at], 'f', 4),
+                    i < kPositions ? QStringLiteral("m") : QStringLiteral("rad"), i};
+    row.isEditable = object != nullptr && object->is_movable();
+    rows.push_back(std::move(row));
+  }
+  if (object != nullptr) {
+    for (const auto& property : object->properties()) {
+      PropertyRow row{property.name(), textOf(property), QString::fromStdString(property.unit())};
+      row.file = property.file();
+      row.element.assign(property.element().begin(), property.element().end());
+      // A pose is written as a whole, from where the model is.
+      row.isEditable = isWritable && !row.file.empty() && property.values_size() == 1;
+      if (const auto edit = edits_.find({row.file, row.element}); !row.file.empty() && edit != edits_.end()) {
+        row.isChanged = true;
+        row.value = QString::fromStdString(edit->second);
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  replaceRows(std::move(rows), [](const PropertyRow& a, const PropertyRow& b) {
+    return a.name == b.name && a.element == b.element;
+  });
+}
+
+std::vector<SceneFileEdit> PropertiesModel::edits() const {
+  std::vector<SceneFileEdit> edits;
+  for (const auto& [place, value] : edits_) edits.push_back({place.first, place.second, value});
+  return edits;
+}
+
+void PropertiesModel::addEdit(SceneFileEdit edit) {
+  edits_[{std::move(edit.file), std::move(edit.element)}] = std::move(edit.value);
+  Q_EMIT editsChanged();
+}
+
+void PropertiesModel::clearEdits() {
+  edits_.clear();
+  Q_EMIT editsChanged();
+}
+
+QVariant PropertiesModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const PropertyRow& shown = row(index.row());
+  if (role == Qt::DisplayRole || role == Qt::EditRole) {
+    if (index.column() == kName) return titleOf(shown.name);
+    return index.column() == kValue ? shown.value : shown.unit;
+  }
+  if (role == Qt::TextAlignmentRole && index.column() == kValue) return kNumberAlignment;
+  if (role == Qt::FontRole && shown.isChanged) {
+    QFont font;
+    font.setBold(true);
+    return font;
+  }
+  if (role != Qt::ToolTipRole) return {};
+  if (shown.isChanged)
+    return tr("Not in the file yet: Save to file writes it; it holds when the scene is opened again");
+  if (shown.poseIndex >= 0 && shown.isEditable) return tr("Double click to move the object");
+  if (shown.isEditable) return tr("Double click to change it in %1").arg(QString::fromStdString(shown.file));
+  return shown.value;
+}
+
+Qt::ItemFlags PropertiesModel::flags(const QModelIndex& index) const {
+  Qt::ItemFlags flags = RowModel::flags(index);
+  if (index.isValid() && index.column() == kValue && row(index.row()).isEditable) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool PropertiesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || !index.isValid() || index.column() != kValue) return false;
+  const PropertyRow edited = row(index.row());
+  bool isNumber = false;
+  const double number = value.toString().trimmed().toDouble(&isNumber);
+  if (!edited.isEditable || !isNumber || !std::isfinite(number)) return false;
+  if (edited.poseIndex >= 0) {
+    Q_EMIT poseEdited(edited.poseIndex, number);
+    return true;
+  }
+  if (value.toString() == edited.value) return true;
+  addEdit({edited.file, edited.element, QString::number(number, 'g', 12).toStdString()});
+  return true;
+}
+
+}  // namespace widgets

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QVariant>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "widgets/RowModel.h"
+#include "widgets/world/SceneFileEdit.h"
+
+namespace robotcontrol {
+class WorldObject;
+}
+
+namespace widgets {
+
+/// A row of the properties of an object.
+struct PropertyRow {
+  /// "mass"; of a pose "x", "y", "z", "roll", "pitch", "heading".
+  std::string name;
+  QString value, unit;
+  /// Its place among the six numbers of the pose; -1: it is no part of the pose.
+  int poseIndex = -1;
+  /// Where a file has it; empty: it cannot be changed there.
+  std::string file = {};
+  std::vector<std::string> element = {};
+  /// Whether the user changed it, which is not in the file yet.
+  bool isChanged = false;
+  bool isEditable = false;
+};
+
+/// The pose of an object in the field's frame: x, y, z in m, then roll, pitch and heading in rad.
+using ObjectPose = std::array<double, 6>;
+
+/// What is known of an object of a scene, and what the user changed of all objects. Numbers that are edited
+/// are announced; the model keeps those that are for files until they are taken. GUI thread.
+class PropertiesModel final : public RowModel<PropertyRow> {
+  Q_OBJECT
+ public:
+  enum Column { kName, kValue, kUnit, kColumns };
+
+  explicit PropertiesModel(QObject* parent = nullptr);
+
+  /// Shows an object at its pose; null: none. `isWritable`: whether files can be changed.
+  void show(const robotcontrol::WorldObject* object, const std::optional<ObjectPose>& pose, bool isWritable);
+  /// The changes for files, in the order of files and elements.
+  std::vector<SceneFileEdit> edits() const;
+  /// Keeps one; that of the same element before is replaced.
+  void addEdit(SceneFileEdit edit);
+  void clearEdits();
+
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+
+ Q_SIGNALS:
+  /// A number of the pose was edited; m or rad.
+  void poseEdited(int index, double value);
+  /// A change for a file was added, or all were cleared.
+  void editsChanged();
+
+ private:
+  using Place = std::pair<std::string, std::vector<std::string>>;
+  static QString titleOf(const std::string& name);
+
+  /// The new texts by file and element.
+  std::map<Place, std::string> edits_;
+};
+
+}  // namespace widgets

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/PropertiesView.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "robotcontrol/World.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/Requests.h"
+#include "widgets/world/SceneSelection.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kPropertiesRegistration{
+    {"scene-properties", QT_TRANSLATE_NOOP("View", "Properties"),
+     QT_TRANSLATE_NOOP("View", "Pose, mass, size, friction and noise of the selected object of the scene"),
+     "settings", false, create<PropertiesView>}};
+
+/// Roll about x first, then pitch about y, then heading about z.
+ObjectPose numbersOf(const robotlink::Pose3& pose) {
+  const auto& at = pose.translation();
+  const Eigen::Matrix3d r = pose.linear();
+  return {at.x(),
+          at.y(),
+          at.z(),
+          std::atan2(r(2, 1), r(2, 2)),
+          std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
+          std::atan2(r(1, 0), r(0, 0))};
+}
+
+}  // namespace
+
+PropertiesView::PropertiesView(ViewContext& context, QWidget* parent)
+    : View(context, parent), selection_(sceneSelection(context)) {
+  setObjectName(QStringLiteral("propertiesView"));
+  createActions();
+  createViews();
+  connectSignals();
+  keep("columns", table_->horizontalHeader());
+  showEdits();
+  tick();
+}
+
+PropertiesView::~PropertiesView() = default;
+
+void PropertiesView::createActions() {
+  save_ = makeAction(
+      this, "save",
+      {"propertiesSave", tr("Save to file"),
+       tr("Writes what was changed, and nothing else, into the files of the scene"), tr("Ctrl+Return")});
+  discard_ = makeAction(this, "undo",
+                        {"propertiesDiscard", tr("Discard"), tr("Forgets what was changed and not saved")});
+  keepPose_ = makeAction(this, "goal",
+                         {"propertiesKeepPose", tr("Keep pose"),
+                          tr("Saves with the other changes that the model begins where it is now")});
+}
+
+void PropertiesView::createViews() {
+  title_ = new QLabel(this);
+  describe(*title_, {"propertiesObject", tr("Selected object"), {}});
+  title_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  table_ = makeTable(this, {"propertiesTable", tr("Properties"), {}}, &model_);
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  using enum ColumnKind;
+  new ColumnFit(*table_, {kName, kText, kNumber});
+  hint_ = new EmptyHint(table_);
+  outcome_ = makeNote(this, "propertiesOutcome", tr("What came of the changes"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(title_, 1);
+  for (QAction* action : {keepPose_, discard_, save_}) row->addWidget(makeLabeledButton(this, action));
+  auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
+  layout->addLayout(row);
+  layout->addWidget(table_, 1);
+  layout->addWidget(outcome_);
+}
+
+void PropertiesView::connectSignals() {
+  connect(&selection_, &SceneSelection::changed, this, &PropertiesView::tick);
+  connect(&model_, &PropertiesModel::poseEdited, this, &PropertiesView::place);
+  connect(&model_, &PropertiesModel::editsChanged, this, &PropertiesView::showEdits);
+  connect(save_, &QAction::triggered, this, &PropertiesView::save);
+  connect(discard_, &QAction::triggered, this, [this] {
+    model_.clearEdits();
+    tick();
+  });
+  connect(keepPose_, &QAction::triggered, this, &PropertiesView::keepPose);
+}
+
+const robotcontrol::WorldObject* PropertiesView::object() const {
+  if (!objects_) return nullptr;
+  const auto found =
+      std::ranges::find(objects_->objects(), selection_.object(), &robotcontrol::WorldObject::path);
+  return found == objects_->objects().end() ? nullptr : &*found;
+}
+
+std::optional<ObjectPose> PropertiesView::pose(const robotcontrol::WorldObject& object) {
+  if (!object.has_pose_in_frame()) return std::nullopt;
+  const auto frame = scene_.framePose(object.frame());
+  if (!frame) return std::nullopt;
+  return numbersOf(*frame * robotlink::pose3(object.pose_in_frame()));
+}
+
+void PropertiesView::tick() {
+  const auto& store = session().store();
+  const auto* message = store.latest(robotlink::streams::kObjects, session().timeline().newest());
+  const robotlink::PackagePtr value = message == nullptr ? nullptr : message->value;
+  if (value != objects_) objects_ = std::dynamic_pointer_cast<const robotcontrol::WorldObjects>(value);
+  scene_.update(store, session().timeline().shown());
+  const auto* shown = object();
+  title_->setText(shown == nullptr ? QString() : QString::fromStdString(shown->path()));
+  keepPose_->setEnabled(shown != nullptr && shown->is_movable() && context().writeScene != nullptr);
+  hint_->setHint(shown != nullptr ? QString()
+                 : objects_
+                     ? tr("Nothing is selected: click an object in the view Scene tree, or a robot in Scene.")
+                     : tr("No objects: start a simulation (File > Open scene…)."));
+  // A number that is being typed must not be replaced.
+  if (table_->findChild<QLineEdit*>() != nullptr && table_->findChild<QLineEdit*>()->hasFocus()) return;
+  model_.show(shown, shown == nullptr ? std::nullopt : pose(*shown), context().writeScene != nullptr);
+}
+
+void PropertiesView::place(int index, double value) {
+  const auto* moved = object();
+  auto wanted = moved == nullptr ? std::nullopt : pose(*moved);
+  if (!wanted) return;
+  (*wanted)[static_cast<std::size_t>(index)] = value;
+  robotcontrol::Request request;
+  auto& details = *request.mutable_place_model();
+  details.set_model(moved->model());
+  details.mutable_pose_in_field()->set_x((*wanted)[0]);
+  details.mutable_pose_in_field()->set_y((*wanted)[1]);
+  details.mutable_pose_in_field()->set_heading((*wanted)[5]);
+  // Otherwise it keeps its height and how it is tilted.
+  if (index >= 2 && index <= 4) {
+    details.set_height((*wanted)[2]);
+    details.set_roll((*wanted)[3]);
+    details.set_pitch((*wanted)[4]);
+  }
+  ask(session(), {}, std::move(request), this, [this](bool accepted, const QString& reason) {
+    showOutcome(*outcome_, accepted ? QString() : tr("It cannot be placed there: %1").arg(reason), !accepted);
+  });
+}
+
+void PropertiesView::keepPose() {
+  const auto* kept = object();
+  const auto now = kept == nullptr ? std::nullopt : pose(*kept);
+  if (!now) return;
+  const auto initial =
+      std::ranges::find(kept->properties(), "initial_pose", &robotcontrol::WorldProperty::name);
+  if (initial == kept->properties().end() || initial->file().empty()) {
+    showOutcome(*outcome_, tr("The scene's file does not say where %1 begins.").arg(title_->text()), true);
+    return;
+  }
+  QStringList numbers;
+  for (const double number : *now) numbers << QString::number(std::abs(number) < 5e-7 ? 0.0 : number, 'g', 6);
+  model_.addEdit({initial->file(),
+                  {initial->element().begin(), initial->element().end()},
+                  numbers.join(QLatin1Char(' ')).toStdString()});
+  tick();
+}
+
+void PropertiesView::save() {
+  if (!context().writeScene) return;
+  const auto done = context().writeScene(model_.edits());
+  if (done) model_.clearEdits();
+  showOutcome(*outcome_,
+              done ? tr("Saved. It holds when the scene is opened again.")
+                   : QString::fromStdString(done.error().describe()),
+              !done);
+  tick();
+}
+
+void PropertiesView::showEdits() {
+  const bool hasEdits = !model_.edits().empty();
+  save_->setEnabled(hasEdits && context().writeScene != nullptr);
+  discard_->setEnabled(hasEdits);
+}
+
+}  // namespace widgets

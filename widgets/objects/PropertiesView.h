@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "widgets/View.h"
+#include "widgets/objects/PropertiesModel.h"
+#include "widgets/world/SceneState.h"
+
+class QAction;
+class QLabel;
+class QTableView;
+
+namespace robotcontrol {
+class WorldObject;
+class WorldObjects;
+}  // namespace robotcontrol
+
+namespace widgets {
+
+class EmptyHint;
+class SceneSelection;
+
+/// The properties of the selected object of a simulated scene: its pose now, mass, size, color, friction,
+/// noise and what else the scene's files say of it. The pose of what can be moved is edited in the
+/// simulation; other numbers are changed in the files, on request, and hold when the scene is opened again.
+///
+/// Registered as "scene-properties". GUI thread.
+class PropertiesView final : public View {
+  Q_OBJECT
+ public:
+  explicit PropertiesView(ViewContext& context, QWidget* parent = nullptr);
+  ~PropertiesView() override;
+
+  void tick() override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  const robotcontrol::WorldObject* object() const;
+  /// Where the object is now; unset: not known.
+  std::optional<ObjectPose> pose(const robotcontrol::WorldObject& object);
+  /// Moves the object.
+  void place(int index, double value);
+  /// Notes the present pose of the model for the scene's file.
+  void keepPose();
+  void save();
+  void showEdits();
+
+  SceneSelection& selection_;
+  SceneState scene_;
+  PropertiesModel model_;
+  QAction *save_ = nullptr, *discard_ = nullptr, *keepPose_ = nullptr;
+  QLabel *title_ = nullptr, *outcome_ = nullptr;
+  QTableView* table_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  /// The objects that were published last; null: none.
+  std::shared_ptr<const robotcontrol::WorldObjects> objects_;
+};
+
+}  // namespace widgets

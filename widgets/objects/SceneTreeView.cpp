@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/objects/SceneTreeView.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSortFilterProxyModel>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
+
+#include "robotcontrol/World.pb.h"
+#include "robotlink/commands/CommandTable.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/objects/ActuatorPanel.h"
+#include "widgets/world/SceneSelection.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kSceneTreeRegistration{
+    {"scene-tree", QT_TRANSLATE_NOOP("View", "Scene tree"),
+     QT_TRANSLATE_NOOP(
+         "View", "All objects of a simulated scene, with the values of sensors and sliders for actuators"),
+     "layers", false, create<SceneTreeView>}};
+
+/// More values of one sensor are not plotted one by one.
+constexpr int kMaxCurves = 12;
+
+/// How many values a port has; images count as none.
+int valuesOf(const robotcontrol::WorldPort& port) {
+  if (port.type() == "image") return 0;
+  int values = 1;
+  constexpr int kMaxValues = 1 << 20;
+  for (const int size : port.shape())
+    values = std::clamp(values * std::clamp(size, 0, kMaxValues), 0, kMaxValues);
+  return values;
+}
+
+bool isSensor(const robotcontrol::WorldObject* object) {
+  return object != nullptr && object->has_port() && !object->port().is_actuator();
+}
+
+}  // namespace
+
+SceneTreeView::SceneTreeView(ViewContext& context, QWidget* parent)
+    : View(context, parent), selection_(sceneSelection(context)), filtered_(new QSortFilterProxyModel(this)) {
+  setObjectName(QStringLiteral("sceneTreeView"));
+  createActions();
+  createViews();
+  connectSignals();
+  keep("search", search_);
+  keep("columns", tree_->header());
+  keep(
+      "unfolded",
+      [this] {
+        QJsonArray paths;
+        // Without a scene, what was unfolded before is kept.
+        for (const std::string& path : objects_ ? unfolded() : wanted_)
+          paths.append(QString::fromStdString(path));
+        return QJsonValue(paths);
+      },
+      [this](const QJsonValue& value) {
+        for (const auto& path : value.toArray()) wanted_.insert(path.toString().toStdString());
+        if (objects_) unfold(wanted_);
+      });
+  tick();
+}
+
+SceneTreeView::~SceneTreeView() = default;
+
+void SceneTreeView::createActions() {
+  plot_ = makeAction(
+      this, "plots",
+      {"sceneTreePlot", tr("Plot"), tr("Adds the values of the sensor to the view Plots"), tr("Ctrl+L")});
+  columns_ = makeAction(this, "samples",
+                        {"sceneTreeColumns", tr("Column graph"),
+                         tr("Shows the values of the sensor as columns"), tr("Ctrl+B")});
+  image_ = makeAction(this, "image",
+                      {"sceneTreeImage", tr("Image"), tr("Shows the images of the camera"), tr("Ctrl+I")});
+  gray_ = makeAction(this, "image",
+                     {"sceneTreeGray", tr("Monochrome image"), tr("Shows the images of the camera in gray")});
+  stereogram_ =
+      makeAction(this, "two-pictures",
+                 {"sceneTreeStereogram", tr("Stereogram"),
+                  tr("Shows depths as a random dot stereogram, which is seen by looking through it")});
+  properties_ = makeAction(
+      this, "settings",
+      {"sceneTreeProperties", tr("Properties"), tr("Shows the properties of the object"), tr("Alt+Return")});
+  copyPath_ = makeAction(
+      this, "copy",
+      {"sceneTreeCopyPath", tr("Copy path"), tr("Copies the path of the object"), QKeySequence::Copy});
+}
+
+void SceneTreeView::createViews() {
+  filtered_->setSourceModel(&model_);
+  filtered_->setRecursiveFilteringEnabled(true);
+  filtered_->setFilterRole(SceneTreeModel::kFilterRole);
+  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  search_ = makeSearchField(
+      this, {"sceneTreeSearch", tr("Search objects"),
+             tr("Shows only objects whose path, kind or type contains this"), QKeySequence::Find});
+  tree_ = makeTree(this, {"sceneTree", tr("Objects of the scene"), {}}, filtered_);
+  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+  using enum ColumnKind;
+  new ColumnFit(*tree_, {kName, kNumber, kText});
+  hint_ = new EmptyHint(tree_);
+  outcome_ = makeNote(this, "sceneTreeOutcome", tr("What went wrong"));
+  outcome_->hide();
+  actuators_ = new ActuatorPanel(session(), model_, this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(search_, 1);
+  for (QAction* action : {plot_, columns_, image_, properties_}) row->addWidget(makeButton(this, action));
+  auto* layout = makeColumn(this, {4, 4, 4, 0}, 4);
+  layout->addLayout(row);
+  layout->addWidget(tree_, 1);
+  layout->addWidget(actuators_);
+  layout->addWidget(outcome_);
+}
+
+void SceneTreeView::connectSignals() {
+  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filtered_->setFilterFixedString(text);
+    if (!text.isEmpty()) tree_->expandAll();
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this] {
+    tree_->setFocus();
+    if (!tree_->currentIndex().isValid()) tree_->setCurrentIndex(filtered_->index(0, 0));
+  });
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& current) {
+            if (!current.isValid()) return;
+            selection_.select(current.data(SceneTreeModel::kPathRole).toString().toStdString());
+            showSelected();
+          });
+  connect(&selection_, &SceneSelection::changed, this, &SceneTreeView::followSelection);
+  connect(tree_, &QTreeView::customContextMenuRequested, this, &SceneTreeView::showMenu);
+  connect(tree_, &QTreeView::activated, this, [this] {
+    if (image_->isEnabled()) return image_->trigger();
+    if (plot_->isEnabled()) plot_->trigger();
+  });
+  connect(plot_, &QAction::triggered, this, &SceneTreeView::plot);
+  connect(columns_, &QAction::triggered, this, &SceneTreeView::showColumns);
+  connect(image_, &QAction::triggered, this, [this] { showImage("color"); });
+  connect(gray_, &QAction::triggered, this, [this] { showImage("gray"); });
+  connect(stereogram_, &QAction::triggered, this, [this] { showImage("stereogram"); });
+  connect(properties_, &QAction::triggered, this, [this] { run("view.show", {"scene-properties"}); });
+  connect(copyPath_, &QAction::triggered, this, [this] {
+    if (!selection_.object().empty())
+      QApplication::clipboard()->setText(QString::fromStdString(selection_.object()));
+  });
+}
+
+void SceneTreeView::tick() {
+  showObjects();
+  const auto* message = session().store().latest(robotlink::streams::kPorts, session().timeline().shown());
+  model_.setReadings(message == nullptr
+                         ? nullptr
+                         : std::dynamic_pointer_cast<const robotcontrol::PortReadings>(message->value));
+  readShown();
+  actuators_->refresh();
+  hint_->setHint(
+      model_.rowCount() == 0
+          ? tr("No objects: start a simulation (File > Open scene…). Real robots and logs have none.")
+      : filtered_->rowCount() == 0 ? tr("Nothing matches. Clear the search.")
+                                   : QString());
+}
+
+void SceneTreeView::showObjects() {
+  const auto* message = session().store().latest(robotlink::streams::kObjects, session().timeline().newest());
+  robotlink::PackagePtr value = message == nullptr ? nullptr : message->value;
+  if (value == objects_) return;
+  std::set<std::string> open = unfolded();
+  open.insert(wanted_.begin(), wanted_.end());
+  objects_ = std::move(value);
+  model_.setObjects(std::dynamic_pointer_cast<const robotcontrol::WorldObjects>(objects_));
+  unfold(open);
+  followSelection();
+  showSelected();
+}
+
+void SceneTreeView::readShown() {
+  std::vector<std::string> ports;
+  const int bottom = tree_->viewport()->height();
+  for (QModelIndex row = tree_->indexAt({0, 0}); row.isValid(); row = tree_->indexBelow(row)) {
+    if (tree_->visualRect(row).top() > bottom) break;
+    const auto* object = model_.object(filtered_->mapToSource(row));
+    // Images are rendered for whoever looks at them.
+    if (isSensor(object) && object->port().type() != "image") ports.push_back(object->port().path());
+  }
+  subscription_.want(session(), ports);
+}
+
+void SceneTreeView::followSelection() {
+  const QModelIndex index = filtered_->mapFromSource(model_.indexOf(selection_.object()));
+  if (!index.isValid() || index == tree_->currentIndex().siblingAtColumn(0)) return;
+  tree_->setCurrentIndex(index);
+  tree_->scrollTo(index);
+}
+
+const robotcontrol::WorldObject* SceneTreeView::selected() const {
+  return model_.object(filtered_->mapToSource(tree_->currentIndex()));
+}
+
+void SceneTreeView::showSelected() {
+  const auto* object = selected();
+  const bool hasValues = isSensor(object) && valuesOf(object->port()) > 0;
+  const bool hasImages = isSensor(object) && object->port().type() == "image";
+  plot_->setEnabled(hasValues && valuesOf(object->port()) <= kMaxCurves);
+  columns_->setEnabled(hasValues);
+  for (QAction* action : {image_, gray_, stereogram_}) action->setEnabled(hasImages);
+  properties_->setEnabled(object != nullptr);
+  copyPath_->setEnabled(object != nullptr);
+  std::vector<std::string> actuators;
+  for (const auto* actuator :
+       model_.actuatorsOf(filtered_->mapToSource(tree_->currentIndex()).siblingAtColumn(0)))
+    actuators.push_back(actuator->path());
+  actuators_->show(std::move(actuators));
+}
+
+void SceneTreeView::showMenu(const QPoint& at) {
+  QMenu menu(this);
+  menu.setObjectName(QStringLiteral("sceneTreeMenu"));
+  menu.addActions({plot_, columns_, image_, gray_, stereogram_});
+  menu.addSeparator();
+  menu.addActions({properties_, copyPath_});
+  menu.exec(tree_->viewport()->mapToGlobal(at));
+}
+
+void SceneTreeView::plot() {
+  const auto* object = selected();
+  if (!isSensor(object)) return;
+  const robotcontrol::WorldPort port = object->port();
+  subscription_.want(session(), {port.path()});
+  for (int i = 0; i < valuesOf(port); ++i)
+    if (!run("plots.add", {std::string(robotlink::streams::kPorts) + ": " + portField(port.path(), i)}))
+      return;
+}
+
+void SceneTreeView::showColumns() {
+  const auto* object = selected();
+  if (isSensor(object)) run("columns.show", {object->port().path()});
+}
+
+void SceneTreeView::showImage(const char* mode) {
+  const auto* object = selected();
+  if (!isSensor(object)) return;
+  const robotcontrol::WorldPort port = object->port();
+  if (run("image.stream", {"image", port.image_stream()})) run("image.show", {"image", mode});
+}
+
+bool SceneTreeView::run(const char* command, const std::vector<std::string>& words) {
+  const auto done =
+      context().commands.run(command, robotlink::CommandTable::Values(words.begin(), words.end()));
+  outcome_->setVisible(!done);
+  if (!done) showOutcome(*outcome_, QString::fromStdString(done.error().describe()), true);
+  return done.has_value();
+}
+
+std::set<std::string> SceneTreeView::unfolded() const {
+  std::set<std::string> paths;
+  std::vector<QModelIndex> open{QModelIndex()};
+  while (!open.empty()) {
+    const QModelIndex parent = open.back();
+    open.pop_back();
+    for (int row = 0; row < filtered_->rowCount(parent); ++row) {
+      const QModelIndex index = filtered_->index(row, 0, parent);
+      if (!tree_->isExpanded(index)) continue;
+      paths.insert(index.data(SceneTreeModel::kPathRole).toString().toStdString());
+      open.push_back(index);
+    }
+  }
+  return paths;
+}
+
+void SceneTreeView::unfold(const std::set<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const QModelIndex index = filtered_->mapFromSource(model_.indexOf(path));
+    if (index.isValid()) tree_->expand(index);
+  }
+}
+
+}  // namespace widgets

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "widgets/View.h"
+#include "widgets/objects/SceneTreeModel.h"
+#include "widgets/ports/PortSubscription.h"
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace widgets {
+
+class ActuatorPanel;
+class EmptyHint;
+class SceneSelection;
+
+/// All objects of a simulated scene as a tree, with search: models, links, joints, shapes, sensors with their
+/// values, actuators with sliders, and lights. From here a sensor is plotted, shown as columns or as an
+/// image. The selected object is the one that is selected in the scene, and the other way round. Sensors are
+/// read while they are in view.
+///
+/// Registered as "scene-tree". GUI thread.
+class SceneTreeView final : public View {
+  Q_OBJECT
+ public:
+  explicit SceneTreeView(ViewContext& context, QWidget* parent = nullptr);
+  ~SceneTreeView() override;
+
+  void tick() override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Shows another scene; what was unfolded stays so.
+  void showObjects();
+  /// Asks for the sensors whose rows are in view.
+  void readShown();
+  /// Selects in the tree what is selected elsewhere.
+  void followSelection();
+  /// Adapts actions and sliders to the selected row.
+  void showSelected();
+  void showMenu(const QPoint& at);
+  /// The selected object; null: none.
+  const robotcontrol::WorldObject* selected() const;
+  void plot();
+  void showColumns();
+  void showImage(const char* mode);
+  /// Runs a command, and says what went wrong; whether it was done.
+  bool run(const char* command, const std::vector<std::string>& words);
+  /// The paths of unfolded objects.
+  std::set<std::string> unfolded() const;
+  void unfold(const std::set<std::string>& paths);
+
+  SceneSelection& selection_;
+  SceneTreeModel model_;
+  QSortFilterProxyModel* filtered_;
+  PortSubscription subscription_;
+  QAction *plot_ = nullptr, *columns_ = nullptr, *image_ = nullptr, *gray_ = nullptr;
+  QAction *stereogram_ = nullptr, *properties_ = nullptr, *copyPath_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QTreeView* tree_ = nullptr;
+  ActuatorPanel* actuators_ = nullptr;
+  QLabel* outcome_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  /// The message that is shown, to detect another one.
+  robotlink::PackagePtr objects_;
+  /// What a saved state had unfolded, until there are objects.
+  std::set<std::string> wanted_;
+};
+
+}  // namespace widgets
