@@ -82,12 +82,12 @@ SceneTreeView::~SceneTreeView() = default;
 void SceneTreeView::createActions() {
   plot_ = makeAction(
       this, "plots",
-      {"sceneTreePlot", tr("Plot"), tr("Adds the values of the sensor to the view Plots"), tr("Ctrl+L")});
+      {"sceneTreePlot", tr("Plot"), tr("Adds the values of the sensor to the view Plots"), tr("Ctrl+Alt+L")});
   columns_ = makeAction(this, "samples",
                         {"sceneTreeColumns", tr("Column graph"),
-                         tr("Shows the values of the sensor as columns"), tr("Ctrl+B")});
-  image_ = makeAction(this, "image",
-                      {"sceneTreeImage", tr("Image"), tr("Shows the images of the camera"), tr("Ctrl+I")});
+                         tr("Shows the values of the sensor as columns"), tr("Ctrl+Alt+G")});
+  image_ = makeAction(
+      this, "image", {"sceneTreeImage", tr("Image"), tr("Shows the images of the camera"), tr("Ctrl+Alt+I")});
   gray_ = makeAction(this, "image",
                      {"sceneTreeGray", tr("Monochrome image"), tr("Shows the images of the camera in gray")});
   stereogram_ =
