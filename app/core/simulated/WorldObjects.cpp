@@ -2,6 +2,7 @@
 #include "app/core/simulated/WorldObjects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <set>
 
@@ -53,6 +54,29 @@ void addText(WorldObject& to, const char* name, const std::string& text) {
   auto& property = *to.add_properties();
   property.set_name(name);
   property.set_text(text);
+}
+
+/// Its standard deviation; of several channels that of the first.
+double whiteNoise(const simcore::SensorErrors& errors) {
+  return errors.noise.empty() ? 0 : errors.noise.front().stddev;
+}
+
+/// As SDFormat calls it.
+const char* jointKind(simcore::JointDescription::Kind kind) {
+  using Kind = simcore::JointDescription::Kind;
+  switch (kind) {
+    case Kind::kHinge:
+      return "revolute";
+    case Kind::kFixed:
+      return "fixed";
+    case Kind::kSlider:
+      return "prismatic";
+    case Kind::kBall:
+      return "ball";
+    case Kind::kUniversal:
+      return "universal";
+  }
+  return "";
 }
 
 void addShape(WorldObject& to, const simcore::Shape& shape) {
@@ -199,14 +223,20 @@ class ModelWriter {
     Pose3 anchor = Pose3::Identity();
     anchor.translate(type_.links[child].poseInModel.inverse() * joint.anchorInModel);
     place(object, child, anchor);
-    if (joint.fixed) return addText(object, "type", "fixed");
+    using Kind = simcore::JointDescription::Kind;
+    const bool slides = joint.kind == Kind::kSlider;
+    addText(object, "type", jointKind(joint.kind));
+    if (!slides && joint.kind != Kind::kHinge) return;
+    const char* unit = slides ? "m" : "rad";
     const auto& axis = joint.axisInModel;
     addNumbers(object, "axis", {axis.x(), axis.y(), axis.z()});
-    if (joint.upper > joint.lower) addNumbers(object, "range", {joint.lower, joint.upper}, "rad");
+    if (joint.upper > joint.lower && std::isfinite(joint.upper - joint.lower))
+      addNumbers(object, "range", {joint.lower, joint.upper}, unit);
     if (!joint.servo) return;
-    addNumbers(object, "maximum_speed", {joint.maximumSpeed}, "rad/s");
-    addNumbers(object, "maximum_torque", {joint.maximumTorque}, "N m");
-    addNumbers(object, "noise", {joint.positionNoise}, "rad");
+    addNumbers(object, "maximum_speed", {joint.maximumSpeed}, slides ? "m/s" : "rad/s");
+    addNumbers(object, slides ? "maximum_force" : "maximum_torque", {joint.maximumTorque},
+               slides ? "N" : "N m");
+    addNumbers(object, "noise", {whiteNoise(joint.positionErrors)}, unit);
   }
 
   const simcore::ModelInstance& model_;
@@ -296,7 +326,8 @@ class PortWriter {
     }
     if (sensor->rate > 0) addNumbers(object, "rate", {sensor->rate}, "Hz");
     if (sensor->kind == Kind::kContact) return;
-    auto& noise = addNumbers(object, "noise", {sensor->noise}, isCamera ? "" : object.port().unit().c_str());
+    auto& noise = addNumbers(object, "noise", {whiteNoise(sensor->errors)},
+                             isCamera ? "" : object.port().unit().c_str());
     Steps steps = noiseSteps(sensor->kind);
     if (steps.empty() || model->type->file.empty()) return;
     const bool isInScene = model->type->file == simulation_.scene().file().string();
