@@ -100,7 +100,15 @@ TEST(DebugProcessTest, aPackageIsSentOnce) {
   const std::size_t before = robot.platform.requests().size();
   EXPECT_TRUE(robot.ask(setJoints(robotcontrol::SetPackage::ONCE)).accepted());
   robot.run(50);
-  EXPECT_EQ(requestsOfTheUser(robot, before), 1);
+  EXPECT_EQ(requestsOfTheUser(robot, before), 1) << [&] {
+    std::string all;
+    for (std::size_t i = before; i < robot.platform.requests().size(); ++i) {
+      robotcontrol::JointRequest joints;
+      joints.ParseFromString(robot.platform.requests()[i]);
+      all += std::to_string(joints.positions(0)) + " ";
+    }
+    return all;
+  }();
 }
 
 TEST(DebugProcessTest, aReadingIsHeldWhereItIsReceived) {
@@ -110,12 +118,16 @@ TEST(DebugProcessTest, aReadingIsHeldWhereItIsReceived) {
   auto& set = *request.mutable_set_package();
   set.set_package("joints/states");
   set.set_mode(robotcontrol::SetPackage::HOLD);
+  foxglove::JointStates held;
+  held.add_joints()->set_position(77);
   set.mutable_value()->set_type("foxglove.JointStates");
+  set.mutable_value()->set_data(held.SerializeAsString());
   EXPECT_TRUE(robot.ask(request).accepted());
   robot.run(100);
+  ASSERT_FALSE(robot.on("joints/states").empty());
   foxglove::JointStates shown;
   shown.ParseFromString(robot.on("joints/states").back()->package().data());
-  EXPECT_EQ(shown.joints_size(), 0);
+  EXPECT_EQ(shown.joints(0).position(), 77);
   EXPECT_GT(shown.timestamp().nanos() + shown.timestamp().seconds(), 0) << "as if it were read now";
   EXPECT_EQ(heldIn(robot.on("tables/processes").back()->processes()),
             std::set<std::string>{"motion:joints/states"});
