@@ -109,9 +109,9 @@ void MainWindow::addCopying(QMenu& menu) {
     action->setToolTip(tip);
     return action;
   };
-  add("file.copyPicture", tr("Copy view as &picture"),
-      tr("Copies the picture of the view that has the focus"), false);
-  add("file.copyNumbers", tr("Copy view as &numbers"),
+  add("file.copyPicture", tr("Copy view as picture"), tr("Copies the picture of the view that has the focus"),
+      false);
+  add("file.copyNumbers", tr("Copy view as numbers"),
       tr("Copies the table of the view that has the focus, with tabs between the columns"), true);
 }
 
