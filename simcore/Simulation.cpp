@@ -12,9 +12,6 @@
 namespace simcore {
 namespace {
 
-// Solids that rest on each other overlap a little; a deeper overlap means an impossible pose.
-constexpr double kMaxOverlap = 0.003;
-
 /// Separates the solver's random numbers from those of the sensors.
 constexpr std::uint64_t kSolverStream = 0x736F6C766572;
 
@@ -47,23 +44,7 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
                                                                   SimulationOptions options) {
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
-  const Implementation& made = *simulation->implementation_;
-  const auto isOurs = [](const ModelInstance& model) {
-    return !model.type->robot.empty() || model.type->isBall;
-  };
-  for (std::size_t i = 0; i < made.world.models.size(); ++i) {
-    const int other = made.physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
-    if (other < 0) continue;
-    const ModelInstance& model = made.world.models[i];
-    const ModelInstance& otherModel = made.world.models[static_cast<std::size_t>(other)];
-    const std::string text = "'" + model.name + "' starts inside '" + otherModel.name + "'";
-    if (isOurs(model) || isOurs(otherModel)) {
-      return robotlink::failure("scene.overlap", text + ": move one of them", model.where,
-                                {model.name, otherModel.name});
-    }
-    leaveOut(simulation->implementation_->overlaps,
-             {model.where, model.name, text, "they push each other apart"});
-  }
+  if (auto fits = simulation->implementation_->checkStart(); !fits) return tl::unexpected(fits.error());
   return simulation;
 }
 

@@ -30,6 +30,16 @@ struct ModelPosture {
   double roll = 0, pitch = 0;
 };
 
+/// What became of a running simulation that was to go on in another scene.
+struct SceneChange {
+  /// Whether it has the same sensors, cameras, servos and drives as before, in the same order, so that those
+  /// who keep their indices can go on. If not, nothing was changed.
+  bool hasSamePorts = false;
+  /// Models that were in the scene before and stand at the places that the new scene gives them: they have
+  /// other links or joints, or another place in its file, or would stand inside something.
+  std::vector<std::string> putBack = {};
+};
+
 /// A running simulation of a world: bodies, joints, contacts, sensors and servos, in steps of kStep. SI
 /// units; poses are in the world's frame.
 ///
@@ -56,6 +66,15 @@ class Simulation {
   robotlink::Duration time() const;
   /// Returns to the initial state of the scene, with a new seed.
   void reset(std::uint64_t seed);
+
+  /// Goes on in another scene, usually the same file after an edit. Time and step go on. Models of the same
+  /// name that move, have the same links and joints, and have the same place in both scenes keep their poses,
+  /// joint angles and velocities, and their servos and drives what was requested of them; all others are at
+  /// the start of the new scene. Fails as create() does, and then nothing has changed.
+  robotlink::Result<SceneChange> continueIn(std::shared_ptr<const Scene> scene);
+  /// Goes on where another simulation is, in the same way, whatever ports that has. Returns
+  /// SceneChange::putBack. To be called before the first step.
+  std::vector<std::string> continueFrom(const Simulation& before);
 
   const Scene& scene() const;
   std::shared_ptr<const RenderScene> renderScene() const;

@@ -61,6 +61,9 @@ struct TimedSensor {
   }
 };
 
+/// Solids that rest on each other overlap a little, m; a deeper overlap means an impossible pose.
+inline constexpr double kMaxOverlap = 0.003;
+
 /// All ports, first those of devices, then the truth about each model.
 std::vector<Port> portsOf(const Ports& ports, const WorldDescription& world);
 
@@ -243,6 +246,15 @@ struct SimulationState {
     imagingStep = step;
     imaging->measure(sensor, {options.noise, options.seed, step}, values);
   }
+
+  /// Fails if a robot or a ball starts inside another model; notes other overlaps.
+  robotlink::Result<void> checkStart();
+  /// Takes over how models, servos and drives stand and move from another world; see
+  /// Simulation::continueIn().
+  std::vector<std::string> takeOver(const SimulationState& before);
+  /// Returns the models that stay at their start; adds the others to `kept`.
+  std::vector<std::string> takeOverModels(const SimulationState& before, std::vector<int>& kept);
+  void takeOverPorts(const SimulationState& before, const std::vector<int>& kept);
 
   int modelIndex(const std::string& name) const {
     const auto found = std::ranges::find(world.models, name, &ModelInstance::name);

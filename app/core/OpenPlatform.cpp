@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -86,6 +87,17 @@ robotlink::Result<void> OpenPlatform::connectNow() {
 void OpenPlatform::close() {
   platform_.close(outcomeOf(Change::kPlatform));
 }
+
+void OpenPlatform::reloadScene() {
+  const auto anew = [](const LoadedPlatform& loaded) {
+    return SimulationFeed::opening(loaded.sources.front(), [](RunOptions&) {});
+  };
+  if (const auto kept = keepKeys(); !kept) report({kept.error()});
+  platform_.reload(anew, outcomeOf(Change::kScene), [this](const auto& loaded) {
+    outcomes_.push({Change::kPlatform, loaded});
+  });
+}
+
 void OpenPlatform::setLayout(const std::filesystem::path& file) {
   platform_.setLayout(file, outcomeOf(Change::kLayout));
 }

@@ -56,6 +56,9 @@ class OpenPlatform {
   robotlink::Result<void> connectNow();
   /// Ends what runs.
   void close();
+  /// Reads the scene of the simulation again, which was edited, and goes on in it; if its robots are others
+  /// now, it is opened from the start.
+  void reloadScene();
   /// Restarts the robots' programs in another layout.
   void setLayout(const std::filesystem::path& file);
 
@@ -123,8 +126,8 @@ class OpenPlatform {
     std::atomic<double> share = 0;
     std::atomic<bool> canceled = false;
   };
-  /// What a result is about: another platform, or another layout on the same one.
-  enum class Change { kPlatform, kLayout };
+  /// What a result is about: another platform, or another layout or an edited scene on the same one.
+  enum class Change { kPlatform, kLayout, kScene };
   /// A result from the platform's thread.
   struct Outcome {
     Change change;

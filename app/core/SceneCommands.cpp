@@ -7,6 +7,7 @@
 
 #include "app/core/CommandValues.h"
 #include "app/core/OpenPlatform.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/World.pb.h"
 #include "robotlink/base/Spelling.h"
@@ -102,6 +103,14 @@ Result<void> release(OpenPlatform& open, const Values& values) {
   return setActuator(open, std::move(set));
 }
 
+Result<void> reload(OpenPlatform& open) {
+  const LoadedPlatform* loaded = open.loaded();
+  if (loaded == nullptr || loaded->adapter != SimulationFeed::kAdapter)
+    return failure("simulation.none", "there is no simulation; open a scene first");
+  open.reloadScene();
+  return {};
+}
+
 }  // namespace
 
 void addSceneCommands(CommandTable& commands, OpenPlatform& open) {
@@ -115,6 +124,7 @@ void addSceneCommands(CommandTable& commands, OpenPlatform& open) {
   commands.attach(
       "scene.place", [&open](const Values& values) { return place(open, values); },
       [&open](const auto& before) { return before.empty() ? models(open) : std::vector<std::string>(); });
+  commands.attach("scene.reload", [&open](const Values&) { return reload(open); });
 }
 
 }  // namespace app

@@ -9,8 +9,8 @@ namespace app {
 
 class OpenPlatform;
 
-/// Attaches the command that places robots and the ball of a simulation, scene.place. What is open must
-/// outlive the command table.
+/// Attaches the commands about the scene of a simulation: scene.place, which places robots and the ball, and
+/// scene.reload. What is open must outlive the command table.
 void addSceneCommands(robotlink::CommandTable& commands, OpenPlatform& open);
 
 }  // namespace app

@@ -56,6 +56,8 @@ Rows sceneRows() {
         {"height", Type::kNumber, "m, of the middle of its body; 0: as it is", 0.0},
         {"roll", Type::kNumber, "rad, about its x axis, before pitch and heading", 0.0},
         {"pitch", Type::kNumber, "rad, about its y axis; all three 0: it stays as it stands", 0.0}}},
+      {"scene.reload",
+       "Reads the scene's file again, after an edit, and goes on in it: what has not changed stays as it is"},
   };
 }
 

@@ -52,6 +52,16 @@ void Actuation::guide(std::size_t guide, std::span<const double> values) {
   guides_[guide].unobstructed = true;
 }
 
+void Actuation::takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo) {
+  const Servo& limits = ports_.servos[servo];
+  const ServoMotor& before = from.servos_[fromServo];
+  ServoMotor& motor = servos_[servo];
+  motor.waiting = before.waiting;
+  motor.integral = before.integral;
+  motor.state.target = std::clamp(before.state.target, limits.minimum, limits.maximum);
+  motor.state.torqueShare = before.state.torqueShare;
+}
+
 void Actuation::beforeStep(std::uint64_t step) {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     ServoMotor& motor = servos_[i];

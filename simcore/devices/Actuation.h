@@ -25,6 +25,9 @@ class Actuation {
   /// The command of a guide: as many finite values as its port has, which are limited; others are ignored.
   void guide(std::size_t guide, std::span<const double> values);
 
+  /// Has a servo go on as one of another simulation does; what is requested is limited to its own range.
+  void takeOver(std::size_t servo, const Actuation& from, std::size_t fromServo);
+
   /// To be called before and after each step of the physics.
   void beforeStep(std::uint64_t step);
   void afterStep();

@@ -90,6 +90,18 @@ void ExactSensing::forgetVelocitiesOf(int model) {
   }
 }
 
+void ExactSensing::adoptVelocitiesOf(int model) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const SensorSource& source = sources_[i];
+    if (source.model != model) continue;
+    if (source.kind == SourceKind::kOdometry) memories_[i].before = robotlink::groundPose(poseOf(source));
+    if (source.kind != SourceKind::kAccelerometer) continue;
+    const Vector3 point = physics_.linkInWorld(source.body) * source.poseInLink.translation();
+    memories_[i].velocity = physics_.velocityAt(source.body, point);
+    memories_[i].specificForce = -world_.gravity;
+  }
+}
+
 double ExactSensing::contactOf(const SensorSource& source) const {
   if (source.collision >= 0) return physics_.touched(source.body, source.collision) ? 1 : 0;
   for (int i = 0; i < source.collisions; ++i) {

@@ -21,6 +21,8 @@ class ExactSensing {
   /// A model was put elsewhere by hand and is at rest: its velocity before that means nothing, and its
   /// odometry does not notice.
   void forgetVelocitiesOf(int model);
+  /// A model was set in motion by hand: it has had this velocity before, too.
+  void adoptVelocitiesOf(int model);
   /// Writes a reading; `values` has its size.
   void read(std::size_t index, std::vector<double>& values) const;
 

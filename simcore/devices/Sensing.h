@@ -32,6 +32,8 @@ class Sensing {
   void afterStep(const Noise& noise);
   /// A model was put elsewhere by hand and is at rest: its velocity before that means nothing.
   void forgetVelocitiesOf(int model) { exact_.forgetVelocitiesOf(model); }
+  /// A model was set in motion by hand: it has had this velocity before, too.
+  void adoptVelocitiesOf(int model) { exact_.adoptVelocitiesOf(model); }
 
   /// Computes all readings; sensors[i] is measured by sources[i].
   void read(const Noise& noise, std::vector<Sensor>& sensors);

@@ -202,6 +202,16 @@ Physics::SideState Physics::sideState(std::size_t side) const {
   return {one.travel, one.speed, one.blockedSteps >= kBlockedSteps};
 }
 
+void Physics::copySide(std::size_t side, const Physics& from, std::size_t fromSide) {
+  OdeWheelSide& to = ode_->wheelSides[side];
+  const OdeWheelSide& other = from.ode_->wheelSides[fromSide];
+  to.target = other.target;
+  to.on = other.on;
+  to.speed = other.speed;
+  to.travel = other.travel;
+  to.blockedSteps = other.blockedSteps;
+}
+
 bool Physics::touched(std::size_t body, int collision) const {
   return ode_->geoms[ode_->bodies[body].firstGeom + static_cast<std::size_t>(collision)].touched;
 }

@@ -86,6 +86,8 @@ class Physics {
   Vector3 velocityOfModel(int model) const;
   /// Of its first body, in the world, rad/s.
   Vector3 turningRateOfModel(int model) const;
+  /// Lets a side turn as one of another world does: its speed and travel, and what was requested of it.
+  void copySide(std::size_t side, const Physics& from, std::size_t fromSide);
 
   /// Whether a collision shape of a body touched anything in the last step.
   bool touched(std::size_t body, int collision) const;

@@ -43,6 +43,11 @@ Result<void> PlatformFeed::requestReplay(const robotcontrol::Request&) {
   return robotlink::failure("replay.none", "no log is open; open one first");
 }
 
+tl::expected<bool, robotlink::Errors> PlatformFeed::reload() {
+  return tl::unexpected(
+      robotlink::Errors{{"simulation.none", "there is no simulation; open a scene first", {}, {}}});
+}
+
 PlatformOpening::Made PlatformFeed::withLog(const std::filesystem::path&, robotlink::Duration,
                                             const logplayer::LogFile::Progress&) const {
   return tl::unexpected(robotlink::Errors{{"replay.none", "no log is open to add this one to", {}, {}}});

@@ -111,6 +111,10 @@ class PlatformFeed {
   /// Restarts the programs in another layout. If that is impossible, the errors say why, and the programs
   /// that run continue.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
+  /// Reads the file of what runs again, which was edited, and goes on in it as far as that is possible.
+  /// False: it has to be opened instead. Only simulations can do it. If it fails, everything continues as
+  /// before.
+  virtual tl::expected<bool, robotlink::Errors> reload();
   /// Describes what runs now.
   virtual LoadedPlatform describe() const = 0;
   /// The switch that stops robots from any thread, even while this one is blocked. Null for platforms without

@@ -63,10 +63,14 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
   return run;
 }
 
-Errors SimulatedRun::load() {
+tl::expected<std::shared_ptr<const simcore::Scene>, Errors> SimulatedRun::readScene() {
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
   if (!options_.robots && simcore::isMapFile(options_.scene)) added.count = 1;
-  auto scene = simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}));
+  return simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}));
+}
+
+Errors SimulatedRun::load() {
+  auto scene = readScene();
   if (!scene) return scene.error();
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};

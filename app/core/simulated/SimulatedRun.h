@@ -134,6 +134,20 @@ class SimulatedRun {
   /// Puts world and programs back to the start, with another seed. The user's overrides are kept. If the
   /// programs cannot be made again, everything continues as before.
   robotlink::Errors reset(std::uint64_t seed);
+  /// What reload() has done.
+  struct Reloaded {
+    /// False: the robots, their field or the map are others, so the scene has to be opened instead; nothing
+    /// was changed.
+    bool inPlace = false;
+    /// Whether the programs were started again, since sensors or motors of robots have changed.
+    bool startedPrograms = false;
+    /// Models that could not keep their state, see simcore::SceneChange.
+    std::vector<std::string> putBack = {};
+  };
+  /// Reads the scene's file again and goes on in it: time, poses, joint angles and velocities of models that
+  /// have not changed stay, and so do the programs with all that they know. Fails with all errors of the
+  /// file; then everything continues as before.
+  tl::expected<Reloaded, robotlink::Errors> reload();
   /// Restarts the programs of all kinds of robots that can be run in a layout; the world continues. If there
   /// is no such kind, everything continues as before. The user's overrides are kept as far as the layout
   /// permits.
@@ -218,6 +232,13 @@ class SimulatedRun {
   /// The robots whose programs are exchanged by hostProgram(); adapts the options.
   std::vector<RobotHost*> applyHosting(const std::string& robot, const robotcontrol::HostProgram& choice);
   robotlink::Errors checkHosting(const std::string& robot) const;
+  /// Reads the scene of the options, with the robots that are added to it.
+  tl::expected<std::shared_ptr<const simcore::Scene>, robotlink::Errors> readScene();
+  /// Replaces the world by one of this scene, which goes on where the present one is, and starts the programs
+  /// again.
+  tl::expected<Reloaded, robotlink::Errors> exchangeWorld(std::shared_ptr<const simcore::Scene> scene);
+  /// Whether the hosts of the robots can go on in this scene.
+  bool hasSameRobots(const simcore::Scene& scene) const;
   /// Passes a problem of a process to the robot that owns it.
   void reportTrouble(const robotlink::Process& process, const std::string& text);
   /// Lets the referee act, and reports goals and kick-offs.
@@ -227,6 +248,8 @@ class SimulatedRun {
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
+  /// Worlds that modules which do not return may still use.
+  std::vector<std::unique_ptr<SimulatedWorld>> leftOverWorlds_;
   /// Null if there is none; see game().
   std::unique_ptr<KickOff> kickOff_;
   /// Null if they are closed. Declared after the world, which it uses.

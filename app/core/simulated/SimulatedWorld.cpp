@@ -90,11 +90,34 @@ robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
 
 SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
     : options_(options), simulation_(std::move(simulation)), trueClasses_(*simulation_->renderScene()) {
-  if (simulation_->cameras().empty()) return;
-  renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
-                                                        simcore::CameraRenderer::Options{options.shadows});
+  makeRenderer();
+}
+
+void SimulatedWorld::makeRenderer() {
+  renderer_.reset();
+  posesRendered_ = ~std::uint64_t{0};
   cameraSettings_.resize(simulation_->cameras().size());
   optics_.resize(simulation_->cameras().size());
+  if (simulation_->cameras().empty()) return;
+  renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
+                                                        simcore::CameraRenderer::Options{options_.shadows});
+}
+
+robotlink::Result<simcore::SceneChange> SimulatedWorld::continueIn(
+    std::shared_ptr<const simcore::Scene> scene) {
+  auto change = simulation_->continueIn(std::move(scene));
+  if (!change || !change->hasSamePorts) return change;
+  trueClasses_ = TrueClasses(*simulation_->renderScene());
+  makeRenderer();
+  return change;
+}
+
+std::vector<std::string> SimulatedWorld::continueFrom(const SimulatedWorld& before) {
+  std::vector<std::string> putBack = simulation_->continueFrom(*before.simulation_);
+  clock_.set(before.clock_.now());
+  costs_ = before.costs_;
+  digest_ = before.digest_;
+  return putBack;
 }
 
 robotlink::Result<void> SimulatedWorld::makePioneers() {

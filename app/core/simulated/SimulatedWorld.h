@@ -70,6 +70,12 @@ class SimulatedWorld {
   /// Puts everything back to the start, with another seed. The clock starts at 0 again; the lighting stays.
   void reset(std::uint64_t seed);
 
+  /// See simcore::Simulation::continueIn().
+  robotlink::Result<simcore::SceneChange> continueIn(std::shared_ptr<const simcore::Scene> scene);
+  /// Goes on where another world is, before the first step; see simcore::Simulation::continueFrom().
+  /// Microcontrollers begin anew.
+  std::vector<std::string> continueFrom(const SimulatedWorld& before);
+
   const robotlink::Clock& clock() const { return clock_; }
   simcore::Simulation& simulation() { return *simulation_; }
   const simcore::Simulation& simulation() const { return *simulation_; }
@@ -118,6 +124,8 @@ class SimulatedWorld {
   simcore::LightAdjustment lightingOf(std::size_t camera) const;
   /// Takes the image of a camera into image_.
   void take(std::size_t camera, const simcore::CameraModel& model, const simcore::ImageNoise& noise);
+  /// Makes what renders the scene, if there are cameras.
+  void makeRenderer();
   /// Makes the microcontrollers.
   robotlink::Result<void> makePioneers();
   /// Renders a camera's image into image_.

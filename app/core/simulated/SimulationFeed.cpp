@@ -302,6 +302,23 @@ robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
   return errors;
 }
 
+tl::expected<bool, robotlink::Errors> SimulationFeed::reload() {
+  auto done = run_->reload();
+  if (!done) return tl::unexpected(std::move(done.error()));
+  if (!done->inPlace) return false;
+  restartPace();
+  publishScene();
+  if (run_->robots().empty()) return true;
+  const auto say = [this](const std::string& text) {
+    gate_.publishText(run_->robots().front(), "simulation", now(), foxglove::Log::INFO, text);
+  };
+  say("The scene was loaded again; the simulation goes on in it.");
+  for (const std::string& model : done->putBack) say(model + " is where the scene's file puts it.");
+  if (done->startedPrograms) say("The programs were started again, since sensors or motors have changed.");
+  publishAnswers();
+  return true;
+}
+
 void SimulationFeed::publishLostOverrides() {
   for (const std::string& lost : run_->lostChoices()) {
     gate_.publishText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);

@@ -48,6 +48,8 @@ class SimulationFeed final : public PlatformFeed {
   /// Makes one step; publishes transforms and status at their rates, or at once after a single step.
   void step() override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
+  /// Also publishes the scene, and which models could not keep their state.
+  tl::expected<bool, robotlink::Errors> reload() override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
   void setDemand(const Demand& demand) override;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The workbench goes on in a scene whose file was edited.
+#include <gtest/gtest.h>
+
+#include "app/core/Workbench.h"
+#include "app/core/simulated/SimulationFeed.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "tests/TestFolder.h"
+#include "tests/app/TickUntil.h"
+
+using namespace app;
+using robotcontrol::SimulationStatus;
+
+namespace {
+
+class SceneReloadTest : public testing::Test {
+ protected:
+  SceneReloadTest()
+      : text(robotlink::readFile(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/pioneer.sdf").value()),
+        file(folder.write("room.sdf", text)),
+        workbench(folder.path() / "user") {
+    workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
+    workbench.onLoaded([this](const LoadedPlatform&) { ++loads; });
+    RunOptions options = defaultSimulation();
+    options.scene = file;
+    workbench.open(SimulationFeed::opening(options));
+    EXPECT_TRUE(waitFor([this] { return loads == 1 && status() != nullptr; }));
+  }
+  template <typename Condition>
+  bool waitFor(Condition condition) {
+    return app::test::tickUntil(workbench, condition);
+  }
+  const SimulationStatus* status() {
+    return workbench.session().store().latestAs<SimulationStatus>("simulation",
+                                                                  workbench.session().timeline().newest());
+  }
+  void run(const char* line) {
+    const auto done = workbench.commands().runLine(line);
+    EXPECT_TRUE(done.has_value()) << line << ": " << (done ? "" : done.error().describe());
+  }
+  void edit(const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    folder.write("room.sdf", text);
+  }
+  bool hasModel(const std::string& name) {
+    const auto& models = status()->models();
+    return std::find(models.begin(), models.end(), name) != models.end();
+  }
+
+  TestFolder folder;
+  std::string text;
+  std::filesystem::path file;
+  int loads = 0;
+  robotlink::Errors errors;
+  Workbench workbench;
+};
+
+const char* const kCan =
+    "<model name='can'><pose>2 -2 0.2 0 0 0</pose><link name='can'><inertial><mass>0.4</mass></inertial>"
+    "<collision name='c'><geometry><cylinder><radius>0.1</radius><length>0.3</length></cylinder></geometry>"
+    "</collision></link></model></world>";
+
+}  // namespace
+
+TEST_F(SceneReloadTest, theSimulationGoesOnWithWhatWasAdded) {
+  run("simulation.step");
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 4; }));
+  edit("</world>", kCan);
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 2; })) << robotlink::describe(errors);
+  EXPECT_TRUE(waitFor([this] { return hasModel("can"); }));
+  EXPECT_EQ(status()->steps(), 4U);
+  run("simulation.step");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() == 6; }));
+}
+
+TEST_F(SceneReloadTest, anErrorInTheFileLeavesTheSimulationAsItWas) {
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  edit("<model name=\"room\">", "<model nam=\"room\">");
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_GT(errors.front().where.line, 0);
+  run("simulation.step");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() == 4; }));
+}
+
+TEST_F(SceneReloadTest, withAnotherRobotTheSceneBeginsAnew) {
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  edit("<name>p3at1</name>", "<name>other</name>");
+  run("scene.reload");
+  ASSERT_TRUE(waitFor([this] { return loads == 2; })) << robotlink::describe(errors);
+  EXPECT_TRUE(waitFor([this] { return status() != nullptr && status()->steps() == 0; }));
+  EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"other"});
+}
+
+TEST_F(SceneReloadTest, withoutASimulationThereIsNothingToReload) {
+  workbench.close();
+  ASSERT_TRUE(waitFor([this] { return loads == 2; }));
+  const auto done = workbench.commands().runLine("scene.reload");
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().id, "simulation.none");
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A simulation that goes on after its scene was edited.
+#include <gmock/gmock.h>
+
+#include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
+
+namespace simcore {
+namespace {
+
+using robotlink::Vector3;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const char* const kChangedFloor =
+    "<model name='floor'><static>true</static><link name='floor'><collision name='c'><geometry><plane>"
+    "<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>";
+
+std::string ball(const std::string& name, const std::string& pose, const std::string& link = "body") {
+  return "<model name='" + name + "'><pose>" + pose + "</pose><link name='" + link +
+         "'><inertial><mass>0.3</mass><inertia><ixx>0.0002</ixx><iyy>0.0002</iyy><izz>0.0002</izz></inertia>"
+         "</inertial><collision name='c'><geometry><sphere><radius>0.05</radius></sphere></geometry>"
+         "</collision></link></model>";
+}
+
+std::string box(const std::string& name, const std::string& pose) {
+  return "<model name='" + name + "'><static>true</static><pose>" + pose +
+         "</pose><link name='l'><collision name='c'><geometry><box><size>0.4 0.4 0.4</size></box></geometry>"
+         "</collision></link></model>";
+}
+
+class SceneChangeTest : public testing::Test {
+ protected:
+  std::shared_ptr<const Scene> sceneOf(const std::string& contents) {
+    auto scene = Scene::load(folder_.write("room.sdf", worldAround(kChangedFloor + contents)));
+    EXPECT_TRUE(scene.has_value()) << (scene ? "" : robotlink::describe(scene.error()));
+    return scene ? *scene : nullptr;
+  }
+  void start(const std::string& contents) {
+    simulation_ = std::move(Simulation::create(sceneOf(contents), {.seed = 1, .noise = false}).value());
+  }
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) simulation_->step();
+  }
+  Vector3 position(const std::string& model) const { return simulation_->modelPose(model)->translation(); }
+
+  SceneFolder folder_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+TEST_F(SceneChangeTest, aFallingModelGoesOnFalling) {
+  const std::string falling = ball("stone", "0 0 1 0 0 0");
+  start(falling);
+  run(50);
+  const double before = position("stone").z();
+  const auto change = simulation_->continueIn(sceneOf(box("crate", "2 0 0.2 0 0 0") + falling));
+  ASSERT_TRUE(change.has_value());
+  EXPECT_THAT(change->putBack, IsEmpty());
+  EXPECT_TRUE(change->hasSamePorts);
+  EXPECT_EQ(simulation_->steps(), 50U);
+  EXPECT_NEAR(position("stone").z(), before, 1e-9);
+  run(1);
+  // After 0.2 s of falling it has nearly 2 m/s.
+  EXPECT_NEAR(before - position("stone").z(), 0.2 * 9.81 * 0.004, 0.001);
+  EXPECT_TRUE(simulation_->modelPose("crate").has_value());
+}
+
+TEST_F(SceneChangeTest, anEditThatChangesNothingKeepsAllPoses) {
+  const std::string falling = ball("stone", "0 0 0.2 0 0.3 0") + ball("other", "0.3 0 0.3 0 0 0");
+  start(falling);
+  run(30);
+  const std::vector<Pose3> before(simulation_->bodyPoses().begin(), simulation_->bodyPoses().end());
+  ASSERT_TRUE(simulation_->continueIn(sceneOf(falling)).has_value());
+  const auto after = simulation_->bodyPoses();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_TRUE(after[i].isApprox(before[i], 1e-9)) << i;
+}
+
+TEST_F(SceneChangeTest, aModelThatTheFilePutsElsewhereIsThere) {
+  start(ball("stone", "0 0 1 0 0 0") + ball("other", "1 0 1 0 0 0"));
+  run(20);
+  const auto change =
+      simulation_->continueIn(sceneOf(ball("stone", "0 0.5 2 0 0 0") + ball("other", "1 0 1 0 0 0")));
+  ASSERT_TRUE(change.has_value());
+  EXPECT_THAT(change->putBack, ElementsAre("stone"));
+  EXPECT_NEAR(position("stone").z(), 2, 1e-9);
+  EXPECT_LT(position("other").z(), 0.99);
+}
+
+TEST_F(SceneChangeTest, aModelWithOtherLinksBeginsAnew) {
+  start(ball("stone", "0 0 1 0 0 0"));
+  run(20);
+  const auto change = simulation_->continueIn(sceneOf(ball("stone", "0 0 1 0 0 0", "core")));
+  ASSERT_TRUE(change.has_value());
+  EXPECT_THAT(change->putBack, ElementsAre("stone"));
+  EXPECT_NEAR(position("stone").z(), 1, 1e-9);
+}
+
+TEST_F(SceneChangeTest, aModelThatWouldBeInsideANewOneIsPutBack) {
+  const std::string falling = ball("stone", "0 0 1 0 0 0");
+  start(falling);
+  run(250);
+  ASSERT_NEAR(position("stone").z(), 0.05, 0.01);
+  const auto change = simulation_->continueIn(sceneOf(box("crate", "0 0 0.2 0 0 0") + falling));
+  ASSERT_TRUE(change.has_value());
+  EXPECT_THAT(change->putBack, ElementsAre("stone"));
+  EXPECT_NEAR(position("stone").z(), 1, 1e-9);
+}
+
+TEST_F(SceneChangeTest, aSceneThatCannotStartChangesNothing) {
+  start(ball("stone", "0 0 1 0 0 0"));
+  run(10);
+  const std::uint64_t before = simulation_->digest();
+  EXPECT_FALSE(simulation_->continueIn(sceneOf(box("crate", "0 0 0.9 0 0 0") + ball("stone", "0 0 1 0 0 0")))
+                   .has_value());
+  EXPECT_EQ(simulation_->digest(), before);
+  EXPECT_FALSE(simulation_->modelPose("crate").has_value());
+}
+
+TEST_F(SceneChangeTest, servosKeepWhatWasRequested) {
+  auto simulation = std::move(Simulation::create(shippedScene(), {.seed = 1, .noise = false}).value());
+  const auto servos = simulation->servos();
+  const auto pan = static_cast<std::size_t>(
+      std::ranges::find(servos, "red1/headPan/request", [](const Servo& one) { return one.info.path; }) -
+      servos.begin());
+  simulation->requestAngle(pan, 0.8);
+  for (int i = 0; i < 20; ++i) simulation->step();
+  const auto same = Scene::load(shippedScene()->file());
+  ASSERT_TRUE(same.has_value());
+  const auto change = simulation->continueIn(*same);
+  ASSERT_TRUE(change.has_value());
+  EXPECT_TRUE(change->hasSamePorts);
+  for (int i = 0; i < 400; ++i) simulation->step();
+  const auto sensors = simulation->sensors();
+  const auto angle = std::ranges::find(sensors, "red1/headPan/position",
+                                       [](const Sensor& sensor) { return sensor.info.path; });
+  ASSERT_NE(angle, sensors.end());
+  EXPECT_NEAR(angle->values[0], 0.8, 0.02);
+}
+
+TEST_F(SceneChangeTest, withOtherSensorsOnlyAnotherSimulationCanGoOn) {
+  start(ball("stone", "0 0 1 0 0 0"));
+  run(20);
+  const std::uint64_t before = simulation_->digest();
+  const auto wider =
+      sceneOf(replaced(ball("stone", "0 0 1 0 0 0"), "</link>",
+                       "<sensor name='imu' type='imu'><always_on>true</always_on></sensor></link>"));
+  const auto change = simulation_->continueIn(wider);
+  ASSERT_TRUE(change.has_value());
+  EXPECT_FALSE(change->hasSamePorts);
+  EXPECT_EQ(simulation_->digest(), before);
+  const auto next = std::move(Simulation::create(wider, {.seed = 1, .noise = false}).value());
+  EXPECT_THAT(next->continueFrom(*simulation_), IsEmpty());
+  EXPECT_NEAR(next->modelPose("stone")->translation().z(), position("stone").z(), 1e-9);
+  EXPECT_EQ(next->steps(), 20U);
+}
+
+}  // namespace
+}  // namespace simcore
