@@ -124,11 +124,11 @@ sdf::ElementPtr descriptionOf(const SdfGlossary::Path& path, const sdf::ElementP
 
 }  // namespace
 
-SdfGlossary::SdfGlossary() : spec_(std::make_unique<SdfSpec>()) {}
+SdfGlossary::SdfGlossary() : spec_(SdfSpec::shared()) {}
 SdfGlossary::~SdfGlossary() = default;
 
 std::vector<SdfElementHelp> SdfGlossary::children(const Path& path) const {
-  const sdf::ElementPtr root = spec_->description().text->Root();
+  const sdf::ElementPtr root = spec_.description().text->Root();
   std::vector<SdfElementHelp> all;
   if (path.empty()) {
     all.push_back(helpOf(root));
@@ -146,7 +146,7 @@ std::vector<SdfElementHelp> SdfGlossary::children(const Path& path) const {
 
 std::optional<SdfElementHelp> SdfGlossary::element(const Path& path) const {
   if (path.empty()) return std::nullopt;
-  const sdf::ElementPtr root = spec_->description().text->Root();
+  const sdf::ElementPtr root = spec_.description().text->Root();
   if (const sdf::ElementPtr description = descriptionOf(path, root)) return helpOf(description);
   for (const OwnElementHelp& own : kOwnElementHelp) {
     if (path.size() > 1 && path.back() == own.name && path[path.size() - 2] == own.parent) return helpOf(own);

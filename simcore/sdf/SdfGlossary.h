@@ -49,7 +49,7 @@ class SdfGlossary {
   std::optional<SdfElementHelp> element(const Path& path) const;
 
  private:
-  std::unique_ptr<SdfSpec> spec_;
+  const SdfSpec& spec_;
 };
 
 }  // namespace simcore

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/motions/MotionTextEdit.h"
 
-#include <QFontDatabase>
-#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QSyntaxHighlighter>
 #include <QTextBlock>
 #include <QTextDocument>
-#include <QToolTip>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "robotlink/motions/MotionWords.h"
 #include "widgets/Controls.h"
@@ -17,8 +16,6 @@
 
 namespace widgets {
 namespace {
-
-constexpr int kMaxUnderlined = 200;
 
 /// Colors of comments and keywords.
 class MotionColors final : public QSyntaxHighlighter {
@@ -53,18 +50,14 @@ class MotionColors final : public QSyntaxHighlighter {
 
 }  // namespace
 
-MotionTextEdit::MotionTextEdit(MotionBench& bench, QWidget* parent) : QPlainTextEdit(parent), bench_(bench) {
+MotionTextEdit::MotionTextEdit(MotionBench& bench, QWidget* parent) : MarkedTextEdit(parent), bench_(bench) {
   describe(*this, {"motionText", tr("Text of the motion"), {}});
-  setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  setLineWrapMode(QPlainTextEdit::NoWrap);
-  setTabChangesFocus(true);
   setUndoRedoEnabled(false);  // the bench has the history
   new MotionColors(*this);
   showText();
   connect(this, &QPlainTextEdit::textChanged, this, &MotionTextEdit::takeText);
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] {
     if (!isShowing_) bench_.setLine(textCursor().blockNumber() + 1);
-    underline();
   });
   connect(&bench, &MotionBench::changed, this, &MotionTextEdit::showText);
   connect(&bench, &MotionBench::robotChanged, this, &MotionTextEdit::underline);
@@ -132,62 +125,16 @@ QTextCursor MotionTextEdit::wordOf(int line, int column) const {
 }
 
 void MotionTextEdit::underline() {
-  QList<QTextEdit::ExtraSelection> marks;
-  QTextEdit::ExtraSelection current;
-  current.format.setBackground(
-      mixed(palette().color(QPalette::Base), palette().color(QPalette::Highlight), 0.15));
-  current.format.setProperty(QTextFormat::FullWidthSelection, true);
-  current.cursor = textCursor();
-  current.cursor.clearSelection();
-  marks << current;
-  for (const robotlink::Error& error : bench_.errors()) {
-    if (marks.size() > kMaxUnderlined) break;
-    QTextEdit::ExtraSelection mark;
-    mark.cursor = wordOf(error.where.line, error.where.column);
-    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    mark.format.setUnderlineColor(colorOf(Meaning::kBad, palette()));
-    mark.format.setForeground(colorOf(Meaning::kBad, palette()));
-    mark.format.setToolTip(QString::fromStdString(error.text));
-    marks << mark;
-  }
-  setExtraSelections(marks);
-}
-
-QString MotionTextEdit::errorAt(const QPoint& place) const {
-  const int position = cursorForPosition(place).position();
-  for (const auto& mark : extraSelections()) {
-    if (!mark.format.toolTip().isEmpty() && position >= mark.cursor.selectionStart() &&
-        position <= mark.cursor.selectionEnd())
-      return mark.format.toolTip();
-  }
-  return {};
-}
-
-bool MotionTextEdit::viewportEvent(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    auto* help = static_cast<QHelpEvent*>(event);
-    const QString error = errorAt(help->pos());
-    if (error.isEmpty())
-      QToolTip::hideText();
-    else
-      QToolTip::showText(help->globalPos(), error, this);
-    return true;
-  }
-  return QPlainTextEdit::viewportEvent(event);
+  std::vector<TextMark> marks;
+  for (const robotlink::Error& error : bench_.errors())
+    marks.push_back({wordOf(error.where.line, error.where.column), QString::fromStdString(error.text)});
+  setMarks(std::move(marks));
 }
 
 void MotionTextEdit::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Undo)) return bench_.undoStack().undo();
   if (event->matches(QKeySequence::Redo)) return bench_.undoStack().redo();
-  QPlainTextEdit::keyPressEvent(event);
-}
-
-void MotionTextEdit::changeEvent(QEvent* event) {
-  QPlainTextEdit::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) {
-    if (auto* colors = document()->findChild<QSyntaxHighlighter*>()) colors->rehighlight();
-    underline();
-  }
+  MarkedTextEdit::keyPressEvent(event);
 }
 
 }  // namespace widgets

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QPlainTextEdit>
+#include "widgets/text/MarkedTextEdit.h"
 
 namespace widgets {
 
@@ -10,18 +10,13 @@ class MotionBench;
 /// The text of the motion that is edited. Words with errors are underlined, and say by a tool tip what is
 /// wrong; comments and keywords have colors. Undo and redo are those of the bench, whose selected line is
 /// that of the cursor. GUI thread; the bench must outlive it.
-class MotionTextEdit final : public QPlainTextEdit {
+class MotionTextEdit final : public MarkedTextEdit {
   Q_OBJECT
  public:
   explicit MotionTextEdit(MotionBench& bench, QWidget* parent = nullptr);
 
-  /// What is wrong at a place of the viewport; empty: nothing.
-  QString errorAt(const QPoint& place) const;
-
  protected:
-  bool viewportEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
   /// Takes over what was typed.

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPlainTextEdit>
+#include <QTextCursor>
+#include <vector>
+
+#include "widgets/Theme.h"
+
+namespace widgets {
+
+/// Something that is said about a part of a text. The cursor's selection is the part; it moves with the text
+/// as that is edited.
+struct TextMark {
+  QTextCursor part;
+  QString text;
+  Meaning meaning = Meaning::kBad;
+};
+
+/// A text in a font of fixed width, whose line with the cursor stands out, and parts of which are underlined
+/// in the color of what they mean; the mouse over them shows what is said. Tab leaves it, unless a derived
+/// class uses that key. GUI thread.
+class MarkedTextEdit : public QPlainTextEdit {
+  Q_OBJECT
+ public:
+  explicit MarkedTextEdit(QWidget* parent = nullptr);
+
+  /// Replaces all marks. Only the first ones are shown if there are very many.
+  void setMarks(std::vector<TextMark> marks);
+  /// What is said about a place of the viewport, a line each; empty: nothing.
+  QString errorAt(const QPoint& place) const;
+
+ protected:
+  /// What the mouse shows at a place: by default errorAt().
+  virtual QString tipAt(const QPoint& place) const { return errorAt(place); }
+  bool viewportEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showMarks();
+
+  std::vector<TextMark> marks_;
+};
+
+}  // namespace widgets
