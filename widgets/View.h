@@ -37,6 +37,8 @@ class GamepadSettings;
 class ManualSteering;
 class MotionBench;
 class OpenLogs;
+class SceneBench;
+class SceneLanguage;
 class SceneSelection;
 struct RobotBody;
 struct SceneFileEdit;
@@ -57,6 +59,10 @@ struct ViewContext {
   std::shared_ptr<ManualSteering> steering = {};
   /// The motion that is being edited; created on first use by motionBench().
   std::shared_ptr<MotionBench> motions = {};
+  /// The scene files that are being edited; created on first use by sceneBench().
+  std::shared_ptr<SceneBench> scenes = {};
+  /// What the simulator knows of scene files; null: nothing is known.
+  std::shared_ptr<const SceneLanguage> sceneLanguage = {};
   /// The commands that were typed; created on first use by commandLog().
   std::shared_ptr<CommandLog> commandLog = {};
   /// The selected object of the scene; created on first use by sceneSelection().

@@ -18,6 +18,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/core/plugins/Plugins.h"
+#include "app/robotcontrol/SceneSpecification.h"
 #include "app/robotcontrol/actions/AppearanceMenu.h"
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/LogOpening.h"
@@ -52,6 +53,7 @@
 #include "widgets/motion/GamepadSettings.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motions/MotionLink.h"
+#include "widgets/sceneedit/SceneBench.h"
 #include "widgets/solutions/ParameterSweep.h"
 
 namespace app {
@@ -87,6 +89,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   if (context_.gamepad->problem()) startProblems_.push_back(*context_.gamepad->problem());
   offerSceneFiles();
   context_.bodyOf = [this](const std::string& kind, const QColor& team) { return bodies_.of(kind, team); };
+  context_.sceneLanguage = std::make_shared<SceneSpecification>();
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(QStringLiteral("RobotControl"));
   setWindowIcon(widgets::icon("app"));
@@ -104,6 +107,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   startProblems_.insert(startProblems_.end(), damaged.begin(), damaged.end());
   createColors(userFolder);
   createMotions(userFolder);
+  createScenes(userFolder);
   createKeys();
   attachCommands();
   shortcuts_ = new Shortcuts(*keys_, userFolder / "shortcuts.json", *this);
@@ -301,6 +305,7 @@ void MainWindow::tick() {
   tickExport();
   widgets::manualSteering(context_).tick();
   widgets::tickMotions(context_);
+  widgets::sceneBench(context_).tick();
   sweep_->tick(clock_.now());
   platforms_->tick();
   remote_->tick();
@@ -365,7 +370,7 @@ void MainWindow::keep() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLoseColors() || !mayLoseMotion()) return event->ignore();
+  if (!mayLoseColors() || !mayLoseMotion() || !mayLoseScenes()) return event->ignore();
   keep();
   tick_.stop();  // it would save a layout without the floating docks
   dockSpace_->hideFloats();

@@ -73,7 +73,7 @@ inline constexpr int kWindowTickMs = 33, kExportingTickMs = 2;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  /// `userFolder`: the folder of the file and of recovered color samples and motions.
+  /// `userFolder`: the folder of the file and of recovered color samples, motions and scenes.
   MainWindow(Workbench& workbench, const std::filesystem::path& userFolder);
   ~MainWindow() override;
 
@@ -204,6 +204,9 @@ class MainWindow : public QMainWindow {
   void createColors(const std::filesystem::path& userFolder);
   /// Recovery of the motion that is edited.
   void createMotions(const std::filesystem::path& userFolder);
+  /// Recovery of the scene files that are edited (MainWindowScenes.cpp).
+  void createScenes(const std::filesystem::path& userFolder);
+  void addSceneEntries(QMenu& menu);
   /// Maximizing a view by F11.
   void createMaximizing();
   /// Keys that work in the whole window (MainWindowKeys.cpp).
@@ -215,15 +218,16 @@ class MainWindow : public QMainWindow {
   void findUndoStacks(QWidget* widget);
   /// Whether a color view is visible; only then digits select classes.
   bool showsColors() const;
-  /// Saves bookmarks, color samples and the motion that is edited (Ctrl+S).
+  /// Saves bookmarks, color samples, and the motion and scene files that are edited (Ctrl+S).
   void saveWork();
   /// Asks the user before a command replaces what is open while there are unsaved samples. Returns whether to
   /// continue.
   bool mayReplace(const QString& command);
   /// Asks the user before unsaved samples would be lost at the end.
   bool mayLoseColors();
-  /// The same for the motion that is edited.
+  /// The same for the motion and the scene files that are edited.
   bool mayLoseMotion();
+  bool mayLoseScenes();
   /// The bar above the views that shows errors.
   void addRegisteredToolBars();
   void createErrorBar();

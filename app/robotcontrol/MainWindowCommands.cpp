@@ -33,6 +33,7 @@
 #include "widgets/motion/MotionCommands.h"
 #include "widgets/motions/MotionEditorCommands.h"
 #include "widgets/plots/PlotsView.h"
+#include "widgets/sceneedit/SceneEditorCommands.h"
 #include "widgets/search/SearchView.h"
 #include "widgets/solutions/ParameterCommands.h"
 #include "widgets/solutions/ParameterEdits.h"
@@ -84,6 +85,7 @@ void MainWindow::attachCommands() {
   auto& commands = workbench_.commands();
   widgets::attachMotionCommands(context_);
   widgets::attachMotionEditorCommands(context_);
+  widgets::attachSceneEditorCommands(context_);
   auto* parameters = new widgets::ParameterEdits(context_.session, this);
   widgets::attachParameterCommands(commands, *parameters);
   createPresets(*parameters);

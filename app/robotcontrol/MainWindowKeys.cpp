@@ -26,6 +26,8 @@
 #include "widgets/log/OpenLogs.h"
 #include "widgets/motions/MotionBench.h"
 #include "widgets/motions/MotionFiles.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneDialogs.h"
 
 namespace app {
 namespace {
@@ -132,9 +134,11 @@ void MainWindow::saveWork() {
   auto& motions = widgets::motionFiles(context_);
   widgets::openLogs(context_).saveBookmarks();
   if (motions.changed() && !widgets::saveMotion(motions, this)) return;
+  if (!widgets::saveAllScenes(widgets::sceneBench(context_), this)) return;
   if (!files.changed()) {
-    statusBar()->showMessage(tr("Everything is saved: bookmarks, the color table's samples and the motion"),
-                             kDoneShownMs);
+    statusBar()->showMessage(
+        tr("Everything is saved: bookmarks, the color table's samples, the motion and the scene files"),
+        kDoneShownMs);
   } else if (widgets::saveSamples(files, this)) {
     statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())),
                              kDoneShownMs);

@@ -60,6 +60,7 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   menu->setObjectName(QStringLiteral("fileMenu"));
+  addSceneEntries(*menu);
   platforms_->addFiles(*menu);
   platforms_->addForms(*menu, "file");
   menu->addAction(widgets::icon("layout"), tr("Open process la&yout…"), this, &MainWindow::openLayout)

@@ -22,6 +22,7 @@
 #include "widgets/View.h"
 #include "widgets/motion/ManualSteering.h"
 #include "widgets/motions/MotionLink.h"
+#include "widgets/sceneedit/SceneBench.h"
 
 namespace widgets::test {
 
@@ -54,6 +55,7 @@ class Bench {
     view.tick();
     if (context.steering) context.steering->tick();
     if (context.motions) tickMotions(context);
+    if (context.scenes) sceneBench(context).tick();
   }
 
   template <typename T>

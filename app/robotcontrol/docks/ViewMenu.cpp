@@ -23,7 +23,7 @@ std::vector<Group> groups() {
        {QStringLiteral("robots"), QStringLiteral("scene"), QStringLiteral("scene-tree"),
         QStringLiteral("scene-properties"), QStringLiteral("field"), QStringLiteral("image"),
         QStringLiteral("radar"), QStringLiteral("base-state"), QStringLiteral("motion"),
-        QStringLiteral("joints"), QStringLiteral("motion-editor")}},
+        QStringLiteral("joints"), QStringLiteral("motion-editor"), QStringLiteral("scene-editor")}},
       {ViewMenu::tr("The robot's program"),
        {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
         QStringLiteral("data"), QStringLiteral("plots"), QStringLiteral("columns"), QStringLiteral("timing"),

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// MainWindow: scene files that are edited, their recovery, and what is asked about them.
+#include <QAction>
+#include <QMenu>
+#include <QStatusBar>
+
+#include "app/robotcontrol/MainWindow.h"
+#include "widgets/Icon.h"
+#include "widgets/sceneedit/SceneBench.h"
+#include "widgets/sceneedit/SceneDialogs.h"
+
+namespace app {
+namespace {
+
+constexpr int kSceneMessageShownMs = 15'000;
+
+}  // namespace
+
+void MainWindow::createScenes(const std::filesystem::path& userFolder) {
+  auto& bench = widgets::sceneBench(context_);
+  connect(&bench, &widgets::SceneBench::reported, this, [this](const QString& text, bool bad) {
+    if (bad)
+      showErrors({{"scene.failed", text.toStdString(), {}, {}}});
+    else
+      statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kSceneMessageShownMs);
+    if (!bad) forgetErrors("scene.failed");
+  });
+  bench.startRecovery(userFolder / "scenes");
+}
+
+void MainWindow::addSceneEntries(QMenu& menu) {
+  QAction* action = menu.addAction(widgets::icon("file-new"), tr("&New scene…"), this, [this] {
+    if (const auto shown = openView("scene-editor"); !shown) return showErrors({shown.error()});
+    widgets::newScene(widgets::sceneBench(context_), this);
+  });
+  action->setObjectName(QStringLiteral("file.newScene"));
+  action->setToolTip(tr("Starts a room with walls, light, and a robot in the scene editor"));
+}
+
+bool MainWindow::mayLoseScenes() {
+  auto& bench = widgets::sceneBench(context_);
+  if (!widgets::mayLoseScenes(bench, this)) return false;
+  bench.forget();
+  return true;
+}
+
+}  // namespace app

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/SceneSpecification.h"
+
+#include "app/core/simulated/SceneText.h"
+#include "simcore/sdf/SdfGlossary.h"
+
+namespace app {
+namespace {
+
+widgets::SceneElement elementOf(const simcore::SdfElementHelp& help) {
+  widgets::SceneElement element{help.name,     help.type, help.initial, help.help, help.required,
+                                help.repeated, {}};
+  for (const auto& one : help.attributes)
+    element.attributes.push_back({one.name, one.type, one.initial, one.help, one.required});
+  return element;
+}
+
+}  // namespace
+
+SceneSpecification::SceneSpecification() = default;
+SceneSpecification::~SceneSpecification() = default;
+
+const simcore::SdfGlossary& SceneSpecification::glossary() const {
+  std::call_once(once_, [this] { glossary_ = std::make_unique<simcore::SdfGlossary>(); });
+  return *glossary_;
+}
+
+std::vector<widgets::SceneElement> SceneSpecification::children(const Path& path) const {
+  std::vector<widgets::SceneElement> all;
+  for (const auto& help : glossary().children(path)) all.push_back(elementOf(help));
+  return all;
+}
+
+std::optional<widgets::SceneElement> SceneSpecification::element(const Path& path) const {
+  const auto help = glossary().element(path);
+  return help ? std::optional(elementOf(*help)) : std::nullopt;
+}
+
+std::vector<widgets::SceneProblem> SceneSpecification::check(const std::string& text,
+                                                             const std::filesystem::path& file) const {
+  std::vector<widgets::SceneProblem> problems;
+  for (const SceneTextFinding& one : checkSceneText(text, file))
+    problems.push_back({one.isWarning, one.error.text, one.error.where.file, one.error.where.line});
+  return problems;
+}
+
+std::vector<widgets::SceneModelChoice> SceneSpecification::models(const std::filesystem::path& file) const {
+  std::vector<widgets::SceneModelChoice> all;
+  for (const SceneModelFile& model : sceneModels(file)) all.push_back({model.name, model.uri, model.isRobot});
+  return all;
+}
+
+std::optional<std::filesystem::path> SceneSpecification::modelFile(const std::string& uri,
+                                                                   const std::filesystem::path& file) const {
+  return sceneModelFile(uri, file);
+}
+
+robotlink::Result<std::string> SceneSpecification::newRoom(const widgets::RoomChoice& room,
+                                                           const std::filesystem::path& file) const {
+  return newRoomText({.name = room.name,
+                      .width = room.width,
+                      .depth = room.depth,
+                      .wallHeight = room.wallHeight,
+                      .doorway = room.doorway,
+                      .robot = room.robot},
+                     file);
+}
+
+}  // namespace app

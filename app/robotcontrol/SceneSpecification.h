@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "widgets/sceneedit/SceneLanguage.h"
+
+namespace simcore {
+class SdfGlossary;
+}
+
+namespace app {
+
+/// What the simulator knows of scene files, for the scene editor. The specification is read when it is asked
+/// for first, which takes some 50 ms.
+class SceneSpecification final : public widgets::SceneLanguage {
+ public:
+  SceneSpecification();
+  ~SceneSpecification() override;
+  std::vector<widgets::SceneElement> children(const Path& path) const override;
+  std::optional<widgets::SceneElement> element(const Path& path) const override;
+  std::vector<widgets::SceneProblem> check(const std::string& text,
+                                           const std::filesystem::path& file) const override;
+  std::vector<widgets::SceneModelChoice> models(const std::filesystem::path& file) const override;
+  std::optional<std::filesystem::path> modelFile(const std::string& uri,
+                                                 const std::filesystem::path& file) const override;
+  robotlink::Result<std::string> newRoom(const widgets::RoomChoice& room,
+                                         const std::filesystem::path& file) const override;
+
+ private:
+  const simcore::SdfGlossary& glossary() const;
+
+  mutable std::once_flag once_;
+  /// Made once.
+  mutable std::unique_ptr<simcore::SdfGlossary> glossary_;
+};
+
+}  // namespace app

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sceneedit/SceneDialogs.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMessageBox>
+
+#include "widgets/sceneedit/NewSceneDialog.h"
+#include "widgets/sceneedit/SceneBench.h"
+
+namespace widgets {
+namespace {
+
+struct SceneDialogText {
+  Q_DECLARE_TR_FUNCTIONS(widgets::SceneDialogs)
+};
+
+bool wasDone(SceneBench& bench, const robotlink::Result<void>& result) {
+  if (!result) Q_EMIT bench.reported(QString::fromStdString(result.error().describe()), true);
+  return result.has_value();
+}
+
+QString shownFolder(const SceneBench& bench) {
+  return QString::fromStdString(bench.folder().string());
+}
+
+/// Asks whether changes shall be saved. `save` saves them.
+template <typename Save>
+bool mayLose(const QString& what, QWidget* parent, Save save) {
+  QMessageBox box(QMessageBox::Warning, SceneDialogText::tr("Scene"), what,
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+  box.setObjectName(QStringLiteral("unsavedScene"));
+  box.setInformativeText(SceneDialogText::tr("Save the changes?"));
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+}  // namespace
+
+bool newScene(SceneBench& bench, QWidget* parent) {
+  const auto language = bench.context().sceneLanguage;
+  if (language == nullptr) return false;
+  NewSceneDialog dialog(*language, bench.folder() / "room.sdf", parent);
+  if (dialog.exec() != QDialog::Accepted) return false;
+  bench.startAnew(dialog.text(), {}, dialog.name() + QStringLiteral(".sdf"));
+  return true;
+}
+
+bool openScene(SceneBench& bench, QWidget* parent) {
+  QFileDialog dialog(parent, SceneDialogText::tr("Open scene file"), shownFolder(bench),
+                     SceneDialogText::tr("Scenes and models (*.sdf *.world *.xml *.map);;All files (*)"));
+  dialog.setObjectName(QStringLiteral("openSceneDialog"));
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
+  const auto opened = bench.open(dialog.selectedFiles().first().toStdString());
+  return wasDone(bench, opened.map([](SceneFile*) {}));
+}
+
+bool saveScene(SceneBench& bench, QWidget* parent) {
+  const SceneFile* file = bench.current();
+  if (file != nullptr && file->path().empty()) return saveSceneAs(bench, parent);
+  return wasDone(bench, bench.save());
+}
+
+bool saveSceneAs(SceneBench& bench, QWidget* parent) {
+  if (bench.current() == nullptr) return false;
+  QFileDialog dialog(parent, SceneDialogText::tr("Save scene file"), shownFolder(bench),
+                     SceneDialogText::tr("Scenes and models (*.sdf *.world *.xml *.map);;All files (*)"));
+  dialog.setObjectName(QStringLiteral("saveSceneDialog"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QStringLiteral("sdf"));
+  dialog.selectFile(bench.current()->name());
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return false;
+  return wasDone(bench, bench.saveAs(dialog.selectedFiles().first().toStdString()));
+}
+
+bool saveAllScenes(SceneBench& bench, QWidget* parent) {
+  const auto files = bench.files();
+  for (SceneFile* file : files) {
+    if (!file->isChanged() || !file->path().empty()) continue;
+    bench.setCurrent(file);
+    if (!saveSceneAs(bench, parent)) return false;
+  }
+  return wasDone(bench, bench.saveAll());
+}
+
+bool mayLoseScene(SceneBench& bench, QWidget* parent) {
+  const SceneFile* file = bench.current();
+  if (file == nullptr || !file->isChanged()) return true;
+  return mayLose(SceneDialogText::tr("The scene file %1 was changed and not saved.").arg(file->name()),
+                 parent, [&] { return saveScene(bench, parent); });
+}
+
+bool mayLoseScenes(SceneBench& bench, QWidget* parent) {
+  if (!bench.hasUnsaved()) return true;
+  QStringList names;
+  for (const SceneFile* file : bench.files()) {
+    if (file->isChanged()) names << file->name();
+  }
+  return mayLose(
+      SceneDialogText::tr("Scene files were changed and not saved: %1").arg(names.join(QStringLiteral(", "))),
+      parent, [&] { return saveAllScenes(bench, parent); });
+}
+
+}  // namespace widgets

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/sceneedit/SceneFile.h"
+
+#include <QPlainTextDocumentLayout>
+#include <QTextDocument>
+#include <algorithm>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/FileSuffix.h"
+
+namespace widgets {
+
+using robotlink::failure;
+using robotlink::Result;
+
+SceneFile::SceneFile(QObject* parent) : QObject(parent), document_(new QTextDocument(this)) {
+  document_->setDocumentLayout(new QPlainTextDocumentLayout(document_));
+  connect(document_, &QTextDocument::contentsChange, this, [this](int, int removed, int added) {
+    if (removed == 0 && added == 0) return;
+    ++revision_;
+    Q_EMIT textChanged();
+  });
+  connect(document_, &QTextDocument::modificationChanged, this, &SceneFile::titleChanged);
+}
+
+QString SceneFile::text() const {
+  return document_->toPlainText();
+}
+
+bool SceneFile::isXml() const {
+  return robotlink::fileSuffix(path_) != ".map";
+}
+
+bool SceneFile::isChanged() const {
+  return document_->isModified();
+}
+
+QString SceneFile::name() const {
+  if (!path_.empty()) return QString::fromStdString(path_.filename().string());
+  return name_.isEmpty() ? tr("unnamed.sdf") : name_;
+}
+
+QString SceneFile::title() const {
+  return isChanged() ? name() + QLatin1Char('*') : name();
+}
+
+void SceneFile::setText(const QString& text, bool changed) {
+  document_->setPlainText(text);
+  document_->setModified(changed);
+  Q_EMIT titleChanged();
+}
+
+Result<void> SceneFile::read(const std::filesystem::path& path) {
+  auto bytes = robotlink::readFile(path, kMaxBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const QByteArray read(bytes->data(), static_cast<int>(bytes->size()));
+  QString text = QString::fromUtf8(read);
+  if (text.toUtf8() != read)
+    return failure("scene.encoding", "the file is no text in UTF-8, so it cannot be edited here",
+                   {path.string(), 0, 0});
+  text.remove(QLatin1Char('\r'));
+  path_ = path;
+  setText(text, false);
+  return {};
+}
+
+void SceneFile::setUnsaved(const QString& text, const std::filesystem::path& path, const QString& name) {
+  path_ = path;
+  name_ = name;
+  setText(text, true);
+}
+
+Result<void> SceneFile::write(const std::filesystem::path& path) {
+  const QByteArray bytes = text().toUtf8();
+  const std::string_view contents(bytes.constData(), static_cast<std::size_t>(bytes.size()));
+  if (const auto done = robotlink::writeFileAtomically(path, contents); !done) return done;
+  path_ = path;
+  document_->setModified(false);
+  Q_EMIT titleChanged();
+  return {};
+}
+
+void SceneFile::setProblems(std::vector<SceneProblem> problems, int revision) {
+  checkedRevision_ = revision;
+  if (problems == problems_) return;
+  problems_ = std::move(problems);
+  Q_EMIT problemsChanged();
+}
+
+}  // namespace widgets

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+#include "widgets/sceneedit/SceneLanguage.h"
+
+class QTextDocument;
+
+namespace widgets {
+
+/// A scene file that is open in the editor: its text with its history, and what was found wrong in it. A text
+/// that was never saved has a path of where it is to be, or none. GUI thread.
+class SceneFile final : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMaxBytes = 16U << 20U;
+
+  explicit SceneFile(QObject* parent);
+
+  /// The document, for a QPlainTextEdit. Undo and redo are its own.
+  QTextDocument& document() { return *document_; }
+  QString text() const;
+  const std::filesystem::path& path() const { return path_; }
+  /// Otherwise it is plain text: the map of a building.
+  bool isXml() const;
+  bool isChanged() const;
+  /// The name of the file, also of one that is not there yet: "room.sdf".
+  QString name() const;
+  /// "room.sdf*"; the star stands for unsaved changes.
+  QString title() const;
+  /// As which model of the running scene the file's model is edited; empty: as any.
+  const QString& instance() const { return instance_; }
+  void setInstance(const QString& instance) { instance_ = instance; }
+
+  /// Reads a file; fails if it cannot be read or is no text in UTF-8.
+  robotlink::Result<void> read(const std::filesystem::path& path);
+  /// A text that is not in the file. `name`: what a text without a path is called.
+  void setUnsaved(const QString& text, const std::filesystem::path& path, const QString& name = {});
+  /// Writes the text as a whole or not at all; it is the file's from then on.
+  robotlink::Result<void> write(const std::filesystem::path& path);
+
+  /// What was found by the last check; the first one is for this text if isChecked().
+  const std::vector<SceneProblem>& problems() const { return problems_; }
+  bool isChecked() const { return checkedRevision_ == revision_; }
+  /// Counts the changes of the text.
+  int revision() const { return revision_; }
+  /// What a check of the text found that it had at a revision.
+  void setProblems(std::vector<SceneProblem> problems, int revision);
+
+ Q_SIGNALS:
+  void textChanged();
+  /// title() changed.
+  void titleChanged();
+  void problemsChanged();
+
+ private:
+  void setText(const QString& text, bool changed);
+
+  QTextDocument* document_;
+  std::filesystem::path path_;
+  QString name_, instance_;
+  std::vector<SceneProblem> problems_;
+  int revision_ = 0, checkedRevision_ = -1;
+};
+
+}  // namespace widgets
