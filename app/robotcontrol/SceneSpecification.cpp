@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/SceneSpecification.h"
 
-#include "app/core/simulated/SceneText.h"
+#include "app/core/scenetext/SceneText.h"
 #include "simcore/sdf/SdfGlossary.h"
 
 namespace app {

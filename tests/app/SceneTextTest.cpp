@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/simulated/SceneText.h"
+#include "app/core/scenetext/SceneText.h"
 
 #include <gmock/gmock.h>
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "app/core/simulated/SceneText.h"
+#include "app/core/scenetext/SceneText.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
