@@ -72,8 +72,8 @@ struct ViewContext {
   /// Returns the body of a kind of robot (the name of its description) in the color of its team; null if it
   /// is not known. May take some 100 ms, so its result is to be kept. Empty: none is known.
   std::function<std::shared_ptr<const RobotBody>(const std::string& kind, const QColor& team)> bodyOf = {};
-  /// Writes changes into the files of the open scene, and nothing else of them; fails, naming the file and the
-  /// reason, if that is impossible. Empty: nothing can be written.
+  /// Writes changes into the files of the open scene, and nothing else of them; fails, naming the file and
+  /// the reason, if that is impossible. Empty: nothing can be written.
   std::function<robotlink::Result<void>(const std::vector<SceneFileEdit>& edits)> writeScene = {};
 };
 

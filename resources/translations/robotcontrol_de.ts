@@ -802,6 +802,38 @@
         <source>Switches a digital output of the selected Pioneer&apos;s user port</source>
         <translation>Schaltet einen digitalen Ausgang des Benutzeranschlusses des gewählten Pioneers</translation>
     </message>
+    <message>
+        <source>Chooses how an Image view shows its images</source>
+        <translation>Wählt, wie eine Ansicht Bild ihre Bilder zeigt</translation>
+    </message>
+    <message>
+        <source>Copies what a view shows to the clipboard</source>
+        <translation>Kopiert, was eine Ansicht zeigt, in die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Holds an actuator of the simulation at a value, whatever the robot&apos;s program asks for</source>
+        <translation>Hält einen Aktor der Simulation auf einem Wert, was das Programm des Roboters auch verlangt</translation>
+    </message>
+    <message>
+        <source>Lets programs set an actuator again</source>
+        <translation>Lässt Programme einen Aktor wieder stellen</translation>
+    </message>
+    <message>
+        <source>Reads the scene&apos;s file again, after an edit, and goes on in it: what has not changed stays as it is</source>
+        <translation>Liest die Datei der Szene nach einer Änderung erneut und läuft in ihr weiter: was sich nicht geändert hat, bleibt wie es ist</translation>
+    </message>
+    <message>
+        <source>Saves the file in the scene editor</source>
+        <translation>Speichert die Datei im Szeneneditor</translation>
+    </message>
+    <message>
+        <source>Shows an object of the simulated scene in the scene editor, or a scene file</source>
+        <translation>Zeigt ein Objekt der simulierten Szene oder eine Szenendatei im Szeneneditor</translation>
+    </message>
+    <message>
+        <source>Shows the values of a list as columns</source>
+        <translation>Zeigt die Werte einer Liste als Säulen</translation>
+    </message>
 </context>
 <context>
     <name>Data</name>
@@ -2225,6 +2257,38 @@
         <source>Calibrates a camera: its lens by a chessboard, its place by a board or by marks of the field; and changes its exposure, gain and white balance</source>
         <translation>Kalibriert eine Kamera: ihr Objektiv mit einem Schachbrett, ihre Lage mit einem Brett oder mit Marken des Feldes; und ändert Belichtung, Verstärkung und Weißabgleich</translation>
     </message>
+    <message>
+        <source>Column graph</source>
+        <translation>Säulendiagramm</translation>
+    </message>
+    <message>
+        <source>The values of a list as columns, such as those of a laser</source>
+        <translation>Die Werte einer Liste als Säulen, etwa die eines Lasers</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Pose, mass, size, friction and noise of the selected object of the scene</source>
+        <translation>Pose, Masse, Größe, Reibung und Rauschen des ausgewählten Objekts der Szene</translation>
+    </message>
+    <message>
+        <source>Scene tree</source>
+        <translation>Szenenbaum</translation>
+    </message>
+    <message>
+        <source>All objects of a simulated scene, with the values of sensors and sliders for actuators</source>
+        <translation>Alle Objekte einer simulierten Szene, mit den Werten der Sensoren und Reglern für Aktoren</translation>
+    </message>
+    <message>
+        <source>Scene editor</source>
+        <translation>Szeneneditor</translation>
+    </message>
+    <message>
+        <source>Edits the files of simulated scenes, and lets the simulation go on with the changes.</source>
+        <translation>Bearbeitet die Dateien simulierter Szenen und lässt die Simulation mit den Änderungen weiterlaufen.</translation>
+    </message>
 </context>
 <context>
     <name>app::AppearanceMenu</name>
@@ -3068,10 +3132,6 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Everything is saved: bookmarks, the color table&apos;s samples and the motion</source>
-        <translation>Alles ist gespeichert: Lesezeichen, die Proben der Farbtabelle und die Bewegung</translation>
-    </message>
-    <message>
         <source>Saved: %1</source>
         <translation>Gespeichert: %1</translation>
     </message>
@@ -3242,6 +3302,34 @@ Die Roboter laufen weiter: Schalten, Einstellen und Steuern wirkt auf sie, wie s
     <message>
         <source>Export a &amp;view as video or images…</source>
         <translation>&amp;Ansicht als Video oder Bilder exportieren…</translation>
+    </message>
+    <message>
+        <source>Everything is saved: bookmarks, the color table&apos;s samples, the motion and the scene files</source>
+        <translation>Alles ist gespeichert: Lesezeichen, die Proben der Farbtabelle, die Bewegung und die Szenendateien</translation>
+    </message>
+    <message>
+        <source>Copy view as picture</source>
+        <translation>Ansicht als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the picture of the view that has the focus</source>
+        <translation>Kopiert das Bild der Ansicht, die den Fokus hat</translation>
+    </message>
+    <message>
+        <source>Copy view as numbers</source>
+        <translation>Ansicht als Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the table of the view that has the focus, with tabs between the columns</source>
+        <translation>Kopiert die Tabelle der Ansicht, die den Fokus hat, mit Tabulatoren zwischen den Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;New scene…</source>
+        <translation>&amp;Neue Szene…</translation>
+    </message>
+    <message>
+        <source>Starts a room with walls, light, and a robot in the scene editor</source>
+        <translation>Beginnt im Szeneneditor einen Raum mit Wänden, Licht und einem Roboter</translation>
     </message>
 </context>
 <context>
@@ -5401,6 +5489,29 @@ Ein Klick zeigt alle Verbindungen und begrenzt, was sie übertragen</translation
     <message>
         <source>&amp;Another one</source>
         <translation>&amp;Weitere</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ActuatorPanel</name>
+    <message>
+        <source>Release</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>Lets the robots&apos; programs set these actuators again</source>
+        <translation>Lässt die Programme der Roboter diese Aktoren wieder stellen</translation>
+    </message>
+    <message>
+        <source>Whether the actuators could be set</source>
+        <translation>Ob die Aktoren gestellt werden konnten</translation>
+    </message>
+    <message>
+        <source>Holds %1 between %2 and %3 %4</source>
+        <translation>Hält %1 zwischen %2 und %3 %4</translation>
+    </message>
+    <message>
+        <source>The value to hold</source>
+        <translation>Der Wert, der gehalten wird</translation>
     </message>
 </context>
 <context>
@@ -7583,6 +7694,65 @@ Ein Farbbild öffnen und Striche darin zeichnen: seine Pixel, die Proben der Str
     </message>
 </context>
 <context>
+    <name>widgets::ColumnsView</name>
+    <message>
+        <source>Freeze</source>
+        <translation>Einfrieren</translation>
+    </message>
+    <message>
+        <source>Keeps what is shown now</source>
+        <translation>Behält, was jetzt gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>List whose values are shown</source>
+        <translation>Liste, deren Werte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>A sensor of the scene, or a stream, a colon, and a list of its messages: red1/range/laser: ranges</source>
+        <translation>Ein Sensor der Szene oder ein Strom, ein Doppelpunkt und eine Liste seiner Nachrichten: red1/range/laser: ranges</translation>
+    </message>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Wert unter dem Mauszeiger</translation>
+    </message>
+    <message>
+        <source>Choose a sensor of the scene above, or type a stream and a list of its messages.</source>
+        <translation>Oben einen Sensor der Szene wählen oder einen Strom und eine Liste seiner Nachrichten eingeben.</translation>
+    </message>
+    <message>
+        <source>There are no values of %1 yet.</source>
+        <translation>Es gibt noch keine Werte von %1.</translation>
+    </message>
+    <message>
+        <source>Column graph</source>
+        <translation>Säulendiagramm</translation>
+    </message>
+    <message>
+        <source>Column graph: %1</source>
+        <translation>Säulendiagramm: %1</translation>
+    </message>
+    <message>
+        <source>1 value</source>
+        <translation>1 Wert</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>Index</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+</context>
+<context>
     <name>widgets::CommandLog</name>
     <message>
         <source>No command begins with %1.</source>
@@ -8762,6 +8932,81 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     </message>
 </context>
 <context>
+    <name>widgets::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Enter finds the next place, Shift+Enter the one before</source>
+        <translation>Enter findet die nächste Stelle, Umschalt+Enter die vorige</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>What replaces the text that is found</source>
+        <translation>Was den gefundenen Text ersetzt</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Groß- und Kleinschreibung</translation>
+    </message>
+    <message>
+        <source>Capitals and small letters differ</source>
+        <translation>Große und kleine Buchstaben werden unterschieden</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorige</translation>
+    </message>
+    <message>
+        <source>Finds the place before</source>
+        <translation>Findet die vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächste</translation>
+    </message>
+    <message>
+        <source>Finds the next place</source>
+        <translation>Findet die nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replaces this place and finds the next one</source>
+        <translation>Ersetzt diese Stelle und findet die nächste</translation>
+    </message>
+    <message>
+        <source>Replace all</source>
+        <translation>Alle ersetzen</translation>
+    </message>
+    <message>
+        <source>Replaces all places, as one step</source>
+        <translation>Ersetzt alle Stellen in einem Schritt</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Went on at the other end</source>
+        <translation>Am anderen Ende weitergesucht</translation>
+    </message>
+    <message>
+        <source>Replaced: %1</source>
+        <translation>Ersetzt: %1</translation>
+    </message>
+</context>
+<context>
     <name>widgets::GamepadDialog</name>
     <message>
         <source>Gamepad</source>
@@ -9183,6 +9428,22 @@ Die Datei gibt es schon, sie wird ersetzt.</translation>
     <message>
         <source>angle at B %1</source>
         <translation>Winkel bei B %1</translation>
+    </message>
+    <message>
+        <source>Monochrome</source>
+        <translation>Schwarzweiß</translation>
+    </message>
+    <message>
+        <source>Shows the brightness of the pixels</source>
+        <translation>Zeigt die Helligkeit der Bildpunkte</translation>
+    </message>
+    <message>
+        <source>Stereogram</source>
+        <translation>Stereogramm</translation>
+    </message>
+    <message>
+        <source>Shows distances as random dots: look through the picture to see them in depth</source>
+        <translation>Zeigt Entfernungen als Zufallspunkte: Durch das Bild hindurchsehen, um sie räumlich zu sehen</translation>
     </message>
 </context>
 <context>
@@ -10528,6 +10789,57 @@ Verzeichnung %8</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NewSceneDialog</name>
+    <message>
+        <source>New scene</source>
+        <translation>Neue Szene</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Of the world and its file: letters, digits, - and _</source>
+        <translation>Der Welt und ihrer Datei: Buchstaben, Ziffern, - und _</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Height of the walls</source>
+        <translation>Höhe der Wände</translation>
+    </message>
+    <message>
+        <source>Wall across the middle with a doorway</source>
+        <translation>Wand quer durch die Mitte mit einem Durchgang</translation>
+    </message>
+    <message>
+        <source>The doorway is 1 m wide; a door fits into it</source>
+        <translation>Der Durchgang ist 1 m breit; eine Tür passt hinein</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>The robot that stands in the room</source>
+        <translation>Der Roboter, der im Raum steht</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Why the scene cannot be made</source>
+        <translation>Warum die Szene nicht erzeugt werden kann</translation>
     </message>
 </context>
 <context>
@@ -11895,6 +12207,216 @@ Verzeichnung %8</translation>
     </message>
 </context>
 <context>
+    <name>widgets::PropertiesModel</name>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>Abschwächung</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>center of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>color</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>place at the start</source>
+        <translation>Ort am Anfang</translation>
+    </message>
+    <message>
+        <source>intensity</source>
+        <translation>Lichtstärke</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>maximum speed</source>
+        <translation>größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>maximum torque</source>
+        <translation>größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>opening angles</source>
+        <translation>Öffnungswinkel</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>restitution</source>
+        <translation>Rückprall</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>track</source>
+        <translation>Spurweite</translation>
+    </message>
+    <message>
+        <source>type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>wheel radius</source>
+        <translation>Radradius</translation>
+    </message>
+    <message>
+        <source>Not in the file yet: Save to file writes it; it holds when the scene is opened again</source>
+        <translation>Noch nicht in der Datei: „In Datei speichern“ schreibt es; es gilt, wenn die Szene wieder geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Double click to move the object</source>
+        <translation>Doppelklick, um das Objekt zu versetzen</translation>
+    </message>
+    <message>
+        <source>Double click to change it in %1</source>
+        <translation>Doppelklick, um es in %1 zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PropertiesView</name>
+    <message>
+        <source>Save to file</source>
+        <translation>In Datei speichern</translation>
+    </message>
+    <message>
+        <source>Writes what was changed, and nothing else, into the files of the scene</source>
+        <translation>Schreibt, was geändert wurde, und sonst nichts, in die Dateien der Szene</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Forgets what was changed and not saved</source>
+        <translation>Vergisst, was geändert und nicht gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>Pose behalten</translation>
+    </message>
+    <message>
+        <source>Saves with the other changes that the model begins where it is now</source>
+        <translation>Speichert mit den anderen Änderungen, dass das Modell dort beginnt, wo es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Selected object</source>
+        <translation>Ausgewähltes Objekt</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>What came of the changes</source>
+        <translation>Was aus den Änderungen wurde</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: click an object in the view Scene tree, or a robot in Scene.</source>
+        <translation>Nichts ist ausgewählt: In der Ansicht Szenenbaum ein Objekt oder in Szene einen Roboter anklicken.</translation>
+    </message>
+    <message>
+        <source>No objects: start a simulation (File &gt; Open scene…).</source>
+        <translation>Keine Objekte: Eine Simulation starten (Datei &gt; Szene öffnen…).</translation>
+    </message>
+    <message>
+        <source>It cannot be placed there: %1</source>
+        <translation>Dort kann es nicht stehen: %1</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s file does not say where %1 begins.</source>
+        <translation>Die Datei der Szene sagt nicht, wo %1 beginnt.</translation>
+    </message>
+    <message>
+        <source>Saved. It holds when the scene is opened again.</source>
+        <translation>Gespeichert. Es gilt, wenn die Szene wieder geöffnet wird.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::PublishPanel</name>
     <message>
         <source>Send</source>
@@ -12065,6 +12587,26 @@ Verzeichnung %8</translation>
     <message>
         <source>%1 m around</source>
         <translation>%1 m umher</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>distance, m</source>
+        <translation>Entfernung, m</translation>
+    </message>
+    <message>
+        <source>sonar</source>
+        <translation>Sonar</translation>
+    </message>
+    <message>
+        <source>laser</source>
+        <translation>Laser</translation>
     </message>
 </context>
 <context>
@@ -12245,6 +12787,25 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     </message>
 </context>
 <context>
+    <name>widgets::SceneBench</name>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Changes cannot be backed up: %1</source>
+        <translation>Änderungen können nicht gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved scenes could not be restored: %1; they are kept in %2</source>
+        <translation>Nicht gespeicherte Szenen konnten nicht wiederhergestellt werden: %1; sie liegen in %2</translation>
+    </message>
+    <message>
+        <source>The program ended without saving last time. Unsaved scene files were restored in the scene editor; save them to keep them.</source>
+        <translation>Das Programm endete letztes Mal ohne zu speichern. Nicht gespeicherte Szenendateien wurden im Szeneneditor wiederhergestellt; speichern Sie sie, um sie zu behalten.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::SceneCanvas</name>
     <message>
         <source>Scene</source>
@@ -12257,6 +12818,454 @@ Eine Simulation starten, mit einem Roboter verbinden, oder ein Log öffnen: Date
     <message>
         <source>The scene cannot be drawn: %1</source>
         <translation>Die Szene kann nicht gezeichnet werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneCompletion</name>
+    <message>
+        <source>default %1</source>
+        <translation>Vorgabe %1</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>erforderlich</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneDialogs</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Save the changes?</source>
+        <translation>Änderungen speichern?</translation>
+    </message>
+    <message>
+        <source>Open scene file</source>
+        <translation>Szenendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Scenes and models (*.sdf *.world *.xml *.map);;All files (*)</source>
+        <translation>Szenen und Modelle (*.sdf *.world *.xml *.map);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save scene file</source>
+        <translation>Szenendatei speichern</translation>
+    </message>
+    <message>
+        <source>The scene file %1 was changed and not saved.</source>
+        <translation>Die Szenendatei %1 wurde geändert und nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Scene files were changed and not saved: %1</source>
+        <translation>Szenendateien wurden geändert und nicht gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneEditorView</name>
+    <message>
+        <source>New…</source>
+        <translation>Neu…</translation>
+    </message>
+    <message>
+        <source>Starts a room with walls, light, and a robot</source>
+        <translation>Beginnt einen Raum mit Wänden, Licht und einem Roboter</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a scene, a model or a map</source>
+        <translation>Öffnet eine Szene, ein Modell oder eine Karte</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Saves the file</source>
+        <translation>Speichert die Datei</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Saves the text to another file</source>
+        <translation>Speichert den Text in eine andere Datei</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Reads the file from the disk again</source>
+        <translation>Liest die Datei erneut von der Platte</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undoes the last edit</source>
+        <translation>Macht die letzte Änderung rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redoes the edit</source>
+        <translation>Stellt die Änderung wieder her</translation>
+    </message>
+    <message>
+        <source>Find and replace</source>
+        <translation>Suchen und ersetzen</translation>
+    </message>
+    <message>
+        <source>Finds and replaces text in the file</source>
+        <translation>Sucht und ersetzt Text in der Datei</translation>
+    </message>
+    <message>
+        <source>Indent all</source>
+        <translation>Alles einrücken</translation>
+    </message>
+    <message>
+        <source>Indents all lines after what they are in</source>
+        <translation>Rückt alle Zeilen danach ein, worin sie stehen</translation>
+    </message>
+    <message>
+        <source>What can be written here</source>
+        <translation>Was hier stehen kann</translation>
+    </message>
+    <message>
+        <source>Lists elements or attributes for the cursor: Ctrl+Space</source>
+        <translation>Listet Elemente oder Attribute für die Schreibmarke auf: Strg+Leertaste</translation>
+    </message>
+    <message>
+        <source>Save and run</source>
+        <translation>Speichern und ausführen</translation>
+    </message>
+    <message>
+        <source>Saves the file; the simulation goes on with it where it is, or opens it</source>
+        <translation>Speichert die Datei; die Simulation läuft mit ihr weiter, wo sie ist, oder öffnet sie</translation>
+    </message>
+    <message>
+        <source>Ctrl+Return</source>
+        <translation>Ctrl+Return</translation>
+    </message>
+    <message>
+        <source>Go to the selected object</source>
+        <translation>Zum gewählten Objekt gehen</translation>
+    </message>
+    <message>
+        <source>Goes to the text of the object that is selected in the scene</source>
+        <translation>Geht zum Text des Objekts, das in der Szene gewählt ist</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Select in the scene</source>
+        <translation>In der Szene wählen</translation>
+    </message>
+    <message>
+        <source>Selects the object around the cursor in the views of the scene</source>
+        <translation>Wählt das Objekt um die Schreibmarke in den Ansichten der Szene</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Open the included model</source>
+        <translation>Das eingebundene Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the file of the &lt;include&gt; around the cursor</source>
+        <translation>Öffnet die Datei des &lt;include&gt; um die Schreibmarke</translation>
+    </message>
+    <message>
+        <source>Include</source>
+        <translation>Einbinden</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Adds a model to the scene</source>
+        <translation>Fügt der Szene ein Modell hinzu</translation>
+    </message>
+    <message>
+        <source>Save as, discard changes, indent, included models</source>
+        <translation>Speichern unter, Änderungen verwerfen, einrücken, eingebundene Modelle</translation>
+    </message>
+    <message>
+        <source>The object around the cursor</source>
+        <translation>Das Objekt um die Schreibmarke</translation>
+    </message>
+    <message>
+        <source>Problems of the file</source>
+        <translation>Probleme der Datei</translation>
+    </message>
+    <message>
+        <source>Number of problems</source>
+        <translation>Anzahl der Probleme</translation>
+    </message>
+    <message>
+        <source>Open scene files</source>
+        <translation>Offene Szenendateien</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Errors: %1, warnings: %2</source>
+        <translation>Fehler: %1, Warnungen: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is selected in the scene; goes to the scene&apos;s file</source>
+        <translation>In der Szene ist nichts gewählt; geht zur Datei der Szene</translation>
+    </message>
+    <message>
+        <source>Goes to the text of %1</source>
+        <translation>Geht zum Text von %1</translation>
+    </message>
+    <message>
+        <source>No scene file. Open one, start one with New, or go to the scene that is simulated.</source>
+        <translation>Keine Szenendatei. Öffnen Sie eine, beginnen Sie eine mit Neu, oder gehen Sie zur simulierten Szene.</translation>
+    </message>
+    <message>
+        <source>Scene editor: %1</source>
+        <translation>Szeneneditor: %1</translation>
+    </message>
+    <message>
+        <source>Scene editor</source>
+        <translation>Szeneneditor</translation>
+    </message>
+    <message>
+        <source>%1 (robot)</source>
+        <translation>%1 (Roboter)</translation>
+    </message>
+    <message>
+        <source>There are no models</source>
+        <translation>Es gibt keine Modelle</translation>
+    </message>
+    <message>
+        <source>A model can only be included in a world or a model</source>
+        <translation>Ein Modell kann nur in eine Welt oder ein Modell eingebunden werden</translation>
+    </message>
+    <message>
+        <source>There is no object around the cursor</source>
+        <translation>Um die Schreibmarke ist kein Objekt</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneFile</name>
+    <message>
+        <source>unnamed.sdf</source>
+        <translation>unbenannt.sdf</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneProblemModel</name>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>Error: %1</source>
+        <translation>Fehler: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneTextEdit</name>
+    <message>
+        <source>Text of the scene</source>
+        <translation>Text der Szene</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneTreeModel</name>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Ball</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>Aktor</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>1 value</source>
+        <translation>1 Wert</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>%1, held</source>
+        <translation>%1, gehalten</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneTreeView</name>
+    <message>
+        <source>Plot</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Adds the values of the sensor to the view Plots</source>
+        <translation>Fügt die Werte des Sensors der Ansicht Kurven hinzu</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+L</source>
+        <translation>Ctrl+Alt+L</translation>
+    </message>
+    <message>
+        <source>Column graph</source>
+        <translation>Säulendiagramm</translation>
+    </message>
+    <message>
+        <source>Shows the values of the sensor as columns</source>
+        <translation>Zeigt die Werte des Sensors als Säulen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+G</source>
+        <translation>Ctrl+Alt+G</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Shows the images of the camera</source>
+        <translation>Zeigt die Bilder der Kamera</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+I</source>
+        <translation>Ctrl+Alt+I</translation>
+    </message>
+    <message>
+        <source>Monochrome image</source>
+        <translation>Schwarzweißbild</translation>
+    </message>
+    <message>
+        <source>Shows the images of the camera in gray</source>
+        <translation>Zeigt die Bilder der Kamera in Grau</translation>
+    </message>
+    <message>
+        <source>Stereogram</source>
+        <translation>Stereogramm</translation>
+    </message>
+    <message>
+        <source>Shows depths as a random dot stereogram, which is seen by looking through it</source>
+        <translation>Zeigt Tiefen als Zufallspunkt-Stereogramm, das man sieht, indem man hindurchsieht</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Shows the properties of the object</source>
+        <translation>Zeigt die Eigenschaften des Objekts</translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the path of the object</source>
+        <translation>Kopiert den Pfad des Objekts</translation>
+    </message>
+    <message>
+        <source>Search objects</source>
+        <translation>Objekte suchen</translation>
+    </message>
+    <message>
+        <source>Shows only objects whose path, kind or type contains this</source>
+        <translation>Zeigt nur Objekte, deren Pfad, Art oder Typ dies enthält</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>Objekte der Szene</translation>
+    </message>
+    <message>
+        <source>What went wrong</source>
+        <translation>Was misslang</translation>
+    </message>
+    <message>
+        <source>No objects: start a simulation (File &gt; Open scene…). Real robots and logs have none.</source>
+        <translation>Keine Objekte: Eine Simulation starten (Datei &gt; Szene öffnen…). Echte Roboter und Logs haben keine.</translation>
+    </message>
+    <message>
+        <source>Nothing matches. Clear the search.</source>
+        <translation>Nichts passt. Die Suche leeren.</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,8 @@ Reading read(const std::string& text) {
   MeshFiles meshes;
   Reading result;
   if (errors.empty())
-    result.model = readSdfModel(*files.model(file), "m.sdf", {files, SdfSpec::shared(), meshes, errors, leftOut});
+    result.model =
+        readSdfModel(*files.model(file), "m.sdf", {files, SdfSpec::shared(), meshes, errors, leftOut});
   for (robotlink::Error& error : errors) error.where.file = "m.sdf";
   result.errors = describe(errors);
   return result;

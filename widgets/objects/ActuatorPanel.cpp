@@ -21,7 +21,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kSliderSteps = 1000;
+constexpr int kActuatorSteps = 1000;
 /// The range of an actuator that names none.
 constexpr double kUnknownRange = 1000;
 constexpr int kMaxPanelHeight = 220;
@@ -85,8 +85,8 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
   const QString unit = QString::fromStdString(port.unit());
   const QByteArray suffix = (path + QLatin1Char('-') + QString::number(value)).toUtf8();
   row.slider = new QSlider(Qt::Horizontal, contents_);
-  row.slider->setRange(0, kSliderSteps);
-  row.slider->setPageStep(kSliderSteps / 20);
+  row.slider->setRange(0, kActuatorSteps);
+  row.slider->setPageStep(kActuatorSteps / 20);
   describe(*row.slider, {QByteArray("actuator-" + suffix).constData(), name,
                          tr("Holds %1 between %2 and %3 %4")
                              .arg(name)
@@ -107,7 +107,7 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
   connect(row.slider, &QSlider::valueChanged, this, [this, row](int step) {
     if (isRefreshing_) return;
     const QSignalBlocker blocker(row.field);
-    row.field->setValue(row.minimum + (row.maximum - row.minimum) * step / kSliderSteps);
+    row.field->setValue(row.minimum + (row.maximum - row.minimum) * step / kActuatorSteps);
     hold(row.port);
   });
   connect(row.field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, row](double wanted) {
@@ -120,7 +120,7 @@ void ActuatorPanel::addRow(const robotcontrol::WorldPort& port, int value, int v
 }
 
 int ActuatorPanel::stepOf(const Row& row, double value) {
-  return static_cast<int>(std::lround(kSliderSteps * (value - row.minimum) / (row.maximum - row.minimum)));
+  return static_cast<int>(std::lround(kActuatorSteps * (value - row.minimum) / (row.maximum - row.minimum)));
 }
 
 void ActuatorPanel::refresh() {

@@ -38,7 +38,7 @@ const ViewRegistration kSceneTreeRegistration{
 constexpr int kMaxCurves = 12;
 
 /// How many values a port has; images count as none.
-int valuesOf(const robotcontrol::WorldPort& port) {
+int valueCount(const robotcontrol::WorldPort& port) {
   if (port.type() == "image") return 0;
   int values = 1;
   constexpr int kMaxValues = 1 << 20;
@@ -214,9 +214,9 @@ const robotcontrol::WorldObject* SceneTreeView::selected() const {
 
 void SceneTreeView::showSelected() {
   const auto* object = selected();
-  const bool hasValues = isSensor(object) && valuesOf(object->port()) > 0;
+  const bool hasValues = isSensor(object) && valueCount(object->port()) > 0;
   const bool hasImages = isSensor(object) && object->port().type() == "image";
-  plot_->setEnabled(hasValues && valuesOf(object->port()) <= kMaxCurves);
+  plot_->setEnabled(hasValues && valueCount(object->port()) <= kMaxCurves);
   columns_->setEnabled(hasValues);
   for (QAction* action : {image_, gray_, stereogram_}) action->setEnabled(hasImages);
   properties_->setEnabled(object != nullptr);
@@ -242,7 +242,7 @@ void SceneTreeView::plot() {
   if (!isSensor(object)) return;
   const robotcontrol::WorldPort port = object->port();
   subscription_.want(session(), {port.path()});
-  for (int i = 0; i < valuesOf(port); ++i)
+  for (int i = 0; i < valueCount(port); ++i)
     if (!run("plots.add", {std::string(robotlink::streams::kPorts) + ": " + portField(port.path(), i)}))
       return;
 }
