@@ -3,6 +3,7 @@
 
 #include "robotlink/base/Resources.h"
 #include "simcore/sdf/SceneFiles.h"
+#include "simcore/sdf/SdfPaths.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
 #include "simcore/world/RenderSceneBuilder.h"
@@ -17,13 +18,17 @@ tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& 
   SceneFiles files(robotlink::resource("scenes") / "scene");
   const auto file = files.addModel(model, spec, errors);
   if (!file || !errors.empty()) return tl::unexpected(std::move(errors));
+  const tinyxml2::XMLElement& element = *files.model(*file);
+  // Said first and alone: what else is wrong with it, such as a color that only worlds have, does not matter
+  // then.
+  if (childText(element, "robotcontrol:robot").empty() || isTrue(childText(element, "static"))) {
+    return tl::unexpected(
+        robotlink::Errors{{"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}}});
+  }
   MeshFiles meshes;
   LeftOuts leftOut;
-  const auto type = readSdfModel(*files.model(*file), file->string(), {files, spec, meshes, errors, leftOut});
+  const auto type = readSdfModel(element, file->string(), {files, spec, meshes, errors, leftOut});
   if (!type) return tl::unexpected(std::move(errors));
-  // Said alone: what else is wrong with it, such as a color that only worlds have, does not matter then.
-  if (type->robot.empty() || type->isStatic)
-    errors = {{"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}}};
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   ModelParts parts;
   for (const LinkDescription& link : type->links) parts.links.push_back(link.poseInModel);
