@@ -65,6 +65,7 @@ void Simulation::step() {
   }
   i.invalidate();
   i.recordPoses();
+  i.doors->afterStep(i.steps, [&](const Door& door) { return i.readingFor(door); });
 }
 
 std::uint64_t Simulation::steps() const {

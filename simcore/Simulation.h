@@ -137,6 +137,12 @@ class Simulation {
   std::span<const Guide> guides() const;
   /// Commands a guided model: as many finite values as its port has; others are ignored.
   void guide(std::size_t guide, std::span<const double> values);
+  /// The doors, addressed by their index.
+  std::span<const Door> doors() const;
+  /// Opens a door for its time, or closes it at once; if its sensor still notices somebody, it opens again.
+  void moveDoor(std::size_t door, bool open);
+  /// Whether it opens or is open.
+  bool isDoorOpen(std::size_t door) const;
   /// Commands a servo: the angle that it shall turn to, rad, or the speed or torque of a motor
   /// (Servo::control); clamped to its range. NaN is ignored.
   void requestAngle(std::size_t servo, double angle);

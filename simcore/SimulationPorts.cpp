@@ -50,6 +50,7 @@ std::vector<Port> portsOf(const Ports& ports, const WorldDescription& world) {
   addPorts(result, ports.servos, Port::Kind::kServo);
   addPorts(result, ports.drives, Port::Kind::kDrive);
   addPorts(result, ports.guides, Port::Kind::kGuide);
+  addPorts(result, ports.doors, Port::Kind::kDoor);
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const std::string& name = world.models[i].name;
     result.push_back({{name + "/true_pose", name, "pose", {7}, "m, quaternion"}, Port::Kind::kTruePose, i});
@@ -95,6 +96,8 @@ robotlink::Result<std::vector<double>> Simulation::read(const std::string& path)
       return valuesOf(guideState(found->index));
     case Port::Kind::kDrive:
       return valuesOf(driveState(found->index));
+    case Port::Kind::kDoor:
+      return valuesOf(servoState(i.ports.doors[found->index].servo));
     case Port::Kind::kTruePose:
     case Port::Kind::kTrueVelocity:
       return i.truthOf(*found);
@@ -133,6 +136,7 @@ robotlink::Result<void> Simulation::write(const std::string& path, std::span<con
   }
   if (found->kind == Port::Kind::kServo) requestAngle(found->index, values[0]);
   if (found->kind == Port::Kind::kGuide) guide(found->index, values);
+  if (found->kind == Port::Kind::kDoor) moveDoor(found->index, values[0] >= 0.5);
   if (found->kind == Port::Kind::kDrive) requestWheelSpeeds(found->index, values[0], values[1]);
   return {};
 }
@@ -286,6 +290,30 @@ std::span<const Guide> Simulation::guides() const {
 
 void Simulation::guide(std::size_t guide, std::span<const double> values) {
   implementation_->actuation->guide(guide, values);
+}
+
+double SimulationState::readingFor(const Door& door) {
+  std::vector<double> values;
+  if (door.sensor.kind == DoorSensor::Kind::kRange) {
+    values.resize(static_cast<std::size_t>(ports.ranges[door.sensor.index].readings));
+    measure(door.sensor.index, values);
+  } else {
+    sensing->read(noise(), door.sensor.index, ports.sensors[door.sensor.index]);
+    values = ports.sensors[door.sensor.index].values;
+  }
+  return *std::ranges::min_element(values);
+}
+
+std::span<const Door> Simulation::doors() const {
+  return implementation_->ports.doors;
+}
+
+void Simulation::moveDoor(std::size_t door, bool open) {
+  implementation_->doors->command(door, open, implementation_->steps);
+}
+
+bool Simulation::isDoorOpen(std::size_t door) const {
+  return implementation_->doors->isOpen(door);
 }
 
 ActuatorState Simulation::servoState(std::size_t servo) const {

@@ -12,6 +12,7 @@
 #include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
 #include "simcore/devices/Actuation.h"
+#include "simcore/devices/Doors.h"
 #include "simcore/devices/Ports.h"
 #include "simcore/devices/PoseHistory.h"
 #include "simcore/devices/Sensing.h"
@@ -76,6 +77,7 @@ struct SimulationState {
   std::unique_ptr<Physics> physics;
   std::optional<Sensing> sensing;
   std::optional<Actuation> actuation;
+  std::optional<Doors> doors;
   // Null if there is nothing to measure.
   std::unique_ptr<RangeSensing> ranging;
   std::unique_ptr<ImageSensing> imaging;
@@ -140,6 +142,9 @@ struct SimulationState {
     start();
   }
 
+  /// The smallest number that the sensor of a door reads now.
+  double readingFor(const Door& door);
+
   // What the oracle knows.
   std::vector<double> truthOf(const Port& port) const;
   std::vector<double> trueRanges(std::size_t sensor);
@@ -161,6 +166,7 @@ struct SimulationState {
         world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic);
     sensing.emplace(*physics, ports.sources, world);
     actuation.emplace(*physics, ports);
+    doors.emplace(ports, *actuation);
     steps = 0;
     history.clear();
     driveUnobstructed.assign(ports.drives.size(), true);

@@ -111,7 +111,8 @@ double ExactSensing::contactOf(const SensorSource& source) const {
 }
 
 void ExactSensing::readJoint(const SensorSource& source, std::vector<double>& values) const {
-  if (source.kind == SourceKind::kAngle) values[0] = physics_.angle(source.hinge);
+  if (source.kind == SourceKind::kAngle || source.kind == SourceKind::kSlide)
+    values[0] = physics_.angle(source.hinge);
   if (source.kind == SourceKind::kJointSpeed) values[0] = physics_.rate(source.hinge);
   if (source.kind == SourceKind::kJointLoad) values[0] = physics_.torque(source.hinge);
   if (source.kind != SourceKind::kForceTorque) return;
@@ -177,6 +178,7 @@ void ExactSensing::read(std::size_t index, std::vector<double>& values) const {
   const Memory& memory = memories_[index];
   switch (source.kind) {
     case SourceKind::kAngle:
+    case SourceKind::kSlide:
     case SourceKind::kJointSpeed:
     case SourceKind::kJointLoad:
     case SourceKind::kForceTorque:

@@ -67,16 +67,19 @@ class Collector {
     if (model.type->isStatic) return;
     type_ = model.type.get();
     firstHinge_ = hinge_;
+    firstDoor_ = ports_.doors.size();
     for (const JointDescription& joint : model.type->joints) {
-      if (joint.kind != JointDescription::Kind::kHinge || joint.wheel) continue;
+      if (!joint.hasPosition()) continue;
       addAngle(joint);
       if (joint.speedSensor) addJointSensor(joint, SourceKind::kJointSpeed, *joint.speedSensor);
       if (joint.loadSensor) addJointSensor(joint, SourceKind::kJointLoad, *joint.loadSensor);
       if (joint.servo) addServo(joint);
+      if (joint.servo && joint.door) addDoor(joint);
       ++hinge_;
     }
     bodies_ = {static_cast<int>(body_) + 1, static_cast<int>(body_ + model.type->links.size()) + 1};
     for (const SensorDescription& sensor : model.type->sensors) addSensor(sensor);
+    for (std::size_t i = firstDoor_; i < ports_.doors.size(); ++i) connect(ports_.doors[i]);
     if (model.type->drive) addDrive(*model.type->drive);
     if (model.type->guided) addGuide(*model.type->guided);
     body_ += model.type->links.size();
@@ -110,10 +113,11 @@ class Collector {
   }
 
   void addAngle(const JointDescription& joint) {
-    SensorSource from = source(SourceKind::kAngle);
+    const bool slides = joint.slides();
+    SensorSource from = source(slides ? SourceKind::kSlide : SourceKind::kAngle);
     from.hinge = hinge_;
     from.errors = joint.positionErrors;
-    PortInfo info = port(joint.name + "/position", "angle", {}, "rad");
+    PortInfo info = port(joint.name + "/position", slides ? "position" : "angle", {}, slides ? "m" : "rad");
     add(std::move(info), from, {joint.initialAngle});
   }
 
@@ -121,10 +125,15 @@ class Collector {
     SensorSource from = source(kind);
     from.hinge = hinge_;
     from.errors = errors;
-    const bool isSpeed = kind == SourceKind::kJointSpeed;
-    add(port(joint.name + (isSpeed ? "/speed" : "/load"), isSpeed ? "angular_velocity" : "torque", {},
-             isSpeed ? "rad/s" : "N m"),
-        from, {0});
+    struct Name {
+      const char* path;
+      const char* type;
+      const char* unit;
+    };
+    constexpr Name kNames[][2] = {{{"/load", "torque", "N m"}, {"/load", "force", "N"}},
+                                  {{"/speed", "angular_velocity", "rad/s"}, {"/speed", "velocity", "m/s"}}};
+    const Name& name = kNames[kind == SourceKind::kJointSpeed ? 1 : 0][joint.slides() ? 1 : 0];
+    add(port(joint.name + name.path, name.type, {}, name.unit), from, {0});
   }
 
   void addServo(const JointDescription& joint) {
@@ -134,10 +143,14 @@ class Collector {
       const char* unit;
       double limit;
     };
-    const Command commands[] = {{"/request", "angle", "rad", 0},
-                                {"/speed_request", "angular_velocity", "rad/s", joint.maximumSpeed},
-                                {"/torque_request", "torque", "N m", joint.maximumTorque}};
-    const Command& command = commands[static_cast<std::size_t>(joint.control.kind)];
+    const Command turning[] = {{"/request", "angle", "rad", 0},
+                               {"/speed_request", "angular_velocity", "rad/s", joint.maximumSpeed},
+                               {"/torque_request", "torque", "N m", joint.maximumTorque}};
+    const Command sliding[] = {{"/request", "position", "m", 0},
+                               {"/speed_request", "velocity", "m/s", joint.maximumSpeed},
+                               {"/force_request", "force", "N", joint.maximumTorque}};
+    const Command& command =
+        (joint.slides() ? sliding : turning)[static_cast<std::size_t>(joint.control.kind)];
     const bool isPosition = joint.control.kind == MotorControl::Kind::kPosition;
     Servo servo{port(joint.name + command.name, command.type, {}, command.unit),
                 isPosition ? joint.lower : -command.limit,
@@ -150,6 +163,25 @@ class Collector {
     ports_.servos.push_back(std::move(servo));
     ports_.servoStates.push_back({hinge_, isPosition ? joint.initialAngle : 0, 1});
     ports_.servoModels.push_back(model_);
+  }
+
+  void addDoor(const JointDescription& joint) {
+    Door door{port(joint.name + "/door", "door", {}, ""), *joint.door, ports_.servos.size() - 1};
+    door.info.maximum = 1;
+    ports_.doors.push_back(std::move(door));
+  }
+
+  /// Finds the sensor of a door among those of its model.
+  void connect(Door& door) const {
+    if (door.description.sensor.empty()) return;
+    const std::string path = name_ + "/" + door.description.sensor;
+    for (std::size_t i = 0; i < ports_.sensors.size(); ++i) {
+      if (ports_.sensors[i].info.path != path) continue;
+      door.sensor = {DoorSensor::Kind::kNumber, i, ports_.sources[i].kind != SourceKind::kDistance};
+    }
+    for (std::size_t i = 0; i < ports_.ranges.size(); ++i) {
+      if (ports_.ranges[i].info.path == path) door.sensor = {DoorSensor::Kind::kRange, i, false};
+    }
   }
 
   void addGuide(const GuidedMotion& motion) {
@@ -209,12 +241,12 @@ class Collector {
         from, std::vector<double>(reading.size));
   }
 
-  /// The number of a joint's hinge; the joint is one and not a wheel's.
+  /// The number of a joint's hinge or slider.
   std::size_t hingeOf(int joint) const {
     std::size_t hinge = firstHinge_;
     for (int i = 0; i < joint; ++i) {
       const JointDescription& other = type_->joints[static_cast<std::size_t>(i)];
-      if (other.kind == JointDescription::Kind::kHinge && !other.wheel) ++hinge;
+      if (other.hasPosition()) ++hinge;
     }
     return hinge;
   }
@@ -286,7 +318,7 @@ class Collector {
   std::string name_;
   const ModelDescription* type_ = nullptr;
   int model_ = 0;
-  std::size_t body_ = 0, hinge_ = 0, firstHinge_ = 0;
+  std::size_t body_ = 0, hinge_ = 0, firstHinge_ = 0, firstDoor_ = 0;
   std::uint64_t numbered_ = 0;
 };
 

@@ -32,6 +32,7 @@ struct SensorSource {
     kAltimeter,
     kOdometry,
     kBattery,
+    kSlide,
   };
   Kind kind = Kind::kAngle;
   int model = 0;
@@ -87,6 +88,7 @@ struct Ports {
   /// For each image sensor the bodies of its own model.
   std::vector<RayCaster::BodyRange> imageOwners;
   std::vector<Guide> guides;
+  std::vector<Door> doors;
   /// For each servo and each guide the index of its model.
   std::vector<int> servoModels, guideModels;
 

@@ -26,14 +26,32 @@ void setStops(dJointID id, Set set, int low, int high, double lower, double uppe
   set(id, low, lower);
 }
 
+/// Gives a joint the next number.
+void number(OdeWorld& ode, const JointDescription& joint, dJointID id) {
+  ode.hinges.push_back(id);
+  ode.hingeHasMotor.push_back(joint.servo);
+  dJointSetFeedback(id, &ode.hingeForces.emplace_back());
+}
+
+bool isSlider(dJointID joint) {
+  return dJointGetType(joint) == dJointTypeSlider;
+}
+
 dJointID addHinge(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& anchor,
                   const Vector3& axis) {
   const dJointID id = attached(dJointCreateHinge(ode.world, nullptr), ends);
   dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
   dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
   setStops(id, dJointSetHingeParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
-  ode.hinges.push_back(id);
-  dJointSetFeedback(id, &ode.hingeForces.emplace_back());
+  number(ode, joint, id);
+  return id;
+}
+
+dJointID addSlider(OdeWorld& ode, const JointDescription& joint, const Ends& ends, const Vector3& axis) {
+  const dJointID id = attached(dJointCreateSlider(ode.world, nullptr), ends);
+  dJointSetSliderAxis(id, axis.x(), axis.y(), axis.z());
+  setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
+  number(ode, joint, id);
   return id;
 }
 
@@ -79,9 +97,7 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
       id = addHinge(ode, joint, ends, anchor, axis);
       break;
     case JointKind::kSlider:
-      id = attached(dJointCreateSlider(ode.world, nullptr), ends);
-      dJointSetSliderAxis(id, axis.x(), axis.y(), axis.z());
-      setStops(id, dJointSetSliderParam, dParamLoStop, dParamHiStop, joint.lower, joint.upper);
+      id = addSlider(ode, joint, ends, axis);
       break;
     case JointKind::kBall:
       id = attached(dJointCreateBall(ode.world, nullptr), ends);
@@ -93,6 +109,36 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
   }
   if (!joint.servo && (joint.damping > 0 || joint.friction > 0))
     ode.resistances.push_back({id, joint.damping, joint.friction});
+}
+
+double positionOf(dJointID joint) {
+  return isSlider(joint) ? dJointGetSliderPosition(joint) : dJointGetHingeAngle(joint);
+}
+
+double rateOf(dJointID joint) {
+  return isSlider(joint) ? dJointGetSliderPositionRate(joint) : dJointGetHingeAngleRate(joint);
+}
+
+Vector3 axisOf(dJointID joint) {
+  dVector3 axis;
+  isSlider(joint) ? dJointGetSliderAxis(joint, axis) : dJointGetHingeAxis(joint, axis);
+  return {axis[0], axis[1], axis[2]};
+}
+
+Vector3 anchorOf(dJointID joint) {
+  if (isSlider(joint)) {
+    const dReal* center = dBodyGetPosition(dJointGetBody(joint, 0));
+    return {center[0], center[1], center[2]};
+  }
+  dVector3 anchor;
+  dJointGetHingeAnchor(joint, anchor);
+  return {anchor[0], anchor[1], anchor[2]};
+}
+
+void setMotorOf(dJointID joint, double speed, double limit) {
+  const auto set = isSlider(joint) ? dJointSetSliderParam : dJointSetHingeParam;
+  set(joint, dParamVel, speed);
+  set(joint, dParamFMax, limit);
 }
 
 void resist(OdeWorld& ode) {

@@ -16,4 +16,14 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
 /// damping times the present speed, which is stable for any step, unlike a torque computed from the speed.
 void resist(OdeWorld& ode);
 
+// The position and speed of a hinge or a slider, rad or m, and its axis in the world.
+double positionOf(dJointID joint);
+double rateOf(dJointID joint);
+Vector3 axisOf(dJointID joint);
+/// Where what it exerts is measured, in the world: the anchor of a hinge, the child's center of mass for a
+/// slider.
+Vector3 anchorOf(dJointID joint);
+/// Moves it at a speed with at most this torque or force.
+void setMotorOf(dJointID joint, double speed, double limit);
+
 }  // namespace simcore

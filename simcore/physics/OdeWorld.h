@@ -102,8 +102,10 @@ struct OdeWorld {
   std::deque<OdeGeom> geoms;
   /// Links of all moving models, in order.
   std::vector<OdeBody> bodies;
-  /// Hinges of all moving models, in order.
+  /// Hinges and sliders of all moving models, in order.
   std::vector<dJointID> hinges;
+  /// Whether a motor drives each of them.
+  std::vector<bool> hingeHasMotor;
   /// What each of them exerted in the last step. A deque because ODE keeps pointers to its elements.
   std::deque<dJointFeedback> hingeForces;
   std::vector<OdeModel> models;

@@ -136,9 +136,7 @@ class WorldBuilder {
       if (joint.closesCycle) continue;
       const Pose3 above =
           joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
-      const Eigen::Translation3d anchor(joint.anchorInModel);
-      moved[static_cast<std::size_t>(joint.child)] =
-          above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+      moved[static_cast<std::size_t>(joint.child)] = above * displacementAtStart(joint);
     }
     for (std::size_t i = 0; i < type.links.size(); ++i) {
       if (ode_.bodies[firstBody + i].wheel >= 0) continue;

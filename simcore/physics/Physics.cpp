@@ -77,35 +77,33 @@ Vector3 Physics::angularVelocityOf(std::size_t body) const {
 }
 
 double Physics::angle(std::size_t hinge) const {
-  return dJointGetHingeAngle(ode_->hinges[hinge]);
+  return positionOf(ode_->hinges[hinge]);
 }
 
 double Physics::rate(std::size_t hinge) const {
-  return dJointGetHingeAngleRate(ode_->hinges[hinge]);
+  return rateOf(ode_->hinges[hinge]);
 }
 
 Physics::Wrench Physics::reaction(std::size_t hinge) const {
   const dJointID id = ode_->hinges[hinge];
   const dJointFeedback& exerted = ode_->hingeForces[hinge];
-  dVector3 anchor;
-  dJointGetHingeAnchor(id, anchor);
   const dReal* center = dBodyGetPosition(dJointGetBody(id, 0));
-  const Vector3 arm(center[0] - anchor[0], center[1] - anchor[1], center[2] - anchor[2]);
+  const Vector3 arm = Vector3(center[0], center[1], center[2]) - anchorOf(id);
   const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
   return {force, Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force)};
 }
 
 double Physics::torque(std::size_t hinge) const {
-  dVector3 axis;
-  dJointGetHingeAxis(ode_->hinges[hinge], axis);
-  return reaction(hinge).torque.dot(Vector3(axis[0], axis[1], axis[2]));
+  const dJointID id = ode_->hinges[hinge];
+  const Wrench exerted = reaction(hinge);
+  return axisOf(id).dot(dJointGetType(id) == dJointTypeSlider ? exerted.force : exerted.torque);
 }
 
 double Physics::motorPower(int model) const {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   double power = 0;
   for (std::size_t i = entry.firstHinge; i < entry.firstHinge + entry.hingeCount; ++i) {
-    if (dJointGetHingeParam(ode_->hinges[i], dParamFMax) > 0) power += std::abs(torque(i) * rate(i));
+    if (ode_->hingeHasMotor[i]) power += std::abs(torque(i) * rate(i));
   }
   for (std::size_t i = 0; i < ode_->drives.size(); ++i) {
     if (ode_->drives[i].model == model)
@@ -115,6 +113,7 @@ double Physics::motorPower(int model) const {
 }
 
 double Physics::anchorGap(std::size_t hinge) const {
+  if (dJointGetType(ode_->hinges[hinge]) != dJointTypeHinge) return 0;
   dVector3 a, b;
   dJointGetHingeAnchor(ode_->hinges[hinge], a);
   dJointGetHingeAnchor2(ode_->hinges[hinge], b);
@@ -122,8 +121,7 @@ double Physics::anchorGap(std::size_t hinge) const {
 }
 
 void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
-  dJointSetHingeParam(ode_->hinges[hinge], dParamVel, velocity);
-  dJointSetHingeParam(ode_->hinges[hinge], dParamFMax, maximumTorque);
+  setMotorOf(ode_->hinges[hinge], velocity, maximumTorque);
 }
 
 void Physics::setGuide(int model, const Vector3& velocity, const Vector3& angularVelocity, double force,

@@ -17,7 +17,8 @@ struct OdeWorld;
 /// moving model and one for static solids (in large worlds a StaticGrid), and no collisions within a model.
 /// Steps use dWorldQuickStep without ODE's threads.
 ///
-/// Bodies and hinges are numbered through all moving models in order; RenderScene::bodies has the same order
+/// Bodies and hinges (with them sliders, which move in m instead of rad) are numbered through all moving
+/// models in order; RenderScene::bodies has the same order
 /// after its body 0, the world. One thread at a time may use an object; several objects may be used in
 /// several threads. `world` must outlive it. SI units, in the world's frame.
 class Physics {
@@ -38,10 +39,10 @@ class Physics {
   Vector3 velocityAt(std::size_t body, const Vector3& point) const;
   Vector3 angularVelocityOf(std::size_t body) const;
 
-  // rad
+  /// rad; of a slider m, as everywhere here.
   double angle(std::size_t hinge) const;
   /// The torque about its axis with which the hinge's motor (and its stops) turned the hinge in the last
-  /// step, N m; 0 before the first.
+  /// step, N m; of a slider the force along it, N; 0 before the first.
   double torque(std::size_t hinge) const;
   /// How fast it turns, rad/s.
   double rate(std::size_t hinge) const;
@@ -52,7 +53,7 @@ class Physics {
   Wrench reaction(std::size_t hinge) const;
   /// The mechanical power of all motors of a model in the last step, W; braking counts as driving.
   double motorPower(int model) const;
-  /// The distance between a hinge's two anchors, m: the drift of the solver.
+  /// The distance between a hinge's two anchors, m: the drift of the solver; 0 for a slider.
   double anchorGap(std::size_t hinge) const;
   /// Makes a hinge turn at `velocity` (rad/s) with at most `maximumTorque` (N m), until it is called again.
   void setMotor(std::size_t hinge, double velocity, double maximumTorque);

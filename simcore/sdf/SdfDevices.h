@@ -32,6 +32,8 @@ std::vector<SensorDescription> depthOfColorCamera(const sdf::Sensor& sensor, con
 void readJointSensors(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
 /// Reads how a <robotcontrol:servo> is controlled, and the sensors of its joint.
 void readMotor(const sdf::ElementPtr& joint, JointDescription& result, const SdfContext& context);
+/// Reads the <robotcontrol:door>s of the joints; all sensors must have been read before.
+void readDoors(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
 /// Reads <robotcontrol:guided> of a model, if it has one.
 void readGuided(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context);
 

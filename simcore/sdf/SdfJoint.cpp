@@ -111,8 +111,9 @@ class JointReader {
       }
     }
     const bool servo = joint.Element()->HasElement("robotcontrol:servo");
-    if (servo && result.kind != JointKind::kHinge) {
-      context_.fail(joint.Element(), "scene.servo", "only a revolute or continuous joint can have a servo");
+    if (servo && result.kind != JointKind::kHinge && result.kind != JointKind::kSlider) {
+      context_.fail(joint.Element(), "scene.servo",
+                    "only a revolute, continuous or prismatic joint can have a servo");
     } else if (servo) {
       readServo(axis, joint.Element(), result);
     } else {
@@ -120,6 +121,11 @@ class JointReader {
       result.friction = context_.within(axis.Friction(), 0, 1e6, "friction", joint.Element());
     }
     readMotor(joint.Element(), result, context_);
+    if (result.servo && result.control.kind == MotorControl::Kind::kPosition &&
+        !(std::isfinite(result.lower) && std::isfinite(result.upper))) {
+      context_.fail(joint.Element(), "scene.servo",
+                    "a prismatic joint with a position servo needs <lower> and <upper>");
+    }
   }
 
   void readLimits(const sdf::Joint& joint, const sdf::JointAxis& axis, JointDescription& result) {
@@ -163,7 +169,8 @@ class JointReader {
     result.servo = true;
     // Without limits, SDFormat has infinite values, which no servo has.
     result.maximumSpeed = context_.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
-    result.maximumTorque = context_.within(axis.Effort(), 1e-9, 1000, "a servo's <effort>", element);
+    const double most = result.kind == JointKind::kSlider ? 1e6 : 1000;
+    result.maximumTorque = context_.within(axis.Effort(), 1e-9, most, "a servo's <effort>", element);
     const auto number = [&](const char* key) {
       return servo->HasElement(key) ? servo->Get<double>(key) : 0.0;
     };

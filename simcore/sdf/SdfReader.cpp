@@ -93,6 +93,7 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   if (!model.links.empty()) orderJoints(model, element, context);
   readDrive(source, model, context);
   readJointSensors(source, model, context);
+  readDoors(source, model, context);
   readGuided(element, model, context);
   return model;
 }

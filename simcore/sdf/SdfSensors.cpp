@@ -148,9 +148,10 @@ void readForceTorque(const sdf::Sensor& sensor, int joint, ModelDescription& mod
     return context.omit(element, "sensor of type '" + sensor.TypeStr() + "'",
                         "of sensors of joints, only force_torque is known");
   }
-  if (of.kind != JointDescription::Kind::kHinge || of.wheel) {
-    return context.omit(element, "force_torque sensor '" + sensor.Name() + "'",
-                        "only joints that turn about one axis, and are not wheels of a drive, have one");
+  if (!of.hasPosition()) {
+    return context.omit(
+        element, "force_torque sensor '" + sensor.Name() + "'",
+        "only revolute, continuous and prismatic joints that are not wheels of a drive have one");
   }
   const sdf::ForceTorque& meter = *sensor.ForceTorqueSensor();
   if (meter.Frame() != sdf::ForceTorqueFrame::CHILD) {

@@ -30,6 +30,20 @@ struct MotorControl {
   bool operator==(const MotorControl&) const = default;
 };
 
+/// When the servo of a joint opens and closes it as a door. A plain value; positions are those of the joint,
+/// rad or m.
+struct DoorDescription {
+  /// The name of the sensor of the same model that opens it; empty: only commands do.
+  std::string sensor;
+  /// It opens if the sensor reads less, m; without meaning for a sensor that feels, which opens it when it is
+  /// touched.
+  double below = 0;
+  double open = 0, closed = 0;
+  /// How long it stays open after the last reason to open it, s.
+  double seconds = 3;
+  bool operator==(const DoorDescription&) const = default;
+};
+
 /// A model that moves as it is commanded instead of by forces of its own: it is pushed with limited
 /// acceleration, and stopped by what is in its way.
 struct GuidedMotion {

@@ -40,7 +40,8 @@ struct CameraSensor {
   SensorErrors errors = {};
 };
 
-/// The servo of a joint: it turns to a requested angle with limited speed and torque.
+/// The servo of a joint: it turns to a requested angle with limited speed and torque. That of a prismatic
+/// joint moves to a requested position; then all is in m, m/s and N.
 struct Servo {
   /// Such as "red1/legFL1/request".
   PortInfo info;
@@ -52,6 +53,26 @@ struct Servo {
   double maximumTorque = 0;
   /// What its command is, and how it follows it.
   MotorControl control = {};
+};
+
+/// Where a door's sensor is found.
+struct DoorSensor {
+  enum class Kind : std::uint8_t { kNone, kNumber, kRange };
+  Kind kind = Kind::kNone;
+  /// Among the sensors or the range sensors.
+  std::size_t index = 0;
+  /// It reads 0 or 1 instead of a distance.
+  bool isContact = false;
+};
+
+/// A joint that opens by itself and on command; see DoorDescription.
+struct Door {
+  /// "gate/hinge/door": a scalar, 1 opens it and 0 closes it.
+  PortInfo info;
+  DoorDescription description;
+  /// The index of its servo.
+  std::size_t servo = 0;
+  DoorSensor sensor = {};
 };
 
 /// A model that moves as it is commanded.

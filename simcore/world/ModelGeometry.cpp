@@ -7,6 +7,13 @@
 
 namespace simcore {
 
+Pose3 displacementAtStart(const JointDescription& joint) {
+  if (joint.kind == JointDescription::Kind::kSlider)
+    return Pose3(Eigen::Translation3d(joint.initialAngle * joint.axisInModel));
+  const Eigen::Translation3d anchor(joint.anchorInModel);
+  return anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+}
+
 std::vector<Pose3> linksAtStart(const ModelDescription& model) {
   // Keyed by the joints above, in the model's frame.
   std::vector<Pose3> moved(model.links.size(), Pose3::Identity());
@@ -14,9 +21,7 @@ std::vector<Pose3> linksAtStart(const ModelDescription& model) {
   for (const JointDescription& joint : model.joints) {
     if (joint.closesCycle) continue;
     const Pose3 above = joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
-    const Eigen::Translation3d anchor(joint.anchorInModel);
-    moved[static_cast<std::size_t>(joint.child)] =
-        above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+    moved[static_cast<std::size_t>(joint.child)] = above * displacementAtStart(joint);
   }
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = moved[i] * model.links[i].poseInModel;
   return moved;

@@ -7,6 +7,8 @@
 
 namespace simcore {
 
+/// How a joint at its initial position has moved its child, in the model's frame with all joints at 0.
+Pose3 displacementAtStart(const JointDescription& joint);
 /// The poses of a model's links with all joints at their initial angles, by link.
 std::vector<Pose3> linksAtStart(const ModelDescription& model);
 

@@ -20,6 +20,7 @@ struct Port {
     kServo,
     kDrive,
     kGuide,
+    kDoor,
     /// True pose of a model: x, y, z, and a quaternion x, y, z, w, in the world.
     kTruePose,
     /// True velocity of a model's origin and its turning rate, in the world.
@@ -30,7 +31,9 @@ struct Port {
   /// Among those of its kind; of truth the index of the model.
   std::size_t index = 0;
 
-  bool isActuator() const { return kind == Kind::kServo || kind == Kind::kDrive || kind == Kind::kGuide; }
+  bool isActuator() const {
+    return kind == Kind::kServo || kind == Kind::kDrive || kind == Kind::kGuide || kind == Kind::kDoor;
+  }
   bool isTruth() const { return kind == Kind::kTruePose || kind == Kind::kTrueVelocity; }
 };
 

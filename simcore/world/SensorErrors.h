@@ -23,7 +23,7 @@ struct NoiseModel {
 /// All errors of a sensor: of its numbers and of its timing. A plain value; the default changes nothing.
 struct SensorErrors {
   /// One for all channels, or one for each. Empty: there is no noise.
-  std::vector<NoiseModel> noise;
+  std::vector<NoiseModel> noise = {};
   /// How long a sample takes until it can be read, s, 0 to kMaxDelay.
   double delay = 0;
   /// Samples per second; 0: in each step of the simulation.

@@ -106,15 +106,21 @@ struct JointDescription {
   double damping = 0, friction = 0;
   /// Driven by a servo; otherwise it turns freely.
   bool servo = false;
-  // rad/s and N m, of the servo.
+  // rad/s and N m, of the servo; of a slider m/s and N.
   double maximumSpeed = 0, maximumTorque = 0;
+  /// rad or m.
   double initialAngle = 0;
-  /// Of its sensor, rad.
+  /// Of its sensor, rad or m.
   SensorErrors positionErrors;
   /// Driven by the model's drive.
   bool wheel = false;
+  bool slides() const { return kind == Kind::kSlider; }
+  /// Whether it has one degree of freedom, with a sensor of its position.
+  bool hasPosition() const { return (kind == Kind::kHinge || kind == Kind::kSlider) && !wheel; }
   /// How its motor is controlled, if it has one (`servo`).
   MotorControl control;
+  /// It is a door that its motor opens.
+  std::optional<DoorDescription> door;
   /// Sensors of its speed (rad/s) and of the torque that turns it (N m).
   std::optional<SensorErrors> speedSensor, loadSensor;
 };

@@ -21,6 +21,21 @@ std::unique_ptr<Simulation> flywheel(const std::string& servo, const std::string
                           servo + "</robotcontrol:servo></joint>");
 }
 
+/// A block of 1 kg that a motor moves along x, without weight, from 0 to 1 m; it starts at `start`.
+std::unique_ptr<Simulation> slide(const std::string& servo, const std::string& start = "0",
+                                  const std::string& effort = "2") {
+  return cartWith("", "",
+                  R"(<model name="slide"><pose>0 5 1 0 0 0</pose><link name="block"><gravity>false</gravity>
+      <inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz>
+      <ixy>0</ixy><ixz>0</ixz><iyz>0</iyz></inertia></inertial></link>
+    <joint name="rail" type="prismatic"><parent>world</parent><child>block</child>
+      <axis><xyz>1 0 0</xyz><limit><lower>0</lower><upper>1</upper><effort>)" +
+                      effort + R"(</effort><velocity>0.5</velocity></limit></axis>
+      <robotcontrol:speed_sensor/><robotcontrol:load_sensor/><robotcontrol:servo><robotcontrol:initial_position>)" +
+                      start + "</robotcontrol:initial_position>" + servo +
+                      "</robotcontrol:servo></joint></model>");
+}
+
 double value(const Simulation& simulation, const std::string& path) {
   auto values = simulation.read(path);
   EXPECT_TRUE(values) << path;
@@ -100,6 +115,47 @@ TEST(ActuatorsTest, aCommandCountsAfterItsDelay) {
   EXPECT_NEAR(value(*simulation, "cart/axle/speed"), 0, 1e-3);
   advance(*simulation, 75);
   EXPECT_NEAR(value(*simulation, "cart/axle/speed"), 2, 0.01);
+}
+
+TEST(ActuatorsTest, aPositionServoMovesASlide) {
+  const auto simulation = slide("", "0.25");
+  ASSERT_TRUE(simulation);
+  EXPECT_EQ(simulation->port("slide/rail/position")->info.unit, "m");
+  EXPECT_EQ(simulation->port("slide/rail/request")->info.maximum, 1);
+  EXPECT_NEAR(value(*simulation, "slide/rail/position"), 0.25, 1e-9);
+  EXPECT_NEAR(simulation->modelPose("slide")->translation().x(), 0.25, 1e-9) << "it starts there";
+  ASSERT_TRUE(simulation->write("slide/rail/request", std::vector<double>{0.75}));
+  // 0.5 m at 0.5 m/s.
+  advance(*simulation, 125);
+  EXPECT_NEAR(value(*simulation, "slide/rail/speed"), 0.5, 0.05);
+  advance(*simulation, 200);
+  EXPECT_NEAR(value(*simulation, "slide/rail/position"), 0.75, 1e-3);
+  EXPECT_NEAR(simulation->modelPose("slide")->translation().x(), 0.75, 1e-3);
+  EXPECT_TRUE(simulation->servoState(0).reached);
+  ASSERT_TRUE(simulation->write("slide/rail/request", std::vector<double>{5}));
+  advance(*simulation, 400);
+  EXPECT_NEAR(value(*simulation, "slide/rail/position"), 1, 1e-3) << "the command is limited to the range";
+}
+
+TEST(ActuatorsTest, aVelocityMotorMovesASlide) {
+  const auto simulation = slide("<robotcontrol:control>velocity</robotcontrol:control>");
+  ASSERT_TRUE(simulation);
+  ASSERT_TRUE(simulation->write("slide/rail/speed_request", std::vector<double>{0.2}));
+  advance(*simulation, 250);
+  EXPECT_NEAR(value(*simulation, "slide/rail/speed"), 0.2, 0.005);
+  EXPECT_EQ(simulation->port("slide/rail/speed")->info.unit, "m/s");
+  EXPECT_NEAR(value(*simulation, "slide/rail/position"), 0.2, 0.03);
+}
+
+TEST(ActuatorsTest, aForceMotorAcceleratesASlide) {
+  const auto simulation = slide("<robotcontrol:control>torque</robotcontrol:control>");
+  ASSERT_TRUE(simulation);
+  ASSERT_TRUE(simulation->write("slide/rail/force_request", std::vector<double>{0.5}));
+  advance(*simulation, 100);
+  // 0.5 N on 1 kg for 0.4 s.
+  EXPECT_NEAR(value(*simulation, "slide/rail/speed"), 0.2, 0.02);
+  EXPECT_NEAR(value(*simulation, "slide/rail/load"), 0.5, 0.02);
+  EXPECT_EQ(simulation->port("slide/rail/load")->info.unit, "N");
 }
 
 TEST(ActuatorsTest, whatFliesGoesInSixDegreesOfFreedom) {
