@@ -16,7 +16,7 @@ constexpr int kMaxReadings = 10'000;
 constexpr double kDefaultIncidence = robotlink::radians(55);
 
 /// The rate of measurements, Hz; 0 means on demand.
-double rateOf(const sdf::Sensor& sensor, const SdfContext& context) {
+double updateRate(const sdf::Sensor& sensor, const SdfContext& context) {
   constexpr double kFastest = 250;
   if (sensor.UpdateRate() > kFastest)
     context.omit(sensor.Element(), "update_rate above 250", "the sensor has 250 Hz");
@@ -40,7 +40,7 @@ void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   const unsigned samples = lidar.HorizontalScanSamples();
   if (samples == 1) return;
   result.kind = SensorDescription::Kind::kLaser;
-  result.rate = rateOf(sensor, context);
+  result.rate = updateRate(sensor, context);
   result.range.readings =
       static_cast<int>(context.within(samples, 2, kMaxReadings, "a lidar's samples", element));
   const double start = lidar.HorizontalScanMinAngle().Radian();
@@ -67,7 +67,7 @@ void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   result.range.openingAngle = 2 * std::atan(radius / std::max(result.maximum, 1e-3));
   // Slightly more than a right angle, because such angles are rounded in files.
   result.range.mostIncidence = ownNumber(element, "most_incidence", kDefaultIncidence, 0, 1.6, context);
-  result.rate = rateOf(sensor, context);
+  result.rate = updateRate(sensor, context);
 }
 
 }  // namespace simcore
