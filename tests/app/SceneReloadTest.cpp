@@ -5,7 +5,9 @@
 #include "app/core/Workbench.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotcontrol/World.pb.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/debugging/Streams.h"
 #include "tests/TestFolder.h"
 #include "tests/app/TickUntil.h"
 
@@ -46,8 +48,10 @@ class SceneReloadTest : public testing::Test {
     folder.write("room.sdf", text);
   }
   bool hasModel(const std::string& name) {
-    const auto& models = status()->models();
-    return std::find(models.begin(), models.end(), name) != models.end();
+    const auto* all = workbench.session().store().latestAs<robotcontrol::WorldObjects>(
+        robotlink::streams::kObjects, workbench.session().timeline().newest());
+    return all != nullptr &&
+           std::ranges::find(all->objects(), name, &robotcontrol::WorldObject::path) != all->objects().end();
   }
 
   TestFolder folder;

@@ -54,7 +54,8 @@ TEST_F(SceneTextTest, modelsBesideTheFileAreFoundAndTheirErrorsNameThem) {
             "");
   folder_.write("models/box/model.sdf",
                 "<sdf version=\"1.9\">\n<model name=\"box\">\n<lnk/>\n</model></sdf>");
-  EXPECT_THAT(check(world("<include><uri>model://box</uri></include>")), HasSubstr("models/box/model.sdf:3"));
+  EXPECT_THAT(check(world("<include><uri>model://box</uri></include>")),
+              HasSubstr("models/box/model.sdf:2: box: the model 'box' has no <link>"));
 }
 
 TEST_F(SceneTextTest, aModelAloneIsChecked) {

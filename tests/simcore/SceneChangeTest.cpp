@@ -108,11 +108,13 @@ TEST_F(SceneChangeTest, aModelThatWouldBeInsideANewOneIsPutBack) {
 }
 
 TEST_F(SceneChangeTest, aSceneThatCannotStartChangesNothing) {
-  start(ball("stone", "0 0 1 0 0 0"));
+  // Only robots and balls must not start inside of others.
+  std::string stone = ball("stone", "0 0 1 0 0 0");
+  stone.insert(stone.find("<pose>"), "<robotcontrol:ball>true</robotcontrol:ball>");
+  start(stone);
   run(10);
   const std::uint64_t before = simulation_->digest();
-  EXPECT_FALSE(simulation_->continueIn(sceneOf(box("crate", "0 0 0.9 0 0 0") + ball("stone", "0 0 1 0 0 0")))
-                   .has_value());
+  EXPECT_FALSE(simulation_->continueIn(sceneOf(box("crate", "0 0 0.9 0 0 0") + stone)).has_value());
   EXPECT_EQ(simulation_->digest(), before);
   EXPECT_FALSE(simulation_->modelPose("crate").has_value());
 }

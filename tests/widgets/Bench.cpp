@@ -98,6 +98,7 @@ void turnWheel(QWidget& widget, const QPoint& at, int notches) {
 }
 
 void click(QWidget& widget) {
+  QApplication::processEvents();  // rows of tools may have another layout now
   auto* button = qobject_cast<RowButton*>(&widget);
   if (button == nullptr || !button->isLeftOut()) return QTest::mouseClick(&widget, Qt::LeftButton);
   QMenu* menu = button->parentWidget()->findChild<QToolButton*>(QStringLiteral("moreTools"))->menu();
@@ -107,7 +108,6 @@ void click(QWidget& widget) {
 }
 
 void click(const QWidget& parent, const char* button) {
-  QApplication::processEvents();
   click(child<QAbstractButton>(parent, button));
 }
 

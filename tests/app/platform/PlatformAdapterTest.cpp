@@ -80,7 +80,7 @@ TEST(PlatformAdapter, whatIsWrongWithAChoiceIsSaidBeforeAnythingIsOpened) {
   EXPECT_EQ(problem("simulation.setup house p3at 101 off 0 off both"),
             "the number of robots must be a whole number between 0 and 100");
   EXPECT_EQ(problem("simulation.setup house dog 1 off 0 off both"),
-            "the kind of robots must be burger, ers210 or p3at, not 'dog'");
+            "the kind of robots must be burger, ers210, p3at, p3dx or peoplebot, not 'dog'");
   EXPECT_EQ(problem("simulation.setup house p3at 1 off 70000 off both"),
             "the first port must be a whole number between 1 and 65435, or 0 for none");
   EXPECT_EQ(problem("simulation.setup house p3at 1 off 0 off green"),

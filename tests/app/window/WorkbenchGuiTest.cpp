@@ -211,7 +211,7 @@ class WorkbenchGuiTest : public WindowTest {
     const auto file = home_ / "bad.sdf";
     {
       std::ofstream(file)
-          << "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <nonsense/>\n  </world>\n</sdf>\n";
+          << "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <model/>\n  </world>\n</sdf>\n";
     }
     QVERIFY(desk.workbench.commands().runLine("simulation.open " + file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("errorText").isVisible(), kWaitMs);

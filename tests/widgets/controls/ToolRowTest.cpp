@@ -2,6 +2,7 @@
 #include "widgets/controls/ToolRow.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <algorithm>
@@ -28,6 +29,7 @@ struct FiveTools {
     makeColumn(&owner)->addWidget(widget);
     owner.resize(400, 40);
     owner.show();
+    QApplication::processEvents();
   }
 
   QStringList offered() {
