@@ -49,7 +49,8 @@ bool samePorts(const Ports& a, const Ports& b) {
            one.maximumSpeed == other.maximumSpeed;
   };
   return std::ranges::equal(a.sensors, b.sensors, same) && std::ranges::equal(a.cameras, b.cameras, same) &&
-         std::ranges::equal(a.servos, b.servos, same) && std::ranges::equal(a.ranges, b.ranges, sameRange) &&
+         std::ranges::equal(a.servos, b.servos, same) && std::ranges::equal(a.doors, b.doors, same) &&
+         std::ranges::equal(a.ranges, b.ranges, sameRange) &&
          std::ranges::equal(a.drives, b.drives, sameDrive);
 }
 
@@ -117,6 +118,13 @@ void SimulationState::takeOverPorts(const SimulationState& before, const std::ve
         before.ports.servos, info.path, [](const Servo& servo) -> const auto& { return servo.info.path; });
     if (!isKept(info) || was == before.ports.servos.end()) continue;
     actuation->takeOver(i, *before.actuation, static_cast<std::size_t>(was - before.ports.servos.begin()));
+  }
+  for (std::size_t i = 0; i < ports.doors.size(); ++i) {
+    const PortInfo& info = ports.doors[i].info;
+    const auto was = std::ranges::find(
+        before.ports.doors, info.path, [](const Door& door) -> const auto& { return door.info.path; });
+    if (!isKept(info) || was == before.ports.doors.end()) continue;
+    doors->takeOver(i, *before.doors, static_cast<std::size_t>(was - before.ports.doors.begin()));
   }
   for (std::size_t i = 0; i < ports.drives.size(); ++i) {
     const PortInfo& info = ports.drives[i].info;

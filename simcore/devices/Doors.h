@@ -27,6 +27,10 @@ class Doors {
 
   /// Opens a door for its time, or closes it at once; if its sensor still sees somebody it opens again.
   void command(std::size_t door, bool open, std::uint64_t step);
+  /// A door goes on as another one that opens and closes in the same simulation; its servo does so, too.
+  void takeOver(std::size_t door, const Doors& before, std::size_t other) {
+    states_[door] = before.states_[other];
+  }
   /// Whether it opens or is open.
   bool isOpen(std::size_t door) const { return states_[door].open; }
 

@@ -118,7 +118,7 @@ TEST(ActuatorsTest, aCommandCountsAfterItsDelay) {
 }
 
 TEST(ActuatorsTest, aPositionServoMovesASlide) {
-  const auto simulation = slide("", "0.25");
+  const auto simulation = slide("", "0.25", "50");
   ASSERT_TRUE(simulation);
   EXPECT_EQ(simulation->port("slide/rail/position")->info.unit, "m");
   EXPECT_EQ(simulation->port("slide/rail/request")->info.maximum, 1);

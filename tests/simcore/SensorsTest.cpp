@@ -211,7 +211,8 @@ TEST(SensorsTest, everythingIsAPortThatIsFoundByItsPath) {
 }
 
 TEST(SensorsTest, sensorsThatAreNotKnownAreLeftOut) {
-  const auto simulation = cartWith("<sensor name='s' type='custom'/>", R"(<link name="arm"><pose>0 0 1 0 0 0</pose></link>
+  const auto simulation =
+      cartWith("<sensor name='s' type='custom'/>", R"(<link name="arm"><pose>0 0 1 0 0 0</pose></link>
       <joint name="shoulder" type="fixed"><parent>base</parent><child>arm</child>
         <sensor name="wrist" type="force_torque"/><sensor name="skin" type="contact"/></joint>)");
   ASSERT_TRUE(simulation);

@@ -29,7 +29,8 @@ ServiceCallRequest callWith(const std::string& payload, const std::string& encod
 
 TEST(RequestServices, eachKindOfRequestIsAServiceOfARobotOrOfTheWorld) {
   const auto robot = namesOf(requestServices("red1")), world = namesOf(requestServices(""));
-  EXPECT_EQ(robot.size() + world.size(), requestKinds().size() + 1);
+  // Programs, sensors and actuators may be those of one robot, or of all and of what is no robot.
+  EXPECT_EQ(robot.size() + world.size(), requestKinds().size() + 3);
   EXPECT_THAT(robot, Contains("red1/set_key"));
   EXPECT_THAT(robot, Contains("red1/stop"));
   EXPECT_THAT(world, Contains("control_simulation"));
