@@ -178,7 +178,7 @@ class PlatformDialogTest : public WindowTest {
     QTest::keyClick(&layout, Qt::Key_Down);
     QSignalSpy connected(s.dialog.get(), &PlatformDialog::connected);
     click(s.button());
-    QCOMPARE(s.asked(), QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("pioneer-parallel"),
+    QCOMPARE(s.asked(), QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("pioneer-mapping"),
                                      QStringLiteral("/maps/office.map")}));
     QJsonObject kept;
     s.memory.save(kept);

@@ -55,7 +55,7 @@ class PropertiesViewTest : public QObject {
     auto view = bench.open<PropertiesView>();
     sceneSelection(bench.context).select("red1/link:body");
     QVERIFY(!(valueOf(*view, "mass").flags() & Qt::ItemIsEditable));
-    QVERIFY(!child<QAction>(*view, "propertiesSave").isEnabled());
+    QVERIFY(!child<QAction>(*view, "propertiesSaveAction").isEnabled());
   }
 
   void onlyWhatWasChangedIsWritten() {
@@ -72,12 +72,12 @@ class PropertiesViewTest : public QObject {
     bench.tick(*view);
     QCOMPARE(valueOf(*view, "mass").data().toString(), QStringLiteral("3.5"));
     QVERIFY(written.empty());
-    child<QAction>(*view, "propertiesSave").trigger();
+    child<QAction>(*view, "propertiesSaveAction").trigger();
     QCOMPARE(written.size(), std::size_t(1));
     QCOMPARE(written.front().file, std::string("/scenes/model.sdf"));
     QCOMPARE(written.front().element.back(), std::string("mass"));
     QCOMPARE(written.front().value, std::string("3.5"));
-    QVERIFY(!child<QAction>(*view, "propertiesSave").isEnabled());
+    QVERIFY(!child<QAction>(*view, "propertiesSaveAction").isEnabled());
   }
 
   void thePoseOfAModelIsWrittenOnRequest() {
@@ -89,8 +89,8 @@ class PropertiesViewTest : public QObject {
     };
     auto view = bench.open<PropertiesView>();
     sceneSelection(bench.context).select("red1");
-    child<QAction>(*view, "propertiesKeepPose").trigger();
-    child<QAction>(*view, "propertiesSave").trigger();
+    child<QAction>(*view, "propertiesKeepPoseAction").trigger();
+    child<QAction>(*view, "propertiesSaveAction").trigger();
     QCOMPARE(written.size(), std::size_t(1));
     QCOMPARE(written.front().value, std::string("0.5 0 0 0 0 0"));
   }
@@ -102,12 +102,12 @@ class PropertiesViewTest : public QObject {
     };
     auto view = bench.open<PropertiesView>();
     sceneSelection(bench.context).select("red1");
-    child<QAction>(*view, "propertiesKeepPose").trigger();
-    child<QAction>(*view, "propertiesSave").trigger();
+    child<QAction>(*view, "propertiesKeepPoseAction").trigger();
+    child<QAction>(*view, "propertiesSaveAction").trigger();
     QVERIFY(child<QLabel>(*view, "propertiesOutcome").text().contains(QStringLiteral("the disk is full")));
-    QVERIFY(child<QAction>(*view, "propertiesSave").isEnabled());
-    child<QAction>(*view, "propertiesDiscard").trigger();
-    QVERIFY(!child<QAction>(*view, "propertiesSave").isEnabled());
+    QVERIFY(child<QAction>(*view, "propertiesSaveAction").isEnabled());
+    child<QAction>(*view, "propertiesDiscardAction").trigger();
+    QVERIFY(!child<QAction>(*view, "propertiesSaveAction").isEnabled());
   }
 };
 

@@ -101,17 +101,17 @@ class SceneTreeViewTest : public QObject {
     ObjectsBench bench;
     auto view = bench.open<SceneTreeView>();
     sceneSelection(bench.context).select("red1/pan/position");
-    child<QAction>(*view, "sceneTreePlot").trigger();
+    child<QAction>(*view, "sceneTreePlotAction").trigger();
     QCOMPARE(bench.lines.back(),
              std::string("plots.add ports: readings[port=\"red1/pan/position\"].values[0]"));
     sceneSelection(bench.context).select("red1/laser");
-    child<QAction>(*view, "sceneTreeColumns").trigger();
+    child<QAction>(*view, "sceneTreeColumnsAction").trigger();
     QCOMPARE(bench.lines.back(), std::string("columns.show red1/laser"));
     sceneSelection(bench.context).select("red1/cam/image");
-    child<QAction>(*view, "sceneTreeStereogram").trigger();
+    child<QAction>(*view, "sceneTreeStereogramAction").trigger();
     QCOMPARE(bench.lines.at(bench.lines.size() - 2), std::string("image.stream image red1/cam/image"));
     QCOMPARE(bench.lines.back(), std::string("image.show image stereogram"));
-    QVERIFY(!child<QAction>(*view, "sceneTreePlot").isEnabled());
+    QVERIFY(!child<QAction>(*view, "sceneTreePlotAction").isEnabled());
   }
 
   void whatIsUnfoldedIsKept() {

@@ -222,7 +222,7 @@ class SceneEditorViewTest : public QObject {
   void textIsFoundAndReplaced() {
     RoomBench bench;
     bench.show();
-    child<QAction>(*bench.view, "sceneFind").trigger();
+    child<QAction>(*bench.view, "sceneFindAction").trigger();
     auto& bar = child<FindBar>(*bench.view, "findBar");
     QVERIFY(bar.isVisible());
     auto& sought = child<QLineEdit>(bar, "findText");
@@ -235,7 +235,7 @@ class SceneEditorViewTest : public QObject {
     QTest::keyClick(&sought, Qt::Key_Return, Qt::ShiftModifier);
     QCOMPARE(bench.line(), 2);
     QTest::keyClicks(&child<QLineEdit>(bar, "replaceText"), QStringLiteral("id="));
-    child<QAction>(bar, "replaceAll").trigger();
+    child<QAction>(bar, "replaceAllAction").trigger();
     QCOMPARE(child<QLabel>(bar, "findOutcome").text(), QStringLiteral("Replaced: 3"));
     QVERIFY(bench.shown().find("name=") == std::string::npos);
     bench.text().undo();
@@ -249,7 +249,7 @@ class SceneEditorViewTest : public QObject {
     bench.simulate();
     bench.view = bench.open<SceneEditorView>({1000, 700});
     sceneSelection(bench.context).select("desk/link:top");
-    child<QAction>(*bench.view, "sceneGoTo").trigger();
+    child<QAction>(*bench.view, "sceneGoToAction").trigger();
     QCOMPARE(bench.bench().current()->path(), std::filesystem::canonical(bench.room));
     QCOMPARE(bench.text().textCursor().selectedText(), QStringLiteral("<link name=\"top\"/>"));
     QCOMPARE(bench.refusal("scene.edit rover1/head/camera"), std::string());
@@ -274,7 +274,7 @@ class SceneEditorViewTest : public QObject {
     bench.setCursor("<sensor");
     QCOMPARE(child<QLabel>(*bench.view, "sceneObject").text(), QStringLiteral("rover1/head/camera"));
     const QSignalSpy selected(&sceneSelection(bench.context), &SceneSelection::changed);
-    child<QAction>(*bench.view, "sceneSelect").trigger();
+    child<QAction>(*bench.view, "sceneSelectAction").trigger();
     QCOMPARE(sceneSelection(bench.context).object(), std::string("rover1/camera"));
     QCOMPARE(selected.size(), 1);
   }
@@ -283,7 +283,7 @@ class SceneEditorViewTest : public QObject {
     RoomBench bench;
     bench.show();
     bench.setCursor("<uri>");
-    child<QAction>(*bench.view, "sceneOpenIncluded").trigger();
+    child<QAction>(*bench.view, "sceneOpenIncludedAction").trigger();
     QCOMPARE(bench.tabs().count(), 2);
     QCOMPARE(bench.shown(), kRover);
     bench.tabs().setCurrentIndex(0);
