@@ -22,8 +22,8 @@ tl::expected<ModelParts, robotlink::Errors> ModelParts::load(const std::string& 
   // Said first and alone: what else is wrong with it, such as a color that only worlds have, does not matter
   // then.
   if (childText(element, "robotcontrol:robot").empty() || isTrue(childText(element, "static"))) {
-    return tl::unexpected(
-        robotlink::Errors{{"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}}});
+    return tl::unexpected(robotlink::Errors{
+        {"scene.no-robot", "'" + model + "' is no robot", {model}, {file->string(), 0, 0}}});
   }
   MeshFiles meshes;
   LeftOuts leftOut;
