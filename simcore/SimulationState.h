@@ -83,17 +83,17 @@ struct SimulationState {
   std::unique_ptr<ImageSensing> imaging;
   /// Renders what cameras truly see; made when it is needed first.
   std::unique_ptr<CameraRenderer> truth;
-  // By range sensor, image sensor and camera.
+  // Keyed by range sensor, image sensor and camera.
   std::vector<TimedSensor> rangeTiming, imageTiming, cameraTiming;
   PoseHistory history;
   // Perfect sensors, made when they are needed first; and what they measure.
   std::vector<RangeSensor> trueRangeSensors;
   std::unique_ptr<RangeSensing> trueRanging;
   std::unique_ptr<ImageSensing> trueImaging;
-  // Of devices and truth; the index of each path.
+  // The ports of devices and of the truth; the index of each path.
   std::vector<Port> allPorts;
   std::map<std::string, std::size_t> portsByPath;
-  // By drive: whether nothing was touched since the last command.
+  // Keyed by drive: whether nothing was touched since the last command.
   std::vector<bool> driveUnobstructed;
   std::uint64_t steps = 0;
   // Keyed by body of the render scene.

@@ -24,7 +24,7 @@ class RobotBodies {
   std::shared_ptr<const widgets::RobotBody> of(const std::string& kind, const QColor& team);
 
  private:
-  /// By kind and color.
+  /// Keyed by kind and color.
   std::map<std::pair<std::string, QRgb>, std::shared_ptr<const widgets::RobotBody>> bodies_;
 };
 

@@ -38,7 +38,7 @@ const PlotKey kMatchKey{"mapping/match",
                         "How well the scan fits to the map, and how far the match is from dead reckoning"};
 
 /// A drawing has at most so many parts of walls; a map with more is drawn in part.
-constexpr std::size_t kMostDrawn = 6000;
+constexpr std::size_t kMaxDrawn = 6000;
 /// The range of a laser whose robot description says nothing of it, m.
 constexpr double kLaserMaximum = 32;
 
@@ -246,7 +246,7 @@ class Mapper : public SelfLocalization {
     const GridFrame& frame = map_.frame();
     std::size_t drawn = 0;
     for (int row = 0; row < frame.height; ++row) {
-      for (int column = 0; column < frame.width && drawn < kMostDrawn; ++column) {
+      for (int column = 0; column < frame.width && drawn < kMaxDrawn; ++column) {
         const int begin = column;
         while (map_.occupied(column, row)) ++column;
         if (column == begin) continue;

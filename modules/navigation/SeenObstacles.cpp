@@ -13,9 +13,9 @@ using robotlink::Vector2;
 namespace {
 
 constexpr double kObstacleCell = 0.1;
-constexpr std::size_t kMostEntries = 20'000;
+constexpr std::size_t kMaxEntries = 20'000;
 /// A place needs at most so many passing rays to be free again, however often it was seen.
-constexpr int kMostHits = 12;
+constexpr int kMaxHits = 12;
 
 }  // namespace
 
@@ -39,11 +39,11 @@ void SeenObstacles::clear() {
 }
 
 void SeenObstacles::end(std::size_t cell, Instant time, const Options& options) {
-  if (!marked_[cell] && entries_.size() >= kMostEntries) return;
+  if (!marked_[cell] && entries_.size() >= kMaxEntries) return;
   marked_[cell] = true;
   Entry& entry = entries_[cell];
   entry.seen = time;
-  entry.hits = std::min(kMostHits, entry.hits + 1);
+  entry.hits = std::min(kMaxHits, entry.hits + 1);
   if (entry.counts || entry.hits < options.confirmedBy) return;
   entry.counts = true;
   ++generation_;

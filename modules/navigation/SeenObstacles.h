@@ -55,7 +55,7 @@ class SeenObstacles {
   GridFrame frame_;
   /// Whether a cell has an entry, for a quick look.
   std::vector<bool> marked_;
-  /// By cell; bounded.
+  /// Keyed by cell; bounded.
   std::map<std::size_t, Entry> entries_;
   robotlink::Instant last_;
   std::uint64_t generation_ = 0;

@@ -60,7 +60,7 @@ struct RobotState {
   /// Degrees Celsius.
   std::optional<double> temperature;
 
-  /// Of every robot, also of those without a gripper.
+  /// Every robot sends it, also those without a gripper.
   std::optional<GripperState> gripper;
 
   std::uint8_t digitalIn = 0, digitalOut = 0;

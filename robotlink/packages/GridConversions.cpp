@@ -11,7 +11,7 @@ namespace robotlink {
 namespace {
 
 constexpr int kOccupied = 50, kFull = 100;
-constexpr std::size_t kMostPoints = 4'000'000;
+constexpr std::size_t kMaxPoints = 4'000'000;
 
 /// The cells of a message whose sizes were checked.
 struct Cells {
@@ -68,7 +68,7 @@ Result<GroundMap> groundMap(const foxglove::Grid& grid) {
       const auto at = (static_cast<double>(i) + 0.5) * cell;
       map.points.push_back(gridInMap * Vector2(run.low + Vector2(at, 0.5 * run.width)));
     }
-    tooLarge = map.points.size() > kMostPoints;
+    tooLarge = map.points.size() > kMaxPoints;
     return !tooLarge;
   });
   if (tooLarge)

@@ -44,7 +44,7 @@ class Actuation {
     ServoState state;
     /// Commands that do not count yet, in the order of their steps.
     std::deque<Command> waiting;
-    /// Of a servo with gains: the integral of its error.
+    /// The integral of its error, for a servo with gains.
     double integral = 0;
     bool unobstructed = true;
   };

@@ -53,7 +53,7 @@ class ExactSensing {
   const Physics& physics_;
   const std::vector<SensorSource>& sources_;
   const WorldDescription& world_;
-  /// By sensor.
+  /// Keyed by sensor.
   std::vector<Memory> memories_;
 };
 

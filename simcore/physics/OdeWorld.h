@@ -16,7 +16,7 @@ namespace simcore {
 /// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
-  /// Of a mesh, otherwise null. The mesh itself is that of the description.
+  /// Null unless it is a mesh. The mesh itself is that of the description.
   dTriMeshDataID triangles = nullptr;
   int model = 0;
   // Coulomb's friction coefficient, and restitution, 0 to 1.

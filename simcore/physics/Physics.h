@@ -85,7 +85,7 @@ class Physics {
   /// The center of mass of a model's first body, and the velocity of the model's origin, in the world.
   Vector3 firstCenter(int model) const;
   Vector3 velocityOfModel(int model) const;
-  /// Of its first body, in the world, rad/s.
+  /// The turning rate of its first body, in the world, rad/s.
   Vector3 turningRateOfModel(int model) const;
   /// Lets a side turn as one of another world does: its speed and travel, and what was requested of it.
   void copySide(std::size_t side, const Physics& from, std::size_t fromSide);

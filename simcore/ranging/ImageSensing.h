@@ -57,11 +57,11 @@ class ImageSensing {
   std::unique_ptr<RayCaster> caster_;
   std::unique_ptr<RadiationLight> light_;
   bool rendererPosed_ = false, casterPosed_ = false, lightPosed_ = false;
-  /// By sensor.
+  /// Keyed by sensor.
   std::vector<std::optional<RayBundle>> bundles_;
   std::vector<NoiseProcess> noise_;
   std::vector<bool> chosen_;
-  /// By instance.
+  /// Keyed by instance.
   std::vector<float> labels_;
   // Buffers.
   std::vector<BundleHit> hits_;

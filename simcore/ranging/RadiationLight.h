@@ -62,7 +62,7 @@ class RadiationLight {
   RTCScene shadows_ = nullptr;
   std::span<const Pose3> poses_;
   std::vector<Source> sources_;
-  /// By source, for the present point.
+  /// Keyed by source, for the present point.
   std::vector<float> arriving_;
   /// How much of a color is seen at the present point, 0 to 1.
   float brightness_ = 1;

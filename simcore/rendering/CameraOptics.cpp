@@ -13,7 +13,7 @@ using robotlink::PixelFormat;
 constexpr double kInstantsApart = 0.001;
 // A lens shows at most this tangent, and its pinhole image is at most so many times as wide and high.
 constexpr double kWidestTangent = 4;
-constexpr int kMostTimes = 4;
+constexpr int kMaxTimes = 4;
 
 /// The share of each row of an instant that is `from` to `to` before that of the image.
 std::vector<float> weightsOfRows(const ShutterModel& shutter, int rows, double from, double to) {
@@ -95,7 +95,7 @@ void CameraOptics::prepareLens(const CameraModel& camera) {
   }
   // Two more pixels, for the interpolation at the edges.
   const auto sizeOf = [](double tangent, double focal, int of) {
-    return std::clamp(2 * static_cast<int>(std::ceil(tangent * focal + 2)), 4, kMostTimes * of);
+    return std::clamp(2 * static_cast<int>(std::ceil(tangent * focal + 2)), 4, kMaxTimes * of);
   };
   pinhole_.width = sizeOf(widest.x(), focalX, camera.width);
   pinhole_.height = sizeOf(widest.y(), focalY, camera.height);

@@ -118,7 +118,7 @@ struct UnsurePixels {
 struct ShadeLamp {
   float inCamera[3] = {};
   float intensity = 0, attenuation = 0;
-  /// Of a spot: where its light goes, in camera space, and a line that gives the share of light from the
+  /// Only for spots: where the light goes, in camera space, and a line that gives the share of light from the
   /// cosine of the angle to that, before it is clamped to [0, 1]. The factor is 0 for other lamps.
   float spotDirection[3] = {};
   float spotFactor = 0, spotOffset = 0;

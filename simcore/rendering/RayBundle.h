@@ -44,7 +44,7 @@ class RayBundle {
  private:
   std::size_t size_ = 0;
   std::vector<Packet> packets_;
-  /// By packet.
+  /// Keyed by packet.
   std::vector<Cone> cones_;
   std::vector<Group> groups_;
 };

@@ -9,7 +9,7 @@ namespace {
 constexpr int kWidth = 8;
 /// Rays end in front of the surface that they light, so that it does not shade itself by rounding errors.
 constexpr float kEnd = 1 - 2e-4F;
-/// Of directional lamps: their rays are longer.
+/// The rays of directional lamps are longer.
 constexpr float kFarEnd = 1 - 1e-5F;
 
 float endOf(const Lamp& lamp) {

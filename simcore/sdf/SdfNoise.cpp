@@ -5,7 +5,7 @@
 namespace simcore {
 namespace {
 
-constexpr double kMostNoise = 1e6;
+constexpr double kMaxNoise = 1e6;
 
 /// One of our own elements that says a property of noise.
 struct OwnNoise {
@@ -15,8 +15,8 @@ struct OwnNoise {
 };
 
 constexpr OwnNoise kOwnNoise[] = {{"noise", &NoiseModel::stddev, 0},
-                                  {"mean", &NoiseModel::mean, -kMostNoise},
-                                  {"bias_mean", &NoiseModel::biasMean, -kMostNoise},
+                                  {"mean", &NoiseModel::mean, -kMaxNoise},
+                                  {"bias_mean", &NoiseModel::biasMean, -kMaxNoise},
                                   {"bias_stddev", &NoiseModel::biasStddev, 0},
                                   {"drift_stddev", &NoiseModel::driftStddev, 0},
                                   {"drift_time", &NoiseModel::driftTime, 0},
@@ -51,23 +51,23 @@ sdf::ElementPtr descendant(sdf::ElementPtr element, std::initializer_list<const 
 NoiseModel readNoise(const sdf::Noise& noise, double most, const sdf::ElementPtr& element,
                      const SdfContext& context) {
   NoiseModel result;
-  result.mean = context.within(noise.Mean(), -kMostNoise, kMostNoise, "mean", element);
+  result.mean = context.within(noise.Mean(), -kMaxNoise, kMaxNoise, "mean", element);
   result.stddev = context.within(noise.StdDev(), 0, most, "stddev", element);
-  result.biasMean = context.within(noise.BiasMean(), -kMostNoise, kMostNoise, "bias_mean", element);
-  result.biasStddev = context.within(noise.BiasStdDev(), 0, kMostNoise, "bias_stddev", element);
+  result.biasMean = context.within(noise.BiasMean(), -kMaxNoise, kMaxNoise, "bias_mean", element);
+  result.biasStddev = context.within(noise.BiasStdDev(), 0, kMaxNoise, "bias_stddev", element);
   result.driftStddev =
-      context.within(noise.DynamicBiasStdDev(), 0, kMostNoise, "dynamic_bias_stddev", element);
-  result.driftTime = context.within(noise.DynamicBiasCorrelationTime(), 0, kMostNoise,
+      context.within(noise.DynamicBiasStdDev(), 0, kMaxNoise, "dynamic_bias_stddev", element);
+  result.driftTime = context.within(noise.DynamicBiasCorrelationTime(), 0, kMaxNoise,
                                     "dynamic_bias_correlation_time", element);
   if (noise.Type() == sdf::NoiseType::GAUSSIAN_QUANTIZED)
-    result.precision = context.within(noise.Precision(), 0, kMostNoise, "precision", element);
+    result.precision = context.within(noise.Precision(), 0, kMaxNoise, "precision", element);
   return result;
 }
 
 void readOwnErrors(const sdf::ElementPtr& element, SensorErrors& errors, const SdfContext& context) {
   for (const OwnNoise& own : kOwnNoise) {
     if (!element->HasElement(std::string("robotcontrol:") + own.name)) continue;
-    const double value = ownNumber(element, own.name, 0, own.minimum, kMostNoise, context);
+    const double value = ownNumber(element, own.name, 0, own.minimum, kMaxNoise, context);
     if (errors.noise.empty()) errors.noise.emplace_back();
     for (NoiseModel& noise : errors.noise) noise.*own.value = value;
   }

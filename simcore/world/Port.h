@@ -40,7 +40,7 @@ struct Port {
 /// A model as a camera sees it.
 struct TruePercept {
   std::string model;
-  /// Of the model's frame, in that of the camera.
+  /// The pose of the model's frame in that of the camera.
   robotlink::Pose3 modelInCamera = robotlink::Pose3::Identity();
   /// The smallest rectangle around its visible pixels: the first column and row, and the last ones.
   int left = 0, top = 0, right = 0, bottom = 0;

@@ -45,7 +45,7 @@ struct PlacedEmitter {
   int body = 0;
   Eigen::Vector3d positionInBody = Eigen::Vector3d::Zero();
   double attenuation = 0;
-  /// By class.
+  /// Keyed by class.
   std::vector<float> intensities;
   /// Index in RenderScene::lamps, whose cone and direction it has; -1 if it emits in all directions.
   int lamp = -1;
@@ -55,11 +55,11 @@ struct PlacedEmitter {
 struct SceneRadiation {
   /// The names of declared classes.
   std::vector<std::string> classes;
-  /// By class.
+  /// Keyed by class.
   std::vector<float> ambient;
   /// Lamps (body 0) and emitters.
   std::vector<PlacedEmitter> emitters;
-  /// By instance, then by class.
+  /// Keyed by instance, then by class.
   struct Surface {
     float reflects = 0, emits = 0;
     /// Whether the surface says what it reflects, so that a built-in class is not derived from its color.

@@ -21,8 +21,8 @@ struct RangeSensor {
   Kind kind = Kind::kSonar;
   double minimum = 0;  ///< m; smaller distances are reported as this
   double maximum = 0;  ///< m; the reading if there is nothing
-  /// Of distances, m, where there is an echo. White noise and rounding are for each reading of its own, bias
-  /// and drift for all together.
+  /// Errors of distances, m, where there is an echo. White noise and rounding are for each reading of its
+  /// own, bias and drift for all together.
   SensorErrors errors;
   /// 1 for a sonar.
   int readings = 1;

@@ -52,8 +52,8 @@ struct Lamp {
   Kind kind = Kind::kPoint;
   /// Where the light goes, in the world, of unit length; without meaning for a point light.
   Eigen::Vector3f direction = {0, 0, -1};
-  /// Of a spot, rad, the full angles of two cones: within the inner one the light is full, between the two it
-  /// falls off with the cosine of the angle, beyond there is none.
+  /// Only for spots, rad, the full angles of two cones: within the inner one the light is full, between the
+  /// two it falls off with the cosine of the angle, beyond there is none.
   float innerAngle = 0, outerAngle = 0;
 };
 

@@ -99,7 +99,7 @@ struct JointDescription {
   // Limits, rad, or m of sliders; -kFullTurn and kFullTurn of hinges, infinite of sliders, are none.
   double lower = 0, upper = 0;
   static constexpr double kFullTurn = 2 * robotlink::kPi;
-  /// Of a universal joint.
+  /// Only for universal joints.
   Vector3 secondAxisInModel = Vector3::UnitX();
   double secondLower = -kFullTurn, secondUpper = kFullTurn;
   /// Resistance: N m s or N s/m, and N m or N (also at rest); about each axis. Only joints without a servo.
@@ -110,7 +110,7 @@ struct JointDescription {
   double maximumSpeed = 0, maximumTorque = 0;
   /// rad or m.
   double initialAngle = 0;
-  /// Of its sensor, rad or m.
+  /// Errors of its position sensor, rad or m.
   SensorErrors positionErrors;
   /// Driven by the model's drive.
   bool wheel = false;

@@ -18,7 +18,7 @@ constexpr int kMaxElementDepth = 100;
 /// An element with its places in the text; [begin, end) includes its tags.
 struct Element {
   std::string name;
-  /// Of the attribute "name".
+  /// The value of the attribute "name".
   std::string label;
   std::string startTag;
   std::size_t begin = 0, contentBegin = 0, contentEnd = 0, end = 0;

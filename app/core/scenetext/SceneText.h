@@ -44,7 +44,7 @@ std::optional<std::filesystem::path> sceneModelFile(const std::string& uri,
 
 /// What a new room shall have. Lengths in m.
 struct NewRoom {
-  /// Of the world: letters, digits, '-' and '_'.
+  /// The world's name: letters, digits, '-' and '_'.
   std::string name = "room";
   double width = 6, depth = 4, wallHeight = 1;
   /// Whether a wall across the middle has an opening of 1 m.

@@ -140,7 +140,7 @@ class SimulatedWorld {
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;
-  /// By camera.
+  /// Keyed by camera.
   std::vector<simcore::CameraOptics> optics_;
   /// Whose image was rendered last.
   std::size_t lastCamera_ = 0;

@@ -169,7 +169,7 @@ Result<void> PresetActions::save(const std::string& name, const std::vector<Pres
     return tl::unexpected(known.error());
   capture(parts, [guard = QPointer(this), name, isFile, parts](Result<Preset> now) {
     if (!guard) return;
-    // Who saves everything may well have a robot without a camera.
+    // A robot without a camera must not keep anybody from saving everything.
     if (now && parts == std::vector{Preset::kCamera} && !now->parts[Preset::kCamera])
       now = failure("preset.camera", kUnknownCamera);
     const auto saved = !now     ? Result<void>(tl::unexpected(now.error()))

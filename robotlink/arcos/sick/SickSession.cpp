@@ -25,7 +25,7 @@ constexpr Duration kAnswerTime = std::chrono::milliseconds(600);
 // The variant and the set-up are written to the laser's memory.
 constexpr Duration kSlowAnswerTime = std::chrono::seconds(8);
 constexpr Duration kPause = std::chrono::seconds(1), kScanTime = std::chrono::seconds(2);
-constexpr int kMostTries = 2;
+constexpr int kMaxTries = 2;
 
 int knownBaud(int baud) {
   const bool known = std::ranges::find(kSpeeds, baud, &Speed::baud) != kSpeeds.end();
@@ -142,7 +142,7 @@ void SickSession::tick(Instant now) {
     return;
   }
   if (now - asked_ < patience()) return;
-  if (tries_ < kMostTries) return send(now);
+  if (tries_ < kMaxTries) return send(now);
   if (state_ == State::kProbing) return probe();
   restart("the laser does not answer while it is set up");
 }

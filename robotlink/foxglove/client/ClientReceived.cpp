@@ -10,7 +10,7 @@ namespace {
 /// Ids of requests, so that answers are known; others' updates have none.
 constexpr char kCountersId[] = "counters";
 
-/// Of the argument and the answer.
+/// Bytes of the schemas of the argument and the answer.
 std::size_t schemaBytesOf(const Service& service) {
   return service.request.schema.size() + service.response.schema.size();
 }

@@ -47,7 +47,7 @@ double chiSquare(const std::vector<double>& numbers, double mean, double stddev)
 }
 
 // With 19 degrees of freedom, one of a million sequences is beyond this.
-constexpr double kMostChiSquare = 60;
+constexpr double kMaxChiSquare = 60;
 
 double deviation(const std::vector<double>& numbers) {
   double sum = 0, squares = 0;
@@ -62,10 +62,10 @@ double deviation(const std::vector<double>& numbers) {
 TEST(NoiseProcessTest, whiteNoiseHasTheStatedDistribution) {
   NoiseProcess process = processOf({.mean = 0.3, .stddev = 2});
   const auto errors = errorsOf(process, 20'000);
-  EXPECT_LT(chiSquare(errors, 0.3, 2), kMostChiSquare);
+  EXPECT_LT(chiSquare(errors, 0.3, 2), kMaxChiSquare);
   // The test notices what is slightly different.
-  EXPECT_GT(chiSquare(errors, 0.5, 2), kMostChiSquare);
-  EXPECT_GT(chiSquare(errors, 0.3, 2.15), kMostChiSquare);
+  EXPECT_GT(chiSquare(errors, 0.5, 2), kMaxChiSquare);
+  EXPECT_GT(chiSquare(errors, 0.3, 2.15), kMaxChiSquare);
 }
 
 TEST(NoiseProcessTest, neighborsAndChannelsAreIndependent) {
@@ -79,7 +79,7 @@ TEST(NoiseProcessTest, neighborsAndChannelsAreIndependent) {
     differences.push_back(values[0] - before[0]);
     before = values;
   }
-  EXPECT_LT(chiSquare(sums, 0, std::sqrt(2.0)), kMostChiSquare);
+  EXPECT_LT(chiSquare(sums, 0, std::sqrt(2.0)), kMaxChiSquare);
   EXPECT_NEAR(deviation(differences), std::sqrt(2.0), 0.04);
 }
 
@@ -91,7 +91,7 @@ TEST(NoiseProcessTest, biasesOfManySensorsHaveTheStatedDistribution) {
     EXPECT_EQ(errors[0], errors[1]) << "a bias stays";
     biases.push_back(std::abs(errors[0]));
   }
-  EXPECT_LT(chiSquare(biases, 5, 0.5), kMostChiSquare);
+  EXPECT_LT(chiSquare(biases, 5, 0.5), kMaxChiSquare);
 }
 
 TEST(NoiseProcessTest, driftBeginsAtZeroAndReachesItsStationaryDeviation) {
@@ -107,7 +107,7 @@ TEST(NoiseProcessTest, driftBeginsAtZeroAndReachesItsStationaryDeviation) {
     process.apply(1, 250, value);
     late.push_back(value[0]);
   }
-  EXPECT_LT(chiSquare(late, 0, 3 * std::sqrt(0.05)), kMostChiSquare);
+  EXPECT_LT(chiSquare(late, 0, 3 * std::sqrt(0.05)), kMaxChiSquare);
   EXPECT_NEAR(deviation(early), 3 * std::sqrt(kStep), 0.01);
 }
 
