@@ -53,6 +53,25 @@ void addSimulationCommands(CommandTable& commands, OpenPlatform& open) {
                   [&open](const Values& values) { return setSimulationSpeed(open, number(values, 0)); });
   commands.attach("simulation.noise",
                   [&open](const Values& values) { return setNoise(open, flag(values, 0)); });
+  commands.attach("simulation.sensor-errors", [&open](const Values& values) -> Result<void> {
+    robotcontrol::Request request;
+    robotcontrol::SetSensorErrors& errors = *request.mutable_set_sensor_errors();
+    errors.set_sensor(text(values, 0));
+    errors.set_noise(number(values, 1));
+    errors.set_bias(number(values, 2));
+    errors.set_delay(number(values, 3));
+    errors.set_rate(number(values, 4));
+    errors.set_dropout(number(values, 5));
+    open.ask(std::move(request));
+    return {};
+  });
+  commands.attach("simulation.door", [&open](const Values& values) -> Result<void> {
+    robotcontrol::Request request;
+    request.mutable_move_door()->set_door(text(values, 0));
+    request.mutable_move_door()->set_open(text(values, 1) == "open");
+    open.ask(std::move(request));
+    return {};
+  });
   commands.attach("simulation.light", [&open](const Values& values) -> Result<void> {
     robotcontrol::Request request;
     request.mutable_set_lighting()->set_brightness(number(values, 0));

@@ -211,6 +211,10 @@
         <translation>Vergisst das gemerkte Token eines entfernten Roboters</translation>
     </message>
     <message>
+        <source>Gives a sensor of the simulation other errors than those of its scene, from now on; what is left out is 0. Numbers are in the unit of its readings; of a camera only noise, delay, rate and dropout count</source>
+        <translation>Gibt einem Sensor der Simulation von nun an andere Fehler als die seiner Szene; was fehlt, ist 0. Zahlen haben die Einheit seiner Messwerte; bei einer Kamera zählen nur noise, delay, rate und dropout</translation>
+    </message>
+    <message>
         <source>Gives a view all the space</source>
         <translation>Gibt einer Ansicht allen Platz</translation>
     </message>
@@ -277,6 +281,10 @@
     <message>
         <source>Opens a camera of this computer and runs perception on its images</source>
         <translation>Öffnet eine Kamera dieses Rechners und führt die Wahrnehmung auf ihren Bildern aus</translation>
+    </message>
+    <message>
+        <source>Opens a door of the simulation for its time, or closes it at once</source>
+        <translation>Öffnet eine Tür der Simulation für ihre Zeit oder schließt sie sofort</translation>
     </message>
     <message>
         <source>Opens a log, a video or a folder of pictures, paused at its first image; closes what was open</source>

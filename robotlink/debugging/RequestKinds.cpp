@@ -192,6 +192,12 @@ std::string packageSet(const Request& request) {
 std::string cameraSettingOf(const Request& request) {
   return request.set_camera().setting();
 }
+std::string sensorOfErrors(const Request& request) {
+  return request.set_sensor_errors().sensor();
+}
+std::string doorMoved(const Request& request) {
+  return request.move_door().door();
+}
 std::string theOnlyOne(const Request&) {
   return {};
 }
@@ -256,7 +262,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 22> kKinds{{
+constexpr std::array<RequestKind, 24> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -355,6 +361,11 @@ constexpr std::array<RequestKind, 22> kKinds{{
      .words = "set actuator",
      .wrong = wrongActuator},
     {.what = Request::kReadPorts, .doer = Doer::kSimulation, .words = "read ports", .wrong = wrongPorts},
+    {.what = Request::kSetSensorErrors,
+     .doer = Doer::kSimulation,
+     .words = "set sensor errors",
+     .subject = sensorOfErrors},
+    {.what = Request::kMoveDoor, .doer = Doer::kSimulation, .words = "move door", .subject = doorMoved},
     {.what = Request::kHostProgram,
      .doer = Doer::kSimulation,
      .words = "host program",

@@ -93,6 +93,25 @@ TEST_F(SimulationFeedTest, theLightIsChangedAndKeptByAReset) {
   EXPECT_NE(robotlink::describe(errors).find("the brightness must be between 0 and 10"), std::string::npos);
 }
 
+TEST_F(SimulationFeedTest, aSensorGetsOtherErrorsWhileItRuns) {
+  run("simulation.sensor-errors red1/headPan/position --noise 0.1 --delay 0.05");
+  run("simulation.sensor-errors red1/camera/image --noise 3");
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  EXPECT_TRUE(errors.empty()) << robotlink::describe(errors);
+  run("simulation.sensor-errors red1/headPan/position --delay 7");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("a delay must be between 0 and 1 s"), std::string::npos);
+  errors.clear();
+  run("simulation.sensor-errors red1/nose");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("there is no sensor 'red1/nose'"), std::string::npos);
+  errors.clear();
+  run("simulation.door red1/nose open");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("there is no door 'red1/nose'"), std::string::npos);
+}
+
 TEST_F(SimulationFeedTest, numbersThatARequestLeavesOutStayAsTheyAre) {
   run("simulation.speed 2");
   run("simulation.light 0.5 0");

@@ -97,6 +97,7 @@ void SimulatedWorld::makeRenderer() {
   renderer_.reset();
   posesRendered_ = ~std::uint64_t{0};
   cameraSettings_.resize(simulation_->cameras().size());
+  cameraErrorsChosen_.resize(simulation_->cameras().size());
   optics_.resize(simulation_->cameras().size());
   if (simulation_->cameras().empty()) return;
   renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
@@ -203,6 +204,7 @@ void SimulatedWorld::draw(std::size_t camera) {
   const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
   simcore::ImageNoise noise;
   noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
+  if (cameraErrorsChosen_[camera]) noise.sigma = sensor.noise;
   noise.sigma *= cameraSettings_[camera].gain;
   noise.seed = options_.seed;
   noise.stream = camera;
@@ -254,6 +256,14 @@ robotlink::Result<void> SimulatedWorld::setLighting(const simcore::LightAdjustme
     return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
   }
   options_.lighting = lighting;
+  return {};
+}
+
+robotlink::Result<void> SimulatedWorld::setSensorErrors(const std::string& path,
+                                                        const simcore::SensorErrors& errors) {
+  if (const auto set = simulation_->setSensorErrors(path, errors); !set) return set;
+  const simcore::Port& port = *simulation_->port(path);
+  if (port.kind == simcore::Port::Kind::kCamera) cameraErrorsChosen_[port.index] = true;
   return {};
 }
 

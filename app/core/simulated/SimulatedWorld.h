@@ -105,6 +105,10 @@ class SimulatedWorld {
   /// range.
   robotlink::Result<void> setLighting(const simcore::LightAdjustment& lighting);
 
+  /// Replaces the errors of a sensor, by the path of its port, from now on and after a reset, even if the
+  /// world has no noise. Fails if there is no such sensor or a number is out of range.
+  robotlink::Result<void> setSensorErrors(const std::string& path, const simcore::SensorErrors& errors);
+
   /// What the owner of a camera can change. It stays after a reset.
   struct CameraSetting {
     /// Factors of the scene's light; the gain amplifies the noise, too.
@@ -140,6 +144,8 @@ class SimulatedWorld {
   /// Null if there are no cameras.
   std::unique_ptr<simcore::CameraRenderer> renderer_;
   std::vector<CameraSetting> cameraSettings_;
+  /// Keyed by camera: whether somebody chose its errors, instead of the scene.
+  std::vector<bool> cameraErrorsChosen_;
   /// Keyed by camera.
   std::vector<simcore::CameraOptics> optics_;
   /// Whose image was rendered last.

@@ -208,6 +208,8 @@ struct SimulationFeed::Handlers {
       {Request::kControlSimulation, &SimulationFeed::controlSimulation},
       {Request::kPlaceModel, &SimulationFeed::placeModel},
       {Request::kSetLighting, &SimulationFeed::setLighting},
+      {Request::kSetSensorErrors, &SimulationFeed::setSensorErrors},
+      {Request::kMoveDoor, &SimulationFeed::moveDoor},
       {Request::kHostProgram, &SimulationFeed::hostProgram},
       {Request::kSetActuator, &SimulationFeed::setActuator},
       {Request::kReadPorts, &SimulationFeed::readPorts}};
@@ -245,6 +247,27 @@ robotlink::Result<void> SimulationFeed::setLighting(const robotcontrol::Request&
   const auto& wanted = request.set_lighting();
   const double before = run_->world().options().lighting.brightness;
   return run_->world().setLighting({wanted.has_brightness() ? wanted.brightness() : before, wanted.warmth()});
+}
+
+robotlink::Result<void> SimulationFeed::setSensorErrors(const robotcontrol::Request& request) {
+  const auto& wanted = request.set_sensor_errors();
+  simcore::SensorErrors errors;
+  if (wanted.noise() != 0 || wanted.bias() != 0)
+    errors.noise = {{.mean = wanted.bias(), .stddev = wanted.noise()}};
+  errors.delay = wanted.delay();
+  errors.rate = wanted.rate();
+  errors.dropout = wanted.dropout();
+  return run_->world().setSensorErrors(wanted.sensor(), errors);
+}
+
+robotlink::Result<void> SimulationFeed::moveDoor(const robotcontrol::Request& request) {
+  const std::string& path = request.move_door().door();
+  simcore::Simulation& simulation = run_->world().simulation();
+  const simcore::Port* port = simulation.port(path);
+  if (port == nullptr || port->kind != simcore::Port::Kind::kDoor)
+    return robotlink::failure("simulation.door", "there is no door '" + path + "'", {}, {path});
+  simulation.moveDoor(port->index, request.move_door().open());
+  return {};
 }
 
 robotlink::Result<void> SimulationFeed::hostProgram(const robotcontrol::Request& request) {

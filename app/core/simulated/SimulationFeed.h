@@ -60,7 +60,7 @@ class SimulationFeed final : public PlatformFeed {
  protected:
   /// Fulfilled even while the simulation is paused: STOP acts, and requests to programs are answered.
   robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
-  /// Controls the simulation, places models, or changes the light.
+  /// Controls the simulation, places models, moves doors, or changes the light or errors of sensors.
   robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
@@ -83,6 +83,8 @@ class SimulationFeed final : public PlatformFeed {
   robotlink::Result<void> controlSimulation(const robotcontrol::Request& request);
   robotlink::Result<void> placeModel(const robotcontrol::Request& request);
   robotlink::Result<void> setLighting(const robotcontrol::Request& request);
+  robotlink::Result<void> setSensorErrors(const robotcontrol::Request& request);
+  robotlink::Result<void> moveDoor(const robotcontrol::Request& request);
   robotlink::Result<void> hostProgram(const robotcontrol::Request& request);
   robotlink::Result<void> setActuator(const robotcontrol::Request& request);
   robotlink::Result<void> readPorts(const robotcontrol::Request& request);
