@@ -111,21 +111,21 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
     ode.resistances.push_back({id, joint.damping, joint.friction});
 }
 
-double positionOf(dJointID joint) {
+double jointPosition(dJointID joint) {
   return isSlider(joint) ? dJointGetSliderPosition(joint) : dJointGetHingeAngle(joint);
 }
 
-double rateOf(dJointID joint) {
+double jointRate(dJointID joint) {
   return isSlider(joint) ? dJointGetSliderPositionRate(joint) : dJointGetHingeAngleRate(joint);
 }
 
-Vector3 axisOf(dJointID joint) {
+Vector3 jointAxis(dJointID joint) {
   dVector3 axis;
   isSlider(joint) ? dJointGetSliderAxis(joint, axis) : dJointGetHingeAxis(joint, axis);
   return {axis[0], axis[1], axis[2]};
 }
 
-Vector3 anchorOf(dJointID joint) {
+Vector3 jointAnchor(dJointID joint) {
   if (isSlider(joint)) {
     const dReal* center = dBodyGetPosition(dJointGetBody(joint, 0));
     return {center[0], center[1], center[2]};
@@ -135,7 +135,7 @@ Vector3 anchorOf(dJointID joint) {
   return {anchor[0], anchor[1], anchor[2]};
 }
 
-void setMotorOf(dJointID joint, double speed, double limit) {
+void driveJoint(dJointID joint, double speed, double limit) {
   const auto set = isSlider(joint) ? dJointSetSliderParam : dJointSetHingeParam;
   set(joint, dParamVel, speed);
   set(joint, dParamFMax, limit);

@@ -17,13 +17,13 @@ void addJoint(OdeWorld& ode, const ModelInstance& model, const JointDescription&
 void resist(OdeWorld& ode);
 
 // The position and speed of a hinge or a slider, rad or m, and its axis in the world.
-double positionOf(dJointID joint);
-double rateOf(dJointID joint);
-Vector3 axisOf(dJointID joint);
+double jointPosition(dJointID joint);
+double jointRate(dJointID joint);
+Vector3 jointAxis(dJointID joint);
 /// Where what it exerts is measured, in the world: the anchor of a hinge, the child's center of mass for a
 /// slider.
-Vector3 anchorOf(dJointID joint);
+Vector3 jointAnchor(dJointID joint);
 /// Moves it at a speed with at most this torque or force.
-void setMotorOf(dJointID joint, double speed, double limit);
+void driveJoint(dJointID joint, double speed, double limit);
 
 }  // namespace simcore

@@ -77,18 +77,18 @@ Vector3 Physics::angularVelocityOf(std::size_t body) const {
 }
 
 double Physics::angle(std::size_t hinge) const {
-  return positionOf(ode_->hinges[hinge]);
+  return jointPosition(ode_->hinges[hinge]);
 }
 
 double Physics::rate(std::size_t hinge) const {
-  return rateOf(ode_->hinges[hinge]);
+  return jointRate(ode_->hinges[hinge]);
 }
 
 Physics::Wrench Physics::reaction(std::size_t hinge) const {
   const dJointID id = ode_->hinges[hinge];
   const dJointFeedback& exerted = ode_->hingeForces[hinge];
   const dReal* center = dBodyGetPosition(dJointGetBody(id, 0));
-  const Vector3 arm = Vector3(center[0], center[1], center[2]) - anchorOf(id);
+  const Vector3 arm = Vector3(center[0], center[1], center[2]) - jointAnchor(id);
   const Vector3 force(exerted.f1[0], exerted.f1[1], exerted.f1[2]);
   return {force, Vector3(exerted.t1[0], exerted.t1[1], exerted.t1[2]) + arm.cross(force)};
 }
@@ -96,7 +96,7 @@ Physics::Wrench Physics::reaction(std::size_t hinge) const {
 double Physics::torque(std::size_t hinge) const {
   const dJointID id = ode_->hinges[hinge];
   const Wrench exerted = reaction(hinge);
-  return axisOf(id).dot(dJointGetType(id) == dJointTypeSlider ? exerted.force : exerted.torque);
+  return jointAxis(id).dot(dJointGetType(id) == dJointTypeSlider ? exerted.force : exerted.torque);
 }
 
 double Physics::motorPower(int model) const {
@@ -121,7 +121,7 @@ double Physics::anchorGap(std::size_t hinge) const {
 }
 
 void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
-  setMotorOf(ode_->hinges[hinge], velocity, maximumTorque);
+  driveJoint(ode_->hinges[hinge], velocity, maximumTorque);
 }
 
 void Physics::setGuide(int model, const Vector3& velocity, const Vector3& angularVelocity, double force,
