@@ -220,6 +220,11 @@ void Client::send(const ClientMessage& message, Urgency urgency) {
   wake();
 }
 
+void Client::end(const std::string& reason) {
+  const std::lock_guard lock(mutex_);
+  conversation_.overflow = reason;
+}
+
 void Client::wake() {
   if (isIdle_ && wake_) wake_();
   isIdle_ = false;

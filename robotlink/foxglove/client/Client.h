@@ -97,6 +97,8 @@ class Client {
   std::optional<Frame> next();
   /// Ends what waits too long. Call it several times a second.
   void tick();
+  /// Ends the connection with the next message that comes, as an error of received() would.
+  void end(const std::string& reason);
   /// The connection is lost, or could not be made.
   void lost();
   /// What the link knows of the state; the rest this object knows.

@@ -81,7 +81,7 @@ SessionServer::~SessionServer() {
   keys_.restoreAll();
   session_.removeListener(listener_);
   // What waits may hold the server, which holds this list.
-  posted_->clear();
+  posted_->take();
 }
 
 bool SessionServer::isWanted(const std::string& path) const {

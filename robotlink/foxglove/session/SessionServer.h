@@ -18,7 +18,7 @@
 
 namespace robotlink::websocket {
 
-struct PostedWork;
+class PostedWork;
 
 /// Offers a session to clients of the Foxglove WebSocket protocol: robots and worlds, simulated, real or
 /// logged, as the session has them.

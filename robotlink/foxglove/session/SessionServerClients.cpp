@@ -54,31 +54,36 @@ void answer(const Reply& reply, const std::string& encoding, const std::string& 
 }  // namespace
 
 ServerHandlers SessionServer::handlers(Report report) {
-  const auto post = [posted = posted_](Posted::Work work) { posted->add(std::move(work)); };
   ServerHandlers handlers;
   handlers.report = std::move(report);
-  handlers.subscribersChanged = [post](const ChannelPtr& channel, const std::vector<ClientInfo>& clients) {
+  handlers.subscribersChanged = [posted = posted_](const ChannelPtr& channel,
+                                                   const std::vector<ClientInfo>& clients) {
     std::set<std::string> names;
     for (const ClientInfo& client : clients) names.insert(shownName(client));
-    post([path = channel->setup().topic, names](SessionServer& self) {
+    const std::string path = channel->setup().topic;
+    posted->addState("subscribers of " + path, [path, names](SessionServer& self) {
       const auto [robot, stream] = splitAtSlash(path);
       self.keys_.setSubscribers(robot, stream, names);
       if (!names.empty()) self.unheard_.insert(path);
       self.offerOnDemand(robot);
     });
   };
-  handlers.clientsChanged = [post](const std::vector<ClientInfo>& clients) {
-    post([clients](SessionServer& self) { self.noteClients(clients); });
+  handlers.clientsChanged = [posted = posted_](const std::vector<ClientInfo>& clients) {
+    posted->addState("clients", [clients](SessionServer& self) { self.noteClients(clients); });
   };
-  handlers.setParameters = [post](const ClientInfo& client, const std::vector<Parameter>& parameters,
-                                  Reply reply) {
-    post([client, parameters, reply](SessionServer& self) { self.set(client, parameters, reply); });
+  handlers.setParameters = [posted = posted_](const ClientInfo& client,
+                                              const std::vector<Parameter>& parameters, Reply reply) {
+    const std::size_t bytes = encode(ParameterValues{parameters, ""}).bytes.size();
+    const auto work = [client, parameters, reply](SessionServer& self) {
+      self.set(client, parameters, reply);
+    };
+    if (!posted->add(work, bytes)) reply.fail(PostedWork::kRefusal);
   };
-  handlers.playbackControl = [post](const ClientInfo&, const PlaybackControl& control) {
-    post([control](SessionServer& self) { self.play(control); });
+  handlers.playbackControl = [posted = posted_](const ClientInfo&, const PlaybackControl& control) {
+    posted->add([control](SessionServer& self) { self.play(control); });
   };
-  handlers.clientAdvertised = [post](const ClientInfo& client, const ClientChannel& channel) {
-    post([client, channel](SessionServer& self) {
+  handlers.clientAdvertised = [posted = posted_](const ClientInfo& client, const ClientChannel& channel) {
+    posted->add([client, channel](SessionServer& self) {
       const std::string why = self.problemOf(channel);
       if (!why.empty()) self.server_->sendStatus(client.id, {StatusLevel::kWarning, why, ""});
     });
@@ -138,7 +143,8 @@ std::uint32_t SessionServer::addService(Service service, const std::string& robo
           kept.payload = *payload;
           (self.*handler)(robot, name, client, kept, reply);
         };
-        isUrgent ? posted->addUrgent(work) : posted->add(work);
+        const bool isTaken = isUrgent ? posted->addUrgent(work) : posted->add(work, payload->size());
+        if (!isTaken) reply.fail(PostedWork::kRefusal);
       },
       access);
 }

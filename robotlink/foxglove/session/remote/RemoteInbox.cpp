@@ -98,6 +98,16 @@ void RemoteInbox::push(std::function<void()> work) {
   push(Arrival{nullptr, {}, nullptr, 0, std::move(work)});
 }
 
+bool RemoteInbox::pushChange(std::function<void()> work) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (changes_ >= limits_.changes) return false;
+    ++changes_;
+  }
+  push(Arrival{nullptr, {}, nullptr, 0, std::move(work)});
+  return true;
+}
+
 void RemoteInbox::pushSparable(std::function<void()> work, std::size_t bytes) {
   push(Arrival{nullptr, {}, nullptr, bytes + kArrivalBytes, std::move(work), true});
 }
@@ -120,7 +130,7 @@ void RemoteInbox::push(Arrival arrival) {
 
 std::deque<RemoteInbox::Arrival> RemoteInbox::take() {
   const std::lock_guard lock(mutex_);
-  messages_ = bytes_ = 0;
+  messages_ = bytes_ = changes_ = 0;
   return std::exchange(arrivals_, {});
 }
 

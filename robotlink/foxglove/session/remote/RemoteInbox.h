@@ -51,6 +51,8 @@ class RemoteInbox {
   };
   struct Limits {
     std::size_t messages = 50'000, bytes = 64U << 20U;
+    /// Changes of what the server offers.
+    std::size_t changes = 20'000;
   };
   /// Makes another package of one, such as an image of a compressed one. Null: it cannot.
   using Convert = std::function<PackagePtr(const PackagePtr&)>;
@@ -64,6 +66,9 @@ class RemoteInbox {
   void push(const Channel& channel, Instant time, std::string_view payload);
   /// Something to be done, which is never left out.
   void push(std::function<void()> work);
+  /// A change of what the server offers, which cannot be left out. Returns false, and takes it not, if too
+  /// many of them wait: then the server is no longer followed, and its connection must end.
+  bool pushChange(std::function<void()> work);
   /// Something to be done with a text of so many bytes, which is left out as messages are.
   void pushSparable(std::function<void()> work, std::size_t bytes);
 
@@ -89,7 +94,7 @@ class RemoteInbox {
   /// Protects what follows.
   std::mutex mutex_;
   std::deque<Arrival> arrivals_;
-  std::size_t messages_ = 0, bytes_ = 0;
+  std::size_t messages_ = 0, bytes_ = 0, changes_ = 0;
 };
 
 }  // namespace robotlink::websocket

@@ -86,6 +86,10 @@ void RemoteSession::connect() {
 
 /// In the link's thread: decodes messages, and leaves everything else to tick().
 ClientHandlers RemoteSession::handlers() {
+  const auto change = [this](std::function<void()> work) {
+    if (!inbox.pushChange(std::move(work)))
+      client->end("the robot changes what it offers faster than it can be followed");
+  };
   ClientHandlers h;
   h.connected = [this](const ServerInfo& info) { inbox.push([this, info] { onConnected(info); }); };
   h.disconnected = [this] {
@@ -96,34 +100,36 @@ ClientHandlers RemoteSession::handlers() {
       lostAt = options.connection.clock->now();
     });
   };
-  h.channelsAdded = [this](const std::vector<Channel>& added) {
-    inbox.push([this, known = inbox.add(added)] { onChannels(known); });
+  h.channelsAdded = [this, change](const std::vector<Channel>& added) {
+    change([this, known = inbox.add(added)] { onChannels(known); });
   };
-  h.channelsRemoved = [this](const std::vector<Channel>& removed) {
+  h.channelsRemoved = [this, change](const std::vector<Channel>& removed) {
     inbox.remove(removed);
-    inbox.push([this, removed] {
+    change([this, removed] {
       for (const Channel& channel : removed) channels.erase(channel.id);
       hasChanged = true;
     });
   };
-  h.servicesAdded = [this](const std::vector<Service>& added) {
+  h.servicesAdded = [this, change](const std::vector<Service>& added) {
     std::vector<std::string> names;
     for (const Service& service : added) names.push_back(service.name);
-    inbox.push([this, names] { onServices(names, {}); });
+    change([this, names] { onServices(names, {}); });
   };
-  h.servicesRemoved = [this](const std::vector<std::string>& names) {
-    inbox.push([this, names] { onServices({}, names); });
+  h.servicesRemoved = [this, change](const std::vector<std::string>& names) {
+    change([this, names] { onServices({}, names); });
   };
   h.message = [this](const Channel& channel, Instant time, std::string_view payload) {
     inbox.push(channel, time, payload);
   };
-  h.parameters = [this](const std::vector<Parameter>& parameters) {
+  h.parameters = [this, change](const std::vector<Parameter>& parameters) {
     // No other is looked at.
     const std::string wanted = kClientParameter;
     const auto number = std::ranges::find(parameters, wanted, &Parameter::name);
-    if (number != parameters.end()) inbox.push([this, number = *number] { onParameters({number}); });
+    if (number != parameters.end()) change([this, number = *number] { onParameters({number}); });
   };
-  h.graph = [this](const ConnectionGraphUpdate& update) { inbox.push([this, update] { onGraph(update); }); };
+  h.graph = [this, change](const ConnectionGraphUpdate& update) {
+    change([this, update] { onGraph(update); });
+  };
   h.status = [this](const Status& status) {
     inbox.pushSparable([this, status] { onStatus(status); }, status.message.size() + status.id.size());
   };

@@ -269,6 +269,15 @@ TEST_F(ClientTest, aServerThatOffersTooMuchLosesOnlyItsConnection) {
   EXPECT_THAT(result.error().text, HasSubstr("more than 3 channels"));
 }
 
+TEST_F(ClientTest, aConnectionThatIsEndedEndsWithTheNextMessage) {
+  connect();
+  client_->end("nobody follows");
+  const Frame frame = encode(Status{StatusLevel::kInfo, "hello", ""});
+  const auto result = client_->received(frame.kind, frame.bytes);
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().text, HasSubstr("nobody follows"));
+}
+
 TEST_F(ClientTest, schemasOfServicesAreBounded) {
   client_ = std::make_unique<Client>(handlers_, ClientLimits{.schemaBytes = 100}, clock_);
   connect();

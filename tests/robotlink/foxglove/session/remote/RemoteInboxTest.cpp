@@ -24,5 +24,16 @@ TEST(RemoteInbox, longTextsAreBoundedByTheirBytes) {
   EXPECT_EQ(inbox.dropped(), 98U);
 }
 
+TEST(RemoteInbox, changesThatNobodyTakesAreRefusedAtABound) {
+  RemoteInbox inbox({100, 10'000, 3}, {});
+  int done = 0;
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(inbox.pushChange([&done] { ++done; }));
+  EXPECT_FALSE(inbox.pushChange([&done] { ++done; }));
+  inbox.push([&done] { done += 10; });
+  for (const auto& arrival : inbox.take()) arrival.work();
+  EXPECT_EQ(done, 13) << "what was taken is done, and a lost connection is always noted";
+  EXPECT_TRUE(inbox.pushChange([] {})) << "after they were taken there is room again";
+}
+
 }  // namespace
 }  // namespace robotlink::websocket
