@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/Packages.h"
 
@@ -50,6 +51,13 @@ constexpr std::array kTitles{
     Title{kBehaviorState.name, "the behavior's state"},
     Title{kGridMap.name, "the map that it made"},
     Title{kGripper.name, "the state of a gripper"},
+    Title{kGameState.name, "the state of the game"},
+    Title{kTeamMessage.name, "what it tells its team"},
+    Title{kTeamMessages.name, "what its team tells it"},
+    Title{kFieldLines.name, "field lines"},
+    Title{kRobotState.name, "the robot's state"},
+    Title{kTeamBall.name, "the team's ball"},
+    Title{kBehaviorGraph.name, "the behavior's options"},
 };
 
 }  // namespace

@@ -8,12 +8,14 @@
 #include "robotcontrol/Accessories.pb.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Game.pb.h"
 #include "robotcontrol/Linking.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/packages/GamePackages.h"
 #include "robotlink/packages/MapPackages.h"
 #include "robotlink/packages/Packages.h"
 
@@ -36,7 +38,8 @@ const Types& ownPackageTypes() {
       kDriveState, kSonar, kLaser, kLinkStatus, kLinkPackets, kJointRequest, kDriveRequest, kRemoteMotion,
       kColorTable, kMotionTexts, kDriveGoal, kCameraPose, kColorRegions, kBallPercept, kLandmarkPercepts,
       kRobotPercepts, kBallModel, kRobotPose, kPlayersModel, kMotionRequest, kHeadMode, kHeadRequest,
-      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper);
+      kMotionStatus, kDrivePath, kBehaviorDrive, kBehaviorState, kGridMap, kGripper, kGameState, kTeamMessage,
+      kTeamMessages, kFieldLines, kRobotState, kTeamBall, kBehaviorGraph);
   return kTypes;
 }
 

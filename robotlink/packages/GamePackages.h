@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/packages/Packages.h"
+
+namespace robotcontrol {
+class BehaviorGraph;
+class FieldLinePercepts;
+class GameState;
+class RobotState;
+class TeamBall;
+class TeamMessage;
+class TeamMessages;
+}  // namespace robotcontrol
+
+namespace robotlink {
+
+/// What the referee says, from the platform; see Game.proto.
+inline constexpr Package<robotcontrol::GameState> kGameState{"game/state"};
+/// What the robot tells its team, to the platform.
+inline constexpr Package<robotcontrol::TeamMessage> kTeamMessage{"team/message"};
+/// What the others of its team told it, from the platform.
+inline constexpr Package<robotcontrol::TeamMessages> kTeamMessages{"team/messages"};
+/// Lines of the field seen in one image.
+inline constexpr Package<robotcontrol::FieldLinePercepts> kFieldLines{"percepts/lines"};
+/// Whether the robot was picked up, has fallen, or touches something.
+inline constexpr Package<robotcontrol::RobotState> kRobotState{"percepts/robot-state"};
+/// The ball as the team sees it.
+inline constexpr Package<robotcontrol::TeamBall> kTeamBall{"models/team-ball"};
+/// The options of the behavior, sent only on request.
+inline constexpr Package<robotcontrol::BehaviorGraph> kBehaviorGraph{"behavior/graph"};
+
+}  // namespace robotlink
