@@ -17,6 +17,8 @@
 #include "app/core/program/SolutionChoices.h"
 #include "app/core/replay/ReplayFeed.h"
 #include "app/core/replay/ReplayRun.h"
+#include "app/core/truth/ErrorFigures.h"
+#include "app/core/truth/TruthErrors.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Hosting.pb.h"
 #include "robotlink/base/FileSuffix.h"
@@ -39,7 +41,7 @@ using Kind = PlatformField::Kind;
 constexpr std::string_view kLogPlatform = "log:";
 constexpr std::string_view kAllPackages = "all";
 constexpr char kOffset[] = "offset", kPackage[] = "package", kColorTable[] = "color-table",
-               kPatience[] = "patience";
+               kPatience[] = "patience", kErrors[] = "errors";
 /// Seconds; longer than any module takes on a machine that is busy.
 constexpr double kUsualPatience = 30;
 constexpr std::chrono::hours kNoEnd{24 * 365};
@@ -67,8 +69,12 @@ class HeadlessRecording {
 
   ReplayRun::Listeners listeners() {
     ReplayRun::Listeners listeners;
-    listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) { write(messages); };
+    listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) {
+      write(messages);
+      compare(messages);
+    };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
+      if (errorsWanted_) truthErrors_.add(robot, *queue);
       write(messagesOf(robot, *queue, {}, robotlink::QueueReader::kRecorder).messages);
     };
     listeners.hosting = [this](const std::string&, robotlink::Instant,
@@ -85,6 +91,14 @@ class HeadlessRecording {
     return listeners;
   }
 
+  /// From now on what is played is compared with the truth that the log has.
+  void measureErrors(std::shared_ptr<const robotlink::FieldDescription> field) {
+    errorsWanted_ = true;
+    truthErrors_.setField(std::move(field));
+  }
+  /// Null if they are not measured.
+  const TruthErrors* truthErrors() const { return errorsWanted_ ? &truthErrors_ : nullptr; }
+
   Result<void> close() {
     if (writer_ && result_) result_ = writer_->container().close();
     unfinished_.reset();
@@ -100,7 +114,19 @@ class HeadlessRecording {
     if (writer_ && result_) result_ = writer_->write(messages);
   }
 
+  void compare(const std::vector<robotlink::StreamMessage>& messages) {
+    if (!errorsWanted_) return;
+    for (const robotlink::StreamMessage& message : messages) {
+      const std::size_t slash = message.path.find('/');
+      if (slash != std::string::npos)
+        truthErrors_.add(message.path.substr(0, slash), message.path.substr(slash + 1), message.time,
+                         message.value);
+    }
+  }
+
   std::ostream& errors_;
+  TruthErrors truthErrors_;
+  bool errorsWanted_ = false;
   robotlink::ManualClock still_;
   std::unique_ptr<logplayer::LogWriter> writer_;
   std::optional<robotlink::UnfinishedFile> unfinished_;
@@ -260,6 +286,7 @@ std::string summaryText(const ReplayStatus& status, const json& summary) {
       out << "recomputed: " << package["package"].get<std::string>() << "\n";
   }
   for (const auto& difference : status.differences()) printDifference(out, difference);
+  if (summary.contains("errors")) out << errorsText(summary["errors"]);
   return out.str();
 }
 
@@ -318,7 +345,7 @@ ExitStatus statusOf(const HeadlessRecording& recording, const ReplayStatus& stat
 }
 
 tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const RecordOptions& record,
-                                             const HeadlessConsole& console) {
+                                             bool errorsWanted, const HeadlessConsole& console) {
   if (const auto read = readInputs(options, console); !read) return tl::unexpected(Errors{read.error()});
   options.progress = console.progress;
   const auto both = std::make_shared<HeadlessReplay>(console.errors);
@@ -329,6 +356,7 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
   ReplayRun& run = *both->run;
   const HeadlessReplayEnd end(both);
   warnOfUnusedChoices(run, console.errors);
+  if (errorsWanted) recording.measureErrors(run.field());
   if (const auto opened = recording.open(record); !opened) return tl::unexpected(Errors{opened.error()});
   const auto start = std::chrono::steady_clock::now();
   // A jump to the beginning publishes the latched messages from before the log's first instant.
@@ -341,7 +369,8 @@ tl::expected<HeadlessSummary, Errors> replay(ReplayOptions options, const Record
   if (const auto closed = recording.close(); !closed) return tl::unexpected(Errors{closed.error()});
   ReplayStatus status;
   run.describe(status);
-  const json summary = summaryOf(status, instants, real);
+  json summary = summaryOf(status, instants, real);
+  if (recording.truthErrors() != nullptr) summary["errors"] = errorFigures(*recording.truthErrors());
   return HeadlessSummary{jsonOutput(summary), summaryText(status, summary),
                          statusOf(recording, status, console.interrupted())};
 }
@@ -372,13 +401,14 @@ Result<ReplayOptions> replayOptionsOf(const HeadlessChoices& choices) {
 Result<HeadlessPlatform::Run> prepareReplay(const HeadlessChoices& choices) {
   auto options = replayOptionsOf(choices);
   if (!options) return tl::unexpected(options.error());
-  options->publishAllPackages = !choices.record.file.empty();
+  const bool errors = flagOf(choices.options.values, kErrors);
+  options->publishAllPackages = errors || !choices.record.file.empty();
   const double patience = numberOf(choices.options.values, kPatience, kUsualPatience);
   options->patience = std::chrono::milliseconds(std::llround(1000 * patience));
   // Somebody may look at a program in a process of its own with a debugger for any time.
   options->own.patience = patience > 0 ? options->patience : kNoEnd;
-  return [options = std::move(*options), record = choices.record](const HeadlessConsole& console) {
-    return replay(options, record, console);
+  return [options = std::move(*options), record = choices.record, errors](const HeadlessConsole& console) {
+    return replay(options, record, errors, console);
   };
 }
 
@@ -413,6 +443,11 @@ HeadlessPlatform headlessReplay() {
                   {.name = kColorTable,
                    .help = "A color table (.c64) instead of the log's",
                    .option = "--color-table"},
+                  {.name = kErrors,
+                   .kind = Kind::kFlag,
+                   .help = "Adds how far percepts and models are from the truth, if the log has it",
+                   .initial = false,
+                   .option = "--errors"},
                   {.name = kPatience,
                    .kind = Kind::kNumber,
                    .help = "Seconds after which a module that does not return is named, and the command ends "

@@ -27,6 +27,8 @@
 #include "app/core/simulated/RunEnd.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "app/core/simulated/SimulationFeed.h"
+#include "app/core/truth/ErrorFigures.h"
+#include "app/core/truth/TruthErrors.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogSubcommands.h"
@@ -36,6 +38,8 @@
 #include "app/robotctl/run/SimFigures.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/UnfinishedFile.h"
+#include "robotlink/packages/Packages.h"
+#include "robotlink/session/Presets.h"
 
 namespace app {
 namespace {
@@ -63,6 +67,7 @@ struct SimArguments {
   bool asJson = false;
   bool digest = false;
   bool texts = false;
+  bool errors = false;
   int trials = 0;
   double radius = 1.5;
   double speed = 0;  ///< times real time; 0: as fast as possible
@@ -75,6 +80,8 @@ struct SimArguments {
 
 /// What a run writes to.
 struct SimOutputs {
+  /// Null: nobody wants to know.
+  std::unique_ptr<TruthErrors> errors = nullptr;
   /// Null: none.
   std::unique_ptr<LabeledImages> images = nullptr;
   std::unique_ptr<logplayer::Recorder> recorder = nullptr;
@@ -95,17 +102,19 @@ SimulatedRun::Listeners listenersTo(const SharedTroubles& troubles) {
 }
 
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, const SharedTroubles& troubles,
-                                     LabeledImages* images) {
+                                     const SimOutputs& outputs) {
   SimulatedRun::Listeners listeners = listenersTo(troubles);
+  listeners.queue = [texts = arguments.texts, errors = outputs.errors.get()](const std::string& robot,
+                                                                             const auto& queue) {
+    if (texts) printTexts(std::cerr, robot, *queue);
+    if (errors != nullptr) errors->add(robot, *queue);
+  };
   if (arguments.texts) {
-    listeners.queue = [](const std::string& robot, const auto& queue) {
-      printTexts(std::cerr, robot, *queue);
-    };
     listeners.game = [](robotlink::Instant time, const std::string& text) {
       printText(std::cerr, time, "game", text);
     };
   }
-  if (images != nullptr) {
+  if (LabeledImages* images = outputs.images.get()) {
     listeners.labeled = [images](const std::string& robot, const auto& image, const auto& classes) {
       images->add(robot, image, classes);
     };
@@ -151,13 +160,26 @@ int finishImages(const LabeledImages* images, const std::string& folder) {
   return kDone;
 }
 
+/// A preset with which programs publish what is compared with the truth.
+std::shared_ptr<const robotlink::Preset> presetForErrors(
+    const std::shared_ptr<const robotlink::Preset>& chosen) {
+  robotlink::Preset preset = chosen ? *chosen : robotlink::Preset();
+  auto& keys = preset.parts[robotlink::Preset::kKeys];
+  if (!keys) keys.emplace();
+  const auto always = [&](const std::string& package) { (*keys)["package/" + package] = "always"; };
+  always(robotlink::kOracleWorld.name);
+  for (const std::string& package : TruthErrors::packages()) always(package);
+  return std::make_shared<const robotlink::Preset>(std::move(preset));
+}
+
 /// Opens what is written. Returns what cannot be.
 robotlink::Result<std::shared_ptr<SimOutputs>> openOutputs(const SimArguments& arguments) {
   auto images = arguments.camera.labeledImages();
   if (!images) return tl::unexpected(images.error());
   auto recorder = arguments.record.start();
   if (!recorder) return tl::unexpected(recorder.error());
-  return std::make_shared<SimOutputs>(SimOutputs{std::move(*images), std::move(*recorder)});
+  return std::make_shared<SimOutputs>(SimOutputs{arguments.errors ? std::make_unique<TruthErrors>() : nullptr,
+                                                 std::move(*images), std::move(*recorder)});
 }
 
 json troublesJson(const ProgramTroubles& troubles) {
@@ -192,7 +214,9 @@ int playGame(SimulatedRun& run, const SimArguments& arguments, const SimOutputs&
       written != kDone)
     status = written;
   if (!played) status = kFailed;
-  printFigures(arguments, figuresOf(run, real), troubles);
+  json figures = figuresOf(run, real);
+  if (outputs.errors) figures["errors"] = errorFigures(*outputs.errors);
+  printFigures(arguments, std::move(figures), troubles);
   return withTroubles(status, troubles);
 }
 
@@ -207,9 +231,10 @@ int runOnce(const SimArguments& arguments) {
   const auto troubles = std::make_shared<ProgramTroubles>(std::cerr);
   TerminalProgress progress;
   RunOptions options = arguments.run;
+  if (arguments.errors) options.preset = presetForErrors(options.preset);
   options.progress = progress.function();
-  auto made = SimulatedRun::create(
-      std::move(options), listenersFor(arguments, troubles, outputs.images.get()), outputs.recorder.get());
+  auto made = SimulatedRun::create(std::move(options), listenersFor(arguments, troubles, outputs),
+                                   outputs.recorder.get());
   progress.erase();
   if (!made) {
     std::error_code ignored;
@@ -218,6 +243,7 @@ int runOnce(const SimArguments& arguments) {
   }
   const RunEnd end(std::move(*made), *opened);
   SimulatedRun& run = end.run();
+  if (outputs.errors) outputs.errors->setField(run.field());
   for (const std::string& robot : arguments.ownProcesses) {
     if (robot == kAllRobots || run.description(robot)) continue;
     return printErrors({{"sim.no-robot", "there is no robot " + robot + " in this scene", {robot}, {}}});
@@ -350,6 +376,10 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     std::cerr << "robotctl sim: trials are played in lockstep only; omit --executor\n";
     return kUsage;
   }
+  if (arguments.errors && (arguments.trials > 0 || arguments.listen.given())) {
+    std::cerr << "robotctl sim: --errors is for one game that ends; omit --trials and --listen\n";
+    return kUsage;
+  }
   if (arguments.trials > 0 && !arguments.record.file.empty()) {
     std::cerr << "robotctl sim: --record takes one game, not --trials\n";
     return kUsage;
@@ -438,6 +468,8 @@ void addSimCommand(CLI::App& app, int& status) {
   arguments->listen.addTo(*sim);
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
+  sim->add_flag("--errors", arguments->errors,
+                "Adds to the figures how far percepts and models of each robot are from the truth");
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash of everything that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");

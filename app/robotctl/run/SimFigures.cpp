@@ -8,6 +8,7 @@
 
 #include "app/core/simulated/ArcosSimulation.h"
 #include "app/core/simulated/SimulatedRun.h"
+#include "app/core/truth/ErrorFigures.h"
 
 namespace app {
 namespace {
@@ -218,7 +219,7 @@ std::string figuresText(const json& figures) {
       lines.add(robot["name"].get<std::string>().c_str(), clientText(robot));
   }
   if (figures.contains("digest")) lines.add("digest", figures["digest"]);
-  return lines.text();
+  return lines.text() + errorsText(figures.value("errors", json::object()));
 }
 
 }  // namespace app

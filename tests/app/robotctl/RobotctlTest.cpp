@@ -135,6 +135,19 @@ TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
   EXPECT_NE(first.text, robotctl(command + "2").text);
 }
 
+TEST(Robotctl, errorsAgainstTheTruthAreMeasuredAndChangeNothing) {
+  const std::string command = "sim " + kScene + " --seconds 2 --json";
+  const PrintedOutcome measured = robotctl(command + " --errors");
+  ASSERT_EQ(measured.status, 0) << measured.text;
+  const auto figures = nlohmann::json::parse(measured.text);
+  const auto& robot = figures.at("errors").at("red1");
+  EXPECT_GT(robot.at("models/pose").at("position").at("count"), 40);
+  EXPECT_LT(robot.at("camera/pose").at("direction").at("median"), 0.1) << "rad";
+  EXPECT_LT(robot.at("percepts/ball").at("latency").at("mean"), 0.1) << "s";
+  EXPECT_EQ(figures.at("digest"), nlohmann::json::parse(robotctl(command).text).at("digest"));
+  EXPECT_EQ(robotctl("sim " + kScene + " --trials 1 --errors").status, 2);
+}
+
 TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {
   const auto realSeconds = [](const std::string& options) {
     const PrintedOutcome outcome = robotctl("sim " + kScene + " --json " + options);

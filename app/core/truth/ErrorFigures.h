@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace app {
+
+class TruthErrors;
+
+/// The errors for other programs, exact numbers under stable names:
+/// {"red1": {"models/ball": {"position": {"unit": "m", "count": 100, "mean": 0.1, "median": 0.08, "p95": 0.3,
+/// "max": 0.9}, "missed": 0.02, "false": 0.01, "latency": {...}}}}. "missed" and "false" are shares, and are
+/// left out where nothing could be missed, or nothing was reported.
+nlohmann::json errorFigures(const TruthErrors& errors);
+/// The result of errorFigures() as a table for users, a line for each quantity; empty if there is none.
+std::string errorsText(const nlohmann::json& figures);
+
+}  // namespace app

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/truth/PackageComparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "app/core/truth/TruthErrors.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::OracleWorld;
+using robotlink::FieldDescription;
+using robotlink::Pose2;
+using robotlink::Pose3;
+using robotlink::Vector2;
+using robotlink::Vector3;
+
+/// How far away a thing may be that counts as missed if it is not reported, m.
+constexpr double kNear = 2;
+/// What is reported farther than this from each thing of its kind is invented: m, and a share of the
+/// distance.
+constexpr double kInvented = 0.3, kInventedShare = 0.25;
+/// The relative error counts up to this distance, m; nearer things than the second are taken as that far.
+constexpr double kRelativeUpTo = 1.5, kRelativeFrom = 0.1;
+/// Landmarks are looked at up to this distance, m, at about half of their height, m.
+constexpr double kLandmarkDistance = 4, kLandmarkHeight = 0.2;
+/// Another robot's height of which the center is looked at, m.
+constexpr double kRobotHeight = 0.1;
+
+void note(PackageErrors& errors, const char* quantity, const char* unit, double amount) {
+  ErrorQuantity& found = errors.quantities[quantity];
+  found.unit = unit;
+  found.amounts.add(amount);
+}
+
+bool isInvented(double error, double distance) {
+  return error > kInvented + kInventedShare * distance;
+}
+
+/// The things of a kind that are there, and whether each could be seen or known.
+struct Thing {
+  Vector2 position;  ///< m, in the robot's frame
+  bool isDue = false;
+};
+
+/// What a robot sees, as its true camera shows it.
+class View {
+ public:
+  explicit View(const OracleWorld& truth) {
+    const robotcontrol::CameraPose& camera = truth.camera();
+    if (!truth.has_camera() || camera.horizontal_angle() <= 0 || camera.vertical_angle() <= 0) return;
+    cameraInverse_ = robotlink::pose3(camera.camera_in_robot()).inverse();
+    across_ = std::tan(camera.horizontal_angle() / 2);
+    along_ = std::tan(camera.vertical_angle() / 2);
+  }
+  /// Whether a point of the robot's frame is inside of the image; x of the camera points into it.
+  bool shows(const Vector3& point) const {
+    if (!cameraInverse_) return false;
+    const Vector3 seen = *cameraInverse_ * point;
+    return seen.x() > 0.05 && std::abs(seen.y()) < across_ * seen.x() &&
+           std::abs(seen.z()) < along_ * seen.x();
+  }
+
+ private:
+  std::optional<Pose3> cameraInverse_;
+  double across_ = 0, along_ = 0;
+};
+
+Pose2 robotIn(const OracleWorld& truth) {
+  return robotlink::pose2(truth.robot_in_field());
+}
+
+Vector2 ballInRobot(const OracleWorld& truth) {
+  const Vector3 ball = robotlink::vector3(truth.ball_in_field());
+  return robotIn(truth).inverse() * Vector2(ball.head<2>());
+}
+
+void noteBall(PackageErrors& errors, const Vector2& reported, const Vector2& ball) {
+  const double error = (reported - ball).norm(), distance = ball.norm();
+  note(errors, "position", "m", error);
+  if (distance <= kRelativeUpTo) note(errors, "relative", "", error / std::max(distance, kRelativeFrom));
+}
+
+void compareBallModel(const google::protobuf::Message& value, const OracleWorld& truth,
+                      const FieldDescription*, PackageErrors& errors) {
+  const auto* model = dynamic_cast<const robotcontrol::BallModel*>(&value);
+  if (model == nullptr || !truth.has_ball_in_field()) return;
+  const Vector2 ball = ballInRobot(truth);
+  const bool isDue = ball.norm() <= kNear;
+  errors.there += isDue ? 1 : 0;
+  errors.missed += isDue && !model->known() ? 1 : 0;
+  if (!model->known()) return;
+  const Vector2 reported = robotlink::vector2(model->position_in_robot());
+  ++errors.reported;
+  errors.invented += isInvented((reported - ball).norm(), ball.norm()) ? 1 : 0;
+  noteBall(errors, reported, ball);
+}
+
+void compareBallPercept(const google::protobuf::Message& value, const OracleWorld& truth,
+                        const FieldDescription*, PackageErrors& errors) {
+  const auto* percept = dynamic_cast<const robotcontrol::BallPercept*>(&value);
+  if (percept == nullptr || !truth.has_ball_in_field()) return;
+  const Vector2 ball = ballInRobot(truth);
+  const Vector3 center(ball.x(), ball.y(), truth.ball_in_field().z());
+  const bool isDue = ball.norm() <= kNear && View(truth).shows(center);
+  errors.there += isDue ? 1 : 0;
+  errors.missed += isDue && !percept->seen() ? 1 : 0;
+  if (!percept->seen()) return;
+  const Vector2 reported = robotlink::vector2(percept->position_in_robot());
+  ++errors.reported;
+  if (isInvented((reported - ball).norm(), ball.norm()))
+    ++errors.invented;
+  else
+    noteBall(errors, reported, ball);
+}
+
+void comparePose(const google::protobuf::Message& value, const OracleWorld& truth, const FieldDescription*,
+                 PackageErrors& errors) {
+  const auto* estimate = dynamic_cast<const robotcontrol::RobotPose*>(&value);
+  if (estimate == nullptr || !truth.has_robot_in_field()) return;
+  const Pose2 reported = robotlink::pose2(estimate->robot_in_field()), pose = robotIn(truth);
+  note(errors, "position", "m", (reported.translation() - pose.translation()).norm());
+  note(errors, "heading", "rad", std::abs(robotlink::normalizedAngle(reported.heading - pose.heading)));
+}
+
+void compareCameraPose(const google::protobuf::Message& value, const OracleWorld& truth,
+                       const FieldDescription*, PackageErrors& errors) {
+  const auto* estimate = dynamic_cast<const robotcontrol::CameraPose*>(&value);
+  if (estimate == nullptr || !truth.has_camera()) return;
+  const Pose3 reported = robotlink::pose3(estimate->camera_in_robot());
+  const Pose3 camera = robotlink::pose3(truth.camera().camera_in_robot());
+  note(errors, "position", "m", (reported.translation() - camera.translation()).norm());
+  const Eigen::AngleAxisd between(reported.linear().transpose() * camera.linear());
+  note(errors, "direction", "rad", std::abs(between.angle()));
+}
+
+/// Assigns each reported place to the nearest thing that is left, notes its error, and counts.
+void matchPlaces(const std::vector<Vector2>& reported, std::vector<Thing> things, PackageErrors& errors) {
+  for (const Thing& thing : things) errors.there += thing.isDue ? 1 : 0;
+  for (const Vector2& place : reported) {
+    ++errors.reported;
+    const auto nearest = std::ranges::min_element(
+        things, {}, [&](const Thing& thing) { return (thing.position - place).norm(); });
+    const double error = nearest == things.end() ? 0 : (nearest->position - place).norm();
+    if (nearest == things.end() || isInvented(error, nearest->position.norm())) {
+      ++errors.invented;
+      continue;
+    }
+    note(errors, "position", "m", error);
+    things.erase(nearest);
+  }
+  for (const Thing& thing : things) errors.missed += thing.isDue ? 1 : 0;
+}
+
+void compareRobots(const google::protobuf::Message& value, const OracleWorld& truth, const FieldDescription*,
+                   PackageErrors& errors) {
+  const auto* percepts = dynamic_cast<const robotcontrol::RobotPercepts*>(&value);
+  if (percepts == nullptr) return;
+  const View view(truth);
+  std::vector<Thing> others;
+  for (const OracleWorld::Robot& other : truth.others()) {
+    const Vector2 place = robotIn(truth).inverse() * robotlink::pose2(other.pose_in_field()).translation();
+    others.push_back({place, place.norm() <= kNear && view.shows({place.x(), place.y(), kRobotHeight})});
+  }
+  std::vector<Vector2> reported;
+  for (const auto& robot : percepts->robots())
+    reported.push_back(robotlink::vector2(robot.position_in_robot()));
+  matchPlaces(reported, std::move(others), errors);
+}
+
+void comparePlayers(const google::protobuf::Message& value, const OracleWorld& truth, const FieldDescription*,
+                    PackageErrors& errors) {
+  const auto* model = dynamic_cast<const robotcontrol::PlayersModel*>(&value);
+  if (model == nullptr) return;
+  const Pose2 fieldInRobot = robotIn(truth).inverse();
+  std::vector<Thing> others;
+  for (const OracleWorld::Robot& other : truth.others()) {
+    const Vector2 place = fieldInRobot * robotlink::pose2(other.pose_in_field()).translation();
+    others.push_back({place, place.norm() <= kNear});
+  }
+  std::vector<Vector2> reported;
+  for (const auto& player : model->players())
+    reported.push_back(fieldInRobot * robotlink::vector2(player.position_in_field()));
+  matchPlaces(reported, std::move(others), errors);
+}
+
+/// Landmarks by their names as in the field's description.
+std::map<std::string, Vector2> landmarksOf(const FieldDescription& field) {
+  std::map<std::string, Vector2> landmarks;
+  for (const auto& beacon : field.beacons) landmarks[beacon.name] = beacon.position;
+  for (const auto& goal : field.goals) landmarks[goal.name] = {goal.x, 0};
+  return landmarks;
+}
+
+void compareLandmarks(const google::protobuf::Message& value, const OracleWorld& truth,
+                      const FieldDescription* field, PackageErrors& errors) {
+  const auto* percepts = dynamic_cast<const robotcontrol::LandmarkPercepts*>(&value);
+  if (percepts == nullptr || field == nullptr || !truth.has_robot_in_field()) return;
+  std::map<std::string, Thing> landmarks;
+  const View view(truth);
+  for (const auto& [name, position] : landmarksOf(*field)) {
+    const Vector2 place = robotIn(truth).inverse() * position;
+    const bool isDue =
+        place.norm() <= kLandmarkDistance && view.shows({place.x(), place.y(), kLandmarkHeight});
+    landmarks[name] = {place, isDue};
+    errors.there += isDue ? 1 : 0;
+  }
+  std::map<std::string, Thing> missed = landmarks;
+  for (const auto& percept : percepts->landmarks()) {
+    ++errors.reported;
+    missed.erase(percept.name());
+    const auto known = landmarks.find(percept.name());
+    const double distance = known == landmarks.end() ? 0 : known->second.position.norm();
+    const Vector2 reported(percept.distance() * std::cos(percept.bearing()),
+                           percept.distance() * std::sin(percept.bearing()));
+    if (known == landmarks.end() || isInvented((reported - known->second.position).norm(), 2 * distance)) {
+      ++errors.invented;
+      continue;
+    }
+    const Vector2& place = known->second.position;
+    note(errors, "distance", "m", std::abs(percept.distance() - distance));
+    note(errors, "bearing", "rad",
+         std::abs(robotlink::normalizedAngle(percept.bearing() - std::atan2(place.y(), place.x()))));
+  }
+  for (const auto& [name, thing] : missed) errors.missed += thing.isDue ? 1 : 0;
+}
+
+using Compare = void (*)(const google::protobuf::Message&, const OracleWorld&, const FieldDescription*,
+                         PackageErrors&);
+
+const std::map<std::string, Compare>& comparisons() {
+  static const std::map<std::string, Compare> kAll{
+      {robotlink::kCameraPose.name, compareCameraPose}, {robotlink::kBallPercept.name, compareBallPercept},
+      {robotlink::kRobotPercepts.name, compareRobots},  {robotlink::kLandmarkPercepts.name, compareLandmarks},
+      {robotlink::kBallModel.name, compareBallModel},   {robotlink::kRobotPose.name, comparePose},
+      {robotlink::kPlayersModel.name, comparePlayers}};
+  return kAll;
+}
+
+}  // namespace
+
+std::vector<std::string> comparablePackages() {
+  std::vector<std::string> names;
+  for (const auto& [name, compare] : comparisons()) names.push_back(name);
+  return names;
+}
+
+void comparePackage(const std::string& package, const google::protobuf::Message& value,
+                    const OracleWorld& truth, const FieldDescription* field, PackageErrors& errors) {
+  const auto found = comparisons().find(package);
+  if (found != comparisons().end()) found->second(value, truth, field, errors);
+}
+
+}  // namespace app

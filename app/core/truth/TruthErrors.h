@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/truth/ErrorSamples.h"
+#include "robotlink/base/Clock.h"
+#include "robotlink/process/Link.h"
+
+namespace robotcontrol {
+class OracleWorld;
+}
+namespace robotlink {
+struct FieldDescription;
+struct SharedDebugQueue;
+}  // namespace robotlink
+
+namespace app {
+
+/// What is compared with the simulator's truth, by the name of its quantity ("position"), with its unit.
+struct ErrorQuantity {
+  ErrorSamples amounts;
+  std::string unit;
+};
+
+/// How far what a solution publishes is from the truth.
+struct PackageErrors {
+  std::map<std::string, ErrorQuantity> quantities;
+  /// Things that were there to be seen or known and were not, of those that were there; and things that were
+  /// reported and were not there, of those that were reported.
+  std::size_t there = 0, missed = 0, reported = 0, invented = 0;
+  /// From the reading that a package is based on until it was published, s of the platform's time.
+  ErrorSamples latency;
+};
+
+/// Compares percepts and models of robots with the ground truth (oracle/world) of their simulation. Fed with
+/// the debug queues of a run in which the packages and oracle/world are published; what comes before the
+/// truth of its time waits for it.
+///
+/// A percept counts as missed if its object's center was in the image and nearer than 2 m, whatever stood in
+/// front of it. What a model does not know counts as missed only while it could: within 2 m.
+///
+/// One thread at a time. Memory is bounded, however long it runs.
+class TruthErrors {
+ public:
+  /// Keyed by the stream's path below the robot: "models/ball", or that of a shadow.
+  using Packages = std::map<std::string, PackageErrors>;
+
+  TruthErrors();
+  ~TruthErrors();
+  /// Without a field landmarks are not compared.
+  void setField(std::shared_ptr<const robotlink::FieldDescription> field) { field_ = std::move(field); }
+
+  /// The packages that are compared; their keys have to be on, and that of oracle/world.
+  static const std::vector<std::string>& packages();
+
+  void add(const std::string& robot, const robotlink::SharedDebugQueue& queue);
+  /// One message of a robot, with its path below the robot's name and the time when it was published; what
+  /// is neither truth nor compared is skipped.
+  void add(const std::string& robot, const std::string& path, robotlink::Instant published,
+           const robotlink::PackagePtr& value);
+  /// Forgets everything, such as after a reset.
+  void clear();
+  /// Keyed by robot.
+  const std::map<std::string, Packages>& errors() const { return errors_; }
+
+ private:
+  struct Waiting {
+    std::string path;
+    robotlink::Instant published;
+    robotlink::PackagePtr value;
+  };
+  struct Robot {
+    /// The newest last.
+    std::deque<std::pair<robotlink::Instant, robotlink::PackagePtr>> truths;
+    std::deque<Waiting> waiting;
+  };
+
+  void compareWaiting(const std::string& name, Robot& robot);
+  static const robotcontrol::OracleWorld* truthAt(const Robot& robot, robotlink::Instant time);
+  void compare(const std::string& robot, const Waiting& one, robotlink::Instant time,
+               const robotcontrol::OracleWorld& truth);
+
+  std::shared_ptr<const robotlink::FieldDescription> field_ = nullptr;
+  std::map<std::string, Robot> robots_;
+  std::map<std::string, Packages> errors_;
+};
+
+}  // namespace app

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/truth/TruthErrors.h"
+
+#include <gmock/gmock.h>
+
+#include "app/core/truth/ErrorFigures.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace app {
+namespace {
+
+using robotlink::Instant;
+using robotlink::Pose2;
+using robotlink::Vector2;
+using testing::DoubleNear;
+
+constexpr robotlink::Duration kFrame = std::chrono::milliseconds(40);
+
+class TruthErrorsTest : public testing::Test {
+ protected:
+  /// The robot stands at (1, 0) and looks along +y; the ball lies 1 m in front of it.
+  void tellTruth(Instant time) {
+    auto truth = std::make_shared<robotcontrol::OracleWorld>();
+    robotlink::assign(*truth->mutable_timestamp(), time);
+    robotlink::assign(*truth->mutable_robot_in_field(), Pose2{1, 0, robotlink::kPi / 2});
+    robotlink::assign(*truth->mutable_ball_in_field(), robotlink::Vector3(1, 1, 0.04));
+    auto& other = *truth->add_others();
+    other.set_name("blue1");
+    robotlink::assign(*other.mutable_pose_in_field(), Pose2{1, 1.5, 0});
+    auto& camera = *truth->mutable_camera();
+    robotlink::Pose3 pose = robotlink::Pose3::Identity();
+    pose.translation() = robotlink::Vector3(0.1, 0, 0.2);
+    robotlink::assign(*camera.mutable_camera_in_robot(), pose);
+    camera.set_horizontal_angle(1);
+    camera.set_vertical_angle(0.8);
+    errors_.add("red1", "oracle/world", time, truth);
+  }
+  template <typename T>
+  std::shared_ptr<T> at(Instant time) {
+    auto value = std::make_shared<T>();
+    robotlink::assign(*value->mutable_timestamp(), time);
+    return value;
+  }
+  void ballPercept(Instant time, const std::optional<Vector2>& place) {
+    auto percept = at<robotcontrol::BallPercept>(time);
+    percept->set_seen(place.has_value());
+    if (place) robotlink::assign(*percept->mutable_position_in_robot(), *place);
+    errors_.add("red1", "percepts/ball", time + kFrame, percept);
+  }
+  const PackageErrors& of(const std::string& package) { return errors_.errors().at("red1").at(package); }
+
+  TruthErrors errors_;
+};
+
+TEST_F(TruthErrorsTest, aBallIsComparedInTheFrameOfTheRobot) {
+  const Instant time(std::chrono::seconds(1));
+  tellTruth(time);
+  auto model = at<robotcontrol::BallModel>(time);
+  model->set_known(true);
+  robotlink::assign(*model->mutable_position_in_robot(), Vector2(1, 0.1));
+  errors_.add("red1", "models/ball", time + kFrame, model);
+  tellTruth(time + kFrame);
+  EXPECT_NEAR(of("models/ball").quantities.at("position").amounts.mean(), 0.1, 1e-9);
+  EXPECT_NEAR(of("models/ball").quantities.at("relative").amounts.mean(), 0.1, 1e-9);
+  EXPECT_NEAR(of("models/ball").latency.mean(), 0.04, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, whatComesBeforeItsTruthWaitsForIt) {
+  const Instant time(std::chrono::seconds(1));
+  auto pose = at<robotcontrol::RobotPose>(time);
+  robotlink::assign(*pose->mutable_robot_in_field(), Pose2{1.3, 0.4, robotlink::kPi / 2 - 0.2});
+  errors_.add("red1", "models/pose", time, pose);
+  EXPECT_TRUE(errors_.errors().empty());
+  tellTruth(time);
+  EXPECT_NEAR(of("models/pose").quantities.at("position").amounts.mean(), 0.5, 1e-9);
+  EXPECT_NEAR(of("models/pose").quantities.at("heading").amounts.mean(), 0.2, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, whatIsInTheImageAndNotSeenIsMissed) {
+  const Instant time(std::chrono::seconds(1));
+  ballPercept(time, std::nullopt);
+  ballPercept(time, Vector2(1.05, 0));
+  ballPercept(time, Vector2(2.5, 0));
+  tellTruth(time);
+  const PackageErrors& ball = of("percepts/ball");
+  EXPECT_EQ(ball.there, 3U);
+  EXPECT_EQ(ball.missed, 1U);
+  EXPECT_EQ(ball.reported, 2U);
+  EXPECT_EQ(ball.invented, 1U) << "1.5 m beside the ball is no error of a percept of the ball";
+  EXPECT_NEAR(ball.quantities.at("position").amounts.maximum(), 0.05, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, robotsAreMatchedWithTheNearestOnes) {
+  const Instant time(std::chrono::seconds(1));
+  auto percepts = at<robotcontrol::RobotPercepts>(time);
+  robotlink::assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.4, 0));
+  robotlink::assign(*percepts->add_robots()->mutable_position_in_robot(), Vector2(1.6, 0));
+  errors_.add("red1", "percepts/robots", time, percepts);
+  tellTruth(time);
+  EXPECT_EQ(of("percepts/robots").missed, 0U);
+  EXPECT_EQ(of("percepts/robots").invented, 1U) << "one robot cannot be seen twice";
+}
+
+TEST_F(TruthErrorsTest, landmarksAreThoseOfTheField) {
+  auto field = std::make_shared<robotlink::FieldDescription>();
+  field->goals.push_back({"skyblue", 1, "skyblue"});
+  field->beacons.push_back({"post", {1, 2}, "", ""});
+  errors_.setField(field);
+  const Instant time(std::chrono::seconds(1));
+  auto percepts = at<robotcontrol::LandmarkPercepts>(time);
+  auto& post = *percepts->add_landmarks();
+  post.set_name("post");
+  post.set_distance(2.2);
+  post.set_bearing(0.05);
+  percepts->add_landmarks()->set_name("moon");
+  errors_.add("red1", "percepts/landmarks", time, percepts);
+  tellTruth(time);
+  const PackageErrors& landmarks = of("percepts/landmarks");
+  EXPECT_NEAR(landmarks.quantities.at("distance").amounts.mean(), 0.2, 1e-9);
+  EXPECT_NEAR(landmarks.quantities.at("bearing").amounts.mean(), 0.05, 1e-9);
+  EXPECT_EQ(landmarks.invented, 1U);
+  EXPECT_EQ(landmarks.there, 1U) << "the goal is behind the robot's feet";
+}
+
+TEST_F(TruthErrorsTest, aShadowHasErrorsOfItsOwn) {
+  const Instant time(std::chrono::seconds(1));
+  auto pose = at<robotcontrol::RobotPose>(time);
+  errors_.add("red1", "shadow/odometry/models/pose", time, pose);
+  tellTruth(time);
+  EXPECT_EQ(errors_.errors().at("red1").count("models/pose"), 0U);
+  EXPECT_NEAR(of("shadow/odometry/models/pose").quantities.at("position").amounts.mean(), 1, 1e-9);
+}
+
+TEST_F(TruthErrorsTest, otherStreamsAndMessagesWithoutATimeAreSkipped) {
+  const Instant time(std::chrono::seconds(1));
+  errors_.add("red1", "models/ball", time, std::make_shared<robotcontrol::BallModel>());
+  errors_.add("red1", "camera/image", time, at<robotcontrol::BallModel>(time));
+  errors_.add("red1", "shadow", time, at<robotcontrol::BallModel>(time));
+  errors_.add("red1", "shadow/", time, at<robotcontrol::BallModel>(time));
+  errors_.add("red1", "models/pose", time, at<robotcontrol::BallModel>(time));
+  tellTruth(time);
+  EXPECT_TRUE(of("models/pose").quantities.empty()) << "it is of another type";
+  EXPECT_EQ(errors_.errors().at("red1").size(), 1U);
+}
+
+TEST_F(TruthErrorsTest, figuresHaveUnitsAndSharesOnlyOfWhatThereWas) {
+  const Instant time(std::chrono::seconds(1));
+  ballPercept(time, std::nullopt);
+  tellTruth(time);
+  const auto figures = errorFigures(errors_);
+  EXPECT_EQ(figures["red1"]["percepts/ball"]["missed"], 1.0);
+  EXPECT_FALSE(figures["red1"]["percepts/ball"].contains("false")) << "nothing was reported";
+  EXPECT_THAT(errorsText(figures), testing::HasSubstr("median"));
+  EXPECT_EQ(errorsText(nlohmann::json::object()), "");
+}
+
+TEST(ErrorSamples, statisticsAreThoseOfTheSamples) {
+  ErrorSamples samples;
+  EXPECT_EQ(samples.quantile(0.5), 0);
+  for (int i = 1; i <= 100; ++i) samples.add(i);
+  samples.add(std::nan(""));
+  EXPECT_EQ(samples.count(), 100U);
+  EXPECT_EQ(samples.mean(), 50.5);
+  EXPECT_EQ(samples.quantile(0.5), 50);
+  EXPECT_EQ(samples.quantile(0.95), 95);
+  EXPECT_EQ(samples.quantile(1), 100);
+  EXPECT_EQ(samples.maximum(), 100);
+}
+
+TEST(ErrorSamples, memoryIsBoundedAndTheQuantilesStay) {
+  ErrorSamples samples;
+  for (std::size_t i = 0; i < 5 * ErrorSamples::kMaxKept; ++i) samples.add(static_cast<double>(i % 1000));
+  EXPECT_THAT(samples.quantile(0.5), DoubleNear(500, 10));
+  EXPECT_EQ(samples.count(), 5 * ErrorSamples::kMaxKept);
+}
+
+}  // namespace
+}  // namespace app
