@@ -65,7 +65,7 @@ ROOMS = {
         "log", "streams", "timing", "color", "drive", "messages", "search", "console", "plots/items", "plots", "data", "overview", "scene", "objects", "sceneedit", "timeline", "export", "color/image", "color/quality",
         "color/samples", "color/space"],
     "app/core": ["plugins", "truth", "program", "own", "spread", "platform", "recordings", "deploy", "real", "pioneer", "camera", "replay", "scenetext", "simulated", "remote", "body", "."],
-    "app/robotctl": [".", "color", "link", "log", "run"],
+    "app/robotctl": [".", "color", "compare", "link", "log", "run"],
     "app/robotcontrol": ["language", "actions", "commands", "presets", "remote", "docks", "bars", "."],
 }
 

@@ -16,6 +16,8 @@ namespace app {
 // Each of these functions adds a subcommand to `app`. When it is chosen, its callback runs the command and
 // sets `status`, an ExitStatus, which must outlive the parsing.
 void addSimCommand(CLI::App& app, int& status);
+void addCompareCommand(CLI::App& app, int& status);
+void addTournamentCommand(CLI::App& app, int& status);
 void addSceneCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);

@@ -43,6 +43,8 @@ int run(int argc, char** argv) {
       "COMMAND --help' shows its options.");
   int status = kDone;
   addSimCommand(app, status);
+  addCompareCommand(app, status);
+  addTournamentCommand(app, status);
   addSceneCommand(app, status);
   addLayoutCommand(app, status);
   addLogCommand(app, status);

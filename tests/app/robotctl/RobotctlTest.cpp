@@ -10,8 +10,10 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
 #include <string>
 
+#include "tests/TestFolder.h"
 #include "tests/app/robotctl/RobotctlRun.h"
 
 namespace {
@@ -146,6 +148,25 @@ TEST(Robotctl, errorsAgainstTheTruthAreMeasuredAndChangeNothing) {
   EXPECT_LT(robot.at("percepts/ball").at("latency").at("mean"), 0.1) << "s";
   EXPECT_EQ(figures.at("digest"), nlohmann::json::parse(robotctl(command).text).at("digest"));
   EXPECT_EQ(robotctl("sim " + kScene + " --trials 1 --errors").status, 2);
+}
+
+TEST(Robotctl, solutionsAreComparedWithSeedsAndResultsThatAreThereCount) {
+  const TestFolder folder;
+  const std::string out = (folder / "compared").string();
+  const std::string command = "compare --task ball-model --solutions filtered,oracle --scene " + kScene +
+                              " --seeds 2 --seconds 1 --out " + out;
+  const PrintedOutcome first = robotctl(command);
+  EXPECT_EQ(first.status, 0) << first.text;
+  for (const char* file : {"report.html", "results.csv", "summary.csv", "differences.csv"})
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(out) / file)) << file;
+  const auto made = std::filesystem::last_write_time(out + "/runs/oracle--seed-1.json");
+  EXPECT_EQ(robotctl(command).status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(out + "/runs/oracle--seed-1.json"), made)
+      << "it is not run again";
+  const PrintedOutcome wrong =
+      robotctl("compare --task ball-model --solutions filtred --scene x --out " + out);
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.text, testing::HasSubstr("did you mean 'filtered'?"));
 }
 
 TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {

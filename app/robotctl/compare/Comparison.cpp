@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/compare/Comparison.h"
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+
+/// Figures of the run itself that are comparable, with their units.
+constexpr std::array<std::pair<const char*, const char*>, 4> kOwn{
+    {{"ball_contacts", ""}, {"ms_per_step", "ms"}, {"ms_per_image", "ms"}, {"real_time_factor", ""}}};
+
+/// Sums up what several robots have, to be divided by their number.
+class Means {
+ public:
+  void add(const std::string& name, const std::string& unit, double value) {
+    auto found = std::ranges::find(
+        all_, name, [](const Sum& sum) -> const auto& { return sum.figure.name; });
+    if (found == all_.end()) found = all_.insert(found, {{name, unit, 0}, 0});
+    found->figure.value += value;
+    ++found->count;
+  }
+  std::vector<Figure> result() const {
+    std::vector<Figure> figures;
+    for (const Sum& sum : all_) {
+      figures.push_back(sum.figure);
+      figures.back().value /= sum.count;
+    }
+    return figures;
+  }
+
+ private:
+  struct Sum {
+    Figure figure;
+    int count = 0;
+  };
+  std::vector<Sum> all_;
+};
+
+void addErrors(const json& packages, Means& means) {
+  for (const auto& [path, package] : packages.items()) {
+    for (const auto& [name, quantity] : package.items()) {
+      if (quantity.is_number()) means.add(path + " " + name, "", quantity.get<double>());
+      if (!quantity.is_object()) continue;
+      for (const char* statistic : {"mean", "median", "p95"})
+        if (quantity.contains(statistic))
+          means.add(path + " " + name + " " + statistic, quantity.value("unit", ""),
+                    quantity[statistic].get<double>());
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Figure> figuresIn(const json& printed) {
+  Means means;
+  if (printed.contains("errors"))
+    for (const auto& [robot, packages] : printed["errors"].items()) addErrors(packages, means);
+  if (printed.contains("goals"))
+    for (const auto& [team, count] : printed["goals"].items())
+      if (count.is_number()) means.add("goals of " + team, "", count.get<double>());
+  for (const auto& [name, unit] : kOwn)
+    if (printed.contains(name) && printed[name].is_number())
+      means.add(name, unit, printed[name].get<double>());
+  return means.result();
+}
+
+void Comparison::add(const std::string& variant, const std::string& subject,
+                     const std::vector<Figure>& figures) {
+  if (std::ranges::find(variants_, variant) == variants_.end()) variants_.push_back(variant);
+  for (const Figure& figure : figures) {
+    auto row = std::ranges::find(rows_, figure.name, &Row::name);
+    if (row == rows_.end()) row = rows_.insert(row, {figure.name, figure.unit, {}});
+    row->byVariant[variant].bySubject[subject] = figure.value;
+  }
+}
+
+MeanInterval Comparison::meanOf(const Row& row, const std::string& variant) {
+  std::vector<double> values;
+  if (const auto cell = row.byVariant.find(variant); cell != row.byVariant.end())
+    for (const auto& [subject, value] : cell->second.bySubject) values.push_back(value);
+  return bootstrapMean(values);
+}
+
+std::vector<Difference> Comparison::differences() const {
+  std::vector<Difference> all;
+  for (const Row& row : rows_) {
+    for (std::size_t i = 0; i < variants_.size(); ++i) {
+      for (std::size_t j = i + 1; j < variants_.size(); ++j) {
+        const auto first = row.byVariant.find(variants_[i]), second = row.byVariant.find(variants_[j]);
+        if (first == row.byVariant.end() || second == row.byVariant.end()) continue;
+        std::vector<double> changes;
+        for (const auto& [subject, value] : first->second.bySubject)
+          if (const auto other = second->second.bySubject.find(subject);
+              other != second->second.bySubject.end())
+            changes.push_back(other->second - value);
+        all.push_back(
+            {row.name, row.unit, variants_[i], variants_[j], changes.size(), bootstrapMean(changes)});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace app

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/robotctl/compare/Bootstrap.h"
+
+namespace app {
+
+/// A figure of one run: "models/pose position mean", with its unit ("m", "rad", "s", or none).
+struct Figure {
+  std::string name, unit;
+  double value = 0;
+};
+
+/// The figures that a run has printed (`robotctl sim --errors --json`, `robotctl run --errors --json`):
+/// errors as means over its robots, goals, contacts with the ball, and what it cost.
+std::vector<Figure> figuresIn(const nlohmann::json& printed);
+
+/// How two variants differ in a figure, on the subjects that both were tried on.
+struct Difference {
+  std::string figure, unit, first, second;
+  std::size_t subjects = 0;
+  MeanInterval change;  ///< that of the second minus that of the first
+  /// Whether the bounds exclude that there is none.
+  bool isReal() const { return change.low > 0 || change.high < 0; }
+};
+
+/// The figures of several variants, each tried on some subjects. A plain value.
+class Comparison {
+ public:
+  struct Cell {
+    std::map<std::string, double> bySubject;
+  };
+  struct Row {
+    std::string name, unit;
+    std::map<std::string, Cell> byVariant;
+  };
+
+  void add(const std::string& variant, const std::string& subject, const std::vector<Figure>& figures);
+  /// In the order in which they came.
+  const std::vector<std::string>& variants() const { return variants_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Mean and bounds of a variant in a row.
+  static MeanInterval meanOf(const Row& row, const std::string& variant);
+  /// Each pair of variants in each row, in order.
+  std::vector<Difference> differences() const;
+
+ private:
+  std::vector<std::string> variants_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace app

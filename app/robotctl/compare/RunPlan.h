@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
+namespace app {
+
+/// One of the runs that are compared: `robotctl` with these arguments, which prints figures as JSON.
+struct PlannedRun {
+  /// What is compared, such as a solution or a pair of teams.
+  std::string variant;
+  /// What it is tried on, "seed 3" or the name of a log. Variants are compared on the same subject.
+  std::string subject;
+  std::vector<std::string> arguments;
+};
+
+/// The files of runs in a folder: what was asked for, what came of it, and what was said meanwhile. A result
+/// counts as long as its run is still the same.
+class RunFiles {
+ public:
+  /// Makes the folder. Fails if that is impossible.
+  static robotlink::Result<RunFiles> in(const std::filesystem::path& folder);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path result(const PlannedRun& run) const { return fileOf(run, ".json"); }
+  /// Becomes the result when the run has ended well.
+  std::filesystem::path unfinished(const PlannedRun& run) const { return fileOf(run, ".json.part"); }
+  std::filesystem::path texts(const PlannedRun& run) const { return fileOf(run, ".txt"); }
+
+  /// Whether there is a result of this very run.
+  bool isDone(const PlannedRun& run) const;
+  /// To be called before it is started: removes an older result. Fails if it cannot be written.
+  robotlink::Result<void> prepare(const PlannedRun& run) const;
+  /// Makes what it has written its result.
+  robotlink::Result<void> finish(const PlannedRun& run) const;
+
+ private:
+  explicit RunFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  std::filesystem::path fileOf(const PlannedRun& run, const char* suffix) const;
+
+  std::filesystem::path folder_;
+};
+
+/// A command line that a shell reads as these words.
+std::string shellLine(const std::vector<std::string>& words);
+
+}  // namespace app
