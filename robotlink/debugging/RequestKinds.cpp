@@ -10,6 +10,7 @@
 #include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/DebugKey.h"
 #include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/WorldRequests.h"
 #include "robotlink/motions/MotionLibrary.h"
 #include "robotlink/packages/PackageTypes.h"
 #include "robotlink/packages/ParsedMessage.h"
@@ -262,7 +263,7 @@ constexpr RequestKind kNothing{Request::WHAT_NOT_SET, RequestDoer::kNobody, "not
 using Doer = RequestDoer;
 using Effect = RequestEffect;
 
-constexpr std::array<RequestKind, 24> kKinds{{
+constexpr std::array<RequestKind, 31> kKinds{{
     {.what = Request::kSetKey,
      .doer = Doer::kDebugProcess,
      .words = "set key",
@@ -366,6 +367,20 @@ constexpr std::array<RequestKind, 24> kKinds{{
      .words = "set sensor errors",
      .subject = sensorOfErrors},
     {.what = Request::kMoveDoor, .doer = Doer::kSimulation, .words = "move door", .subject = doorMoved},
+    {.what = Request::kTurnModel, .doer = Doer::kSimulation, .words = "turn model", .wrong = wrongTurn},
+    {.what = Request::kThrowModel, .doer = Doer::kSimulation, .words = "throw model", .wrong = wrongThrow},
+    {.what = Request::kPinObject, .doer = Doer::kSimulation, .words = "pin object", .wrong = wrongPin},
+    {.what = Request::kDragObject, .doer = Doer::kSimulation, .words = "drag object", .wrong = wrongDrag},
+    {.what = Request::kPushObject, .doer = Doer::kSimulation, .words = "push object", .wrong = wrongPush},
+    {.what = Request::kReadForces,
+     .doer = Doer::kSimulation,
+     .words = "read forces",
+     .wrong = wrongForceReading},
+    {.what = Request::kControlSnapshots,
+     .doer = Doer::kSimulation,
+     .words = "control snapshots",
+     .wrong = wrongSnapshots,
+     .file = fileOfSnapshot},
     {.what = Request::kHostProgram,
      .doer = Doer::kSimulation,
      .words = "host program",

@@ -39,6 +39,7 @@ inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
 inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
 inline constexpr char kObjects[] = "objects";        ///< WorldObjects
 inline constexpr char kPorts[] = "ports";            ///< PortReadings
+inline constexpr char kForces[] = "forces";          ///< WorldForces
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
 inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
 inline constexpr char kReplay[] = "replay";          ///< ReplayStatus
